@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
+# What every target of this project is compiled with.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# Contraction to fused multiply-add would make the bits depend on the compiler and the machine.
+add_library(avo_settings INTERFACE)
+target_compile_features(avo_settings INTERFACE cxx_std_20)
+target_compile_options(avo_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
+  $<$<BOOL:${AVO_WERROR}>:-Werror>)

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wrong configuration is reported by exception, at the boundary only (constructors, setters,
+// loaders). Outcomes of a situation are values: see PlanStatus.
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace avo {
+
+/// One line that says where, what was found and what is allowed.
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string& message) : std::runtime_error(message) {}
+};
+
+}  // namespace avo

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// From two robots to one half-plane (paper §IV-B, §IV-C). Everything is relative to the present
+// velocities: w = v'_AB - v_AB, and w = 0 means "both keep their velocity".
+#pragma once
+#include "avo/geometry.h"
+#include "avo/horizon.h"
+#include "avo/velocity_obstacle.h"
+
+namespace avo {
+
+enum class PairState {
+  free,         ///< nothing within reach collides before τ: no half-plane
+  constrained,  ///< n . w >= h
+  overlapping,  ///< in contact already: n . w >= h separates within the shortest window in reach
+  coincident,   ///< same center, same velocity: no direction can be told, no half-plane
+};
+
+struct RelativeHalfPlane {
+  PairState state = PairState::free;
+  HalfPlane plane;  ///< [n, h] n unit, h in m/s; meaningful where state is not free or coincident
+};
+
+/// The half-plane H of Eqs. (15), (16): tangent at the point of the boundary of
+/// hull(D(0, reach) ∩ AVO) nearest to w = 0. reach = δ (a_A + a_B), m/s.
+/// Properties, each tested under its number:
+///  (1) sound: |w| <= reach and n . w >= h imply |x(t)| >= r_AB on (0, τ];
+///  (2) h <= reach unless every reachable w collides, then h > reach says by how much;
+///  (3) odd: (-p, -v) gives (-n, h), bit for bit;
+///  (4) turning p and v by 90 degrees turns n, bit for bit; mirroring mirrors n, ties apart;
+///  (5) ties (p parallel to v) are broken towards the left of p, so that A passes on its right.
+RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& horizon) noexcept;
+
+/// The same from the paper's boundary of `samples` points a side, joined by chords (§VI-A).
+/// Optimistic: chords cut through the obstacle. A reference, not for safety. May allocate.
+RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, const Horizon& horizon,
+                                     int samples);
+
+/// ORCA's half-plane: the limit δ -> 0, reach -> infinity, in closed form. time_step is the
+/// window in which overlapping robots separate.
+RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon, double time_step) noexcept;
+
+/// Share of the responsibility of A, Eq. (20): proportional to its ability to change velocity.
+/// Requires: not both zero. (1) 0 <= share <= 1; (2) share(a, b) + share(b, a) = 1 to rounding.
+constexpr double reciprocal_share(double max_acceleration_A, double max_acceleration_B) {
+  return max_acceleration_A / (max_acceleration_A + max_acceleration_B);
+}
+
+/// A's half-plane in v'_A, Eq. (17): the relative one scaled by the share about v_AB, moved to v_A.
+constexpr HalfPlane apportion(const HalfPlane& relative, Vec2 v_A, double alpha_AB) {
+  return {relative.normal, dot(relative.normal, v_A) + alpha_AB * relative.offset};
+}
+
+}  // namespace avo

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fleet of robots that all plan alone and at the same time, each from the same generation.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "avo/planner.h"
+#include "avo/scenario.h"
+
+namespace avo {
+
+/// Stable name of a robot; never reused within a simulation.
+struct RobotId {
+  std::uint64_t value = 0;  ///< robots of the scenario are 0, 1, ... in its order
+  friend constexpr bool operator==(RobotId, RobotId) = default;
+};
+
+/// Columns of the present generation, one entry a robot, by ascending id. Valid until the next
+/// call that changes the simulation.
+struct FleetView {
+  std::span<const RobotId> id;
+  std::span<const Vec2> position;      ///< m
+  std::span<const Vec2> velocity;      ///< m/s
+  std::span<const double> heading;     ///< rad; of cars, 0 for others
+  std::span<const Vec2> goal;          ///< m
+  std::span<const RobotSetup> setup;   ///< the constant part (radius, limits, car)
+  std::span<const Plan> plan;          ///< of the last step; value-initialized before the first
+  std::span<const double> applied_acceleration;  ///< m/s^2, the largest |a| within the last step
+};
+
+struct ObstacleView {
+  std::span<const Vec2> position;
+  std::span<const Vec2> velocity;
+  std::span<const MovingObstacle> setup;
+};
+
+class Simulation {
+ public:
+  /// Throws Error on a bad scenario (see validate). threads = 0: as many as the machine has.
+  explicit Simulation(const Scenario& scenario, int threads = 0);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// One sensing-acting cycle of all robots: decide from the present generation, move by Δt.
+  /// Bit-identical for any number of threads; allocates nothing once warm.
+  void step();
+
+  RobotId add_robot(const RobotSetup& setup);  ///< throws Error on bad values
+  void remove_robot(RobotId robot);            ///< throws Error if there is no such robot
+  void set_goal(RobotId robot, Vec2 goal);     ///< throws Error if there is no such robot
+
+  [[nodiscard]] FleetView fleet() const;
+  [[nodiscard]] ObstacleView obstacles() const;
+  [[nodiscard]] double time() const;           ///< s, steps() * time_step
+  [[nodiscard]] std::int64_t steps() const;
+  [[nodiscard]] bool all_at_goal() const;      ///< all within arrival_distance now
+  /// Equal for equal states, bit by bit: the determinism contract, testable by anyone.
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+  /// What `robot` (an index into fleet()) would see and decide now: itself with its preferred
+  /// velocity, and its neighbors as sensed, in the order in which they are planned with.
+  struct Perception {
+    Robot robot;
+    std::vector<Neighbor> neighbors;
+    std::vector<int> source;  ///< index into fleet(), or -1 - k for moving obstacle k
+    bool alone = false;       ///< planned by plan_among_obstacles (a single robot, §III-C)
+  };
+  [[nodiscard]] Perception perceive(std::size_t robot) const;
+  [[nodiscard]] const Planner& planner() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace avo
