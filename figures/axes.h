@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frame, ticks and units around the view of a canvas.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "figures/canvas.h"
+
+namespace avo::figures {
+
+/// Round numbers (1, 2 or 5 times a power of ten apart) in [lower, upper], at most `most` of them
+/// for most >= 2.
+std::vector<double> nice_ticks(double lower, double upper, int most);
+
+/// A tick as short as it can be: "0", "2.5", "-10".
+std::string tick_label(double value, double spacing);
+
+struct Axes {
+  std::string x_label, y_label;  ///< markup, with the unit
+  int most_ticks_x = 7;
+  int most_ticks_y = 7;
+  bool grid = false;  ///< thin lines at the ticks
+};
+
+/// What draw_axes needs to the left of and below the view, in pt.
+inline constexpr double kAxesLeft = 38.0;
+inline constexpr double kAxesBottom = 32.0;
+
+/// The frame of the present view with ticks and labels outside of it.
+void draw_axes(Canvas& canvas, const Axes& axes);
+
+/// Only the lines at the ticks, to be drawn before the data.
+void draw_grid(Canvas& canvas, const Axes& axes);
+
+}  // namespace avo::figures

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// A page to draw on: one drawing code for .svg, .png and .pdf, by the file's extension.
+//
+// Two coordinate systems: the page, in points with y down from the upper left corner, and the
+// world (m or m/s) with y up, shown in one rectangle of the page at a time. Lengths of the pen,
+// of text and of marks are always in points.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+
+#include "avo/geometry.h"
+#include "avo/vec.h"
+
+namespace avo::figures {
+
+/// Components in [0, 1].
+struct Color {
+  double red = 0.0, green = 0.0, blue = 0.0, alpha = 1.0;
+};
+
+constexpr Color gray(double level) {
+  return {level, level, level, 1.0};
+}
+inline constexpr Color kBlack{};
+inline constexpr Color kWhite = gray(1.0);
+
+/// The color at `part` of the way from `from` (0) to `to` (1).
+Color mix(Color from, Color to, double part);
+
+/// A saturated color of even visual weight; the hue is taken modulo 360 degrees.
+Color hue_color(double degrees);
+
+/// Axis-parallel rectangle, lower <= upper.
+struct Box {
+  Vec2 lower, upper;
+};
+Box enclosing(const Box& a, const Box& b);
+Box enclosing(const Disc& disc);
+Box grown(const Box& box, double margin);
+
+struct Stroke {
+  Color color;
+  double width = 1.0;  ///< pt
+  double dash = 0.0;   ///< pt, 0: solid
+};
+
+struct TextStyle {
+  double size = 9.0;  ///< pt
+  Color color;
+  double align_x = 0.0;  ///< 0: starts at the anchor, 0.5: centered, 1: ends there
+  double align_y = 0.0;  ///< 0: baseline at the anchor, 0.5: middle of a capital, 1: below it
+  Vec2 offset;           ///< pt, y up, added to the anchor
+  bool bold = false;
+  bool halo = false;   ///< with a white rim, to be read on any ground
+  double angle = 0.0;  ///< rad, counter-clockwise
+};
+
+enum class FillRule { nonzero, even_odd };
+
+/// What the world rectangle of a page keeps when its shape does not fit.
+enum class Aspect {
+  equal,    ///< one unit is as long in x as in y; the world shown grows to fill the page box
+  stretch,  ///< each axis has its own scale
+};
+
+/// Throws Error unless the name ends in .svg, .png or .pdf.
+void check_figure_path(const std::string& path);
+
+/// Invariant: the file at `path` is either untouched or complete: finish() writes under a
+/// temporary name and renames. The output depends on the drawing only (no date, no random id).
+class Canvas {
+ public:
+  /// Size in pt; a PNG has two pixels to the point. Throws Error on an unknown extension or when
+  /// Cairo cannot make the page.
+  Canvas(const std::string& path, double width, double height);
+  ~Canvas();  ///< without finish(): nothing is written
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  /// Writes the file. Throws Error with the file name and the system's or Cairo's reason.
+  void finish();
+
+  [[nodiscard]] double width() const;
+  [[nodiscard]] double height() const;
+
+  /// Shows `world` in the rectangle `page` (pt, y down).
+  void set_view(const Box& page, const Box& world, Aspect aspect = Aspect::equal);
+  [[nodiscard]] Box view_page() const;   ///< pt
+  [[nodiscard]] Box view_world() const;  ///< what is visible; with Aspect::equal at least `world`
+  [[nodiscard]] double scale() const;    ///< pt per unit of x
+  [[nodiscard]] Vec2 to_page(Vec2 world) const;
+
+  /// Parts of the path that the next fill(), stroke() or clip() uses up. World coordinates.
+  Canvas& add_disc(const Disc& disc);
+  Canvas& add_box(const Box& box);
+  Canvas& add_polyline(std::span<const Vec2> points);
+  Canvas& add_polygon(std::span<const Vec2> points);
+  /// A dot with its radius in pt, a cross or a square with that half-width.
+  Canvas& add_dot(Vec2 at, double radius);
+  Canvas& add_cross(Vec2 at, double half_width);
+  Canvas& add_square(Vec2 at, double half_width);
+  /// The same with page coordinates.
+  Canvas& add_page_box(const Box& page);
+  Canvas& add_page_line(Vec2 from, Vec2 to);
+
+  void fill(Color color, FillRule rule = FillRule::nonzero);
+  void stroke(const Stroke& stroke);
+  void fill_and_stroke(Color color, const Stroke& stroke);
+
+  /// While it lives, clips added by clip() hold; they end with it.
+  class [[nodiscard]] ClipScope {
+   public:
+    explicit ClipScope(Canvas& canvas);
+    ~ClipScope();
+    ClipScope(const ClipScope&) = delete;
+    ClipScope& operator=(const ClipScope&) = delete;
+
+   private:
+    Canvas& canvas_;
+  };
+  void clip(FillRule rule = FillRule::nonzero);
+  void clip_to_view();
+
+  /// From `from` to `to` (world), head length in pt.
+  void arrow(Vec2 from, Vec2 to, const Stroke& stroke, double head = 6.0);
+
+  /// Text at a point of the world. `_x` or `_{xy}` is a subscript, `^` a superscript, `*` switches
+  /// bold on and off; plain_text takes every character as it is.
+  void text(Vec2 at, const std::string& markup, const TextStyle& style);
+  void page_text(Vec2 at, const std::string& markup, const TextStyle& style);
+  void plain_page_text(Vec2 at, const std::string& text, const TextStyle& style);
+  /// Width of the marked-up text in pt.
+  [[nodiscard]] double text_width(const std::string& markup, const TextStyle& style) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace avo::figures

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a page to a file: a surface by extension, into memory, then to disk under a temporary name.
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+#include <utility>
+
+#include "avo/error.h"
+#include "figures/canvas_state.h"
+
+namespace avo::figures {
+namespace {
+
+constexpr double kPixelsPerPoint = 2.0;  // of a PNG
+
+std::string extension_of(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] == '/') return "";
+  std::string extension = path.substr(dot);
+  for (char& letter : extension) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return extension;
+}
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+cairo_surface_t* make_surface(const std::string& extension, double width, double height,
+                              std::string* bytes) {
+  if (extension == ".svg") {
+    cairo_surface_t* svg = cairo_svg_surface_create_for_stream(append, bytes, width, height);
+    cairo_svg_surface_set_document_unit(svg, CAIRO_SVG_UNIT_PT);
+    return svg;
+  }
+  if (extension == ".pdf") {
+    cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(append, bytes, width, height);
+    // the date of the day would make two equal figures differ
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "");
+    return pdf;
+  }
+  const auto pixels = [](double points) {
+    return static_cast<int>(std::lround(kPixelsPerPoint * points));
+  };
+  cairo_surface_t* png =
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width), pixels(height));
+  cairo_surface_set_device_scale(png, kPixelsPerPoint, kPixelsPerPoint);
+  return png;
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw Error(path + ": cannot write the figure: " + reason);
+}
+
+void check(const std::string& path, cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) fail(path, cairo_status_to_string(status));
+}
+
+// All bytes, or errno.
+int write_all(int file, const std::string& bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count = ::write(file, bytes.data() + done, bytes.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    done += static_cast<std::size_t>(count);
+  }
+  return 0;
+}
+
+// Nobody ever sees half a file under `path`.
+void replace_file(const std::string& path, const std::string& bytes) {
+  const std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) fail(path, std::strerror(errno));
+  int reason = write_all(file, bytes);
+  if (::close(file) != 0 && reason == 0) reason = errno;
+  if (reason == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) reason = errno;
+  if (reason != 0) {
+    ::unlink(temporary.c_str());
+    fail(path, std::strerror(reason));
+  }
+}
+
+}  // namespace
+
+void check_figure_path(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension != ".svg" && extension != ".png" && extension != ".pdf") {
+    throw Error(path + ": found the extension '" + extension + "', allowed: .svg, .png, .pdf");
+  }
+}
+
+Canvas::State::State(std::string file, double page_width, double page_height)
+    : path(std::move(file)), width(page_width), height(page_height) {
+  check_figure_path(path);
+  const std::string extension = extension_of(path);
+  png = extension == ".png";
+  surface.reset(make_surface(extension, width, height, &bytes));
+  check(path, cairo_surface_status(surface.get()));
+  cairo.reset(cairo_create(surface.get()));
+  // outlines as designed: the same shapes at every size, in every format
+  const std::unique_ptr<cairo_font_options_t, CairoDelete> options(cairo_font_options_create());
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_set_font_options(cairo.get(), options.get());
+  cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
+  cairo_set_source_rgb(cairo.get(), 1.0, 1.0, 1.0);
+  cairo_paint(cairo.get());
+  check(path, cairo_status(cairo.get()));
+}
+
+void Canvas::State::finish() {
+  check(path, cairo_status(cairo.get()));
+  if (png) {
+    cairo_surface_flush(surface.get());
+    check(path, cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+  } else {
+    cairo_show_page(cairo.get());
+    cairo_surface_finish(surface.get());
+    check(path, cairo_surface_status(surface.get()));
+  }
+  replace_file(path, bytes);
+}
+
+void Canvas::State::set_color(Color color) const {
+  cairo_set_source_rgba(cairo.get(), color.red, color.green, color.blue, color.alpha);
+}
+
+void Canvas::State::set_pen(const Stroke& stroke) const {
+  set_color(stroke.color);
+  cairo_set_line_width(cairo.get(), stroke.width);
+  cairo_set_dash(cairo.get(), &stroke.dash, stroke.dash > 0.0 ? 1 : 0, 0.0);
+}
+
+}  // namespace avo::figures

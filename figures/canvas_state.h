@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a Canvas holds; seen by canvas.cpp, canvas_file.cpp and canvas_text.cpp only.
+#pragma once
+#include <cairo.h>
+#include <memory>
+#include <string>
+
+#include "figures/canvas.h"
+
+namespace avo::figures {
+
+struct CairoDelete {
+  void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
+};
+
+struct Canvas::State {
+  State(std::string file, double page_width, double page_height);
+  void finish();
+  void set_color(Color color) const;
+  void set_pen(const Stroke& stroke) const;
+
+  std::string path;
+  double width, height;  // pt
+  bool png = false;
+  std::string bytes;  // the file, complete after finish(); outlives the surface that writes to it
+  std::unique_ptr<cairo_surface_t, CairoDelete> surface;
+  std::unique_ptr<cairo_t, CairoDelete> cairo;
+  Box page, world;
+  Vec2 scale;  // pt per unit of the world
+};
+
+}  // namespace avo::figures

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines over a common x axis, as the paper's Fig. 10.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "avo/vec.h"
+#include "figures/canvas.h"
+#include "figures/figure_options.h"
+
+namespace avo::figures {
+
+struct Series {
+  std::string label;         ///< markup, for the legend
+  std::vector<Vec2> points;  ///< by ascending x
+  Color color;
+  bool marks = true;  ///< a dot at each point
+  double dash = 0.0;  ///< pt, 0: solid
+};
+
+struct Chart {
+  std::string x_label, y_label;  ///< markup, with the unit
+  std::vector<Series> series;
+};
+
+/// Both axes start at 0 unless a value is negative. Throws Error where no series has a point, and
+/// on a path that is no figure or cannot be written.
+void draw_chart(const Chart& chart, const std::string& path, const FigureOptions& options = {});
+
+}  // namespace avo::figures

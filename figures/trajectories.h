@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time-lapse of a run as in the paper's Figs. 1, 7, 8 and 9: discs at regular time steps, newer
+// ones on top and darker, one hue a robot, moving obstacles gray.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "avo/scenario.h"
+#include "avo/simulation.h"
+#include "avo/vec.h"
+#include "figures/figure_options.h"
+
+namespace avo::figures {
+
+/// Where everybody was at one time. Columns by robot and by moving obstacle of the scene.
+struct TrajectoryFrame {
+  double time = 0.0;                    ///< s
+  std::vector<Vec2> position;           ///< m
+  std::vector<double> heading;          ///< rad; read for cars only, may be empty without them
+  std::vector<Vec2> obstacle_position;  ///< m
+};
+
+/// Observer of a simulation that keeps a bounded number of frames, equally spaced in time, however
+/// long the run is: when it is full it drops every other one. Robots must not be added or removed.
+class TrajectoryRecorder {
+ public:
+  explicit TrajectoryRecorder(std::size_t most_frames = 1024);  ///< >= 2
+  /// Call once before the first step and once after every step.
+  void observe(const Simulation& simulation);
+  /// The kept frames by time, the last one observed included.
+  [[nodiscard]] std::vector<TrajectoryFrame> frames() const;
+
+ private:
+  std::size_t most_frames_;
+  std::size_t stride_ = 1;    // steps between kept frames
+  std::size_t observed_ = 0;  // frames seen
+  TrajectoryFrame latest_;
+  std::vector<TrajectoryFrame> kept_;
+};
+
+/// The whole run in one picture. Throws Error on a path that is no figure or cannot be written,
+/// and where the frames do not fit the scenario.
+void draw_trajectories(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
+                       const std::string& path, const FigureOptions& options = {});
+
+/// One panel for each of `times` (s), side by side on one scale: everybody at that time, with the
+/// last `tail` seconds as a fading trace.
+void draw_instants(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
+                   std::span<const double> times, double tail, const std::string& path,
+                   const FigureOptions& options = {});
+
+}  // namespace avo::figures

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one robot may choose, in velocity space: the paper's Figs. 2(c), 3(c), 4(b), 5 and 6(a).
+// White may be chosen, gray is forbidden.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "avo/geometry.h"
+#include "avo/planner.h"
+#include "avo/simulation.h"
+#include "avo/velocity_obstacle.h"
+#include "figures/canvas.h"
+#include "figures/figure_options.h"
+
+namespace avo::figures {
+
+struct LabeledPlane {
+  HalfPlane plane;    ///< allowed: normal . u >= offset, m/s
+  std::string label;  ///< markup; empty: none
+};
+
+/// A velocity obstacle, moved by the new velocity v'_B of the one that causes it.
+struct LabeledObstacle {
+  Obstacle obstacle;
+  Vec2 offset;  ///< [v'_B] m/s
+  std::string label;
+};
+
+struct LabeledPoint {
+  Vec2 at;  ///< m/s
+  std::string label;
+  Color color;
+  bool arrow = false;   ///< from the origin, instead of a dot
+  Vec2 side{1.0, 1.0};  ///< where the label stands
+};
+
+struct VelocitySpace {
+  std::optional<Disc> acceleration_disc;  ///< D(v_A, δ a_max)
+  std::optional<Disc> speed_disc;         ///< D(0, v_max)
+  std::vector<LabeledPlane> half_planes;
+  std::vector<LabeledObstacle> obstacles;
+  std::vector<LabeledPoint> points;
+  std::vector<std::vector<Vec2>> outlines;  ///< closed, dashed, on top: a hull, another's disc
+  std::optional<Box> view;                  ///< unset: what holds the discs and the points
+  bool outer_obstacles = true;              ///< show the obstacles beyond the discs too
+};
+
+/// What `robot` saw and chose: the sets of the planner's method and three points (the velocity, the
+/// preferred and the chosen one). Robots are labeled by their index in the fleet, movers o0, o1 …
+VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner);
+
+/// Boundary of the obstacle, moved by its offset, inside `view`: closed polygons, exact to about
+/// 1/1000 of the view.
+std::vector<std::vector<Vec2>> obstacle_outline(const LabeledObstacle& obstacle, const Box& view);
+
+/// Into the present page box of a canvas, frame included.
+void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& space,
+                         const FigureOptions& options = {});
+
+/// As a file of its own. Throws Error on a path that is no figure or cannot be written.
+void draw_velocity_space(const VelocitySpace& space, const std::string& path,
+                         const FigureOptions& options = {});
+
+}  // namespace avo::figures
