@@ -58,6 +58,10 @@ struct Scenario {
 /// > 0 m".
 void validate(const Scenario& scenario);
 
+/// Number of the last step that begins no later than `time` >= 0 (s): step k is at k * time_step.
+/// A run of the whole scene takes last_step(scenario, scenario.duration) steps.
+std::int64_t last_step(const Scenario& scenario, double time);
+
 /// One line for each setting that does not fit the robots (δ, τ, Δt, sensing radius), with the
 /// arithmetic; empty where all is well.
 std::vector<std::string> advice(const Scenario& scenario);

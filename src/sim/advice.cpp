@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings that can be simulated but do not fit the robots (paper §VI-A), with the arithmetic.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+#include "avo/scenario.h"
+
+namespace avo {
+namespace {
+
+std::string text(double value) {
+  char buffer[32];
+  const auto format = std::chars_format::general;
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, 6).ptr};
+}
+
+std::string robot_name(std::size_t index) {
+  return "robot " + std::to_string(index);
+}
+
+/// The robot with the largest value, and that value; the first of equals.
+struct Worst {
+  std::size_t robot = 0;
+  double value = 0.0;
+};
+
+template <class Measure>
+Worst worst(const std::vector<RobotSetup>& robots, Measure measure) {
+  Worst result{0, measure(robots[0])};
+  for (std::size_t i = 1; i < robots.size(); ++i) {
+    const double value = measure(robots[i]);
+    if (value > result.value) result = {i, value};
+  }
+  return result;
+}
+
+/// [2 v_max / a_max], the paper's rule for δ: one decision then reaches every valid velocity.
+double usual_control_time(const RobotSetup& robot) {
+  return 2.0 * robot.max_speed / robot.max_acceleration;
+}
+
+std::string usual_control_time_of(const RobotSetup& robot, std::size_t index) {
+  return "2 max_speed / max_acceleration = 2 * " + text(robot.max_speed) + " / " +
+         text(robot.max_acceleration) + " = " + text(usual_control_time(robot)) + " s of " +
+         robot_name(index);
+}
+
+void advise_control_time(const Scenario& scenario, std::vector<std::string>& lines) {
+  if (scenario.method != Method::avo_paper) return;  // the others have no δ
+  const double delta = scenario.control_time;
+  const auto& robots = scenario.robots;
+  // Twice the rule or half of it still behaves like the paper's own figures.
+  const Worst shortest =
+      worst(robots, [&](const RobotSetup& r) { return usual_control_time(r) / delta; });
+  if (shortest.value > 2.0) {
+    const RobotSetup& robot = robots[shortest.robot];
+    lines.push_back("control_time " + text(delta) + " s is less than half of " +
+                    usual_control_time_of(robot, shortest.robot) + ": a decision changes its " +
+                    "velocity by at most " + text(delta) + " * " + text(robot.max_acceleration) +
+                    " = " + text(delta * robot.max_acceleration) + " m/s");
+  }
+  const Worst longest =
+      worst(robots, [&](const RobotSetup& r) { return delta / usual_control_time(r); });
+  if (longest.value > 2.0)
+    lines.push_back("control_time " + text(delta) + " s is more than twice " +
+                    usual_control_time_of(robots[longest.robot], longest.robot) +
+                    ": it responds slowly");
+  if (scenario.time_step > 0.5 * delta)
+    lines.push_back("time_step " + text(scenario.time_step) + " s is more than half of " +
+                    "control_time = " + text(delta) + " s: the control is coarse");
+}
+
+void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
+  const double dt = scenario.time_step;
+  const Worst jump =
+      worst(scenario.robots, [&](const RobotSetup& r) { return r.max_speed * dt / r.radius; });
+  if (jump.value <= 1.0) return;
+  const RobotSetup& robot = scenario.robots[jump.robot];
+  lines.push_back("time_step " + text(dt) + " s lets " + robot_name(jump.robot) + " travel " +
+                  text(robot.max_speed) + " * " + text(dt) + " = " + text(robot.max_speed * dt) +
+                  " m between decisions, more than its radius = " + text(robot.radius) + " m");
+}
+
+void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
+  const Worst slowest =
+      worst(scenario.robots, [](const RobotSetup& r) { return r.max_speed / r.max_acceleration; });
+  if (scenario.time_horizon >= slowest.value) return;
+  const RobotSetup& robot = scenario.robots[slowest.robot];
+  lines.push_back("time_horizon " + text(scenario.time_horizon) + " s is shorter than " +
+                  robot_name(slowest.robot) +
+                  " needs to stop, max_speed / max_acceleration = " + text(robot.max_speed) +
+                  " / " + text(robot.max_acceleration) + " = " + text(slowest.value) + " s");
+}
+
+/// How far a robot's edge gets from where its center is now, if it decides to brake only a step
+/// later: r + v_max Δt + v_max² / (2 a_max), m.
+double braking_reach(const RobotSetup& robot, double time_step) {
+  const double v = robot.max_speed;
+  return robot.radius + v * time_step + 0.5 * v * v / robot.max_acceleration;
+}
+
+void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
+  std::vector<RobotSetup> robots = scenario.robots;
+  if (robots.size() < 2) return;
+  const auto reach = [&](const RobotSetup& r) { return braking_reach(r, scenario.time_step); };
+  const Worst first = worst(robots, reach);
+  robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
+  const Worst second = worst(robots, reach);
+  const double needed = first.value + second.value;
+  if (scenario.sensing_radius >= needed) return;
+  const std::size_t other = second.robot + (second.robot >= first.robot ? 1 : 0);
+  lines.push_back("sensing_radius " + text(scenario.sensing_radius) + " m is less than " +
+                  robot_name(first.robot) + " and " + robot_name(other) +
+                  " need to stop short of each other, radius + max_speed * time_step + " +
+                  "max_speed^2 / (2 max_acceleration) = " + text(first.value) + " + " +
+                  text(second.value) + " = " + text(needed) + " m");
+}
+
+void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
+  const Worst wish =
+      worst(scenario.robots, [](const RobotSetup& r) { return r.preferred_speed / r.max_speed; });
+  if (wish.value > 1.0)
+    lines.push_back("preferred_speed " + text(scenario.robots[wish.robot].preferred_speed) +
+                    " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
+                    text(scenario.robots[wish.robot].max_speed) + " m/s");
+  const Worst start =
+      worst(scenario.robots, [](const RobotSetup& r) { return norm(r.velocity) / r.max_speed; });
+  if (start.value > 1.0)
+    lines.push_back("velocity of " + robot_name(start.robot) + " is " +
+                    text(norm(scenario.robots[start.robot].velocity)) +
+                    " m/s at the start, more than its max_speed = " +
+                    text(scenario.robots[start.robot].max_speed) + " m/s: it brakes first");
+}
+
+struct StartDisc {
+  Vec2 center;
+  double radius;
+  std::ptrdiff_t source;  // robot i, or -1 - k for moving obstacle k
+};
+
+std::string name(std::ptrdiff_t source) {
+  if (source >= 0) return robot_name(static_cast<std::size_t>(source));
+  return "moving obstacle " + std::to_string(-1 - source);
+}
+
+/// All discs, sorted along the axis on which they are spread wider.
+std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
+  std::vector<StartDisc> discs;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    discs.push_back(
+        {scenario.robots[i].position, scenario.robots[i].radius, static_cast<std::ptrdiff_t>(i)});
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
+    discs.push_back({scenario.moving_obstacles[k].position, scenario.moving_obstacles[k].radius,
+                     -1 - static_cast<std::ptrdiff_t>(k)});
+  const auto by_x = [](const StartDisc& a, const StartDisc& b) { return a.center.x < b.center.x; };
+  const auto by_y = [](const StartDisc& a, const StartDisc& b) { return a.center.y < b.center.y; };
+  const auto [left, right] = std::minmax_element(discs.begin(), discs.end(), by_x);
+  const auto [low, high] = std::minmax_element(discs.begin(), discs.end(), by_y);
+  if (high->center.y - low->center.y > right->center.x - left->center.x)
+    for (StartDisc& disc : discs) disc.center = {disc.center.y, disc.center.x};
+  std::stable_sort(discs.begin(), discs.end(), [](const StartDisc& a, const StartDisc& b) {
+    return a.center.x - a.radius < b.center.x - b.radius;
+  });
+  return discs;
+}
+
+void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) {
+  constexpr int kNamed = 3, kCounted = 1000;
+  const std::vector<StartDisc> discs = sorted_discs(scenario);
+  int found = 0;
+  for (std::size_t i = 0; i < discs.size() && found < kCounted; ++i) {
+    const double end = discs[i].center.x + discs[i].radius;
+    for (std::size_t j = i + 1; j < discs.size() && found < kCounted; ++j) {
+      if (discs[j].center.x - discs[j].radius > end) break;
+      const StartDisc* a = &discs[i];
+      const StartDisc* b = &discs[j];
+      const double touching = a->radius + b->radius;
+      const double distance = norm(a->center - b->center);
+      if (distance >= (1.0 - 1e-9) * touching || (a->source < 0 && b->source < 0)) continue;
+      if (++found > kNamed) continue;
+      if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
+      lines.push_back(name(a->source) + " and " + name(b->source) + " overlap at the start: " +
+                      text(distance) + " m between the centers, radii " + text(a->radius) + " + " +
+                      text(b->radius) + " = " + text(touching) + " m");
+    }
+  }
+  if (found > kNamed)
+    lines.push_back((found == kCounted ? "at least " : "") + std::to_string(found - kNamed) +
+                    " further pairs overlap at the start");
+}
+
+}  // namespace
+
+std::vector<std::string> advice(const Scenario& scenario) {
+  std::vector<std::string> lines;
+  if (scenario.robots.empty()) return lines;
+  advise_control_time(scenario, lines);
+  advise_time_step(scenario, lines);
+  advise_time_horizon(scenario, lines);
+  advise_sensing_radius(scenario, lines);
+  advise_speeds(scenario, lines);
+  advise_overlaps(scenario, lines);
+  return lines;
+}
+
+}  // namespace avo

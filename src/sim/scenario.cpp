@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which scenes can be simulated at all (the ranges of the paper's constants, §VI-A).
+#include "avo/scenario.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "avo/error.h"
+#include "core/ranges.h"
+
+namespace avo {
+namespace {
+
+std::string text(double value) {
+  char buffer[32];  // the shortest form of a double has at most 24 characters
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+[[noreturn]] void refuse(const std::string& field, const std::string& found,
+                         const std::string& allowed) {
+  throw Error(field + ": found " + found + ", must be " + allowed);
+}
+
+/// A value's place; spelled out only where the value is refused.
+struct Place {
+  std::string_view list;  ///< empty for the scene itself
+  std::size_t index;
+  std::string_view field;
+};
+
+std::string text(const Place& place) {
+  const std::string field(place.field);
+  if (place.list.empty()) return field;
+  return std::string(place.list) + "." + std::to_string(place.index) + "." + field;
+}
+
+void check(const Place& place, double value, const Range& range, std::string_view unit,
+           std::string_view component = "") {
+  if (range.contains(value)) return;
+  const std::string field = text(place) + std::string(component);
+  const std::string suffix = unit.empty() ? "" : " " + std::string(unit);
+  if (!std::isfinite(value)) refuse(field, text(value), "a finite number");
+  if (range.below(value))
+    refuse(field, text(value), (range.open_min ? "> " : ">= ") + text(range.min) + suffix);
+  refuse(field, text(value), "<= " + text(range.max) + suffix);
+}
+
+void check(const Place& place, Vec2 value, std::string_view unit) {
+  check(place, value.x, kAnyValue, unit, ".0");
+  check(place, value.y, kAnyValue, unit, ".1");
+}
+
+void check(std::string_view field, double value, const Range& range, std::string_view unit) {
+  check(Place{"", 0, field}, value, range, unit);
+}
+
+void check_robot(std::size_t i, const RobotSetup& robot) {
+  const std::string_view list = "robots";
+  check({list, i, "position"}, robot.position, "m");
+  check({list, i, "velocity"}, robot.velocity, "m/s");
+  check({list, i, "goal"}, robot.goal, "m");
+  check({list, i, "radius"}, robot.radius, kPositive, "m");
+  check({list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
+  check({list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
+  check({list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
+  if (!robot.car) return;
+  check({list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
+  check({list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
+}
+
+void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
+  const std::string_view list = "moving_obstacles";
+  check({list, k, "position"}, obstacle.position, "m");
+  check({list, k, "velocity"}, obstacle.velocity, "m/s");
+  check({list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
+  check({list, k, "radius"}, obstacle.radius, kPositive, "m");
+}
+
+void check_times(const Scenario& scenario) {
+  const double dt = scenario.time_step;
+  check("time_step", dt, kPositive, "s");
+  check("duration", scenario.duration, kPositive, "s");
+  check("control_time", scenario.control_time, kPositive, "s");
+  check("time_horizon", scenario.time_horizon, kPositive, "s");
+  if (scenario.duration < dt)
+    refuse("duration", text(scenario.duration), ">= time_step = " + text(dt) + " s");
+  if (scenario.duration / dt > static_cast<double>(kMostSteps))
+    refuse("duration", text(scenario.duration),
+           "at most " + std::to_string(kMostSteps) + " steps of " + text(dt) + " s");
+  if (dt > scenario.time_horizon)
+    refuse("time_step", text(dt), "<= time_horizon = " + text(scenario.time_horizon) + " s");
+  // A held acceleration (v' - v)/δ leaves the fraction q = 1 - Δt/δ of the error: q < 0 overshoots.
+  const bool held = scenario.method == Method::avo_paper && scenario.motion == Motion::held;
+  if (held && dt > scenario.control_time)
+    refuse("time_step", text(dt),
+           "<= control_time = " + text(scenario.control_time) + " s where motion is held");
+}
+
+}  // namespace
+
+void validate(const Scenario& scenario) {
+  check_times(scenario);
+  check("sensing_radius", scenario.sensing_radius, kPositive, "m");
+  if (scenario.max_neighbors) check("max_neighbors", *scenario.max_neighbors, kAtLeastOne, "");
+  check("samples", scenario.samples, kSamples, "");
+  if (scenario.samples == 1) refuse("samples", "1", "0 (exact) or >= 2");
+  check("arrival_distance", scenario.arrival_distance, kPositive, "m");
+  const auto robots = static_cast<std::int64_t>(scenario.robots.size());
+  if (robots > kMostRobots)
+    refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
+    check_obstacle(k, scenario.moving_obstacles[k]);
+}
+
+std::int64_t last_step(const Scenario& scenario, double time) {
+  // The quotient of two decimal fractions may fall short of the whole number that is meant.
+  return static_cast<std::int64_t>(std::floor(time / scenario.time_step * (1.0 + 1e-12)));
+}
+
+}  // namespace avo
