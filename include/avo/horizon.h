@@ -19,7 +19,7 @@ class Horizon {
   /// δ, τ, Δt in s, all > 0.
   Horizon(double control_time, double time_horizon, double time_step);
 
-  /// The response at t in [0, ∞), within a few ulp of Response::proportional.
+  /// The response at t in [0, max(τ, Δt)], within a few ulp of Response::proportional.
   [[nodiscard]] ResponseAt at(double t) const noexcept;
   /// The response at τ.
   [[nodiscard]] const ResponseAt& end() const noexcept { return end_; }
@@ -29,10 +29,9 @@ class Horizon {
 
  private:
   struct Node {
-    double gain, decay;  // g(t_k), e^{-t_k/δ}
+    double time, gain, rate, decay;  // t_k, g(t_k), g'(t_k), e^{-t_k/δ}
   };
   double control_time_;
-  double spacing_;          // s between nodes
   double nodes_per_second_;
   std::vector<Node> nodes_;
   ResponseAt end_, step_;

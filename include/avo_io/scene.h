@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes as YAML: built-in ones by name, any other by path.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "avo/scenario.h"
+#include "avo_io/errors.h"
+
+namespace avo_io {
+
+/// The scene called `name_or_path`: a built-in name (circle-N for any N >= 2), or a file. Each
+/// override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots that a group
+/// makes can be named as well. Throws SceneError, OverrideError or FileError; the scene returned
+/// has passed avo::validate.
+avo::Scenario load_scenario(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides = {});
+
+/// The same from text; `file` stands in front of error messages.
+avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
+                             const std::vector<std::string>& overrides = {});
+
+struct BuiltinScene {
+  std::string name;         ///< "circle-N" for the whole family
+  std::string description;  ///< one line
+  std::string yaml;         ///< its text
+};
+/// By name, ascending.
+const std::vector<BuiltinScene>& builtin_scenes();
+
+/// JSON Schema (draft 2020-12) of scene files.
+std::string scenario_schema();
+
+}  // namespace avo_io
