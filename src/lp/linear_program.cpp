@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eqs. (22), (23): the nearest point of all half-planes and both discs, and the least unsafe one
+// (the 3-D linear program of §IV-D) where they leave nothing.
+#include "lp/linear_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace avo {
+namespace {
+
+// Where plane a is violated no more than plane b: (n_a - n_b) . u >= o_a - o_b. Its violations
+// are differences of violations of a and b, so it is left unnormalized.
+HalfPlane bisector(const HalfPlane& a, const HalfPlane& b) {
+  return {a.normal - b.normal, a.offset - b.offset};
+}
+
+double largest_violation(Planes planes, Vec2 u) {
+  double largest = 0.0;
+  for (const HalfPlane& plane : planes) largest = std::max(largest, violation(plane, u));
+  return largest;
+}
+
+// The 3-D program: the smallest s such that some point of the lens and the hard planes violates no
+// soft plane by more than s. Incremental as well: a soft plane that is violated by no more than s
+// changes nothing; otherwise it is the worst of those so far, and the new point lies farthest
+// along its normal among the points that violate no earlier plane more than this one.
+// On entry `solution` satisfies hard and the planes before `first`, and soft[first] cannot be.
+void minimize_violation(const Lens& lens, Planes hard, Planes soft, std::size_t first,
+                        Vec2 preferred, std::span<HalfPlane> projected, PlanarSolution& solution,
+                        std::array<int, 3>& binding) {
+  double worst = 0.0;
+  std::copy(hard.begin(), hard.end(), projected.begin());
+  for (std::size_t i = first; i < soft.size(); ++i) {
+    if (!(violation(soft[i], solution.point) > worst + lens.tolerance)) continue;
+    for (std::size_t j = 0; j < i; ++j) projected[hard.size() + j] = bisector(soft[j], soft[i]);
+    PlanarSolution candidate;
+    const Planes planes = projected.first(hard.size() + i);
+    if (solve_planar(lens, planes, {preferred, soft[i].normal}, candidate) == planes.size()) {
+      solution = candidate;
+      binding = {static_cast<int>(hard.size() + i), candidate.binding[0], candidate.binding[1]};
+    }
+    worst = violation(soft[i], solution.point);
+  }
+}
+
+// The point nearest `preferred` among those that violate no soft plane more than the given point.
+void prefer_among_equals(const Lens& lens, Planes hard, Planes soft, Vec2 preferred,
+                         std::span<HalfPlane> projected, Vec2& point) {
+  const double allowed = largest_violation(soft, point) + lens.tolerance;
+  std::copy(hard.begin(), hard.end(), projected.begin());
+  for (std::size_t j = 0; j < soft.size(); ++j) {
+    projected[hard.size() + j] = {soft[j].normal, soft[j].offset - allowed};
+  }
+  PlanarSolution nearer;
+  if (solve_planar(lens, projected, {preferred, {}}, nearer) == projected.size())
+    point = nearer.point;
+}
+
+// A point as far away as this has the same nearest points as any farther one in that direction,
+// and offsets as large as this are beyond every point: their squares and differences stay finite.
+constexpr double kFarthestPoint = 0x1p400;
+constexpr double kLargestOffset = 0x1p1000;
+
+Vec2 relative_point(const Lens& lens, Vec2 u) {
+  const double size = std::max(std::abs(u.x), std::abs(u.y));
+  const double limit = kFarthestPoint / lens.scale;
+  if (size > limit) u = (limit / size) * u;
+  return lens.scale * u - lens.origin;
+}
+
+HalfPlane relative_plane(const Lens& lens, const HalfPlane& plane) {
+  const double offset = lens.scale * plane.offset - dot(plane.normal, lens.origin);
+  return {plane.normal, std::clamp(offset, -kLargestOffset, kLargestOffset)};
+}
+
+// Back into the discs, the smaller one last: rounding may have left it by some ulp of the larger
+// one's size, or of the distance between center and origin.
+Vec2 absolute_point(const Lens& lens, const Disc& acceleration, const Disc& speed, Vec2 relative) {
+  Vec2 u = (lens.origin + relative) / lens.scale;
+  const Disc* const discs[] = {&speed, &acceleration};
+  for (const Disc* disc :
+       {discs[lens.speed_is_larger ? 0 : 1], discs[lens.speed_is_larger ? 1 : 0]}) {
+    const Vec2 q = lens.scale * (u - disc->center);
+    const double length = norm(q);
+    if (length > lens.scale * disc->radius) u = disc->center + disc->radius * (q / length);
+  }
+  return u;
+}
+
+ProgramResult nearest_to_speed_disc(const Lens& lens, const Disc& acceleration, const Disc& speed) {
+  const Vec2 towards = lens.speed_is_larger ? lens.larger_center : -lens.larger_center;
+  ProgramResult result;
+  result.point = acceleration.center + acceleration.radius * (towards / lens.distance);
+  result.violation = norm(lens.scale * (result.point - speed.center)) / lens.scale - speed.radius;
+  result.state = ProgramState::discs_disjoint;
+  result.binding = {kAccelerationDisc, kSpeedDisc, kNoConstraint};
+  return result;
+}
+
+// CA_A of Eq. (22) is empty: `give` yields as little as it can, `keep` does not. On entry
+// `solution` is that of the planes before give[first], on return the least unsafe one.
+std::array<int, 3> least_unsafe(const Lens& lens, Planes keep, Planes give, std::size_t first,
+                                Vec2 preferred, std::span<HalfPlane> projected,
+                                PlanarSolution& solution) {
+  std::array<int, 3> binding{kNoConstraint, kNoConstraint, kNoConstraint};
+  minimize_violation(lens, keep, give, first, preferred, projected, solution, binding);
+  prefer_among_equals(lens, keep, give, preferred, projected, solution.point);
+  return binding;
+}
+
+}  // namespace
+
+ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const HalfPlane> soft,
+                            const Disc& acceleration, const Disc& speed, Vec2 preferred,
+                            std::vector<HalfPlane>& scratch) noexcept {
+  const Lens lens = make_lens(acceleration, speed);
+  if (lens.empty) return nearest_to_speed_disc(lens, acceleration, speed);
+
+  const std::size_t count = hard.size() + soft.size();
+  if (scratch.size() < 2 * count) scratch.resize(2 * count);
+  const std::span<HalfPlane> planes{scratch.data(), count};
+  const std::span<HalfPlane> projected{scratch.data() + count, count};
+  std::size_t next = 0;
+  for (const HalfPlane& plane : hard) planes[next++] = relative_plane(lens, plane);
+  for (const HalfPlane& plane : soft) planes[next++] = relative_plane(lens, plane);
+  const Vec2 target = relative_point(lens, preferred);
+
+  // Eq. (23): all half-planes in one program, the hard ones first
+  ProgramResult result;
+  PlanarSolution solution;
+  const std::size_t failed = solve_planar(lens, planes, {target, {}}, solution);
+  if (failed == count) {
+    if (solution.binding[0] == kNoConstraint) {
+      result.point = preferred;
+      return result;
+    }
+    result.binding = {solution.binding[0], solution.binding[1], kNoConstraint};
+    result.point = absolute_point(lens, acceleration, speed, solution.point);
+    return result;
+  }
+
+  const bool hard_fails = failed < hard.size();
+  const Planes keep = hard_fails ? Planes{} : planes.first(hard.size());
+  const Planes give = hard_fails ? planes.first(hard.size()) : planes.subspan(hard.size());
+  result.binding = least_unsafe(lens, keep, give, failed - keep.size(), target,
+                                projected.first(keep.size() + give.size()), solution);
+  result.point = absolute_point(lens, acceleration, speed, solution.point);
+  if (largest_violation(give, solution.point) > lens.tolerance) {
+    result.violation = largest_violation(hard_fails ? hard : soft, result.point);
+    result.state = hard_fails ? ProgramState::hard_infeasible : ProgramState::least_unsafe;
+  }
+  return result;
+}
+
+}  // namespace avo
