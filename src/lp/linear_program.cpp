@@ -22,40 +22,30 @@ double largest_violation(Planes planes, Vec2 u) {
   return largest;
 }
 
-// The 3-D program: the smallest s such that some point of the lens and the hard planes violates no
-// soft plane by more than s. Incremental as well: a soft plane that is violated by no more than s
-// changes nothing; otherwise it is the worst of those so far, and the new point lies farthest
-// along its normal among the points that violate no earlier plane more than this one.
-// On entry `solution` satisfies hard and the planes before `first`, and soft[first] cannot be.
-void minimize_violation(const Lens& lens, Planes hard, Planes soft, std::size_t first,
-                        Vec2 preferred, std::span<HalfPlane> projected, PlanarSolution& solution,
-                        std::array<int, 3>& binding) {
+// CA_A of Eq. (22) is empty, the 3-D program: the smallest s such that some point of the lens and
+// of `keep` violates no plane of `give` by more than s. Incremental as well: a plane violated by no
+// more than s changes nothing; otherwise it is the worst of those so far, and the new point lies
+// farthest along its normal among the points that violate no earlier plane more than this one.
+// Equals are settled by the distance to `preferred` in each program, hence in the whole.
+// On entry `solution` satisfies `keep` and the planes before give[first], which cannot be added.
+std::array<int, 3> least_unsafe(const Lens& lens, Planes keep, Planes give, std::size_t first,
+                                Vec2 preferred, std::span<HalfPlane> projected,
+                                PlanarSolution& solution) {
+  std::array<int, 3> binding{kNoConstraint, kNoConstraint, kNoConstraint};
   double worst = 0.0;
-  std::copy(hard.begin(), hard.end(), projected.begin());
-  for (std::size_t i = first; i < soft.size(); ++i) {
-    if (!(violation(soft[i], solution.point) > worst + lens.tolerance)) continue;
-    for (std::size_t j = 0; j < i; ++j) projected[hard.size() + j] = bisector(soft[j], soft[i]);
+  std::copy(keep.begin(), keep.end(), projected.begin());
+  for (std::size_t i = first; i < give.size(); ++i) {
+    if (!(violation(give[i], solution.point) > worst + lens.tolerance)) continue;
+    for (std::size_t j = 0; j < i; ++j) projected[keep.size() + j] = bisector(give[j], give[i]);
+    const Planes planes = projected.first(keep.size() + i);
     PlanarSolution candidate;
-    const Planes planes = projected.first(hard.size() + i);
-    if (solve_planar(lens, planes, {preferred, soft[i].normal}, candidate) == planes.size()) {
+    if (solve_planar(lens, planes, {preferred, give[i].normal}, candidate) == planes.size()) {
       solution = candidate;
-      binding = {static_cast<int>(hard.size() + i), candidate.binding[0], candidate.binding[1]};
+      binding = {static_cast<int>(planes.size()), candidate.binding[0], candidate.binding[1]};
     }
-    worst = violation(soft[i], solution.point);
+    worst = violation(give[i], solution.point);
   }
-}
-
-// The point nearest `preferred` among those that violate no soft plane more than the given point.
-void prefer_among_equals(const Lens& lens, Planes hard, Planes soft, Vec2 preferred,
-                         std::span<HalfPlane> projected, Vec2& point) {
-  const double allowed = largest_violation(soft, point) + lens.tolerance;
-  std::copy(hard.begin(), hard.end(), projected.begin());
-  for (std::size_t j = 0; j < soft.size(); ++j) {
-    projected[hard.size() + j] = {soft[j].normal, soft[j].offset - allowed};
-  }
-  PlanarSolution nearer;
-  if (solve_planar(lens, projected, {preferred, {}}, nearer) == projected.size())
-    point = nearer.point;
+  return binding;
 }
 
 // A point as far away as this has the same nearest points as any farther one in that direction,
@@ -99,17 +89,6 @@ ProgramResult nearest_to_speed_disc(const Lens& lens, const Disc& acceleration, 
   return result;
 }
 
-// CA_A of Eq. (22) is empty: `give` yields as little as it can, `keep` does not. On entry
-// `solution` is that of the planes before give[first], on return the least unsafe one.
-std::array<int, 3> least_unsafe(const Lens& lens, Planes keep, Planes give, std::size_t first,
-                                Vec2 preferred, std::span<HalfPlane> projected,
-                                PlanarSolution& solution) {
-  std::array<int, 3> binding{kNoConstraint, kNoConstraint, kNoConstraint};
-  minimize_violation(lens, keep, give, first, preferred, projected, solution, binding);
-  prefer_among_equals(lens, keep, give, preferred, projected, solution.point);
-  return binding;
-}
-
 }  // namespace
 
 ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const HalfPlane> soft,
@@ -144,8 +123,8 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
   const bool hard_fails = failed < hard.size();
   const Planes keep = hard_fails ? Planes{} : planes.first(hard.size());
   const Planes give = hard_fails ? planes.first(hard.size()) : planes.subspan(hard.size());
-  result.binding = least_unsafe(lens, keep, give, failed - keep.size(), target,
-                                projected.first(keep.size() + give.size()), solution);
+  result.binding =
+      least_unsafe(lens, keep, give, failed - keep.size(), target, projected, solution);
   result.point = absolute_point(lens, acceleration, speed, solution.point);
   if (largest_violation(give, solution.point) > lens.tolerance) {
     result.violation = largest_violation(hard_fails ? hard : soft, result.point);
