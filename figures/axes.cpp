@@ -87,6 +87,7 @@ void draw_axes(Canvas& canvas, const Axes& axes) {
     const double y = canvas.to_page({0.0, tick}).y;
     canvas.add_page_line({page.lower.x - kTick, y}, {page.lower.x, y});
     canvas.stroke({kInk, 0.6});
+    if (!axes.y_numbers) continue;
     canvas.page_text({page.lower.x - kTick - 2.5, y}, tick_label(tick, y_spacing),
                      {.size = kTickText, .color = kInk, .align_x = 1.0, .align_y = 0.5});
   }

@@ -19,7 +19,7 @@ struct Axes {
   std::string x_label, y_label;  ///< markup, with the unit
   int most_ticks_x = 7;
   int most_ticks_y = 7;
-  bool grid = false;  ///< thin lines at the ticks
+  bool y_numbers = true;  ///< false: ticks only, for all but the first of a row of panels
 };
 
 /// What draw_axes needs to the left of and below the view, in pt.

@@ -50,7 +50,7 @@ struct TextStyle {
   Color color;
   double align_x = 0.0;  ///< 0: starts at the anchor, 0.5: centered, 1: ends there
   double align_y = 0.0;  ///< 0: baseline at the anchor, 0.5: middle of a capital, 1: below it
-  Vec2 offset;           ///< pt, y up, added to the anchor
+  Vec2 offset{};         ///< pt, y up, added to the anchor
   bool bold = false;
   bool halo = false;   ///< with a white rim, to be read on any ground
   double angle = 0.0;  ///< rad, counter-clockwise

@@ -7,11 +7,13 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <png.h>
 #include <unistd.h>
 #include <utility>
 
 #include "avo/error.h"
 #include "figures/canvas_state.h"
+#include "figures/palette.h"
 
 namespace avo::figures {
 namespace {
@@ -61,6 +63,37 @@ cairo_surface_t* make_surface(const std::string& extension, double width, double
 
 void check(const std::string& path, cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) fail(path, cairo_status_to_string(status));
+}
+
+// The picture with a palette; Cairo's own writer knows true color only.
+std::string png_bytes(const std::string& path, cairo_surface_t* surface) {
+  const auto width = static_cast<std::size_t>(cairo_image_surface_get_width(surface));
+  const auto height = static_cast<std::size_t>(cairo_image_surface_get_height(surface));
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+  const unsigned char* data = cairo_image_surface_get_data(surface);
+  std::vector<std::uint32_t> pixels(width * height);
+  for (std::size_t row = 0; row < height; ++row) {
+    std::memcpy(&pixels[row * width], data + row * stride, width * sizeof(std::uint32_t));
+  }
+  const IndexedImage picture = reduce_colors(pixels);
+  std::vector<png_byte> colors;
+  for (const std::uint32_t color : picture.palette) {
+    for (const int shift : {16, 8, 0}) colors.push_back(static_cast<png_byte>(color >> shift));
+  }
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
+  image.format = PNG_FORMAT_RGB_COLORMAP;
+  image.colormap_entries = static_cast<png_uint_32>(picture.palette.size());
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.index.data(), 0,
+                                colors.data()) == 0) {
+    fail(path, image.message);
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 // All bytes, or errno.
@@ -122,7 +155,7 @@ void Canvas::State::finish() {
   check(path, cairo_status(cairo.get()));
   if (png) {
     cairo_surface_flush(surface.get());
-    check(path, cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+    bytes = png_bytes(path, surface.get());
   } else {
     cairo_show_page(cairo.get());
     cairo_surface_finish(surface.get());

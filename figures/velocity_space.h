@@ -16,8 +16,9 @@
 namespace avo::figures {
 
 struct LabeledPlane {
-  HalfPlane plane;    ///< allowed: normal . u >= offset, m/s
-  std::string label;  ///< markup; empty: none
+  HalfPlane plane;       ///< allowed: normal . u >= offset, m/s
+  std::string label;     ///< markup; empty: none
+  bool binding = false;  ///< the chosen velocity lies on it
 };
 
 /// A velocity obstacle, moved by the new velocity v'_B of the one that causes it.
@@ -25,14 +26,14 @@ struct LabeledObstacle {
   Obstacle obstacle;
   Vec2 offset;  ///< [v'_B] m/s
   std::string label;
+  int discs = 0;  ///< that many discs of the family are outlined, at equal steps of time
 };
 
 struct LabeledPoint {
   Vec2 at;  ///< m/s
   std::string label;
   Color color;
-  bool arrow = false;   ///< from the origin, instead of a dot
-  Vec2 side{1.0, 1.0};  ///< where the label stands
+  bool arrow = false;  ///< from the origin, instead of a dot
 };
 
 struct VelocitySpace {
@@ -43,7 +44,6 @@ struct VelocitySpace {
   std::vector<LabeledPoint> points;
   std::vector<std::vector<Vec2>> outlines;  ///< closed, dashed, on top: a hull, another's disc
   std::optional<Box> view;                  ///< unset: what holds the discs and the points
-  bool outer_obstacles = true;              ///< show the obstacles beyond the discs too
 };
 
 /// What `robot` saw and chose: the sets of the planner's method and three points (the velocity, the

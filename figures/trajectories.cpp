@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time-lapse of a run as in the paper's Figs. 1, 7, 8 and 9.
+#include "figures/trajectories.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "figures/axes.h"
+#include "figures/canvas.h"
+#include "figures/time_lapse.h"
+
+namespace avo::figures {
+namespace {
+
+constexpr std::size_t kMostDiscs = 1500;  // more of them hide each other
+constexpr double kTitleHeight = 18.0;     // pt
+constexpr double kPanelGap = 10.0;        // pt
+constexpr double kMargin = 8.0;           // pt, where there are no axes
+constexpr Color kObstacle = gray(0.35);
+
+// One panel: what is shown where.
+struct TimeLapse {
+  const Scenario& scenario;
+  std::span<const TrajectoryFrame> frames;
+  std::vector<std::size_t> selected;  // ascending; the newest is drawn full
+  std::vector<Color> colors;
+};
+
+// A long box with a pointed nose inside the robot's disc.
+std::array<Vec2, 5> car_body(Vec2 position, double heading, double radius) {
+  const Vec2 ahead{radius * std::cos(heading), radius * std::sin(heading)};
+  const Vec2 left = perpendicular(ahead);
+  return {position - 0.8 * ahead - 0.5 * left, position + 0.4 * ahead - 0.5 * left,
+          position + ahead, position + 0.4 * ahead + 0.5 * left,
+          position - 0.8 * ahead + 0.5 * left};
+}
+
+// `age` in [0, 1]: 1 is the newest, darkest one.
+void draw_robot(Canvas& canvas, const TimeLapse& lapse, std::size_t frame, std::size_t robot,
+                double age) {
+  const RobotSetup& setup = lapse.scenario.robots[robot];
+  const TrajectoryFrame& at = lapse.frames[frame];
+  const Color color = lapse.colors[robot];
+  const Color body = mix(mix(kWhite, color, 0.13), color, age * age);
+  const Stroke edge{mix(mix(kWhite, color, 0.45), mix(color, kBlack, 0.45), age * age),
+                    std::clamp(0.06 * setup.radius * canvas.scale(), 0.25, 0.7)};
+  if (!setup.car) {
+    canvas.add_disc({at.position[robot], setup.radius});
+    canvas.fill_and_stroke(body, edge);
+    return;
+  }
+  if (age == 1.0) {
+    canvas.add_disc({at.position[robot], setup.radius});
+    canvas.fill_and_stroke(mix(kWhite, color, 0.3), edge);
+  }
+  canvas.add_polygon(car_body(at.position[robot], at.heading[robot], setup.radius));
+  canvas.fill_and_stroke(body, edge);
+}
+
+void draw_paths(Canvas& canvas, const TimeLapse& lapse) {
+  const std::size_t first = lapse.selected.front();
+  const std::size_t last = lapse.selected.back();
+  // a point every half point of the page is enough for a line
+  const double closest = 0.5 / canvas.scale();
+  for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
+    std::vector<Vec2> path{lapse.frames[first].position[i]};
+    for (std::size_t k = first + 1; k <= last; ++k) {
+      const Vec2 at = lapse.frames[k].position[i];
+      if (norm(at - path.back()) >= closest || k == last) path.push_back(at);
+    }
+    canvas.add_polyline(path);
+    canvas.stroke({mix(kWhite, lapse.colors[i], 0.5), 0.4});
+  }
+}
+
+void draw_goals(Canvas& canvas, const TimeLapse& lapse) {
+  for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
+    const RobotSetup& robot = lapse.scenario.robots[i];
+    const double half = std::clamp(0.3 * robot.radius * canvas.scale(), 0.8, 3.0);
+    canvas.add_cross(robot.goal, half);
+    canvas.stroke({mix(lapse.colors[i], kBlack, 0.55), std::clamp(0.3 * half, 0.35, 0.8)});
+  }
+}
+
+void draw_lapse(Canvas& canvas, const TimeLapse& lapse) {
+  const Canvas::ClipScope scope(canvas);
+  canvas.clip_to_view();
+  draw_paths(canvas, lapse);
+  const double start = lapse.frames[lapse.selected.front()].time;
+  const double span = lapse.frames[lapse.selected.back()].time - start;
+  for (const std::size_t frame : lapse.selected) {
+    const bool newest = frame == lapse.selected.back();
+    const double age = newest || !(span > 0.0) ? 1.0 : (lapse.frames[frame].time - start) / span;
+    for (std::size_t i = 0; i < lapse.scenario.moving_obstacles.size(); ++i) {
+      const double radius = lapse.scenario.moving_obstacles[i].radius;
+      canvas.add_disc({lapse.frames[frame].obstacle_position[i], radius});
+      canvas.fill_and_stroke(mix(gray(0.93), kObstacle, age * age),
+                             {mix(gray(0.75), gray(0.1), age * age), 0.5});
+    }
+    for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
+      draw_robot(canvas, lapse, frame, i, age);
+    }
+  }
+  draw_goals(canvas, lapse);
+}
+
+std::string seconds(double time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g s", time);
+  return text;
+}
+
+double panel_height(const Box& world, double panel_width) {
+  const Vec2 size = world.upper - world.lower;
+  return panel_width * std::clamp(size.y / std::fmax(size.x, 1e-9), 0.2, 1.3);
+}
+
+// The panels of one figure side by side, all on the same scale.
+void draw_panels(std::span<const TimeLapse> panels, const Box& world,
+                 std::span<const std::string> titles, const std::string& path,
+                 const FigureOptions& options) {
+  const double left = options.axes ? kAxesLeft : kMargin;
+  const double bottom = options.axes ? kAxesBottom : kMargin;
+  const double top = (options.title.empty() ? kMargin : kTitleHeight) +
+                     (titles.empty() ? 0.0 : kTitleHeight - 4.0);
+  const double count = static_cast<double>(panels.size());
+  const double panel = (options.width - left - kMargin - (count - 1.0) * kPanelGap) / count;
+  const double height = panel_height(world, panel);
+  Canvas canvas(path, options.width, top + height + bottom);
+  if (!options.title.empty()) {
+    canvas.plain_page_text({0.5 * options.width, 12.0}, options.title,
+                           {.size = 10.0, .color = gray(0.1), .align_x = 0.5});
+  }
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const double x = left + static_cast<double>(i) * (panel + kPanelGap);
+    canvas.set_view({{x, top}, {x + panel, top + height}}, world);
+    draw_lapse(canvas, panels[i]);
+    if (options.axes) {
+      draw_axes(canvas, {.x_label = "x (m)",
+                         .y_label = i == 0 ? "y (m)" : "",
+                         .most_ticks_x = panels.size() > 1 ? 5 : 9,
+                         .most_ticks_y = panels.size() > 1 ? 5 : 9,
+                         .y_numbers = i == 0});
+    }
+    if (!titles.empty()) {
+      canvas.page_text({x + 0.5 * panel, top - 5.0}, titles[i],
+                       {.size = 9.0, .color = gray(0.1), .align_x = 0.5});
+    }
+  }
+  canvas.finish();
+}
+
+Box with_margin(const Box& world) {
+  const Vec2 size = world.upper - world.lower;
+  return grown(world, 0.03 * std::fmax(std::fmax(size.x, size.y), 1e-6));
+}
+
+}  // namespace
+
+void draw_trajectories(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
+                       const std::string& path, const FigureOptions& options) {
+  check_figure_path(path);
+  check_frames(scenario, frames);
+  const std::size_t last = last_motion(scenario, frames);
+  const TimeLapse lapse{scenario, frames, select_frames(scenario, frames, last, kMostDiscs),
+                        robot_colors(scenario)};
+  draw_panels({&lapse, 1}, with_margin(covered(scenario, frames, 0, last)), {}, path, options);
+}
+
+void draw_instants(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
+                   std::span<const double> times, double tail, const std::string& path,
+                   const FigureOptions& options) {
+  check_figure_path(path);
+  check_frames(scenario, frames);
+  std::vector<TimeLapse> panels;
+  std::vector<std::string> titles;
+  for (const double time : times) {
+    const std::size_t last = frame_at(frames, time);
+    const std::size_t first = frame_at(frames, frames[last].time - tail);
+    std::vector<std::size_t> selected =
+        select_frames(scenario, frames.subspan(first), last - first, kMostDiscs);
+    for (std::size_t& index : selected) index += first;
+    panels.push_back({scenario, frames, std::move(selected), robot_colors(scenario)});
+    titles.push_back("t = " + seconds(frames[last].time));
+  }
+  const Box world = with_margin(covered(scenario, frames, 0, frames.size() - 1));
+  draw_panels(panels, world, titles, path, options);
+}
+
+}  // namespace avo::figures

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps a bounded number of equally spaced frames of a run.
+#include <algorithm>
+
+#include "avo/error.h"
+#include "figures/trajectories.h"
+
+namespace avo::figures {
+
+TrajectoryRecorder::TrajectoryRecorder(std::size_t most_frames) : most_frames_(most_frames) {
+  if (most_frames < 2) throw Error("most_frames: found less than 2, a recorder keeps 2 or more");
+}
+
+void TrajectoryRecorder::observe(const Simulation& simulation) {
+  const FleetView fleet = simulation.fleet();
+  const ObstacleView obstacles = simulation.obstacles();
+  latest_.time = simulation.time();
+  latest_.position.assign(fleet.position.begin(), fleet.position.end());
+  latest_.heading.assign(fleet.heading.begin(), fleet.heading.end());
+  latest_.obstacle_position.assign(obstacles.position.begin(), obstacles.position.end());
+
+  const std::size_t index = observed_++;
+  if (index % stride_ != 0) return;
+  if (kept_.size() == most_frames_) {
+    // every other one goes: those whose index is no multiple of the doubled stride
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kept_.size(); i += 2) {
+      if (count != i) kept_[count] = std::move(kept_[i]);
+      ++count;
+    }
+    kept_.resize(count);
+    stride_ *= 2;
+    if (index % stride_ != 0) return;
+  }
+  kept_.push_back(latest_);
+}
+
+std::vector<TrajectoryFrame> TrajectoryRecorder::frames() const {
+  std::vector<TrajectoryFrame> frames = kept_;
+  if (observed_ > 0 && frames.back().time < latest_.time) frames.push_back(latest_);
+  return frames;
+}
+
+}  // namespace avo::figures

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// From what a robot saw and chose to the sets in its velocity space.
+#include "figures/velocity_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures/contour.h"
+
+namespace avo::figures {
+namespace {
+
+constexpr Color kPreferred{0.00, 0.36, 0.66, 1.0};
+constexpr Color kChosen{0.80, 0.20, 0.00, 1.0};
+constexpr int kContourCells = 240;
+
+std::string source_label(int source) {
+  return source >= 0 ? std::to_string(source) : "o" + std::to_string(-1 - source);
+}
+
+// v'_B of a mover: the velocity it has, or approaches under the acceleration observed (§III-C).
+Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
+  const bool observed = neighbor.max_acceleration == 0.0 && options.method == Method::avo_paper;
+  if (!observed) return neighbor.velocity;
+  return neighbor.velocity + options.control_time * neighbor.acceleration;
+}
+
+void add_obstacles(VelocitySpace& space, const Simulation::Perception& perception,
+                   const PlannerOptions& options) {
+  const Response response = options.method == Method::velocity_obstacle
+                                ? Response::velocity()
+                                : Response::proportional(options.control_time);
+  for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
+    const Neighbor& neighbor = perception.neighbors[i];
+    const Pair pair{perception.robot.position - neighbor.position,
+                    perception.robot.velocity - neighbor.velocity,
+                    perception.robot.radius + neighbor.radius};
+    space.obstacles.push_back({{pair, response, options.time_horizon},
+                               new_velocity_of(neighbor, options),
+                               source_label(perception.source[i])});
+  }
+}
+
+// Does the chosen velocity lie on the line? Programs have tolerances; a figure has pixels.
+bool lies_on(const HalfPlane& plane, Vec2 chosen) {
+  return std::fabs(violation(plane, chosen)) < 1e-3;
+}
+
+}  // namespace
+
+VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner) {
+  VelocitySpace space;
+  const Robot& robot = perception.robot;
+  const Disc reachable = planner.acceleration_disc(robot);
+  if (std::isfinite(reachable.radius)) space.acceleration_disc = reachable;
+  space.speed_disc = planner.speed_disc(robot);
+
+  PlanWorkspace workspace;
+  const bool movers = perception.alone || planner.options().method == Method::velocity_obstacle;
+  const Plan plan = movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
+                           : planner.plan(robot, perception.neighbors, workspace);
+  if (movers) {
+    add_obstacles(space, perception, planner.options());
+  } else {
+    planner.collect_half_planes(robot, perception.neighbors, workspace);
+    for (const NeighborPlane& cut : workspace.planes) {
+      space.half_planes.push_back(
+          {cut.plane, source_label(perception.source[static_cast<std::size_t>(cut.neighbor)]),
+           lies_on(cut.plane, plan.new_velocity)});
+    }
+  }
+  space.points = {{robot.velocity, "*v*", kBlack, true},
+                  {robot.preferred_velocity, "*v*^{pref}", kPreferred},
+                  {plan.new_velocity, "*v*′", kChosen}};
+  return space;
+}
+
+std::vector<std::vector<Vec2>> obstacle_outline(const LabeledObstacle& labeled, const Box& view) {
+  const Obstacle& obstacle = labeled.obstacle;
+  const auto depth = [&](Vec2 u) {
+    return closest_approach(obstacle, u - labeled.offset).distance - obstacle.pair.radius;
+  };
+  // |x(t)| changes by at most g(t) times the change of u, Eq. (9)
+  return negative_set(view, kContourCells, depth, obstacle.response.gain(obstacle.time_horizon));
+}
+
+}  // namespace avo::figures

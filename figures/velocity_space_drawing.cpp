@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sets of velocities on a page: white may be chosen, gray is forbidden.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "figures/axes.h"
+#include "figures/velocity_space.h"
+
+namespace avo::figures {
+namespace {
+
+constexpr Color kBeyond = gray(0.91);  // outside of the discs
+constexpr Color kForbiddenBeyond = gray(0.82);
+constexpr Color kForbidden = gray(0.66);
+constexpr Color kInk = gray(0.2);
+constexpr double kTitleHeight = 18.0;  // pt
+constexpr double kMargin = 8.0;        // pt
+constexpr double kLabelSize = 9.0;     // pt
+
+using Polygons = std::vector<std::vector<Vec2>>;
+
+Box default_view(const VelocitySpace& space) {
+  Box box{{-1e-3, -1e-3}, {1e-3, 1e-3}};  // around the origin
+  if (space.speed_disc) box = enclosing(box, enclosing(*space.speed_disc));
+  // where the speed binds first, the far rim of the other disc says nothing
+  const double speed =
+      space.speed_disc ? space.speed_disc->radius : std::numeric_limits<double>::infinity();
+  if (space.acceleration_disc && space.acceleration_disc->radius < 1.5 * speed) {
+    box = enclosing(box, enclosing(*space.acceleration_disc));
+  }
+  for (const LabeledPoint& point : space.points) box = enclosing(box, {point.at, point.at});
+  const Vec2 size = box.upper - box.lower;
+  return grown(box, 0.08 * std::max(size.x, size.y));
+}
+
+// Clips to what both discs allow.
+void clip_to_discs(Canvas& canvas, const VelocitySpace& space) {
+  for (const auto& disc : {space.acceleration_disc, space.speed_disc}) {
+    if (!disc) continue;
+    canvas.add_disc(*disc);
+    canvas.clip();
+  }
+}
+
+// The rectangle on the forbidden side of the line, large enough for any view.
+std::array<Vec2, 4> forbidden_side(const HalfPlane& plane, const Box& view) {
+  const Vec2 middle = 0.5 * (view.lower + view.upper);
+  const double far = 2.0 * norm(view.upper - view.lower);
+  const Vec2 foot = middle + violation(plane, middle) * plane.normal;
+  const double reach = far + std::fabs(violation(plane, middle));
+  const Vec2 along = reach * perpendicular(plane.normal);
+  const Vec2 back = -reach * plane.normal;
+  return {foot - along, foot + along, foot + along + back, foot - along + back};
+}
+
+void fill_forbidden(Canvas& canvas, const VelocitySpace& space, const Polygons& outlines,
+                    Color color) {
+  for (const auto& polygon : outlines) canvas.add_polygon(polygon);
+  canvas.fill(color);
+  for (const LabeledPlane& labeled : space.half_planes) {
+    canvas.add_polygon(forbidden_side(labeled.plane, canvas.view_world()));
+    canvas.fill(color);
+  }
+}
+
+void draw_regions(Canvas& canvas, const VelocitySpace& space, const Polygons& outlines) {
+  const bool bounded = space.acceleration_disc || space.speed_disc;
+  canvas.add_page_box(canvas.view_page());
+  canvas.fill(bounded ? kBeyond : kWhite);
+  if (bounded) {
+    for (const auto& polygon : outlines) canvas.add_polygon(polygon);
+    canvas.fill(kForbiddenBeyond);
+  }
+  const Canvas::ClipScope scope(canvas);
+  clip_to_discs(canvas, space);
+  canvas.add_page_box(canvas.view_page());
+  canvas.fill(kWhite);
+  fill_forbidden(canvas, space, outlines, kForbidden);
+}
+
+void draw_disc_family(Canvas& canvas, const LabeledObstacle& labeled) {
+  const Box view = canvas.view_world();
+  const double largest = 20.0 * norm(view.upper - view.lower);
+  for (int k = 1; k <= labeled.discs; ++k) {
+    const double t = labeled.obstacle.time_horizon * k / labeled.discs;
+    const Disc at = disc(labeled.obstacle, t);
+    if (at.radius > largest) continue;
+    canvas.add_disc({at.center + labeled.offset, at.radius});
+    canvas.stroke({gray(0.45), 0.35});
+  }
+}
+
+void draw_lines(Canvas& canvas, const VelocitySpace& space, const Polygons& outlines) {
+  for (const LabeledObstacle& labeled : space.obstacles) draw_disc_family(canvas, labeled);
+  for (const auto& polygon : outlines) canvas.add_polygon(polygon);
+  canvas.stroke({gray(0.3), 0.7});
+  for (const LabeledPlane& labeled : space.half_planes) {
+    const auto side = forbidden_side(labeled.plane, canvas.view_world());
+    canvas.add_polyline(std::span(side).first(2));
+    canvas.stroke({gray(labeled.binding ? 0.05 : 0.35), labeled.binding ? 1.3 : 0.7});
+  }
+  if (space.acceleration_disc) {
+    canvas.add_disc(*space.acceleration_disc);
+    canvas.stroke({kInk, 0.9});
+  }
+  if (space.speed_disc) {
+    canvas.add_disc(*space.speed_disc);
+    canvas.stroke({kInk, 0.9, 3.5});
+  }
+  for (const auto& outline : space.outlines) canvas.add_polygon(outline);
+  canvas.stroke({gray(0.15), 0.8, 2.5});
+}
+
+void draw_origin(Canvas& canvas) {
+  const Box page = canvas.view_page();
+  const Vec2 origin = canvas.to_page({});
+  canvas.add_page_line({page.lower.x, origin.y}, {page.upper.x, origin.y});
+  canvas.add_page_line({origin.x, page.lower.y}, {origin.x, page.upper.y});
+  canvas.stroke({gray(0.45), 0.35});
+}
+
+// Rectangles of the page that labels must not cover.
+class Labels {
+ public:
+  explicit Labels(Canvas& canvas) : canvas_(canvas) {}
+
+  void keep_free(Vec2 world, double radius) {
+    const Vec2 at = canvas_.to_page(world);
+    taken_.push_back({at - Vec2{radius, radius}, at + Vec2{radius, radius}});
+  }
+
+  // At the side of `world` where it hides least; the first of equal sides.
+  void place(Vec2 world, const std::string& markup, const TextStyle& style, double distance) {
+    static constexpr std::array<Vec2, 8> kSides{
+        {{1, 1}, {-1, 1}, {1, -1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+    const Vec2 size{canvas_.text_width(markup, style), 1.1 * style.size};
+    const Vec2 anchor = canvas_.to_page(world);
+    Box best{};
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2 side : kSides) {
+      const Vec2 middle{anchor.x + side.x * (distance + 0.5 * size.x),
+                        anchor.y - side.y * (distance + 0.5 * size.y)};
+      const Box box{middle - 0.5 * size, middle + 0.5 * size};
+      const double cost = hidden(box);
+      if (cost < least) {
+        least = cost;
+        best = box;
+      }
+    }
+    TextStyle centered = style;
+    centered.align_x = 0.5;
+    centered.align_y = 0.5;
+    canvas_.page_text(0.5 * (best.lower + best.upper), markup, centered);
+    taken_.push_back(best);
+  }
+
+ private:
+  static double overlap(const Box& a, const Box& b) {
+    const double x = std::min(a.upper.x, b.upper.x) - std::max(a.lower.x, b.lower.x);
+    const double y = std::min(a.upper.y, b.upper.y) - std::max(a.lower.y, b.lower.y);
+    return x > 0.0 && y > 0.0 ? x * y : 0.0;
+  }
+  [[nodiscard]] double hidden(const Box& box) const {
+    const double area = (box.upper.x - box.lower.x) * (box.upper.y - box.lower.y);
+    double sum = area - overlap(box, grown(canvas_.view_page(), -1.0));  // must stay in the view
+    for (const Box& other : taken_) sum += overlap(box, other);
+    return sum;
+  }
+
+  Canvas& canvas_;
+  std::vector<Box> taken_;
+};
+
+// Where the line of a half-plane leaves the view, a little inside of it.
+std::optional<Vec2> line_end(const HalfPlane& plane, const Box& view, double inset) {
+  const Box inner = grown(view, -inset);
+  const auto side = forbidden_side(plane, view);
+  const Vec2 from = side[0];
+  const Vec2 way = side[1] - side[0];
+  double enter = 0.0;
+  double leave = 1.0;
+  const auto cut = [&](double start, double step, double lower, double upper) {
+    if (step == 0.0) {
+      if (start < lower || start > upper) leave = -1.0;
+      return;
+    }
+    const double a = (lower - start) / step;
+    const double b = (upper - start) / step;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  };
+  cut(from.x, way.x, inner.lower.x, inner.upper.x);
+  cut(from.y, way.y, inner.lower.y, inner.upper.y);
+  if (enter > leave) return std::nullopt;
+  return from + leave * way;
+}
+
+void draw_points(Canvas& canvas, const VelocitySpace& space) {
+  Labels labels(canvas);
+  for (const LabeledPoint& point : space.points) {
+    labels.keep_free(point.at, 4.0);
+    if (point.arrow) {
+      labels.keep_free(0.5 * point.at, 3.0);
+      canvas.arrow({}, point.at, {point.color, 1.1}, 7.0);
+    }
+  }
+  for (const LabeledPoint& point : space.points) {
+    if (point.arrow) continue;
+    canvas.add_dot(point.at, 3.0);
+    canvas.fill_and_stroke(point.color, {kWhite, 0.6});
+  }
+  for (const LabeledPoint& point : space.points) {
+    labels.place(point.at, point.label,
+                 {.size = kLabelSize + 1.0, .color = point.color, .halo = true}, 3.5);
+  }
+  for (const LabeledPlane& labeled : space.half_planes) {
+    const auto end = line_end(labeled.plane, canvas.view_world(), 8.0 / canvas.scale());
+    if (!end || labeled.label.empty()) continue;
+    labels.place(*end, labeled.label, {.size = kLabelSize - 1.0, .color = kInk, .halo = true}, 1.5);
+  }
+  for (const LabeledObstacle& labeled : space.obstacles) {
+    const Disc last = disc(labeled.obstacle, labeled.obstacle.time_horizon);
+    const Vec2 at = last.center + labeled.offset;
+    const Box view = canvas.view_world();
+    const bool seen =
+        at.x > view.lower.x && at.x < view.upper.x && at.y > view.lower.y && at.y < view.upper.y;
+    if (!seen || labeled.label.empty()) continue;
+    labels.place(at, labeled.label, {.size = kLabelSize, .color = kInk, .halo = true}, -4.0);
+  }
+}
+
+}  // namespace
+
+void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& space,
+                         const FigureOptions& options) {
+  canvas.set_view(page, space.view ? *space.view : default_view(space));
+  Polygons outlines;
+  for (const LabeledObstacle& labeled : space.obstacles) {
+    for (auto& polygon : obstacle_outline(labeled, canvas.view_world())) {
+      outlines.push_back(std::move(polygon));
+    }
+  }
+  {
+    const Canvas::ClipScope scope(canvas);
+    canvas.clip_to_view();
+    draw_regions(canvas, space, outlines);
+    draw_origin(canvas);
+    draw_lines(canvas, space, outlines);
+    draw_points(canvas, space);
+  }
+  if (options.axes) {
+    draw_axes(canvas, {.x_label = "*v*_x (m/s)", .y_label = "*v*_y (m/s)"});
+  }
+  if (!options.title.empty()) {
+    canvas.plain_page_text({0.5 * (page.lower.x + page.upper.x), page.lower.y - 6.0}, options.title,
+                           {.size = 9.5, .color = gray(0.1), .align_x = 0.5});
+  }
+}
+
+void draw_velocity_space(const VelocitySpace& space, const std::string& path,
+                         const FigureOptions& options) {
+  const double left = options.axes ? kAxesLeft : kMargin;
+  const double bottom = options.axes ? kAxesBottom : kMargin;
+  const double top = options.title.empty() ? kMargin : kTitleHeight;
+  const Box world = space.view ? *space.view : default_view(space);
+  const Vec2 size = world.upper - world.lower;
+  const double width = options.width - left - kMargin;
+  const double height = width * std::clamp(size.y / size.x, 0.4, 1.3);
+  Canvas canvas(path, options.width, top + height + bottom);
+  draw_velocity_space(canvas, {{left, top}, {left + width, top + height}}, space, options);
+  canvas.finish();
+}
+
+}  // namespace avo::figures
