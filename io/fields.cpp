@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one table of what a scene file may say.
+#include "fields.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace avo_io {
+
+using avo::CarSetup;
+using avo::kAnyValue;
+using avo::kAtLeastOne;
+using avo::kNotNegative;
+using avo::kPositive;
+using avo::MovingObstacle;
+using avo::RobotSetup;
+using avo::Scenario;
+constexpr Need kRequired = Need::required;
+constexpr Need kOptional = Need::optional;
+constexpr std::monostate kNested;
+constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
+constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
+
+template <>
+const std::vector<Field<Scenario>>& fields() {
+  static const std::vector<Field<Scenario>> table{
+      {"version", kNested, kRequired, {1.0, 1.0, false}, "", "version of this format"},
+      {"name", &Scenario::name, kOptional, {}, "", "of the scene", "the file's name"},
+      {"time_step", &Scenario::time_step, kOptional, kPositive, "s", "between decisions"},
+      {"duration", &Scenario::duration, kOptional, kPositive, "s", "of the whole scene",
+       "60 s and twice the longest straight way to a goal"},
+      {"control_time", &Scenario::control_time, kOptional, kPositive, "s",
+       "delta: time constant with which a new velocity is approached"},
+      {"time_horizon", &Scenario::time_horizon, kOptional, kPositive, "s",
+       "tau: how far collisions are looked for"},
+      {"sensing_radius", &Scenario::sensing_radius, kOptional, kPositive, "m",
+       "between centers; who is farther is not seen"},
+      {"max_neighbors", &Scenario::max_neighbors, kOptional, kAtLeastOne, "",
+       "nearest neighbors that get a half-plane", "no limit"},
+      {"method", &Scenario::method, kOptional, {}, "", "how new velocities are chosen"},
+      {"motion",
+       &Scenario::motion,
+       kOptional,
+       {},
+       "",
+       "between decisions: acceleration held, or proportional control exactly"},
+      {"samples", &Scenario::samples, kOptional, avo::kSamples, "",
+       "of an obstacle's boundary, a side; 0: exact half-planes (1 is refused)"},
+      {"arrival_distance", &Scenario::arrival_distance, kOptional, kPositive, "m",
+       "from the goal, within which a robot has arrived"},
+      {"seed", &Scenario::seed, kOptional, kSeed, "", "of random placements, goals and headings"},
+      {"robots", kNested, kOptional, {}, "", "numbered 0, 1, ... in this order"},
+      {"groups", kNested, kOptional, {}, "", "many like robots each, numbered after `robots`"},
+      {"moving_obstacles", kNested, kOptional, {}, "", "discs that react to nobody"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<RobotSetup>>& fields() {
+  static const std::vector<Field<RobotSetup>> table{
+      {"position", &RobotSetup::position, kRequired, kAnyValue, "m", "at the start"},
+      {"velocity", &RobotSetup::velocity, kOptional, kAnyValue, "m/s",
+       "at the start; of a car only its length counts"},
+      {"goal", &RobotSetup::goal, kRequired, kAnyValue, "m", "where it wants to come to rest"},
+      {"radius", &RobotSetup::radius, kOptional, kPositive, "m", "of its disc"},
+      {"max_speed", &RobotSetup::max_speed, kOptional, kPositive, "m/s", "never exceeded"},
+      {"max_acceleration", &RobotSetup::max_acceleration, kOptional, kPositive, "m/s^2",
+       "never exceeded"},
+      {"preferred_speed", &RobotSetup::preferred_speed, kOptional, kNotNegative, "m/s",
+       "towards the goal", "max_speed"},
+      {"car", kNested, kOptional, {}, "", "makes it a car-like robot, position is its rear axle"},
+  };
+  return table;
+}
+
+const std::vector<Field<RobotSetup>>& group_robot_fields() {
+  static const std::vector<Field<RobotSetup>> table = [] {
+    std::vector<Field<RobotSetup>> result = fields<RobotSetup>();
+    std::erase_if(result, [](const auto& f) { return f.key == "position" || f.key == "goal"; });
+    return result;
+  }();
+  return table;
+}
+
+template <>
+const std::vector<Field<CarSetup>>& fields() {
+  static const std::vector<Field<CarSetup>> table{
+      {"wheelbase", &CarSetup::wheelbase, kOptional, kPositive, "m", "between the axles"},
+      {"heading", &CarSetup::heading, kOptional, kAnyValue, "rad", "counter-clockwise from +x"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<MovingObstacle>>& fields() {
+  static const std::vector<Field<MovingObstacle>> table{
+      {"position", &MovingObstacle::position, kRequired, kAnyValue, "m", "at the start"},
+      {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},
+      {"acceleration", &MovingObstacle::acceleration, kOptional, kAnyValue, "m/s^2", "constant"},
+      {"radius", &MovingObstacle::radius, kOptional, kPositive, "m", "of its disc"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<Group>>& fields() {
+  static const std::vector<Field<Group>> table{
+      {"number", &Group::number, kRequired, kNumber, "", "of robots"},
+      {"placement", kNested, kRequired, {}, "", "where they start"},
+      {"goals", kNested, kRequired, {}, "", "where they want to come to rest"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<CirclePlacement>>& fields() {
+  static const std::vector<Field<CirclePlacement>> table{
+      {"center", &CirclePlacement::center, kOptional, kAnyValue, "m", "of the circle"},
+      {"min_radius", &CirclePlacement::min_radius, kOptional, kNotNegative, "m", "of the circle"},
+      {"spacing", &CirclePlacement::spacing, kOptional, kPositive, "m",
+       "length of the arc from robot to robot, unless min_radius is larger"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<GridPlacement>>& fields() {
+  static const std::vector<Field<GridPlacement>> table{
+      {"corner", &GridPlacement::corner, kOptional, kAnyValue, "m", "of the first robot"},
+      {"spacing", &GridPlacement::spacing, kRequired, kPositive, "m", "along x and y"},
+      {"columns", &GridPlacement::columns, kRequired, kNumber, "", "robots in a row"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<LinePlacement>>& fields() {
+  static const std::vector<Field<LinePlacement>> table{
+      {"from", &LinePlacement::from, kRequired, kAnyValue, "m", "the first robot"},
+      {"to", &LinePlacement::to, kRequired, kAnyValue, "m", "the last robot"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<RandomPlacement>>& fields() {
+  static const std::vector<Field<RandomPlacement>> table{
+      {"min", &RandomPlacement::min, kRequired, kAnyValue, "m", "lower left corner"},
+      {"max", &RandomPlacement::max, kRequired, kAnyValue, "m", "upper right corner"},
+      {"clearance", &RandomPlacement::clearance, kOptional, kNotNegative, "m", "between discs"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<AntipodalGoals>>& fields() {
+  static const std::vector<Field<AntipodalGoals>> table;
+  return table;
+}
+
+template <>
+const std::vector<Field<OffsetGoals>>& fields() {
+  static const std::vector<Field<OffsetGoals>> table{
+      {"by", &OffsetGoals::by, kRequired, kAnyValue, "m", "from start to goal"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<PermutationGoals>>& fields() {
+  static const std::vector<Field<PermutationGoals>> table;
+  return table;
+}
+
+template <>
+const std::vector<Field<RandomGoals>>& fields() {
+  static const std::vector<Field<RandomGoals>> table{
+      {"min", &RandomGoals::min, kRequired, kAnyValue, "m", "lower left corner"},
+      {"max", &RandomGoals::max, kRequired, kAnyValue, "m", "upper right corner"},
+      {"clearance", &RandomGoals::clearance, kOptional, kNotNegative, "m",
+       "between the discs of robots at their goals"},
+  };
+  return table;
+}
+
+}  // namespace avo_io

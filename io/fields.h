@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one table of what a scene file may say: parser, overrides, JSON Schema and error messages
+// all read it. Default values are those of the structs themselves.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "avo/scenario.h"
+#include "core/ranges.h"
+
+namespace avo_io {
+
+/// N robots on a circle of radius max(min_radius, spacing * N / 2π), evenly, from angle 0.
+struct CirclePlacement {
+  avo::Vec2 center;
+  double min_radius = 0.0;
+  double spacing = 2.25;
+};
+/// Row by row from `corner` towards +x, then +y.
+struct GridPlacement {
+  avo::Vec2 corner;
+  double spacing = 2.0;
+  int columns = 1;
+};
+/// Evenly from `from` to `to`.
+struct LinePlacement {
+  avo::Vec2 from, to;
+};
+/// Uniform in the rectangle from min to max, no disc nearer than `clearance` to another one.
+struct RandomPlacement {
+  avo::Vec2 min, max;
+  double clearance = 0.0;
+};
+using Placement = std::variant<CirclePlacement, GridPlacement, LinePlacement, RandomPlacement>;
+
+/// The start mirrored in the center of the placement.
+struct AntipodalGoals {};
+/// The start moved by `by`.
+struct OffsetGoals {
+  avo::Vec2 by;
+};
+/// The starts of the group, dealt anew in one random cycle: nobody keeps his own.
+struct PermutationGoals {};
+/// Uniform in the rectangle from min to max, no goal's disc nearer than `clearance` to another.
+struct RandomGoals {
+  avo::Vec2 min, max;
+  double clearance = 0.0;
+};
+using Goals = std::variant<AntipodalGoals, OffsetGoals, PermutationGoals, RandomGoals>;
+
+enum class GroupHeading : std::uint8_t { goal, random, given };
+
+/// Many like robots.
+struct Group {
+  int number = 0;
+  avo::RobotSetup robot;  ///< all but position and goal
+  GroupHeading heading = GroupHeading::goal;
+  Placement placement;
+  Goals goals;
+};
+
+/// std::monostate: a value with keys of its own, read by the code that knows them.
+template <class T>
+using Member =
+    std::variant<std::monostate, double T::*, int T::*, std::optional<int> T::*, std::uint64_t T::*,
+                 std::string T::*, avo::Vec2 T::*, avo::Method T::*, avo::Motion T::*>;
+
+enum class Need : std::uint8_t { required, optional };
+
+template <class T>
+struct Field {
+  std::string_view key;
+  Member<T> member;
+  Need need = Need::optional;
+  avo::Range range = {};               ///< of numbers; of both components of points
+  std::string_view unit;               ///< empty: none
+  std::string_view doc;                ///< one line
+  std::string_view default_text = "";  ///< where the default is not the struct's value
+};
+
+/// The fields of T, in the order of the documentation.
+template <class T>
+const std::vector<Field<T>>& fields();
+
+/// RobotSetup's fields without position and goal, for groups.
+const std::vector<Field<avo::RobotSetup>>& group_robot_fields();
+
+inline constexpr std::array<std::pair<std::string_view, avo::Method>, 3> kMethods{
+    {{"avo_paper", avo::Method::avo_paper},
+     {"velocity_obstacle", avo::Method::velocity_obstacle},
+     {"orca", avo::Method::orca}}};
+inline constexpr std::array<std::pair<std::string_view, avo::Motion>, 2> kMotions{
+    {{"held", avo::Motion::held}, {"exponential", avo::Motion::exponential}}};
+inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
+    {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
+
+/// Name and one line on each kind of placement and of goals.
+struct KindText {
+  std::string_view key, doc;
+};
+template <class T>
+constexpr KindText kind_text();
+template <>
+constexpr KindText kind_text<CirclePlacement>() {
+  return {"circle", "evenly on a circle of radius max(min_radius, spacing * number / 2 pi)"};
+}
+template <>
+constexpr KindText kind_text<GridPlacement>() {
+  return {"grid", "row by row"};
+}
+template <>
+constexpr KindText kind_text<LinePlacement>() {
+  return {"line", "evenly from one point to another, ends included"};
+}
+template <>
+constexpr KindText kind_text<RandomPlacement>() {
+  return {"random", "uniform in a rectangle, clear of all robots placed before"};
+}
+template <>
+constexpr KindText kind_text<AntipodalGoals>() {
+  return {"antipodal", "the start mirrored in the center of the placement"};
+}
+template <>
+constexpr KindText kind_text<OffsetGoals>() {
+  return {"offset", "the start moved by a vector"};
+}
+template <>
+constexpr KindText kind_text<PermutationGoals>() {
+  return {"permutation", "the starts of the group dealt anew, nobody keeps his own"};
+}
+template <>
+constexpr KindText kind_text<RandomGoals>() {
+  return {"random", "uniform in a rectangle, clear of the group's other goals"};
+}
+
+template <class T>
+std::vector<std::string_view> keys_of(const std::vector<Field<T>>& table) {
+  std::vector<std::string_view> keys;
+  for (const Field<T>& field : table) keys.push_back(field.key);
+  return keys;
+}
+
+}  // namespace avo_io

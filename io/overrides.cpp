@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// key=value besides the file: changes the tree before it is read.
+#include "overrides.h"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <optional>
+
+#include "avo_io/errors.h"
+#include "reader.h"
+
+namespace avo_io {
+namespace {
+
+std::vector<std::string_view> parts_of(std::string_view key) {
+  std::vector<std::string_view> parts;
+  for (std::size_t dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
+    parts.push_back(key.substr(0, dot));
+    key.remove_prefix(dot + 1);
+  }
+  parts.push_back(key);
+  return parts;
+}
+
+std::optional<std::size_t> to_index(std::string_view text) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+/// One step down the tree, to an item of a list or the value of a key, which is added if missing.
+Node& step_down(const Document& document, Node& node, const std::string& path,
+                std::string_view part, const Node& value) {
+  if (node.kind == Node::Kind::list) {
+    const std::optional<std::size_t> index = to_index(part);
+    const std::size_t count = node.children.size();
+    if (!index || *index >= count)
+      document.fail(value, fmt::format("{}found the number {}, {}", in_front(path), in_quotes(part),
+                                       count == 0 ? std::string("the list is empty")
+                                                  : fmt::format("must be 0 to {}", count - 1)));
+    return node.children[*index];
+  }
+  if (node.kind == Node::Kind::nothing) {  // also of a key added just now
+    node = value;
+    node.kind = Node::Kind::map;
+    node.text.clear();
+    node.children.clear();
+  }
+  if (node.kind != Node::Kind::map)
+    document.fail(value, fmt::format("{}found {}, has no key {}", in_front(path), shown(node),
+                                     in_quotes(part)));
+  if (Node* existing = node.find(part)) return *existing;
+  Node key = value;
+  key.kind = Node::Kind::text;
+  key.text = part;
+  key.children.clear();
+  node.children.push_back(std::move(key));
+  node.children.push_back(Node{});
+  node.children.back().source = value.source;
+  return node.children.back();
+}
+
+void put(const Document& document, Node& root, const std::vector<std::string_view>& parts,
+         const Node& value) {
+  Node* node = &root;
+  std::string path;
+  for (const std::string_view part : parts) {
+    node = &step_down(document, *node, path, part, value);
+    path = path_to(path, part);
+  }
+  *node = value;
+}
+
+}  // namespace
+
+std::vector<RobotPatch> apply_overrides(const std::vector<std::string>& overrides,
+                                        Document& document) {
+  std::vector<RobotPatch> patches;
+  for (const std::string& text : overrides) {
+    const std::string name = "--set " + text;
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw OverrideError(
+          fmt::format("--set {}: found no key=value, must be such as time_step=0.1", text));
+    const Node value = parse_yaml(std::string_view(text).substr(equals + 1), name, document);
+    const std::vector<std::string_view> parts = parts_of(std::string_view(text).substr(0, equals));
+    const Node* listed = std::as_const(document.root).find("robots");
+    const std::size_t count = listed != nullptr ? listed->size() : 0;
+    const std::optional<std::size_t> robot =
+        parts.size() > 2 && parts[0] == "robots" ? to_index(parts[1]) : std::nullopt;
+    const bool grouped = robot && *robot >= count && document.root.find("groups") != nullptr;
+    if (grouped) {
+      RobotPatch patch{*robot, {}};
+      put(document, patch.map, {parts.begin() + 2, parts.end()}, value);
+      patches.push_back(std::move(patch));
+    } else {
+      put(document, document.root, parts, value);
+    }
+  }
+  return patches;
+}
+
+}  // namespace avo_io

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// From groups to robots: the benchmark scenes of the paper's §VI-B and more.
+#include "placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "random.h"
+
+namespace avo_io {
+namespace {
+
+using avo::Vec2;
+
+constexpr double kPi = 3.141592653589793;
+
+struct PlacedDisc {
+  Vec2 center;
+  double radius;
+};
+
+/// Discs in square cells, to ask whether a new one is clear of all. Cells are looked up, never
+/// walked through, so that their order does not matter.
+class PlacedDiscs {
+ public:
+  /// No two discs asked about may reach farther than `largest_radius`.
+  PlacedDiscs(double largest_radius, double clearance)
+      : cell_(2.0 * largest_radius + clearance), clearance_(clearance) {}
+
+  bool is_clear(const PlacedDisc& disc) const {
+    const Cell cell = cell_of(disc.center);
+    for (const double x : {-1.0, 0.0, 1.0})
+      for (const double y : {-1.0, 0.0, 1.0}) {
+        const auto found = discs_.find({cell.x + x, cell.y + y});
+        if (found == discs_.end()) continue;
+        for (const PlacedDisc& other : found->second)
+          if (norm(disc.center - other.center) < disc.radius + other.radius + clearance_)
+            return false;
+      }
+    return true;
+  }
+  void add(const PlacedDisc& disc) { discs_[cell_of(disc.center)].push_back(disc); }
+
+ private:
+  struct Cell {
+    double x, y;  // whole numbers, of any size
+    bool operator==(const Cell&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Cell& c) const {
+      return std::hash<double>()(c.x) * 0x9E3779B97F4A7C15U + std::hash<double>()(c.y);
+    }
+  };
+  Cell cell_of(Vec2 p) const { return {std::floor(p.x / cell_), std::floor(p.y / cell_)}; }
+  double cell_, clearance_;
+  std::unordered_map<Cell, std::vector<PlacedDisc>, Hash> discs_;
+};
+
+/// `number` centers, uniform in the rectangle, clear of each other and of `placed`; fewer if there
+/// is no room.
+std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, PlacedDiscs& placed,
+                                Random& random) {
+  constexpr int kTries = 2000;  // a disc; finds room up to about nine tenths of what is possible
+  std::vector<Vec2> points;
+  for (int i = 0; i < number; ++i) {
+    int tries = 0;
+    PlacedDisc disc{{}, radius};
+    do {
+      if (++tries > kTries) return points;
+      disc.center.x = random.between(min.x, max.x);
+      disc.center.y = random.between(min.y, max.y);
+    } while (!placed.is_clear(disc));
+    placed.add(disc);
+    points.push_back(disc.center);
+  }
+  return points;
+}
+
+std::string no_room(std::string_view what, std::size_t placed, int number) {
+  return fmt::format("{}: found room for {} of {}, must have room for all: enlarge the rectangle",
+                     what, placed, number);
+}
+
+/// Where a group's robots start, and the point that antipodal goals mirror in.
+struct Starts {
+  std::vector<Vec2> points;
+  Vec2 center;
+};
+
+Starts starts(const CirclePlacement& circle, int n) {
+  const double radius = std::max(circle.min_radius, circle.spacing * n / (2.0 * kPi));
+  Starts result{{}, circle.center};
+  for (int k = 0; k < n; ++k) result.points.push_back(circle.center + radius * circle_point(k, n));
+  return result;
+}
+
+Starts starts(const GridPlacement& grid, int n) {
+  Starts result;
+  for (int k = 0; k < n; ++k)
+    result.points.push_back(
+        grid.corner + grid.spacing * Vec2{double(k % grid.columns), double(k / grid.columns)});
+  const int columns = std::min(n, grid.columns);
+  const int rows = (n - 1) / grid.columns;
+  result.center = grid.corner + 0.5 * grid.spacing * Vec2{double(columns - 1), double(rows)};
+  return result;
+}
+
+Starts starts(const LinePlacement& line, int n) {
+  Starts result{{}, 0.5 * (line.from + line.to)};
+  for (int k = 0; k < n; ++k) {
+    const double along = n > 1 ? double(k) / double(n - 1) : 0.5;
+    result.points.push_back((1.0 - along) * line.from + along * line.to);
+  }
+  return result;
+}
+
+Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenario& scenario,
+              Random& random) {
+  double largest = group.robot.radius;
+  for (const auto& robot : scenario.robots) largest = std::max(largest, robot.radius);
+  for (const auto& mover : scenario.moving_obstacles) largest = std::max(largest, mover.radius);
+  PlacedDiscs placed(largest, area.clearance);
+  for (const auto& robot : scenario.robots) placed.add({robot.position, robot.radius});
+  for (const auto& mover : scenario.moving_obstacles) placed.add({mover.position, mover.radius});
+  return {random_points(group.number, area.min, area.max, group.robot.radius, placed, random),
+          0.5 * (area.min + area.max)};
+}
+
+std::vector<Vec2> goals(const Group& group, const Starts& from, Random& random) {
+  std::vector<Vec2> result = from.points;
+  if (std::holds_alternative<AntipodalGoals>(group.goals)) {
+    for (Vec2& p : result) p = from.center + (from.center - p);
+  } else if (const auto* offset = std::get_if<OffsetGoals>(&group.goals)) {
+    for (Vec2& p : result) p = p + offset->by;
+  } else if (const auto* area = std::get_if<RandomGoals>(&group.goals)) {
+    PlacedDiscs placed(group.robot.radius, area->clearance);
+    result = random_points(group.number, area->min, area->max, group.robot.radius, placed, random);
+  } else {
+    for (std::size_t i = result.size() - 1; i > 0; --i)  // Sattolo: one cycle through all
+      std::swap(result[i], result[random.below(i)]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Vec2 circle_point(int k, int n) {
+  // Eighths of the circle, exactly: the angle is (octant + rest / n) * 45 degrees. It is measured
+  // by x <= 45 degrees from the nearest axis, `quarters` * 90 degrees.
+  const std::int64_t eighths = 8 * static_cast<std::int64_t>(k % n);
+  const std::int64_t octant = eighths / n;
+  const std::int64_t rest = eighths % n;
+  const bool back = octant % 2 == 1;
+  const double x = kPi / 4.0 * static_cast<double>(back ? n - rest : rest) / n;
+  double sine = 1.0, cosine = 1.0;
+  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor; what is left out is below 1e-22
+    sine = 1.0 - x * x / (i * (i + 1.0)) * sine;
+    cosine = 1.0 - x * x / (i * (i - 1.0)) * cosine;
+  }
+  sine = back ? -x * sine : x * sine;
+  Vec2 point{cosine, sine};
+  const std::int64_t quarters = (octant + 1) / 2;
+  for (std::int64_t i = 0; i < quarters; ++i) point = perpendicular(point);
+  return point + Vec2{};  // no -0
+}
+
+std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario& scenario) {
+  Random random(scenario.seed, stream);
+  const int n = group.number;
+  Starts from;
+  if (const auto* circle = std::get_if<CirclePlacement>(&group.placement))
+    from = starts(*circle, n);
+  else if (const auto* grid = std::get_if<GridPlacement>(&group.placement))
+    from = starts(*grid, n);
+  else if (const auto* line = std::get_if<LinePlacement>(&group.placement))
+    from = starts(*line, n);
+  else
+    from = starts(std::get<RandomPlacement>(group.placement), group, scenario, random);
+  if (from.points.size() < static_cast<std::size_t>(n))
+    return no_room("placement", from.points.size(), n);
+  const std::vector<Vec2> to = goals(group, from, random);
+  if (to.size() < from.points.size()) return no_room("goals", to.size(), n);
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    avo::RobotSetup robot = group.robot;
+    robot.position = from.points[i];
+    robot.goal = to[i];
+    if (robot.car && group.heading == GroupHeading::random)
+      robot.car->heading = random.between(-kPi, kPi);
+    if (robot.car && group.heading == GroupHeading::goal) {
+      const Vec2 way = robot.goal - robot.position;
+      robot.car->heading = std::atan2(way.y, way.x);
+    }
+    scenario.robots.push_back(robot);
+  }
+  return "";
+}
+
+}  // namespace avo_io

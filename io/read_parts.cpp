@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots, obstacles and groups of a scene file, each from its map.
+#include "read_parts.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <variant>
+
+namespace avo_io {
+namespace {
+
+/// `heading`: of groups, where it may be a word.
+void read_car(const Reader& reader, const Node& node, const std::string& path, avo::CarSetup& car,
+              GroupHeading* heading) {
+  std::vector<Field<avo::CarSetup>> table = fields<avo::CarSetup>();
+  reader.check_keys(node, path, keys_of(table));
+  const Node* given = node.find("heading");
+  if (heading != nullptr && given != nullptr) {
+    const bool word = given->kind == Node::Kind::text && !is_number(given->text);
+    *heading =
+        word ? reader.choice(*given, path_to(path, "heading"), kHeadings) : GroupHeading::given;
+    if (word) std::erase_if(table, [](const auto& field) { return field.key == "heading"; });
+  }
+  reader.read(node, path, table, car);
+}
+
+}  // namespace
+
+void read_robot(const Reader& reader, const Node& node, const std::string& path,
+                avo::RobotSetup& robot, bool patch) {
+  const auto& table = fields<avo::RobotSetup>();
+  reader.check_keys(node, path, keys_of(table));
+  reader.read(node, path, table, robot, patch);
+  if (!patch && node.find("preferred_speed") == nullptr) robot.preferred_speed = robot.max_speed;
+  const Node* car = node.find("car");
+  if (car == nullptr) return;
+  if (!robot.car) robot.car.emplace();
+  read_car(reader, *car, path_to(path, "car"), *robot.car, nullptr);
+}
+
+namespace {
+
+template <class T>
+void check_area(const Reader& reader, const Node& node, const std::string& path, const T& area) {
+  if (area.min.x > area.max.x || area.min.y > area.max.y)
+    reader.fail(node, path,
+                fmt::format("min [{}, {}] and max [{}, {}]", area.min.x, area.min.y, area.max.x,
+                            area.max.y),
+                "min must not exceed max");
+}
+/// A kind by its name alone, or as the only key of a map: {circle: {spacing: 2}}.
+template <class... Kinds>
+void read_kind(const Reader& reader, const Node& node, const std::string& path,
+               std::variant<Kinds...>& target) {
+  const std::vector<std::string_view> names{kind_text<Kinds>().key...};
+  Node alone;  // what a name alone stands for: a map without keys
+  alone.kind = Node::Kind::map;
+  alone.line = node.line;
+  alone.column = node.column;
+  alone.source = node.source;
+  const Node* name = &node;
+  const Node* map = &alone;
+  if (node.kind == Node::Kind::map) {
+    reader.check_keys(node, path, names);
+    if (node.size() != 1)
+      reader.fail(node, path, fmt::format("{} kinds", node.size()),
+                  "must be one of " + joined(names));
+    name = &node.children[0];
+    map = &node.children[1];
+  }
+  if (name->kind != Node::Kind::text ||
+      std::find(names.begin(), names.end(), name->text) == names.end())
+    reader.fail_choice(*name, path, names);
+  const auto read_if_named = [&]<class Kind>(Kind kind) {
+    if (kind_text<Kind>().key != name->text) return;
+    const std::string inside = path_to(path, name->text);
+    reader.check_keys(*map, inside, keys_of(fields<Kind>()));
+    reader.read(*map, inside, fields<Kind>(), kind);
+    if constexpr (requires { kind.min.x; }) check_area(reader, *map, inside, kind);
+    target = kind;
+  };
+  (read_if_named(Kinds{}), ...);
+}
+
+}  // namespace
+
+Group read_group(const Reader& reader, const Node& node, const std::string& path) {
+  std::vector<std::string_view> keys = keys_of(fields<Group>());
+  for (const std::string_view key : keys_of(group_robot_fields())) keys.push_back(key);
+  reader.check_keys(node, path, keys);
+  Group group;
+  reader.read(node, path, fields<Group>(), group);
+  reader.read(node, path, group_robot_fields(), group.robot);
+  if (node.find("preferred_speed") == nullptr) group.robot.preferred_speed = group.robot.max_speed;
+  read_kind(reader, *node.find("placement"), path_to(path, "placement"), group.placement);
+  read_kind(reader, *node.find("goals"), path_to(path, "goals"), group.goals);
+  if (const Node* car = node.find("car"))
+    read_car(reader, *car, path_to(path, "car"), group.robot.car.emplace(), &group.heading);
+  return group;
+}
+
+void read_obstacle(const Reader& reader, const Node& node, const std::string& path,
+                   avo::MovingObstacle& obstacle) {
+  const auto& table = fields<avo::MovingObstacle>();
+  reader.check_keys(node, path, keys_of(table));
+  reader.read(node, path, table, obstacle);
+}
+
+}  // namespace avo_io

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots, obstacles and groups of a scene file, each from its map.
+#pragma once
+#include <string>
+
+#include "fields.h"
+#include "reader.h"
+#include "yaml_tree.h"
+
+namespace avo_io {
+
+/// patch: changes a robot that there is already.
+void read_robot(const Reader& reader, const Node& node, const std::string& path,
+                avo::RobotSetup& robot, bool patch);
+void read_obstacle(const Reader& reader, const Node& node, const std::string& path,
+                   avo::MovingObstacle& obstacle);
+Group read_group(const Reader& reader, const Node& node, const std::string& path);
+
+}  // namespace avo_io

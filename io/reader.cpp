@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Single values of scene files, and what is said where they are wrong.
+#include "reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace avo_io {
+
+std::string path_to(const std::string& parent, std::string_view key) {
+  return parent.empty() ? std::string(key) : fmt::format("{}.{}", parent, key);
+}
+
+std::string in_front(const std::string& path) {
+  return path.empty() ? "" : path + ": ";
+}
+
+std::string shown(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::nothing:
+      return "nothing";
+    case Node::Kind::list:
+      return node.children.empty() ? "an empty list" : "a list";
+    case Node::Kind::map:
+      return "a map";
+    case Node::Kind::text:
+      break;
+  }
+  const bool bare = !node.quoted && is_number(node.text) && node.text.size() <= 40;
+  return bare ? node.text : in_quotes(node.text);
+}
+
+void Reader::fail(const Node& node, const std::string& path, const std::string& found,
+                  const std::string& allowed) const {
+  document_.fail(node, fmt::format("{}found {}, {}", in_front(path), found, allowed));
+}
+
+void Reader::check_keys(const Node& map, const std::string& path,
+                        const std::vector<std::string_view>& allowed) const {
+  if (map.kind != Node::Kind::map)
+    fail(map, path, shown(map),
+         allowed.empty() ? "must be an empty map {}"
+                         : fmt::format("must be a map with keys {}", joined(allowed)));
+  for (std::size_t i = 0; i < map.children.size(); i += 2) {
+    const Node& key = map.children[i];
+    if (std::find(allowed.begin(), allowed.end(), key.text) == allowed.end()) {
+      const auto meant = nearest(key.text, allowed);
+      fail(key, path, "the unknown key " + in_quotes(key.text),
+           (allowed.empty() ? "no key is allowed" : "allowed are " + joined(allowed)) +
+               (meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+    }
+    for (std::size_t j = 0; j < i; j += 2)
+      if (map.children[j].text == key.text)
+        fail(key, path, "the key " + in_quotes(key.text) + " twice",
+             fmt::format("allowed is once, the first is in line {}", map.children[j].line));
+  }
+}
+
+void Reader::require_list(const Node& node, const std::string& path) const {
+  if (node.kind != Node::Kind::list) fail(node, path, shown(node), "must be a list");
+}
+
+namespace {
+
+constexpr std::string_view kNotFinite[] = {".nan",  ".NaN",  ".NAN", "nan",  "NaN",
+                                           ".inf",  ".Inf",  ".INF", "inf",  "-.inf",
+                                           "-.Inf", "-.INF", "-inf", "+.inf"};
+
+std::string with_unit(std::string text, std::string_view unit) {
+  return unit.empty() ? text : fmt::format("{} {}", text, unit);
+}
+
+}  // namespace
+
+double Reader::number(const Node& node, const std::string& path, const avo::Range& range,
+                      std::string_view unit) const {
+  const bool text = node.kind == Node::Kind::text;
+  if (text && !node.quoted &&
+      std::find(std::begin(kNotFinite), std::end(kNotFinite), node.text) != std::end(kNotFinite))
+    fail(node, path, node.text, "must be a finite number");
+  if (!text || node.quoted || !is_number(node.text))
+    fail(node, path, shown(node),
+         unit.empty() ? "must be a number" : fmt::format("must be a number ({})", unit));
+  const std::optional<double> value = to_double(node.text);
+  if (!value) fail(node, path, shown(node), "must be within the range of a double");
+  if (range.below(*value))
+    fail(node, path, shown(node),
+         with_unit(fmt::format("must be {} {}", range.open_min ? ">" : ">=", range.min), unit));
+  if (*value > range.max)
+    fail(node, path, shown(node), with_unit(fmt::format("must be <= {}", range.max), unit));
+  return *value;
+}
+
+std::uint64_t Reader::whole_number(const Node& node, const std::string& path,
+                                   const avo::Range& range) const {
+  const std::string_view text = node.text;
+  const bool digits =
+      node.kind == Node::Kind::text && !node.quoted && !text.empty() &&
+      text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) == std::string_view::npos &&
+      text != "-";
+  if (!digits) fail(node, path, shown(node), "must be a whole number");
+  std::uint64_t value = 0;
+  const auto error = std::from_chars(text.data(), text.data() + text.size(), value).ec;
+  if (text[0] == '-' || (error == std::errc() && range.below(static_cast<double>(value))))
+    fail(node, path, shown(node), fmt::format("must be >= {:.0f}", range.min));
+  const double largest64 = static_cast<double>(std::numeric_limits<std::uint64_t>::max());
+  const bool too_large = range.max<largest64&& static_cast<double>(value)> range.max;
+  if (error != std::errc() || too_large)
+    fail(node, path, shown(node),
+         range.max < largest64 ? fmt::format("must be <= {:.0f}", range.max)
+                               : "must be < 2^64 = 18446744073709551616");
+  return value;
+}
+
+avo::Vec2 Reader::point(const Node& node, const std::string& path, const avo::Range& range,
+                        std::string_view unit) const {
+  if (node.kind != Node::Kind::list || node.children.size() != 2)
+    fail(node, path,
+         node.kind == Node::Kind::list && !node.children.empty()
+             ? fmt::format("a list of {}", node.children.size())
+             : shown(node),
+         fmt::format("must be [x, y] in {}", unit));
+  return {number(node.children[0], path_to(path, "0"), range, unit),
+          number(node.children[1], path_to(path, "1"), range, unit)};
+}
+
+std::string Reader::name(const Node& node, const std::string& path) const {
+  constexpr std::size_t kLongest = 200;
+  if (node.kind != Node::Kind::text || node.text.empty())
+    fail(node, path, shown(node), "must be a text");
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  if (std::any_of(node.text.begin(), node.text.end(), control))
+    fail(node, path, shown(node), "must have no control characters");
+  if (node.text.size() > kLongest)
+    fail(node, path, fmt::format("a text of {} bytes", node.text.size()),
+         fmt::format("must have at most {}", kLongest));
+  return node.text;
+}
+
+void Reader::fail_choice(const Node& node, const std::string& path,
+                         const std::vector<std::string_view>& words) const {
+  const auto meant = node.kind == Node::Kind::text ? nearest(node.text, words) : std::nullopt;
+  fail(node, path, shown(node),
+       fmt::format("must be one of {}{}", joined(words),
+                   meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+}
+
+void Reader::fail_missing(const Node& map, const std::string& path, std::string_view key,
+                          std::string_view doc) const {
+  fail(map, path, fmt::format("no \"{}\"", key), fmt::format("must be given: {}", doc));
+}
+
+}  // namespace avo_io

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the tree of a scene file to structs, by the table of fields.
+#pragma once
+#include <cstddef>
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fields.h"
+#include "words.h"
+#include "yaml_tree.h"
+
+namespace avo_io {
+
+/// A value's dotted path, e.g. "robots.3.radius"; empty for the scene itself.
+std::string path_to(const std::string& parent, std::string_view key);
+
+/// "in robots.3: " or nothing for the scene itself.
+std::string in_front(const std::string& path);
+
+/// What stands there, for messages: `a list`, `-0.2`, `"fast"`, `nothing`.
+std::string shown(const Node& node);
+
+class Reader {
+ public:
+  explicit Reader(const Document& document) : document_(document) {}
+
+  [[noreturn]] void fail(const Node& node, const std::string& path, const std::string& found,
+                         const std::string& allowed) const;
+
+  /// Refuses anything but a map, unknown keys and keys given twice.
+  void check_keys(const Node& map, const std::string& path,
+                  const std::vector<std::string_view>& allowed) const;
+  void require_list(const Node& node, const std::string& path) const;
+
+  double number(const Node& node, const std::string& path, const avo::Range& range,
+                std::string_view unit) const;
+  std::uint64_t whole_number(const Node& node, const std::string& path,
+                             const avo::Range& range) const;
+  avo::Vec2 point(const Node& node, const std::string& path, const avo::Range& range,
+                  std::string_view unit) const;
+  std::string name(const Node& node, const std::string& path) const;
+  template <class Names>
+  auto choice(const Node& node, const std::string& path, const Names& names) const {
+    std::vector<std::string_view> words;
+    for (const auto& [word, value] : names) {
+      if (node.kind == Node::Kind::text && node.text == word) return value;
+      words.push_back(word);
+    }
+    fail_choice(node, path, words);
+  }
+  [[noreturn]] void fail_choice(const Node& node, const std::string& path,
+                                const std::vector<std::string_view>& words) const;
+  [[noreturn]] void fail_missing(const Node& map, const std::string& path, std::string_view key,
+                                 std::string_view doc) const;
+
+  /// Reads the values of `map` that the table says how to read; all keys are known to be allowed.
+  /// patch: what is missing stays as it is.
+  template <class T>
+  void read(const Node& map, const std::string& path, const std::vector<Field<T>>& table, T& target,
+            bool patch = false) const {
+    for (const Field<T>& field : table) {
+      const Node* node = map.find(field.key);
+      if (node != nullptr)
+        read_value(*node, path_to(path, field.key), field, target);
+      else if (field.need == Need::required && !patch)
+        fail_missing(map, path, field.key, field.doc);
+    }
+  }
+
+ private:
+  template <class T>
+  void read_value(const Node& node, const std::string& path, const Field<T>& field,
+                  T& target) const {
+    struct Visitor {
+      const Reader& reader;
+      const Node& node;
+      const std::string& path;
+      const Field<T>& field;
+      T& target;
+      void operator()(std::monostate) const {}
+      void operator()(double T::*member) const {
+        target.*member = reader.number(node, path, field.range, field.unit);
+      }
+      void operator()(int T::*member) const {
+        target.*member = static_cast<int>(reader.whole_number(node, path, field.range));
+      }
+      void operator()(std::optional<int> T::*member) const {
+        target.*member = static_cast<int>(reader.whole_number(node, path, field.range));
+      }
+      void operator()(std::uint64_t T::*member) const {
+        target.*member = reader.whole_number(node, path, field.range);
+      }
+      void operator()(std::string T::*member) const { target.*member = reader.name(node, path); }
+      void operator()(avo::Vec2 T::*member) const {
+        target.*member = reader.point(node, path, field.range, field.unit);
+      }
+      void operator()(avo::Method T::*member) const {
+        target.*member = reader.choice(node, path, kMethods);
+      }
+      void operator()(avo::Motion T::*member) const {
+        target.*member = reader.choice(node, path, kMotions);
+      }
+    };
+    std::visit(Visitor{*this, node, path, field, target}, field.member);
+  }
+
+  const Document& document_;
+};
+
+}  // namespace avo_io

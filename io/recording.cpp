@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run leaves behind: a table of all states, and one object of results.
+#include "avo_io/recording.h"
+
+#include <cstddef>
+#include <fmt/format.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "avo/version.h"
+
+namespace avo_io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+}  // namespace
+
+CsvRecording::CsvRecording(const std::string& path) : file_(path) {
+  file_.write("time,robot,x,y,vx,vy\n");
+}
+
+void CsvRecording::add(const avo::Simulation& simulation) {
+  const avo::FleetView fleet = simulation.fleet();
+  fmt::memory_buffer row;
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    const avo::Vec2 p = fleet.position[i], v = fleet.velocity[i];
+    row.clear();
+    fmt::format_to(std::back_inserter(row), "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g}\n",
+                   simulation.time(), fleet.id[i].value, p.x, p.y, v.x, v.y);
+    file_.write({row.data(), row.size()});
+  }
+}
+
+std::string to_json(const avo::RunSummary& summary) {
+  Json json;
+  json["scene"] = summary.scene;
+  json["robots"] = summary.robots;
+  json["steps"] = summary.steps;
+  json["arrived"] = summary.arrived;
+  json["first_collision_time"] = or_null(summary.first_collision_time);
+  json["collision_pairs"] = summary.collision_pairs;
+  json["obstacle_collisions"] = summary.obstacle_collisions;
+  json["min_clearance"] = or_null(summary.min_clearance);
+  json["max_acceleration"] = summary.max_acceleration;
+  json["max_speed"] = summary.max_speed;
+  json["mean_arrival"] = or_null(summary.mean_arrival);
+  json["last_arrival"] = or_null(summary.last_arrival);
+  json["infeasible_steps"] = summary.infeasible_steps;
+  json["step_milliseconds_median"] = or_null(summary.step_milliseconds_median);
+  json["seed"] = summary.seed;
+  json["version"] = avo::kVersion;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace avo_io

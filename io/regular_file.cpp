@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading a whole file without being led astray by pipes, devices or size.
+#include "regular_file.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
+
+#include "avo_io/scene.h"
+#include "words.h"
+
+namespace avo_io {
+namespace {
+
+constexpr std::size_t kLargest = std::size_t{16} << 20U;
+
+/// Closes what it holds.
+struct Descriptor {
+  explicit Descriptor(int number) : value(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (value >= 0) close(value);
+  }
+  int value;
+};
+
+std::string not_found(const std::string& path) {
+  std::vector<std::string_view> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
+  const auto meant = nearest(path, names);
+  return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
+                     joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
+}
+
+}  // namespace
+
+std::string with_errno(const std::string& name) {
+  return name + ": " + std::generic_category().message(errno);
+}
+
+std::string read_regular_file(const std::string& path) {
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (file.value < 0) throw FileError(errno == ENOENT ? not_found(path) : with_errno(path));
+  struct stat status = {};
+  if (fstat(file.value, &status) != 0) throw FileError(with_errno(path));
+  if (!S_ISREG(status.st_mode))
+    throw FileError(fmt::format("{}: found a {}, must be a regular file", path,
+                                S_ISDIR(status.st_mode)    ? "directory"
+                                : S_ISFIFO(status.st_mode) ? "pipe"
+                                                           : "device"));
+  std::string text;
+  while (text.size() <= kLargest) {
+    char buffer[65536];
+    const ssize_t got = read(file.value, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw FileError(with_errno(path));
+    if (got == 0) return text;
+    text.append(buffer, static_cast<std::size_t>(got));
+  }
+  throw SceneError(fmt::format("{}:1:1: found more than {} MiB, a scene must be smaller", path,
+                               kLargest >> 20U));
+}
+
+}  // namespace avo_io

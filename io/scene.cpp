@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene file becomes a scenario: explicit robots first, then the groups.
+#include "avo_io/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fmt/format.h>
+#include <numeric>
+
+#include "builtin.h"
+#include "overrides.h"
+#include "placement.h"
+#include "read_parts.h"
+#include "regular_file.h"
+#include "yaml_tree.h"
+
+namespace avo_io {
+namespace {
+
+using avo::Scenario;
+
+void read_version(const Reader& reader, const Node& root) {
+  const Node* version = root.find("version");
+  if (version == nullptr) reader.fail_missing(root, "", "version", "version: 1");
+  if (version->kind != Node::Kind::text || version->quoted || version->text != "1")
+    reader.fail(*version, "version", shown(*version), "must be 1");
+}
+
+/// A tree becomes a scenario; knows which value each robot comes from.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(const Document& document) : document_(document), reader_(document) {}
+
+  Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name) {
+    const Node& root = document_.root;
+    if (root.kind == Node::Kind::nothing)
+      reader_.fail(root, "", "nothing", "must be a map with at least version and robots or groups");
+    reader_.check_keys(root, "", keys_of(fields<Scenario>()));
+    read_version(reader_, root);
+    scenario_.name = default_name;
+    reader_.read(root, "", fields<Scenario>(), scenario_);
+    add_robots();
+    add_obstacles();
+    add_groups();
+    if (scenario_.robots.empty())
+      reader_.fail(root, "", "no robots", "must have at least one in robots or groups");
+    apply(patches);
+    if (root.find("duration") == nullptr) scenario_.duration = usual_duration();
+    refuse_coincident();
+    validate();
+    return std::move(scenario_);
+  }
+
+ private:
+  void add_robots() {
+    const Node* list = document_.root.find("robots");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "robots");
+    for (const Node& node : list->children) {
+      const std::string path = fmt::format("robots.{}", scenario_.robots.size());
+      read_robot(reader_, node, path, scenario_.robots.emplace_back(), false);
+      origins_.push_back(&node);
+    }
+  }
+
+  void add_obstacles() {
+    const Node* list = document_.root.find("moving_obstacles");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "moving_obstacles");
+    for (const Node& node : list->children) {
+      const std::string path =
+          fmt::format("moving_obstacles.{}", scenario_.moving_obstacles.size());
+      read_obstacle(reader_, node, path, scenario_.moving_obstacles.emplace_back());
+    }
+  }
+
+  void add_groups() {
+    const Node* list = document_.root.find("groups");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "groups");
+    auto total = static_cast<std::int64_t>(scenario_.robots.size());
+    for (std::size_t i = 0; i < list->children.size(); ++i) {
+      const Node& node = list->children[i];
+      const std::string path = fmt::format("groups.{}", i);
+      const Group group = read_group(reader_, node, path);
+      total += group.number;
+      if (total > avo::kMostRobots)
+        reader_.fail(*node.find("number"), path_to(path, "number"),
+                     fmt::format("{} robots in all", total),
+                     fmt::format("must be at most {}", avo::kMostRobots));
+      const std::string trouble = append_group(group, i, scenario_);
+      if (!trouble.empty()) document_.fail(node, path + "." + trouble);
+      origins_.resize(scenario_.robots.size(), &node);
+    }
+  }
+
+  void apply(const std::vector<RobotPatch>& patches) {
+    for (const RobotPatch& patch : patches) {
+      const std::string path = fmt::format("robots.{}", patch.robot);
+      if (patch.robot >= scenario_.robots.size())
+        reader_.fail(patch.map, "", path,
+                     fmt::format("must be robots.0 to robots.{}", scenario_.robots.size() - 1));
+      read_robot(reader_, patch.map, path, scenario_.robots[patch.robot], true);
+      origins_[patch.robot] = &patch.map;
+    }
+  }
+
+  /// Time enough to arrive by detours, s.
+  double usual_duration() const {
+    double longest = 0.0;
+    for (const avo::RobotSetup& robot : scenario_.robots)
+      if (robot.preferred_speed > 0.0)
+        longest = std::max(longest, norm(robot.goal - robot.position) / robot.preferred_speed);
+    return std::ceil(60.0 + 2.0 * longest);
+  }
+
+  /// Robots at one point cannot tell in which direction to part.
+  void refuse_coincident() const {
+    const auto& robots = scenario_.robots;
+    std::vector<std::size_t> order(robots.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t i) {
+      return std::tuple(robots[i].position.x, robots[i].position.y, i);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      const std::size_t a = order[i - 1], b = order[i];
+      if (!(robots[a].position == robots[b].position)) continue;
+      const Node* position = origins_[b]->find("position");
+      reader_.fail(position != nullptr ? *position : *origins_[b],
+                   fmt::format("robots.{}.position", b),
+                   fmt::format("[{}, {}], the position of robots.{}", robots[b].position.x,
+                               robots[b].position.y, a),
+                   "must differ from it");
+    }
+  }
+
+  void validate() const {
+    try {
+      avo::validate(scenario_);
+    } catch (const avo::Error& error) {
+      const std::string message = error.what();
+      document_.fail(origin_of(message.substr(0, message.find(':'))), message);
+    }
+  }
+
+  /// The value with that path, or what contains it.
+  const Node& origin_of(std::string_view path) const {
+    const Node* node = &document_.root;
+    while (!path.empty()) {
+      const std::size_t dot = std::min(path.find('.'), path.size());
+      const std::string part(path.substr(0, dot));
+      path.remove_prefix(std::min(dot + 1, path.size()));
+      const Node* next = node->find(part);
+      if (node->kind == Node::Kind::list) {
+        const std::size_t index = std::stoul(part);
+        const bool robot = node == document_.root.find("robots");
+        if (robot)
+          next = origins_[index];
+        else if (index < node->children.size())
+          next = &node->children[index];
+      } else if (next == nullptr && part == "robots" && !path.empty()) {
+        return *origins_[std::stoul(std::string(path))];  // of a group
+      }
+      if (next == nullptr) break;
+      node = next;
+    }
+    return *node;
+  }
+
+  const Document& document_;
+  Reader reader_;
+  Scenario scenario_;
+  std::vector<const Node*> origins_;  // of each robot: its own map, its group's, or its patch's
+};
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view yaml, const std::string& file,
+                        const std::vector<std::string>& overrides) {
+  Document document;
+  document.root = parse_yaml(yaml, file, document);
+  const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
+  return SceneBuilder(document).build(patches, std::filesystem::path(file).stem().string());
+}
+
+Scenario load_scenario(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+  if (const std::optional<BuiltinText> builtin = find_builtin(name_or_path)) {
+    std::vector<std::string> all = builtin->overrides;
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return parse_scenario(builtin->yaml, name_or_path, all);
+  }
+  return parse_scenario(read_regular_file(name_or_path), name_or_path, overrides);
+}
+
+}  // namespace avo_io

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of fields as JSON Schema (draft 2020-12), for editors and other programs.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include "avo_io/scene.h"
+#include "fields.h"
+
+namespace avo_io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_schema(const avo::Range& range) {
+  Json json{{"type", "number"}};
+  json[range.open_min ? "exclusiveMinimum" : "minimum"] = range.min;
+  json["maximum"] = range.max;
+  return json;
+}
+
+Json whole_number_schema(const avo::Range& range) {
+  Json json{{"type", "integer"}};
+  json["minimum"] = static_cast<std::int64_t>(range.min);
+  if (range.max < 9e18)
+    json["maximum"] = static_cast<std::int64_t>(range.max);
+  else
+    json["maximum"] = UINT64_MAX;
+  return json;
+}
+
+Json point_schema(const avo::Range& range) {
+  return {{"type", "array"},
+          {"prefixItems", {number_schema(range), number_schema(range)}},
+          {"items", false},
+          {"minItems", 2}};
+}
+
+template <class Names>
+Json names_schema(const Names& names) {
+  Json json = Json::array();
+  for (const auto& [name, value] : names) json.push_back(name);
+  return {{"enum", json}};
+}
+
+template <class Names, class Value>
+std::string name_of(const Names& names, Value value) {
+  for (const auto& [name, candidate] : names)
+    if (candidate == value) return std::string(name);
+  return "";
+}
+
+/// Schema of one value, with the default that T has.
+template <class T>
+struct ValueSchema {
+  const Field<T>& field;
+  T defaults{};
+
+  Json operator()(std::monostate) const { return Json::object(); }
+  Json operator()(double T::*member) const {
+    return with_default(number_schema(field.range), defaults.*member);
+  }
+  Json operator()(int T::*member) const {
+    return with_default(whole_number_schema(field.range), defaults.*member);
+  }
+  Json operator()(std::optional<int> T::*) const { return whole_number_schema(field.range); }
+  Json operator()(std::uint64_t T::*member) const {
+    return with_default(whole_number_schema(field.range), defaults.*member);
+  }
+  Json operator()(std::string T::*) const {
+    return {{"type", "string"}, {"minLength", 1}, {"maxLength", 200}};
+  }
+  Json operator()(avo::Vec2 T::*member) const {
+    const avo::Vec2 value = defaults.*member;
+    return with_default(point_schema(field.range), Json{value.x, value.y});
+  }
+  Json operator()(avo::Method T::*member) const {
+    return with_default(names_schema(kMethods), name_of(kMethods, defaults.*member));
+  }
+  Json operator()(avo::Motion T::*member) const {
+    return with_default(names_schema(kMotions), name_of(kMotions, defaults.*member));
+  }
+
+  template <class Value>
+  Json with_default(Json json, const Value& value) const {
+    if (field.need == Need::optional && field.default_text.empty()) json["default"] = value;
+    return json;
+  }
+};
+
+/// A map with the fields of the table and no others; `nested` has the schemas of those values that
+/// have keys of their own.
+template <class T>
+Json map_schema(const std::vector<Field<T>>& table, const Json& nested = Json::object()) {
+  Json properties = Json::object();
+  Json required = Json::array();
+  for (const Field<T>& field : table) {
+    const std::string key(field.key);
+    std::string doc(field.doc);
+    if (!field.unit.empty()) doc += fmt::format(" ({})", field.unit);
+    if (!field.default_text.empty()) doc += fmt::format("; omitted: {}", field.default_text);
+    Json json{{"description", doc}};
+    json.update(nested.contains(key) ? nested[key]
+                                     : std::visit(ValueSchema<T>{field}, field.member));
+    properties[key] = json;
+    if (field.need == Need::required) required.push_back(key);
+  }
+  Json json{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  if (!required.empty()) json["required"] = required;
+  return json;
+}
+
+template <class Kind>
+bool name_suffices() {
+  for (const Field<Kind>& field : fields<Kind>())
+    if (field.need == Need::required) return false;
+  return true;
+}
+
+/// One kind: its name alone, where that suffices, or a map with it as the only key.
+template <class... Kinds>
+Json kinds_schema(const std::variant<Kinds...>*) {
+  Json names = Json::array();
+  Json properties = Json::object();
+  const auto add = [&]<class Kind>(const Kind*) {
+    const KindText text = kind_text<Kind>();
+    if (name_suffices<Kind>()) names.push_back(text.key);
+    Json json{{"description", text.doc}};
+    json.update(map_schema(fields<Kind>()));
+    properties[std::string(text.key)] = json;
+  };
+  (add(static_cast<const Kinds*>(nullptr)), ...);
+  const Json map{{"type", "object"},
+                 {"properties", properties},
+                 {"additionalProperties", false},
+                 {"minProperties", 1},
+                 {"maxProperties", 1}};
+  if (names.empty()) return map;
+  return {{"oneOf", Json::array({Json{{"enum", names}}, map})}};
+}
+
+Json list_schema(const char* definition) {
+  return {{"type", "array"}, {"items", {{"$ref", std::string("#/$defs/") + definition}}}};
+}
+
+Json group_schema() {
+  Json car = map_schema(fields<avo::CarSetup>());
+  Json& heading = car["properties"]["heading"];
+  heading = {{"description", "rad, counter-clockwise from +x; goal: towards it"},
+             {"oneOf", Json::array({number_schema(avo::kAnyValue), names_schema(kHeadings)})},
+             {"default", "goal"}};
+  Json json = map_schema(fields<Group>(),
+                         {{"placement", kinds_schema(static_cast<const Placement*>(nullptr))},
+                          {"goals", kinds_schema(static_cast<const Goals*>(nullptr))}});
+  json["properties"].update(map_schema(group_robot_fields(), {{"car", car}})["properties"]);
+  return json;
+}
+
+}  // namespace
+
+std::string scenario_schema() {
+  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+            {"title", "avo scene"},
+            {"description", "Robots, moving obstacles, and how they are simulated. SI units."}};
+  json.update(
+      map_schema(fields<avo::Scenario>(), {{"version", {{"const", 1}}},
+                                           {"robots", list_schema("robot")},
+                                           {"groups", list_schema("group")},
+                                           {"moving_obstacles", list_schema("moving_obstacle")}}));
+  json["anyOf"] = {{{"required", {"robots"}}}, {{"required", {"groups"}}}};
+  json["$defs"] = {{"robot", map_schema(fields<avo::RobotSetup>(),
+                                        {{"car", map_schema(fields<avo::CarSetup>())}})},
+                   {"group", group_schema()},
+                   {"moving_obstacle", map_schema(fields<avo::MovingObstacle>())}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace avo_io

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words and numbers of scene files: read, shown and guessed.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace avo_io {
+
+/// At most 40 characters of `text` on one line, in quotes, control characters escaped.
+std::string in_quotes(std::string_view text);
+
+/// "a, b, c".
+std::string joined(const std::vector<std::string_view>& words);
+
+/// The word most like `found`, if any is so like it that it may have been meant.
+std::optional<std::string_view> nearest(std::string_view found,
+                                        const std::vector<std::string_view>& words);
+
+/// Does the text look like a number of YAML: [-+] digits [. digits] [e [-+] digits]?
+bool is_number(std::string_view text);
+
+/// The value of a text that looks like a number, whatever the locale; none beyond the range of
+/// double, towards zero as well. -0 becomes 0.
+std::optional<double> to_double(std::string_view text);
+
+}  // namespace avo_io

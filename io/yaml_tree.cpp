@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Events of yaml-cpp become a tree; whatever a scene does not need is refused before it grows.
+#include "yaml_tree.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+#include <sstream>
+#include <utility>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include "avo_io/errors.h"
+
+namespace avo_io {
+namespace {
+
+constexpr std::size_t kDeepest = 64;
+constexpr std::size_t kMostValues = 2'000'000;
+
+/// Collects the tree bottom-up; open_ holds the lists and maps that are not closed yet.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(Document& document, std::int32_t source) : document_(document), source_(source) {}
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    add(make(Node::Kind::nothing, mark, "", anchor));
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    refuse_reference(make(Node::Kind::nothing, mark, "", 0), "an alias");
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    Node node = make(Node::Kind::text, mark, tag, anchor);
+    node.quoted = tag == "!";
+    node.text = value;
+    if (!node.quoted && (value == "~" || value == "null")) node.kind = Node::Kind::nothing;
+    add(std::move(node));
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(make(Node::Kind::list, mark, tag, anchor));
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(make(Node::Kind::map, mark, tag, anchor));
+  }
+  void OnMapEnd() override { close(); }
+
+  std::optional<Node> root;
+
+ private:
+  Node make(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
+            YAML::anchor_t anchor) const {
+    Node node;
+    node.kind = kind;
+    node.line = mark.line + 1;
+    node.column = mark.column + 1;
+    node.source = source_;
+    if (anchor != 0) refuse_reference(node, "an anchor");
+    if (!tag.empty() && tag != "?" && tag != "!")
+      document_.fail(node, fmt::format("found the tag {}, tags are not allowed", tag));
+    return node;
+  }
+  [[noreturn]] void refuse_reference(const Node& node, std::string_view what) const {
+    document_.fail(node,
+                   fmt::format("found {}, anchors, aliases and merge keys are not allowed", what));
+  }
+  bool next_is_key() const {
+    return !open_.empty() && open_.back().kind == Node::Kind::map &&
+           open_.back().children.size() % 2 == 0;
+  }
+  void check_key(const Node& node) const {
+    if (!next_is_key()) return;
+    if (node.kind != Node::Kind::text)
+      document_.fail(node, "found a key that is not a word, keys must be words such as time_step");
+    if (node.text == "<<" && !node.quoted) refuse_reference(node, "a merge key");
+  }
+  void count(const Node& node) {
+    if (++values_ > kMostValues)
+      document_.fail(node, fmt::format("found more than {} values", kMostValues));
+  }
+  void open(Node node) {
+    check_key(node);
+    count(node);
+    if (open_.size() >= kDeepest)
+      document_.fail(node, fmt::format("found more than {} levels of nesting", kDeepest));
+    open_.push_back(std::move(node));
+  }
+  void close() {
+    Node node = std::move(open_.back());
+    open_.pop_back();
+    append(std::move(node));
+  }
+  void add(Node node) {
+    check_key(node);
+    count(node);
+    append(std::move(node));
+  }
+  void append(Node node) {
+    if (open_.empty())
+      root = std::move(node);
+    else
+      open_.back().children.push_back(std::move(node));
+  }
+
+  Document& document_;
+  std::int32_t source_;
+  std::vector<Node> open_;
+  std::size_t values_ = 0;
+};
+
+/// Length of the UTF-8 character at the start of `text`, 0 if there is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
+  if (length == 0 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  if (lead == 0xE0 && byte(1) < 0xA0) return 0;   // overlong
+  if (lead == 0xED && byte(1) >= 0xA0) return 0;  // surrogates
+  if (lead == 0xF0 && byte(1) < 0x90) return 0;   // overlong
+  if (lead == 0xF4 && byte(1) >= 0x90) return 0;  // beyond U+10FFFF
+  return length;
+}
+
+/// Line ends become "\n"; anything that is not text is refused with its place.
+std::string checked_text(std::string_view yaml, const Document& document, std::int32_t source) {
+  if (yaml.substr(0, 3) == "\xEF\xBB\xBF") yaml.remove_prefix(3);
+  std::string result;
+  result.reserve(yaml.size());
+  Node place;
+  place.source = source;
+  place.line = place.column = 1;
+  while (!yaml.empty()) {
+    const std::size_t length = character_length(yaml);
+    const auto byte = static_cast<unsigned char>(yaml[0]);
+    if (length == 0)
+      document.fail(place, fmt::format("found the byte 0x{:02x}, must be UTF-8 text", byte));
+    if ((byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t') || byte == 0x7F)
+      document.fail(place, fmt::format("found the control character 0x{:02x}, must be text", byte));
+    if (byte == '\r' || byte == '\n') {
+      yaml.remove_prefix(yaml.substr(0, 2) == "\r\n" ? 2 : 1);
+      result += '\n';
+      ++place.line;
+      place.column = 1;
+      continue;
+    }
+    result.append(yaml.substr(0, length));
+    yaml.remove_prefix(length);
+    ++place.column;
+  }
+  return result;
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view key) const {
+  if (kind != Kind::map) return nullptr;
+  for (std::size_t i = 0; i < children.size(); i += 2)
+    if (children[i].text == key) return &children[i + 1];
+  return nullptr;
+}
+
+Node* Node::find(std::string_view key) {
+  return const_cast<Node*>(std::as_const(*this).find(key));
+}
+
+std::string Document::where(const Node& node) const {
+  const std::string& name = sources[static_cast<std::size_t>(node.source)];
+  if (node.source > 0) return name;
+  return fmt::format("{}:{}:{}", name, node.line, node.column);
+}
+
+void Document::fail(const Node& node, const std::string& message) const {
+  const std::string line = where(node) + ": " + message;
+  if (node.source > 0) throw OverrideError(line);
+  throw SceneError(line);
+}
+
+Node parse_yaml(std::string_view yaml, const std::string& name, Document& document) {
+  const auto source = static_cast<std::int32_t>(document.sources.size());
+  document.sources.push_back(name);
+  std::istringstream stream(checked_text(yaml, document, source));
+  Node place;
+  place.source = source;
+  place.line = place.column = 1;
+  TreeBuilder builder(document, source);
+  try {
+    YAML::Parser parser(stream);
+    if (!parser.HandleNextDocument(builder) || !builder.root) return place;  // empty
+    Node root = std::move(*builder.root);
+    TreeBuilder second(document, source);
+    if (parser.HandleNextDocument(second)) {
+      if (second.root) place = *second.root;
+      document.fail(place, "found a second document, a scene is one document");
+    }
+    return root;
+  } catch (const YAML::Exception& error) {
+    place.line = error.mark.line + 1;
+    place.column = error.mark.column + 1;
+    document.fail(place, "found text that is not YAML: " + error.msg);
+  }
+}
+
+}  // namespace avo_io
