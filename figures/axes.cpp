@@ -17,12 +17,12 @@ constexpr Color kInk = gray(0.25);
 double spacing_of(double lower, double upper, int most) {
   const double span = upper - lower;
   if (!(span > 0.0) || !std::isfinite(span)) return 1.0;
-  const double rough = span / std::max(most - 1, 1);
+  const double rough = span / std::max(most, 1);  // less than this makes too many
   const double decade = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0}) {
     const double spacing = factor * decade;
     const double count = std::floor(upper / spacing) - std::ceil(lower / spacing) + 1.0;
-    if (spacing >= rough * (1.0 - 1e-9) && count <= most) return spacing;
+    if (count <= most) return spacing;
   }
   return 50.0 * decade;
 }

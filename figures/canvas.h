@@ -47,7 +47,7 @@ struct Stroke {
 
 struct TextStyle {
   double size = 9.0;  ///< pt
-  Color color;
+  Color color{};
   double align_x = 0.0;  ///< 0: starts at the anchor, 0.5: centered, 1: ends there
   double align_y = 0.0;  ///< 0: baseline at the anchor, 0.5: middle of a capital, 1: below it
   Vec2 offset{};         ///< pt, y up, added to the anchor

@@ -96,6 +96,15 @@ std::string png_bytes(const std::string& path, cairo_surface_t* surface) {
   return bytes;
 }
 
+// Cairo names the page of an SVG by the number of surfaces that this process has made so far.
+void name_page(std::string& svg) {
+  const std::string start = "<g id=\"surface";
+  const std::size_t from = svg.find(start);
+  if (from == std::string::npos) return;
+  const std::size_t to = svg.find('"', from + start.size());
+  svg.replace(from, to - from, "<g id=\"page");
+}
+
 // All bytes, or errno.
 int write_all(int file, const std::string& bytes) {
   std::size_t done = 0;
@@ -160,6 +169,7 @@ void Canvas::State::finish() {
     cairo_show_page(cairo.get());
     cairo_surface_finish(surface.get());
     check(path, cairo_surface_status(surface.get()));
+    if (bytes.starts_with("<?xml")) name_page(bytes);
   }
   replace_file(path, bytes);
 }

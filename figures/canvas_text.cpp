@@ -112,8 +112,8 @@ void draw(cairo_t* cairo, const std::vector<Piece>& pieces, const TextStyle& sty
     cairo_text_path(cairo, piece.text.c_str());
   }
   if (style.halo) {
-    cairo_set_source_rgba(cairo, 1.0, 1.0, 1.0, 0.9);
-    cairo_set_line_width(cairo, 0.32 * style.size);
+    cairo_set_source_rgba(cairo, 1.0, 1.0, 1.0, 0.8);
+    cairo_set_line_width(cairo, 0.25 * style.size);
     cairo_set_dash(cairo, nullptr, 0, 0.0);
     cairo_stroke_preserve(cairo);
   }

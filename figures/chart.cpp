@@ -16,7 +16,7 @@ constexpr double kRight = 14.0;  // pt
 constexpr double kTitleHeight = 18.0;
 constexpr double kShape = 0.58;  // height of the plot over its width
 
-// From 0, or below, to the next tick above the largest value.
+// From 0, or below, to the next tick above the largest value, with some air above the curves.
 Box range_of(const Chart& chart, const std::string& path) {
   Box box{};
   bool empty = true;
@@ -34,7 +34,9 @@ Box range_of(const Chart& chart, const std::string& path) {
     const double spacing = ticks[1] - ticks[0];
     return spacing * std::ceil(upper / spacing - 1e-9);
   };
-  return {box.lower, {ceiling(box.lower.x, box.upper.x), ceiling(box.lower.y, box.upper.y)}};
+  return {box.lower,
+          {ceiling(box.lower.x, box.upper.x),
+           ceiling(box.lower.y, box.upper.y + 0.05 * (box.upper.y - box.lower.y))}};
 }
 
 void draw_series(Canvas& canvas, const Series& series) {

@@ -7,7 +7,7 @@ namespace avo::figures {
 
 struct FigureOptions {
   double width = 450.0;  ///< pt; a PNG has two pixels to the point
-  std::string title;     ///< one line above the figure; empty: none
+  std::string title{};   ///< one line above the figure; empty: none
   bool axes = true;      ///< frame with ticks and units
 };
 

@@ -16,10 +16,10 @@ namespace avo::figures {
 
 /// Where everybody was at one time. Columns by robot and by moving obstacle of the scene.
 struct TrajectoryFrame {
-  double time = 0.0;                    ///< s
-  std::vector<Vec2> position;           ///< m
-  std::vector<double> heading;          ///< rad; read for cars only, may be empty without them
-  std::vector<Vec2> obstacle_position;  ///< m
+  double time = 0.0;                      ///< s
+  std::vector<Vec2> position{};           ///< m
+  std::vector<double> heading{};          ///< rad; read for cars only, may be empty without them
+  std::vector<Vec2> obstacle_position{};  ///< m
 };
 
 /// Observer of a simulation that keeps a bounded number of frames, equally spaced in time, however

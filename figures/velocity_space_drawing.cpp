@@ -218,7 +218,7 @@ void draw_points(Canvas& canvas, const VelocitySpace& space) {
   for (const LabeledPlane& labeled : space.half_planes) {
     const auto end = line_end(labeled.plane, canvas.view_world(), 8.0 / canvas.scale());
     if (!end || labeled.label.empty()) continue;
-    labels.place(*end, labeled.label, {.size = kLabelSize - 1.0, .color = kInk, .halo = true}, 1.5);
+    labels.place(*end, labeled.label, {.size = kLabelSize - 1.0, .color = kInk}, 1.5);
   }
   for (const LabeledObstacle& labeled : space.obstacles) {
     const Disc last = disc(labeled.obstacle, labeled.obstacle.time_horizon);
@@ -227,7 +227,7 @@ void draw_points(Canvas& canvas, const VelocitySpace& space) {
     const bool seen =
         at.x > view.lower.x && at.x < view.upper.x && at.y > view.lower.y && at.y < view.upper.y;
     if (!seen || labeled.label.empty()) continue;
-    labels.place(at, labeled.label, {.size = kLabelSize, .color = kInk, .halo = true}, -4.0);
+    labels.place(at, labeled.label, {.size = kLabelSize, .color = kInk}, -4.0);
   }
 }
 

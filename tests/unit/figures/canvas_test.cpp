@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "figures/canvas.h"
+
+#include "avo/error.h"
+#include "picture.h"
+
+namespace avo::figures {
+namespace {
+
+constexpr Color kRed{1.0, 0.0, 0.0, 1.0};
+
+class CanvasFile : public FigureFile {};
+
+void draw_something(const std::string& path) {
+  Canvas canvas(path, 120.0, 80.0);
+  canvas.set_view({{10.0, 10.0}, {110.0, 70.0}}, {{-1.0, -1.0}, {1.0, 1.0}});
+  canvas.add_disc({{0.2, 0.1}, 0.5});
+  canvas.fill_and_stroke(kRed, {kBlack, 1.0, 2.0});
+  {
+    const Canvas::ClipScope scope(canvas);
+    canvas.add_disc({{0.2, 0.1}, 0.3});
+    canvas.clip();
+    canvas.add_box({{0.0, 0.0}, {1.0, 1.0}});
+    canvas.fill({0.0, 0.0, 1.0, 0.5});
+  }
+  canvas.text({-0.5, -0.5}, "*v*_{AB}^{pref} π", {.size = 10.0});
+  canvas.finish();
+}
+
+std::string message_of(const std::string& path) {
+  try {
+    draw_something(path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_F(CanvasFile, one_drawing_code_makes_three_formats) {
+  for (const char* name : {"a.svg", "a.png", "a.pdf", "B.PNG"}) draw_something(path(name));
+  EXPECT_EQ(read_bytes(path("a.svg")).substr(0, 5), "<?xml");
+  EXPECT_EQ(read_bytes(path("a.png")).substr(1, 3), "PNG");
+  EXPECT_EQ(read_bytes(path("a.pdf")).substr(0, 5), "%PDF-");
+  EXPECT_EQ(read_bytes(path("B.PNG")), read_bytes(path("a.png")));
+  EXPECT_EQ(read_png(path("a.png")).width, 240U);
+  EXPECT_EQ(files(), 4U);  // and nothing temporary
+}
+
+TEST_F(CanvasFile, same_drawing_same_bytes_without_a_date) {
+  for (const char* extension : {".svg", ".png", ".pdf"}) {
+    const std::string file = path(std::string("a") + extension);
+    draw_something(file);
+    const std::string first = read_bytes(file);
+    draw_something(file);
+    EXPECT_TRUE(read_bytes(file) == first) << extension;
+    EXPECT_EQ(first.find("CreationDate"), std::string::npos) << extension;
+  }
+}
+
+TEST_F(CanvasFile, unknown_extensions_are_refused) {
+  for (const char* name : {"a.jpg", "a", "png", "a.png.txt", ".d/svg"}) {
+    const std::string message = message_of(path(name));
+    EXPECT_NE(message.find(path(name)), std::string::npos) << message;
+    EXPECT_NE(message.find("allowed: .svg, .png, .pdf"), std::string::npos) << message;
+  }
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(CanvasFile, an_unwritable_path_is_named_with_the_reason) {
+  for (const char* name : {"missing/a.svg", "missing/a.png", "missing/a.pdf"}) {
+    const std::string message = message_of(path(name));
+    EXPECT_NE(message.find(path(name)), std::string::npos) << message;
+    EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
+  }
+}
+
+TEST_F(CanvasFile, a_failed_rename_leaves_nothing_behind) {
+  std::filesystem::create_directories(path("taken.png") + "/full");
+  const std::string message = message_of(path("taken.png"));
+  EXPECT_NE(message.find("directory"), std::string::npos) << message;
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CanvasFile, a_full_disk_is_reported) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  // the temporary file of this process leads to a device that takes no byte
+  const std::string temporary = path("a.svg") + "." + std::to_string(::getpid()) + ".tmp";
+  std::filesystem::create_symlink("/dev/full", temporary);
+  const std::string message = message_of(path("a.svg"));
+  EXPECT_NE(message.find("No space left on device"), std::string::npos) << message;
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(CanvasFile, without_finish_the_old_file_stays) {
+  draw_something(path("a.png"));
+  const std::string before = read_bytes(path("a.png"));
+  {
+    Canvas canvas(path("a.png"), 10.0, 10.0);
+    canvas.add_page_box({{0.0, 0.0}, {10.0, 10.0}});
+    canvas.fill(kRed);
+  }
+  EXPECT_EQ(read_bytes(path("a.png")), before);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CanvasFile, a_broken_page_is_an_error) {
+  EXPECT_THROW(Canvas(path("a.png"), -5.0, 10.0), Error);
+  EXPECT_THROW(Canvas(path("a.png"), 1e9, 10.0), Error);
+}
+
+TEST_F(CanvasFile, equal_axes_keep_the_shape_and_fill_the_page_box) {
+  Canvas canvas(path("a.svg"), 300.0, 120.0);
+  canvas.set_view({{0.0, 10.0}, {300.0, 110.0}}, {{-1.0, -2.0}, {3.0, 2.0}});
+  EXPECT_DOUBLE_EQ(canvas.scale(), 25.0);
+  EXPECT_EQ(canvas.view_world().lower, (Vec2{-5.0, -2.0}));
+  EXPECT_EQ(canvas.view_world().upper, (Vec2{7.0, 2.0}));
+  EXPECT_EQ(canvas.to_page({1.0, 0.0}), (Vec2{150.0, 60.0}));
+  EXPECT_EQ(canvas.to_page({1.0, 2.0}), (Vec2{150.0, 10.0}));  // y up
+  canvas.set_view({{0.0, 10.0}, {300.0, 110.0}}, {{0.0, 0.0}, {1000.0, 5.0}}, Aspect::stretch);
+  EXPECT_EQ(canvas.to_page({1000.0, 5.0}), (Vec2{300.0, 10.0}));
+}
+
+TEST_F(CanvasFile, discs_fills_and_clips_end_up_where_they_belong) {
+  Canvas canvas(path("a.png"), 100.0, 100.0);
+  canvas.set_view({{0.0, 0.0}, {100.0, 100.0}}, {{-5.0, -5.0}, {5.0, 5.0}});
+  canvas.add_disc({{2.0, 3.0}, 1.0});
+  canvas.fill(kRed);
+  canvas.add_disc({{-3.0, -3.0}, 1.5}).add_disc({{-3.0, -3.0}, 0.7});
+  canvas.fill(kBlack, FillRule::even_odd);
+  {
+    const Canvas::ClipScope scope(canvas);
+    canvas.add_disc({{3.0, -3.0}, 1.0});
+    canvas.clip();
+    canvas.add_box({{2.0, -5.0}, {3.0, 0.0}});
+    canvas.fill(kBlack);
+  }
+  canvas.add_box({{-5.0, 4.5}, {-4.5, 5.0}});  // the clip is over
+  canvas.fill(kRed);
+  canvas.finish();
+
+  const Picture picture = read_png(path("a.png"));
+  const auto is = [&](Vec2 world, int red, int green) {
+    const png_byte* pixel = picture.at(50.0 + 10.0 * world.x, 50.0 - 10.0 * world.y);
+    return pixel[0] == red && pixel[1] == green && pixel[2] == green;
+  };
+  EXPECT_TRUE(is({2.0, 3.0}, 255, 0));
+  EXPECT_TRUE(is({2.9, 3.0}, 255, 0));
+  EXPECT_TRUE(is({3.1, 3.0}, 255, 255));
+  EXPECT_TRUE(is({2.0, -3.0 + 6.5}, 255, 0));
+  EXPECT_TRUE(is({-3.0, -3.0}, 255, 255));  // the hole
+  EXPECT_TRUE(is({-3.0, -4.1}, 0, 0));
+  EXPECT_TRUE(is({2.5, -3.0}, 0, 0));
+  EXPECT_TRUE(is({3.5, -3.0}, 255, 255));  // in the clip, not in the box
+  EXPECT_TRUE(is({2.5, -1.0}, 255, 255));  // in the box, not in the clip
+  EXPECT_TRUE(is({-4.8, 4.8}, 255, 0));
+}
+
+TEST_F(CanvasFile, markup_takes_less_room_than_its_characters) {
+  const Canvas canvas(path("a.svg"), 100.0, 100.0);
+  const TextStyle style{.size = 10.0};
+  const double plain = canvas.text_width("vAB", style);
+  const double subscript = canvas.text_width("v_{AB}", style);
+  EXPECT_LT(subscript, plain);
+  EXPECT_GT(subscript, canvas.text_width("v", style));
+  EXPECT_DOUBLE_EQ(canvas.text_width("v_A", style), canvas.text_width("v_{A}", style));
+  // a superscript stands above its subscript, not after it
+  EXPECT_DOUBLE_EQ(canvas.text_width("v_A^{pref}", style), canvas.text_width("v^{pref}", style));
+  EXPECT_GT(canvas.text_width("*v*", style), canvas.text_width("v", style));
+  for (const char* odd : {"_", "^", "v_", "v_{", "*", "", "_π"}) {
+    EXPECT_GE(canvas.text_width(odd, style), 0.0) << odd;
+  }
+}
+
+}  // namespace
+}  // namespace avo::figures
