@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
 constexpr double kToleranceUlps = 8.0;
+constexpr double kTouchingUlps = 2.0;
 // The corners need fourth powers: 2^-200 to 2^200 leaves room for them in a double.
 constexpr double kLargest = 0x1p200;
 constexpr double kSmallest = 0x1p-200;
@@ -29,13 +30,17 @@ double safe_scale(const Disc& a, const Disc& b) {
   return std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000));
 }
 
-bool in_smaller(const Lens& lens, Vec2 u) {
-  return norm_squared(u) <= lens.radius * lens.radius;
+// A point just computed on one circle may miss the other one's inside by rounding alone. For discs
+// that are nearly equal that must not look like "outside of both": the corner may be far away.
+constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp;
+
+bool in_smaller(const Lens& lens, Vec2 u, double rounding = kRoundingOfSquares) {
+  return norm_squared(u) <= lens.radius * lens.radius * rounding;
 }
 
-bool in_larger(const Lens& lens, Vec2 u) {
+bool in_larger(const Lens& lens, Vec2 u, double rounding = kRoundingOfSquares) {
   return !lens.two_arcs ||
-         norm_squared(u - lens.larger_center) <= lens.larger_radius * lens.larger_radius;
+         norm_squared(u - lens.larger_center) <= lens.larger_radius * lens.larger_radius * rounding;
 }
 
 // Where the circles meet, on the left of the axis from the smaller to the larger disc (side = 1)
@@ -79,14 +84,14 @@ Lens make_lens(const Disc& acceleration, const Disc& speed) noexcept {
     lens.larger_tolerance =
         kToleranceUlps * kUlp * (scale * largest_component(larger.center) + lens.larger_radius);
     const double gap = (lens.distance - lens.larger_radius) - lens.radius;
-    lens.empty = gap > lens.tolerance + lens.larger_tolerance;
+    lens.empty = gap > kTouchingUlps / kToleranceUlps * lens.larger_tolerance;
   }
   return lens;
 }
 
 LensPoint nearest(const Lens& lens, Vec2 p) noexcept {
-  const bool inside_smaller = in_smaller(lens, p);
-  if (inside_smaller && in_larger(lens, p)) return {p, Arc::none};
+  const bool inside_smaller = in_smaller(lens, p, 1.0);
+  if (inside_smaller && in_larger(lens, p, 1.0)) return {p, Arc::none};
   if (!inside_smaller) {
     const Vec2 u = (lens.radius / norm(p)) * p;
     if (in_larger(lens, u)) return {u, Arc::smaller};

@@ -26,7 +26,7 @@ struct Lens {
 };
 
 /// Requires finite centers, radii >= 0, speed.radius finite. Discs count as touching where the
-/// gap between them is within rounding, 8 ulp of their size.
+/// gap between them is within rounding, 2 ulp of |c| + r of the larger one.
 Lens make_lens(const Disc& acceleration, const Disc& speed) noexcept;
 
 enum class Arc : unsigned char { none, smaller, larger, corner };

@@ -109,26 +109,37 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
   // Eq. (23): all half-planes in one program, the hard ones first
   ProgramResult result;
   PlanarSolution solution;
-  const std::size_t failed = solve_planar(lens, planes, {target, {}}, solution);
+  const std::span<HalfPlane> keep = planes.first(hard.size());
+  const std::span<HalfPlane> give = planes.subspan(hard.size());
+  std::size_t failed = solve_planar(lens, planes, {target, {}}, solution);
+  if (failed < hard.size()) {
+    result.binding = least_unsafe(lens, {}, keep, failed, target, projected, solution);
+    if (largest_violation(keep, solution.point) > lens.tolerance) {
+      result.point = absolute_point(lens, acceleration, speed, solution.point);
+      result.violation = largest_violation(hard, result.point);
+      result.state = ProgramState::hard_infeasible;
+      return result;
+    }
+    // The hard half-planes leave a set thinner than rounding: widen it by as much.
+    for (HalfPlane& plane : keep) plane.offset -= 2.0 * lens.tolerance;
+    const PlanarSolution inside = solution;
+    failed = solve_planar(lens, planes, {target, {}}, solution);
+    if (failed < hard.size()) solution = inside, failed = hard.size();
+  }
   if (failed == count) {
     if (solution.binding[0] == kNoConstraint) {
       result.point = preferred;
       return result;
     }
     result.binding = {solution.binding[0], solution.binding[1], kNoConstraint};
-    result.point = absolute_point(lens, acceleration, speed, solution.point);
-    return result;
+  } else {
+    result.binding =
+        least_unsafe(lens, keep, give, failed - hard.size(), target, projected, solution);
   }
-
-  const bool hard_fails = failed < hard.size();
-  const Planes keep = hard_fails ? Planes{} : planes.first(hard.size());
-  const Planes give = hard_fails ? planes.first(hard.size()) : planes.subspan(hard.size());
-  result.binding =
-      least_unsafe(lens, keep, give, failed - keep.size(), target, projected, solution);
   result.point = absolute_point(lens, acceleration, speed, solution.point);
   if (largest_violation(give, solution.point) > lens.tolerance) {
-    result.violation = largest_violation(hard_fails ? hard : soft, result.point);
-    result.state = hard_fails ? ProgramState::hard_infeasible : ProgramState::least_unsafe;
+    result.violation = largest_violation(soft, result.point);
+    result.state = ProgramState::least_unsafe;
   }
   return result;
 }

@@ -40,11 +40,12 @@ struct ProgramResult {
 /// nearest `preferred`. hard_infeasible disregards the soft half-planes; discs_disjoint all of
 /// them.
 ///
-/// Bounds, with ulp = 2^-52, c and r of the disc in question, and m = |c| + r of the smaller disc:
+/// Bounds, with ulp = 2^-52, c and r of the disc in question, and m = |c| + r of the smaller disc,
+/// or of the larger one where the circles cross:
 ///  (1) |point - c| <= r + 4 ulp (|c| + r) for both discs, hence r (1 + 4 ulp) around the origin;
 ///      the speed disc is left only, and knowingly, in state discs_disjoint;
 ///  (2) hard half-planes are violated by 32 ulp m at most, unless state is hard_infeasible, and
-///      soft ones likewise if state is optimal. Less than 8 ulp m counts as satisfied.
+///      soft ones likewise if state is optimal; 8 ulp (|c| + r) of the smaller disc count as none.
 ///  (3) turning all vectors by 90 degrees turns the point, and multiplying all lengths by 2^k
 ///      multiplies it, bit for bit.
 ///

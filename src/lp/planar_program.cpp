@@ -33,7 +33,7 @@ int larger_disc(const Lens& lens) {
 
 // Both ends in factors (r - o)(r + o): r² - o² would lose half the digits of a short chord.
 bool clip_to_discs(const Lens& lens, const Line& line, bool relaxed, Range& range) {
-  const double slack = relaxed ? lens.tolerance : 0.0;
+  const double slack = relaxed ? 0.5 * lens.tolerance : 0.0;
   const double gap = lens.radius - std::abs(line.offset);
   if (gap < -slack) return false;
   const double half =
@@ -41,7 +41,7 @@ bool clip_to_discs(const Lens& lens, const Line& line, bool relaxed, Range& rang
   range = {-half, half, smaller_disc(lens), smaller_disc(lens)};
   if (!lens.two_arcs) return true;
 
-  const double larger_slack = relaxed ? lens.larger_tolerance : 0.0;
+  const double larger_slack = relaxed ? 0.5 * lens.larger_tolerance : 0.0;
   const double offset = std::abs(line.offset - dot(line.normal, lens.larger_center));
   const double larger_gap = lens.larger_radius - offset;
   if (larger_gap < -larger_slack) return false;
@@ -63,7 +63,7 @@ bool clip_to_discs(const Lens& lens, const Line& line, bool relaxed, Range& rang
 // Along the line, plane j reads t * slope >= excess. Where the whole lens cannot change t * slope
 // by more than rounding, the two lines are parallel and only the excess counts.
 bool clip_to_planes(const Lens& lens, const Line& line, Planes planes, bool relaxed, Range& range) {
-  const double slack = relaxed ? lens.tolerance : 0.0;
+  const double slack = relaxed ? 0.5 * lens.tolerance : 0.0;
   for (std::size_t j = 0; j < planes.size(); ++j) {
     const double slope = dot(planes[j].normal, line.along);
     const double excess = planes[j].offset - line.offset * dot(planes[j].normal, line.normal);
@@ -83,7 +83,8 @@ bool clip_to_planes(const Lens& lens, const Line& line, Planes planes, bool rela
 
 // The 1-D program: the best point of the plane's boundary within the discs and all planes before
 // it. Nothing is given up to rounding: where exact clipping leaves nothing (planes through one
-// point, touching discs), all bounds are relaxed by the tolerance before the answer is "empty".
+// point, touching discs), all bounds are relaxed by half the tolerance before the answer is
+// "empty"; by half, so that the point found counts as inside for every plane to come.
 bool move_to_boundary(const Lens& lens, Planes before, const HalfPlane& plane, const Goal& goal,
                       PlanarSolution& solution) {
   const double length = norm(plane.normal);

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+// P10, P11 of the linear program against brute force, and its exact symmetries.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+
+#include "unit/lp/programs.h"
+
+namespace avo::test {
+namespace {
+
+constexpr int kPrograms = 40000;  // of each family
+constexpr Real kUlp = 0x1p-52L;
+
+std::string text(const Program& p, const ProgramResult& r) {
+  std::ostringstream out;
+  out.precision(17);
+  const auto discs = {p.acceleration, p.speed};
+  for (const Disc& d : discs) {
+    out << "disc " << d.center.x << ' ' << d.center.y << ' ' << d.radius << '\n';
+  }
+  out << "preferred " << p.preferred.x << ' ' << p.preferred.y << '\n';
+  for (const HalfPlane& h : p.hard) {
+    out << "hard " << h.normal.x << ' ' << h.normal.y << ' ' << h.offset << '\n';
+  }
+  for (const HalfPlane& h : p.soft) {
+    out << "soft " << h.normal.x << ' ' << h.normal.y << ' ' << h.offset << '\n';
+  }
+  out << "point " << r.point.x << ' ' << r.point.y << " violation " << r.violation << " state "
+      << static_cast<int>(r.state);
+  return out.str();
+}
+
+Point wide(Vec2 u) {
+  return {u.x, u.y};
+}
+
+Real gap_of_discs(const Program& p) {
+  return std::hypot(static_cast<Real>(p.speed.center.x) - p.acceleration.center.x,
+                    static_cast<Real>(p.speed.center.y) - p.acceleration.center.y) -
+         p.speed.radius - p.acceleration.radius;
+}
+
+// Everything that counts as size in the program.
+Real extent(const Program& p) {
+  Real size = magnitude(p);
+  for (const Disc& disc : {p.acceleration, p.speed}) {
+    if (!std::isfinite(disc.radius)) continue;
+    size = std::max<Real>(size, std::hypot(disc.center.x, disc.center.y) + disc.radius);
+  }
+  return size > 0 ? size : 1;
+}
+
+// Bound (1) of the header.
+void expect_in(const Disc& disc, Vec2 u) {
+  if (!std::isfinite(disc.radius)) return;
+  const Real size = std::hypot(disc.center.x, disc.center.y) + disc.radius;
+  EXPECT_LE(excess(disc, wide(u)), 4 * kUlp * size);
+}
+
+// The set of `p` with every bound drawn in by `margin` and the given half-planes pushed out.
+ConvexSet set_of(const Program& p, Real margin, const std::vector<HalfPlane>& kept,
+                 const std::vector<HalfPlane>& yielding, Real yield) {
+  ConvexSet set;
+  set.add(p.acceleration, -margin);
+  set.add(p.speed, -margin);
+  set.add(kept, -margin);
+  set.add(yielding, yield - margin);
+  return set;
+}
+
+// The worst violation cannot be smaller by more than 1e-9 of the size, whatever the point.
+void expect_least(const Program& p, const ProgramResult& r, const std::vector<HalfPlane>& kept,
+                  const std::vector<HalfPlane>& yielding) {
+  const Real size = std::max<Real>(extent(p), r.violation);
+  EXPECT_GT(r.violation, 0.0);
+  EXPECT_NEAR(static_cast<double>(worst(yielding, wide(r.point)) / size),
+              static_cast<double>(r.violation / size), 1e-14);
+  const ConvexSet better = set_of(p, 1e-13L * size, kept, yielding, r.violation - 1e-9L * size);
+  EXPECT_FALSE(better.nearest(wide(p.preferred), 1e-17L * size).has_value());
+}
+
+void judge(const Program& p, const ProgramResult& r) {
+  const Real size = extent(p);
+  const Real m = magnitude(p);
+  ASSERT_TRUE(is_finite(r.point) && std::isfinite(r.violation));
+  expect_in(p.acceleration, r.point);
+  if (r.state != ProgramState::discs_disjoint) expect_in(p.speed, r.point);
+  if (r.state != ProgramState::hard_infeasible && r.state != ProgramState::discs_disjoint) {
+    EXPECT_LE(worst(p.hard, wide(r.point)), 32 * kUlp * m);
+  }
+  std::vector<HalfPlane> all = p.hard;
+  all.insert(all.end(), p.soft.begin(), p.soft.end());
+  switch (r.state) {
+    case ProgramState::optimal: {
+      EXPECT_EQ(r.violation, 0.0);
+      EXPECT_LE(worst(all, wide(r.point)), 32 * kUlp * m);
+      const ConvexSet inner = set_of(p, 1e-13L * size, all, {}, 0);
+      const auto best = inner.nearest(wide(p.preferred), 1e-17L * size);
+      if (!best) break;  // thinner than 1e-13: feasible to rounding is all there is to ask
+      EXPECT_LE(distance(wide(r.point), p.preferred), distance(*best, p.preferred) + 1e-16L * size);
+      break;
+    }
+    case ProgramState::least_unsafe:
+      expect_least(p, r, p.hard, p.soft);
+      break;
+    case ProgramState::hard_infeasible:
+      expect_least(p, r, {}, p.hard);
+      break;
+    case ProgramState::discs_disjoint: {
+      EXPECT_GT(gap_of_discs(p), 0);
+      EXPECT_NEAR(static_cast<double>(gap_of_discs(p) / size),
+                  static_cast<double>(r.violation / size), 1e-14);
+      break;
+    }
+  }
+}
+
+class Programs : public testing::TestWithParam<Family> {};
+INSTANTIATE_TEST_SUITE_P(Families, Programs, testing::ValuesIn(kFamilies), [](const auto& family) {
+  std::string name = family.param.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});
+
+TEST_P(Programs, P10_P11_agree_with_all_vertices) {
+  Random random(2011);
+  int states[4] = {};
+  for (int k = 0; k < kPrograms; ++k) {
+    const Program p = GetParam().make(random);
+    const ProgramResult r = run(p);
+    ++states[static_cast<int>(r.state)];
+    judge(p, r);
+    if (HasFailure()) FAIL() << "program " << k << '\n' << text(p, r);
+  }
+  EXPECT_GT(states[0], kPrograms / 10);
+  EXPECT_GT(states[1], kPrograms / 50);
+  EXPECT_GT(states[2], kPrograms / 2000);
+}
+
+// P10 as it is written: dense samples around the result, ever closer to it.
+TEST_P(Programs, P10_no_sampled_point_is_nearer) {
+  Random random(7);
+  for (int k = 0; k < kPrograms / 10; ++k) {
+    const Program p = GetParam().make(random);
+    const ProgramResult r = run(p);
+    if (r.state != ProgramState::optimal) continue;
+    std::vector<HalfPlane> all = p.hard;
+    all.insert(all.end(), p.soft.begin(), p.soft.end());
+    const ConvexSet set = set_of(p, 0, all, {}, 0);
+    const Real size = extent(p);
+    const Real bound = distance(wide(r.point), p.preferred) - 1e-9L * size;
+    for (int sample = 0; sample < 500 && bound > 0; ++sample) {
+      const double step = static_cast<double>(size) * std::pow(2.0, -0.05 * sample);
+      const Point u = wide(r.point + step * random.unit());
+      ASSERT_FALSE(distance(u, p.preferred) < bound && set.contains(u, 0)) << text(p, r);
+    }
+  }
+}
+
+// P11 likewise.
+TEST_P(Programs, P11_no_sampled_point_is_less_unsafe) {
+  Random random(8);
+  for (int k = 0; k < kPrograms / 4; ++k) {
+    const Program p = GetParam().make(random);
+    const ProgramResult r = run(p);
+    if (r.state != ProgramState::least_unsafe) continue;
+    const ConvexSet set = set_of(p, 0, p.hard, {}, 0);
+    const Real size = extent(p);
+    for (int sample = 0; sample < 500; ++sample) {
+      const double step = static_cast<double>(size) * std::pow(2.0, -0.05 * sample);
+      const Point u = wide(r.point + step * random.unit());
+      ASSERT_FALSE(worst(p.soft, u) < r.violation - 1e-9L * size && set.contains(u, 0))
+          << text(p, r);
+    }
+  }
+}
+
+Program mapped(const Program& p, Vec2 (*turn)(Vec2), double factor) {
+  Program q = p;
+  for (Disc* disc : {&q.acceleration, &q.speed}) {
+    *disc = {factor * turn(disc->center), factor * disc->radius};
+  }
+  for (std::vector<HalfPlane>* planes : {&q.hard, &q.soft}) {
+    for (HalfPlane& plane : *planes) plane = {turn(plane.normal), factor * plane.offset};
+  }
+  q.preferred = factor * turn(p.preferred);
+  return q;
+}
+
+Vec2 same(Vec2 u) {
+  return u;
+}
+Vec2 turned(Vec2 u) {
+  return perpendicular(u);
+}
+
+TEST_P(Programs, P6_a_quarter_turn_turns_the_result_bit_for_bit) {
+  Random random(3);
+  for (int k = 0; k < kPrograms / 4; ++k) {
+    const Program p = GetParam().make(random);
+    const ProgramResult r = run(p);
+    const ProgramResult q = run(mapped(p, turned, 1.0));
+    ASSERT_EQ(q.point, turned(r.point)) << text(p, r);
+    ASSERT_EQ(q.violation, r.violation);
+    ASSERT_EQ(q.state, r.state);
+    ASSERT_EQ(q.binding, r.binding);
+  }
+}
+
+TEST_P(Programs, P6_scaling_by_a_power_of_two_scales_the_result_bit_for_bit) {
+  Random random(4);
+  for (int k = 0; k < kPrograms / 4; ++k) {
+    const Program p = GetParam().make(random);
+    const double factor = std::ldexp(1.0, random.below(81) - 40);
+    const ProgramResult r = run(p);
+    const ProgramResult q = run(mapped(p, same, factor));
+    ASSERT_EQ(q.point, factor * r.point) << text(p, r);
+    ASSERT_EQ(q.violation, factor * r.violation);
+    ASSERT_EQ(q.state, r.state);
+    ASSERT_EQ(q.binding, r.binding);
+  }
+}
+
+void shuffle(std::vector<HalfPlane>& planes, Random& random) {
+  for (int n = static_cast<int>(planes.size()); n > 1; --n) {
+    std::swap(planes[static_cast<std::size_t>(n - 1)],
+              planes[static_cast<std::size_t>(random.below(n))]);
+  }
+}
+
+// All families but the nearly degenerate one, where rounding may move the result a long way.
+TEST(Programs, P10_order_changes_rounding_only) {
+  for (const Family& family : kFamilies) {
+    if (family.make == nearly_degenerate_program) continue;
+    Random random(5);
+    for (int k = 0; k < kPrograms / 4; ++k) {
+      Program p = family.make(random);
+      const ProgramResult r = run(p);
+      shuffle(p.soft, random);
+      shuffle(p.hard, random);
+      const ProgramResult q = run(p);
+      const double size = static_cast<double>(extent(p));
+      ASSERT_NEAR(q.violation / size, r.violation / size, 1e-12) << text(p, r);
+      ASSERT_EQ(q.state, r.state) << text(p, r);
+      ASSERT_NEAR(norm(q.point - p.preferred) / size, norm(r.point - p.preferred) / size, 1e-9)
+          << text(p, r);
+    }
+  }
+}
+
+// Two opposite half-planes leave no point, but a whole segment of equally unsafe ones.
+TEST(Programs, P11_equally_unsafe_points_are_settled_by_the_preferred_one) {
+  Random random(6);
+  int settled = 0;
+  for (int k = 0; k < kPrograms / 4; ++k) {
+    Program p = planner_program(random);
+    const Vec2 n = random.unit();
+    const double middle = dot(n, p.speed.center) + random.uniform(-1.0, 1.0);
+    const double half_gap = random.uniform(0.01, 1.0);
+    p.soft.insert(p.soft.begin() + random.below(static_cast<int>(p.soft.size()) + 1),
+                  {n, middle + half_gap});
+    p.soft.insert(p.soft.begin() + random.below(static_cast<int>(p.soft.size()) + 1),
+                  {-n, half_gap - middle});
+    const ProgramResult r = run(p);
+    // the strip is what decides where nothing forces a violation beyond half of its gap
+    if (std::abs(r.violation - half_gap) > 1e-14) continue;
+    const ConvexSet equals = set_of(p, 0, p.hard, p.soft, r.violation + 1e-12L);
+    const auto best = equals.nearest(wide(p.preferred), 1e-15L);
+    ASSERT_TRUE(best.has_value());
+    ASSERT_LE(distance(wide(r.point), p.preferred), distance(*best, p.preferred) + 1e-6L)
+        << text(p, r);
+    ++settled;
+  }
+  EXPECT_GT(settled, kPrograms / 20);
+}
+
+// Any finite number is an input, and the answer is a point.
+TEST(Programs, never_yields_nan) {
+  Random random(9);
+  constexpr double kNumbers[] = {0,       1,        -1,     2,      1e-6,   1e7,
+                                 -1e7,    1e100,    -1e150, 1e155,  -1e200, 1e300,
+                                 1.7e308, -1.7e308, 5e-324, 1e-310, -1e-200};
+  const auto number = [&] { return kNumbers[random.below(std::size(kNumbers))]; };
+  const auto usual = [&] { return random.chance(0.7) ? random.uniform(-2.0, 2.0) : number(); };
+  for (int k = 0; k < kPrograms; ++k) {
+    Program p;
+    p.acceleration = {{usual(), usual()}, std::abs(usual())};
+    p.speed = {{usual(), usual()}, std::abs(usual())};
+    p.preferred = {usual(), usual()};
+    for (int n = random.below(8); n > 0; --n) {
+      (random.chance(0.3) ? p.hard : p.soft).push_back({random.unit(), usual()});
+    }
+    const ProgramResult r = run(p);
+    ASSERT_TRUE(is_finite(r.point) && !std::isnan(r.violation)) << text(p, r);
+    ASSERT_EQ(r.violation > 0.0, r.state != ProgramState::optimal) << text(p, r);
+  }
+}
+
+}  // namespace
+}  // namespace avo::test
