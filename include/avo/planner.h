@@ -42,10 +42,10 @@ enum class PlanStatus : std::uint8_t {
 const char* to_string(PlanStatus status);
 
 struct Plan {
-  Vec2 new_velocity;                         ///< [v'_A] m/s, Eqs. (14), (23)
-  Vec2 acceleration;                         ///< [a_A] m/s^2 at the start of the step, Eq. (7)
-  PlanStatus status = PlanStatus::optimal;   ///< how the decision was made
-  double violation = 0.0;                    ///< m/s: how far v' lies outside CA_A; 0 if optimal
+  Vec2 new_velocity;                        ///< [v'_A] m/s, Eqs. (14), (23)
+  Vec2 acceleration;                        ///< [a_A] m/s^2 at the start of the step, Eq. (7)
+  PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
+  double violation = 0.0;                   ///< m/s: how far v' lies outside CA_A; 0 if optimal
 };
 
 /// A's half-plane against one neighbor, in v'_A, Eqs. (17)-(20).
@@ -54,13 +54,21 @@ struct NeighborPlane {
   HalfPlane plane;
 };
 
-/// Scratch memory of plan(); reuse it and nothing is allocated once it has grown.
-struct PlanWorkspace {
-  std::vector<NeighborPlane> planes;
-  std::vector<HalfPlane> half_planes;
-  std::vector<HalfPlane> projected;
-  std::vector<Vec2> candidates;
-  bool overlapping = false;
+/// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
+class PlanWorkspace {
+ public:
+  PlanWorkspace();
+  ~PlanWorkspace();
+  PlanWorkspace(PlanWorkspace&&) noexcept;
+  PlanWorkspace& operator=(PlanWorkspace&&) noexcept;
+
+  std::vector<NeighborPlane> planes;  ///< of the last decision, see Planner::collect_half_planes
+  bool overlapping = false;           ///< a neighbor of the last decision is in contact already
+
+ private:
+  friend class Planner;
+  struct Scratch;
+  std::unique_ptr<Scratch> scratch_;
 };
 
 class Horizon;
@@ -92,9 +100,18 @@ class Planner {
   /// D(0, v_max).
   [[nodiscard]] Disc speed_disc(const Robot& robot) const;
 
+  /// The part of v' - v that one step turns into velocity: Δt/δ (held), 1 - e^{-Δt/δ}
+  /// (exponential), 1 where v' is adopted at once.
+  [[nodiscard]] double step_rate() const;
+  /// Lag of one step, s: a step from v to v_1 moves by s v + (Δt - s) v_1.
+  [[nodiscard]] double step_lag() const;
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
 
  private:
+  Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
+              double violation) const noexcept;
+  Plan brake(const Robot& robot, PlanStatus status, double violation) const noexcept;
+
   PlannerOptions options_;
   std::shared_ptr<const Horizon> horizon_;  // tables of (δ, τ)
 };

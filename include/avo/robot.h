@@ -17,11 +17,12 @@ struct Robot {
 
 /// Another robot B as A senses it, or a moving obstacle that does not decide.
 struct Neighbor {
-  Vec2 position;                  ///< [p_B] m
-  Vec2 velocity;                  ///< [v_B] m/s
-  double radius = 0.5;            ///< [r_B] m, > 0
-  double max_acceleration = 1.0;  ///< [a_B^max] m/s^2; 0: B does not decide, A takes the whole share
-  Vec2 acceleration;              ///< [a_B] m/s^2, observed; read only where max_acceleration == 0
+  Vec2 position;        ///< [p_B] m
+  Vec2 velocity;        ///< [v_B] m/s
+  double radius = 0.5;  ///< [r_B] m, > 0
+  double max_acceleration =
+      1.0;            ///< [a_B^max] m/s^2; 0: B does not decide, A takes the whole share
+  Vec2 acceleration;  ///< [a_B] m/s^2, observed; read only where max_acceleration == 0
 };
 
 }  // namespace avo

@@ -20,12 +20,12 @@ struct RobotId {
 /// call that changes the simulation.
 struct FleetView {
   std::span<const RobotId> id;
-  std::span<const Vec2> position;      ///< m
-  std::span<const Vec2> velocity;      ///< m/s
-  std::span<const double> heading;     ///< rad; of cars, 0 for others
-  std::span<const Vec2> goal;          ///< m
-  std::span<const RobotSetup> setup;   ///< the constant part (radius, limits, car)
-  std::span<const Plan> plan;          ///< of the last step; value-initialized before the first
+  std::span<const Vec2> position;     ///< m
+  std::span<const Vec2> velocity;     ///< m/s
+  std::span<const double> heading;    ///< rad; of cars, 0 for others
+  std::span<const Vec2> goal;         ///< m
+  std::span<const RobotSetup> setup;  ///< the constant part (radius, limits, car)
+  std::span<const Plan> plan;         ///< of the last step; value-initialized before the first
   std::span<const double> applied_acceleration;  ///< m/s^2, the largest |a| within the last step
 };
 
@@ -53,9 +53,9 @@ class Simulation {
 
   [[nodiscard]] FleetView fleet() const;
   [[nodiscard]] ObstacleView obstacles() const;
-  [[nodiscard]] double time() const;           ///< s, steps() * time_step
+  [[nodiscard]] double time() const;  ///< s, steps() * time_step
   [[nodiscard]] std::int64_t steps() const;
-  [[nodiscard]] bool all_at_goal() const;      ///< all within arrival_distance now
+  [[nodiscard]] bool all_at_goal() const;  ///< all within arrival_distance now
   /// Equal for equal states, bit by bit: the determinism contract, testable by anyone.
   [[nodiscard]] std::uint64_t state_hash() const;
 

@@ -53,10 +53,11 @@ Disc disc(const Obstacle& obstacle, double t);
 /// Requires the origin outside the disc; otherwise both are NaN-free and equal to its center.
 std::pair<Vec2, Vec2> tangent_points(const Disc& disc);
 
+/// Times whose disc lies inside the discs just before them bear no boundary and are left out.
 struct Boundary {
-  std::vector<Vec2> left;   ///< b-(t) for each time that has one, t descending to the far end
-  std::vector<Vec2> right;  ///< b+(t)
-  std::vector<Vec2> cap;    ///< arc of the disc of time_horizon from the last left to the last right
+  std::vector<Vec2> left;   ///< b-(t), from time_horizon back to the earliest time
+  std::vector<Vec2> right;  ///< b+(t), at the same times
+  std::vector<Vec2> cap;    ///< arc of the last disc from left.front() to right.front(), if exposed
 };
 
 /// `samples` points along each side, Eq. (29), at uniform times in (0, time_horizon].

@@ -33,60 +33,78 @@ LocalPlane tip(const LocalPair& pair, const ResponseAt& end, Vec2 x) {
   return {h <= -pair.R, x / length, h};
 }
 
-// Collision course: p . v < 0 and the miss distance b below r. With û = -v/|v| and ê across it,
-// x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach. The condition n . y = r
-// reads G(σ) = (σ m + b²)/|x| - r = 0 with m = |v| (t_m - s), and G increases in σ; in t it would
-// have a kink near t_m.
-LocalPlane convex(const LocalPair& pair, const Horizon& horizon) {
-  const double speed = norm(pair.v);
-  const double t_m = -pair.v.x * pair.d / (speed * speed);
-  const double b = pair.d * pair.v.y / speed;
-  const Vec2 u = {-pair.v.x / speed, -pair.v.y / speed};
-  const Vec2 e = {pair.v.y / speed, -pair.v.x / speed};
-  const double delta = horizon.control_time();
+// Collision course: p . v < 0 and the miss distance |b| below r. With û = -v/|v| and ê across it,
+// x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
+struct Approach {
+  double speed, t_m, b;  // m/s, s, m; b < 0 only in a tie
+  Vec2 u, e;             // û, ê
 
-  double low = std::max(0.0, speed * (t_m - horizon.end().time));
-  double high = speed * t_m;
-  ResponseAt at = horizon.at(std::min(t_m, horizon.end().time));
-  // as if the lag kept its value of the latest time: then σ m = |x| r - b² directly
-  const double m_end = speed * (t_m - at.lag);
-  const double cosine = std::min(0.95, (pair.r - b) / m_end);
-  double sigma = std::clamp(b * cosine / std::sqrt(1.0 - cosine * cosine), low, high);
-  if (!(sigma >= low)) sigma = low;
+  explicit Approach(const LocalPair& pair)
+      : speed(norm(pair.v)),
+        t_m(-pair.v.x * pair.d / (speed * speed)),
+        b(pair.d * pair.v.y / speed),
+        u{-pair.v.x / speed, -pair.v.y / speed},
+        e{pair.v.y / speed, -pair.v.x / speed} {}
+
+  // m = |v| (t_m - s): n . y = r reads (σ m + b²)/|x| = r where n = x/|x|
+  double m(const ResponseAt& at) const { return speed * (t_m - at.lag); }
+};
+
+// The σ at which n . y = r. The left side of (σ m + b²)/|x| increases in σ (in t it would have a
+// kink near t_m): Newton's iteration, guarded by bisection.
+double solve_approach(const LocalPair& pair, const Approach& approach, const Horizon& horizon,
+                      ResponseAt& at) {
+  const double tau = horizon.end().time, b2 = approach.b * approach.b;
+  double low = std::max(0.0, approach.speed * (approach.t_m - tau));
+  double high = approach.speed * approach.t_m;
+  at = horizon.at(std::min(approach.t_m, tau));
+  // as if the lag had its value of the latest time
+  const double cosine = std::min(0.95, (pair.r - std::abs(approach.b)) / approach.m(at));
+  double sigma = std::abs(approach.b) * cosine / std::sqrt(1.0 - cosine * cosine);
+  if (!(sigma >= low && sigma <= high)) sigma = low;
   for (int i = 0; i < kMaxIterations; ++i) {
-    at = horizon.at(std::clamp(t_m - sigma / speed, 0.0, horizon.end().time));
-    const double m = speed * (t_m - at.lag);
-    const double x2 = sigma * sigma + b * b;
+    at = horizon.at(std::clamp(approach.t_m - sigma / approach.speed, 0.0, tau));
+    const double m = approach.m(at);
+    const double x2 = sigma * sigma + b2;
     const double x = std::sqrt(x2);
-    if (!(x > 0.0)) break;
-    const double G = (sigma * m + b * b) / x - pair.r;
-    (G < 0.0 ? low : high) = sigma;
-    const double lag_rate = at.gain * (1.0 - at.rate) / (delta * at.rate * at.rate);
-    const double slope = (b * b * (m - sigma) / x2 + sigma * lag_rate) / x;
-    double next = sigma - G / slope;
+    if (!(x > 0.0)) return 0.0;
+    const double excess = (sigma * m + b2) / x - pair.r;
+    (excess < 0.0 ? low : high) = sigma;
+    const double lag_rate =
+        at.gain * (1.0 - at.rate) / (horizon.control_time() * at.rate * at.rate);
+    const double slope = (b2 * (m - sigma) / x2 + sigma * lag_rate) / x;
+    double next = sigma - excess / slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - sigma) <= 1e-9 * next || next == sigma) break;
+    if (std::abs(next - sigma) <= 1e-9 * next) break;  // of second order in what follows
     sigma = next;
   }
-  const double x = std::sqrt(sigma * sigma + b * b);
-  Vec2 n;
-  if (x > 1e-150) {
-    n = {(sigma * u.x + b * e.x) / x, (sigma * u.y + b * e.y) / x};
-  } else {
-    // head-on: both sides are equally near; the left of p is taken, where n . y = r
-    const double c = std::min(1.0, pair.r / (speed * (t_m - at.lag)));
+  return sigma;
+}
+
+LocalPlane convex(const LocalPair& pair, const Horizon& horizon) {
+  const Approach approach(pair);
+  const ResponseAt latest = horizon.at(std::min(approach.t_m, horizon.end().time));
+  // head-on, both sides are equally near, and n is where n . y = r at t_m itself; so it is for a
+  // tie that rounding has put on the other side
+  const double c = pair.r / approach.m(latest);
+  if (approach.b <= 0.0 && approach.t_m <= horizon.end().time && c < 1.0) {
     const double s = std::sqrt(1.0 - c * c);
-    n = {c * u.x + s * e.x, c * u.y + s * e.y};
+    const double h = (pair.r - s * approach.b) / latest.gain;
+    return {h <= -pair.R, c * approach.u + s * approach.e, h};
   }
+  ResponseAt at;
+  const double sigma = solve_approach(pair, approach, horizon, at);
+  const double x = std::sqrt(sigma * sigma + approach.b * approach.b);
   const double h = (pair.r - x) / at.gain;
-  return {h <= -pair.R, n, h};
+  return {h <= -pair.R, (1.0 / x) * (sigma * approach.u + approach.b * approach.e), h};
 }
 
 LocalPlane local_half_plane(const LocalPair& pair, const Horizon& horizon) {
   const ResponseAt& end = horizon.end();
   const Vec2 x = pair.x(end), y = pair.y(end);
   if (tip_is_nearest(pair, x, y)) return tip(pair, end, x);
-  const bool collision_course = pair.v.x < 0.0 && pair.d * pair.v.y < pair.r * norm(pair.v);
+  const bool collision_course =
+      pair.v.x < 0.0 && pair.d * std::abs(pair.v.y) < pair.r * norm(pair.v);
   return collision_course ? convex(pair, horizon) : horn_half_plane(pair, horizon);
 }
 
@@ -96,14 +114,18 @@ RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& hori
   const double d = norm(pair.position);
   if (d < pair.radius || !(d > 0.0)) return separate(pair, reach, horizon);
   // too far to touch before τ whatever both do: |p + t v| > r + R g(t) on the whole window
-  if (d - pair.radius > norm(pair.velocity) * horizon.end().time + reach * horizon.end().gain) {
+  const double speed = norm(pair.velocity);
+  if (d - pair.radius > speed * horizon.end().time + reach * horizon.end().gain) {
     return {};
   }
+  const double side = side_of(pair.position, pair.velocity, d, speed);
   const Vec2 e_1 = pair.position / d;
-  const double across = cross(pair.position, pair.velocity);
-  const Vec2 e_2 = across < 0.0 ? -perpendicular(e_1) : perpendicular(e_1);
-  const LocalPair local{d, {dot(pair.position, pair.velocity) / d, std::abs(across) / d},
-                        pair.radius, reach};
+  const Vec2 e_2 = side * perpendicular(e_1);
+  const LocalPair local{
+      d,
+      {dot(pair.position, pair.velocity) / d, side * cross(pair.position, pair.velocity) / d},
+      pair.radius,
+      reach};
   const LocalPlane plane = local_half_plane(local, horizon);
   if (plane.free) return {};
   return {PairState::constrained, {plane.n.x * e_1 + plane.n.y * e_2, plane.h}};

@@ -32,7 +32,8 @@ double short_gain(double u) {
 Horizon::Horizon(double control_time, double time_horizon, double time_step)
     : control_time_(control_time), nodes_per_second_(kNodesPerControlTime / control_time) {
   const Response response = Response::proportional(control_time);
-  const double last = std::min(std::max(time_horizon, time_step), kTableControlTimes * control_time);
+  const double last =
+      std::min(std::max(time_horizon, time_step), kTableControlTimes * control_time);
   const auto count = static_cast<std::size_t>(last * nodes_per_second_) + 2;
   nodes_.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {

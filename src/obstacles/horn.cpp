@@ -33,29 +33,26 @@ double falling(const LocalPair& pair, const ResponseAt& at) {
   return dot(x, pair.y(at)) - pair.r * norm(x);
 }
 
-// Zero of f in [low, high], where its signs differ: false position, Illinois variant.
+// Zero of f in [low, high], where its signs differ: false position (Illinois), then bisection.
 template <typename F>
 ResponseAt find_zero(const Horizon& horizon, double low, double high, double f_low, double f_high,
                      F f) {
+  const double negligible = 1e-12 * (std::abs(f_low) + std::abs(f_high));
   int kept = 0;
   for (int i = 0; i < kMaxIterations && high - low > kTimeTolerance * high; ++i) {
     double t = (low * f_high - high * f_low) / (f_high - f_low);
-    if (!(t > low && t < high) || i > 20) t = 0.5 * (low + high);
+    if (!(t > low && t < high) || i > 16) t = 0.5 * (low + high);
     const ResponseAt at = horizon.at(t);
     const double f_t = f(at);
-    if (f_t == 0.0) return at;
+    if (std::abs(f_t) <= negligible) return at;
     if ((f_t < 0.0) == (f_low < 0.0)) {
-      const double step = t - low;
       low = t, f_low = f_t;
       if (kept == 1) f_high *= 0.5;
       kept = 1;
-      if (step < kTimeTolerance * high && kept == 1 && i > 0) return at;
     } else {
-      const double step = high - t;
       high = t, f_high = f_t;
       if (kept == 2) f_low *= 0.5;
       kept = 2;
-      if (step < kTimeTolerance * high && i > 0) return at;
     }
   }
   return horizon.at(0.5 * (low + high));
@@ -75,72 +72,78 @@ std::array<Vec2, 2> circle_points(const LocalPair& pair, const ResponseAt& at) {
 }
 
 // The corners of the hull on the near side, in the order of walking along it with the obstacle on
-// the right: crossings of the circle by ascending time, then the disc of τ.
+// the right: the crossings of the circle by ascending time.
 struct NearSide {
   const LocalPair& pair;
   const Horizon& horizon;
   std::array<Vec2, kMaxPoints> points{};
   int count = 0;
-  double least = std::numeric_limits<double>::infinity();  // |b| at its turning times
 
   void add(Vec2 point) {
     if (count < kMaxPoints) points[static_cast<std::size_t>(count++)] = point;
   }
-
-  // |b| is monotone between the two times; b = nullptr stands for t = 0, where |b| is infinite.
-  void cross(const ResponseAt& from, double b_from, const ResponseAt& to, double b_to) {
-    if ((b_from > pair.R) == (b_to > pair.R)) return;
-    // |b|^{-1/2} is nearly linear in t
-    const double target = 1.0 / std::sqrt(pair.R);
-    const auto f = [&](const ResponseAt& at) {
-      return 1.0 / std::sqrt(norm(near_side(pair, at))) - target;
-    };
-    const double f_from = std::isinf(b_from) ? -target : 1.0 / std::sqrt(b_from) - target;
-    const ResponseAt at =
-        find_zero(horizon, from.time, to.time, f_from, 1.0 / std::sqrt(b_to) - target, f);
-    const Vec2 b = near_side(pair, at);
-    const auto ends = circle_points(pair, at);
-    add(norm_squared(ends[0] - b) <= norm_squared(ends[1] - b) ? ends[0] : ends[1]);
-  }
 };
+
+// One end of a piece of the near side; at t = 0 |b| is infinite and falls.
+struct End {
+  ResponseAt at;
+  double length = std::numeric_limits<double>::infinity();  // |b|, m/s
+  double falling = 1.0;
+};
+
+End end_at(const LocalPair& pair, const ResponseAt& at) {
+  return {at, norm(near_side(pair, at)), falling(pair, at)};
+}
+
+// The crossing of a piece on which |b| is monotone, if there is one.
+void cross(NearSide& side, const End& from, const End& to) {
+  const LocalPair& pair = side.pair;
+  if ((from.length > pair.R) == (to.length > pair.R)) return;
+  // |b|^{-1/2} is nearly linear in t
+  const double target = 1.0 / std::sqrt(pair.R);
+  const auto f = [&](const ResponseAt& at) {
+    return 1.0 / std::sqrt(norm(near_side(pair, at))) - target;
+  };
+  const ResponseAt at =
+      find_zero(side.horizon, from.at.time, to.at.time, 1.0 / std::sqrt(from.length) - target,
+                1.0 / std::sqrt(to.length) - target, f);
+  const Vec2 b = near_side(pair, at);
+  const auto ends = circle_points(pair, at);
+  side.add(norm_squared(ends[0] - b) <= norm_squared(ends[1] - b) ? ends[0] : ends[1]);
+}
+
+// The next time of the search, as wide as the passage itself.
+double next_time(const LocalPair& pair, double t_m, double speed, double t) {
+  if (t_m > 0.0) {
+    return t < t_m ? t_m
+                   : t + std::max(0.5 * (t - t_m), 0.125 * pair.d * pair.v.y / (speed * speed));
+  }
+  return std::max(1.5 * t, 1e-3 * pair.r / speed);
+}
 
 // All crossings of the near side. |b| falls up to the closest approach t_m; it can cross R outwards
 // only while R g' < |v|, and from then on it falls wherever it exceeds R. So only times between
-// those two need a search for turning points, on a grid that is geometric as the passage itself.
+// those two are searched for turning points.
 void find_crossings(NearSide& side) {
   const LocalPair& pair = side.pair;
-  const Horizon& horizon = side.horizon;
+  const ResponseAt& last = side.horizon.end();
   const double speed = norm(pair.v);
   const double t_m = speed > 0.0 ? -pair.v.x * pair.d / (speed * speed) : 0.0;
-  const ResponseAt end = horizon.end();
-
-  ResponseAt from{};
-  double b_from = std::numeric_limits<double>::infinity();
-  double f_from = 1.0;
-  ResponseAt to = t_m > 0.0 && t_m < end.time ? horizon.at(t_m) : from;
-  double stride = 0.125 * std::max(pair.d * pair.v.y / speed, pair.r) / speed;
-  while (from.time < end.time) {
-    if (!(to.time > 0.0 && to.time == t_m)) {
-      const bool settled = pair.R * from.rate >= speed;
-      const double next = from.time + stride;
-      to = settled || !(next < end.time) || !(next > from.time) ? end : horizon.at(next);
-      stride *= 1.5;
-    }
-    const double b_to = norm(near_side(pair, to));
-    const double f_to = falling(pair, to);
-    if ((f_from < 0.0) != (f_to < 0.0) && from.time > 0.0) {
-      const auto f = [&](const ResponseAt& at) { return falling(pair, at); };
-      const ResponseAt turn = find_zero(horizon, from.time, to.time, f_from, f_to, f);
-      const double b_turn = norm(near_side(pair, turn));
-      side.least = std::min(side.least, b_turn);
-      side.cross(from, b_from, turn, b_turn);
-      side.cross(turn, b_turn, to, b_to);
+  End from{};
+  while (from.at.time < last.time) {
+    const bool settled = pair.R * from.at.rate >= speed;
+    const double t = settled ? last.time : next_time(pair, t_m, speed, from.at.time);
+    const End to = end_at(pair, t > from.at.time && t < last.time ? side.horizon.at(t) : last);
+    if ((from.falling < 0.0) == (to.falling < 0.0)) {
+      cross(side, from, to);
     } else {
-      side.cross(from, b_from, to, b_to);
+      const auto f = [&](const ResponseAt& at) { return falling(pair, at); };
+      const End turn = end_at(
+          pair, find_zero(side.horizon, from.at.time, to.at.time, from.falling, to.falling, f));
+      cross(side, from, turn);
+      cross(side, turn, to);
     }
-    side.least = std::min(side.least, b_to);
-    from = to, b_from = b_to, f_from = f_to;
-    to = {};
+    from = to;
   }
 }
 

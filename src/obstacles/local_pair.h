@@ -8,9 +8,16 @@
 
 namespace avo {
 
-/// First axis along p, second across it on v's side: p = (d, 0), v.y >= 0. Exchanging the robots
-/// turns this frame by 180 degrees and changes no number in it: all that is computed here is odd
-/// in (p, v) and turns with the plane by 90 degrees, bit for bit.
+/// The side of p on which v is counted: 1 left, -1 right. Parallel vectors are a tie, which goes to
+/// the left of p: A passes B on its own right. A tie has to survive rounding, or robots on a circle
+/// would each choose a side at random: it is |sin| <= 1e-9.
+inline double side_of(Vec2 p, Vec2 v, double length_p, double length_v) {
+  return cross(p, v) < -1e-9 * length_p * length_v ? -1.0 : 1.0;
+}
+
+/// First axis along p, second across it on v's side: p = (d, 0), v.y >= 0 but for ties. Exchanging
+/// the robots turns this frame by 180 degrees and changes no number in it: all that is computed
+/// here is odd in (p, v) and turns with the plane by 90 degrees, bit for bit.
 ///
 /// In w = v' - v the obstacle is the family of discs {w : |x(t) + g(t) w| < r}. Their envelope has
 /// at time t the normals n with n . y(t) = r.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // ORCA: the velocity obstacle of Eqs. (4)-(6) is a truncated cone, and H its tangent nearest to
 // the present relative velocity. The limit δ -> 0, reach -> infinity of half_plane().
-#include "avo/half_plane.h"
-
 #include <cmath>
+
+#include "avo/half_plane.h"
+#include "obstacles/local_pair.h"
 
 namespace avo {
 namespace {
@@ -35,7 +36,7 @@ RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon,
     return disc_plane(pair, time_horizon, PairState::constrained);
   }
   // a leg of the cone: n . p = r, on the side where v is; the left of p where they are parallel
-  const double l = std::sqrt(d2 - r * r) * (cross(p, v) < 0.0 ? -1.0 : 1.0);
+  const double l = std::sqrt(d2 - r * r) * side_of(p, v, std::sqrt(d2), norm(v));
   const Vec2 n = (r * p + l * perpendicular(p)) / d2;
   return {PairState::constrained, {n, -dot(n, v)}};
 }

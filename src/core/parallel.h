@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one place that knows about threads.
+#pragma once
+#include <cstddef>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace avo {
+
+inline int default_threads() {
+#ifdef _OPENMP
+  return omp_get_max_threads();
+#else
+  return 1;
+#endif
+}
+
+/// body(index, worker) for every index in [0, count), worker in [0, threads). The order and the
+/// division among the workers are not promised: body must not depend on them.
+template <typename Body>
+void parallel_for(std::size_t count, int threads, const Body& body) {
+#ifdef _OPENMP
+  // below this the threads cost more than they save
+  constexpr std::size_t kFewest = 32;
+  if (threads > 1 && count >= kFewest) {
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
+    for (std::size_t i = 0; i < count; ++i) body(i, static_cast<std::size_t>(omp_get_thread_num()));
+    return;
+  }
+#endif
+  static_cast<void>(threads);
+  for (std::size_t i = 0; i < count; ++i) body(i, std::size_t{0});
+}
+
+}  // namespace avo

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run did, measured from the states before and after each step.
+#include "avo/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "avo/velocity_obstacle.h"
+#include "metrics/separation.h"
+#include "neighbors/uniform_grid.h"
+
+namespace avo {
+namespace {
+
+constexpr double kContact = 1e-9;  // of the sum of radii: less overlap than that is rounding
+
+// A robot or a moving obstacle over one step.
+struct Body {
+  std::uint64_t name = 0;  // id of a robot, index of an obstacle
+  double radius = 0.0;
+  Vec2 position, velocity;
+  Vec2 w;             // v' - v, m/s
+  bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
+  StepPath path;
+};
+
+}  // namespace
+
+struct Metrics::State {
+  Scenario settings;
+  RunSummary summary;
+  std::map<std::uint64_t, std::optional<double>> arrival;  // s, of every robot that ever was
+  std::set<std::pair<std::uint64_t, std::uint64_t>> collided, collided_with_obstacle;
+  std::vector<double> step_milliseconds;
+
+  bool started = false;
+  double last_time = 0.0;
+  std::vector<RobotId> last_id;
+  std::vector<Vec2> last_position, last_velocity;
+  std::vector<Vec2> last_obstacle_position, last_obstacle_velocity;
+
+  std::vector<Body> robots, obstacles;
+  std::vector<Vec2> positions;
+  std::vector<NeighborHit> hits;
+  UniformGrid grid;
+
+  void remember(const Simulation& simulation);
+  void collect_robots(const Simulation& simulation);
+  void collect_obstacles(const Simulation& simulation);
+  void observe_limits(const Simulation& simulation);
+  void observe_arrivals(const Simulation& simulation);
+  void observe_separation();
+  double distance(const Body& a, const Body& b, double cutoff) const;
+  void meet(const Body& a, const Body& b);
+  void meet_obstacle(const Body& robot, const Body& obstacle);
+};
+
+void Metrics::State::remember(const Simulation& simulation) {
+  const FleetView fleet = simulation.fleet();
+  last_time = simulation.time();
+  last_id.assign(fleet.id.begin(), fleet.id.end());
+  last_position.assign(fleet.position.begin(), fleet.position.end());
+  last_velocity.assign(fleet.velocity.begin(), fleet.velocity.end());
+  const ObstacleView obstacle = simulation.obstacles();
+  last_obstacle_position.assign(obstacle.position.begin(), obstacle.position.end());
+  last_obstacle_velocity.assign(obstacle.velocity.begin(), obstacle.velocity.end());
+}
+
+// The robots that were there before the step and are there after it; ids ascend in both.
+void Metrics::State::collect_robots(const Simulation& simulation) {
+  const FleetView fleet = simulation.fleet();
+  const bool at_once = settings.method != Method::avo_paper;
+  robots.clear();
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    while (j < last_id.size() && last_id[j].value < fleet.id[i].value) ++j;
+    if (j == last_id.size() || !(last_id[j] == fleet.id[i])) continue;
+    Body body;
+    body.name = fleet.id[i].value;
+    body.radius = fleet.setup[i].radius;
+    body.position = last_position[j];
+    body.velocity = last_velocity[j];
+    body.w = fleet.plan[i].new_velocity - body.velocity;
+    body.exact = !fleet.setup[i].car;
+    if (!started) {
+      body.exact = false;
+      body.path.control.fill(body.position);
+      robots.push_back(body);
+      continue;
+    }
+    const Vec2 start = at_once && body.exact ? fleet.velocity[i] : body.velocity;
+    body.path = hermite_path(body.position, start, fleet.position[i], fleet.velocity[i],
+                             settings.time_step);
+    robots.push_back(body);
+  }
+}
+
+void Metrics::State::collect_obstacles(const Simulation& simulation) {
+  const ObstacleView now = simulation.obstacles();
+  obstacles.clear();
+  for (std::size_t k = 0; k < now.setup.size() && k < last_obstacle_position.size(); ++k) {
+    Body body;
+    body.name = k;
+    body.radius = now.setup[k].radius;
+    body.position = last_obstacle_position[k];
+    body.velocity = last_obstacle_velocity[k];
+    body.exact = started && now.setup[k].acceleration == Vec2{};
+    body.path = hermite_path(body.position, body.velocity, now.position[k], now.velocity[k],
+                             settings.time_step);
+    if (!started) body.path.control.fill(body.position);
+    obstacles.push_back(body);
+  }
+}
+
+// Smallest distance of the centers over the step. A cubic is exact for held accelerations (also
+// of moving obstacles) and straight lines, and within 1e-7 m for the arc of a car.
+double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
+  const bool exponential =
+      settings.method == Method::avo_paper && settings.motion == Motion::exponential;
+  if (!exponential || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
+  const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};
+  const Obstacle obstacle{pair, Response::proportional(settings.control_time), settings.time_step};
+  return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
+}
+
+void Metrics::State::meet(const Body& a, const Body& b) {
+  const double contact = a.radius + b.radius;
+  const double best = summary.min_clearance.value_or(std::numeric_limits<double>::infinity());
+  const double d = distance(a, b, contact + std::max(best, 0.0));
+  if (d - contact < best) summary.min_clearance = d - contact;
+  const double overlapping = contact * (1.0 - kContact);
+  if (!(d < overlapping)) return;
+  collided.insert(std::minmax(a.name, b.name));
+  const Separation closest = separation(a.path, b.path, overlapping);
+  const double fraction = first_below(a.path, b.path, overlapping, closest.fraction);
+  const double time = last_time + fraction * settings.time_step;
+  summary.first_collision_time = std::min(summary.first_collision_time.value_or(time), time);
+}
+
+void Metrics::State::meet_obstacle(const Body& robot, const Body& obstacle) {
+  const double contact = robot.radius + obstacle.radius;
+  if (distance(robot, obstacle, contact) < contact * (1.0 - kContact)) {
+    collided_with_obstacle.insert({robot.name, obstacle.name});
+  }
+}
+
+// Every pair that can come nearer than the smallest clearance so far, or overlap.
+void Metrics::State::observe_separation() {
+  double largest = 0.0, farthest = 0.0;  // radius and way of a step, m
+  const auto measure = [&](const Body& body) {
+    largest = std::max(largest, body.radius);
+    double way = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      way = std::max(way, 3.0 * norm(body.path.control[k + 1] - body.path.control[k]));
+    }
+    farthest = std::max(farthest, way);
+  };
+  std::for_each(robots.begin(), robots.end(), measure);
+  if (robots.size() > 1 && !summary.min_clearance) {
+    // any pair bounds the smallest clearance: the first robot and its nearest
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 1; j < robots.size(); ++j) {
+      nearest = std::min(nearest, norm(robots[j].position - robots[0].position) - robots[0].radius -
+                                      robots[j].radius);
+    }
+    summary.min_clearance = nearest;
+  }
+  std::for_each(obstacles.begin(), obstacles.end(), measure);
+
+  positions.clear();
+  for (const Body& body : robots) positions.push_back(body.position);
+  const double clearance = std::max(summary.min_clearance.value_or(0.0), 0.0);
+  grid.build(positions, 2.0 * largest + clearance + 2.0 * farthest);
+  const std::size_t all = robots.size();
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    grid.gather(positions[i], static_cast<int>(i), all, hits);
+    for (const NeighborHit& hit : hits) {
+      const auto j = static_cast<std::size_t>(hit.index);
+      if (j > i) meet(robots[i], robots[j]);
+    }
+  }
+  for (const Body& obstacle : obstacles) {
+    grid.gather(obstacle.position, -1, all, hits);
+    for (const NeighborHit& hit : hits) {
+      meet_obstacle(robots[static_cast<std::size_t>(hit.index)], obstacle);
+    }
+  }
+}
+
+void Metrics::State::observe_limits(const Simulation& simulation) {
+  const FleetView fleet = simulation.fleet();
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    summary.max_speed = std::max(summary.max_speed, norm(fleet.velocity[i]));
+    if (!started) continue;
+    summary.max_acceleration = std::max(summary.max_acceleration, fleet.applied_acceleration[i]);
+    if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
+  }
+}
+
+void Metrics::State::observe_arrivals(const Simulation& simulation) {
+  const FleetView fleet = simulation.fleet();
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    std::optional<double>& time = arrival[fleet.id[i].value];
+    if (time) continue;
+    const double left = norm(fleet.goal[i] - fleet.position[i]);
+    if (left <= settings.arrival_distance) time = simulation.time();
+  }
+}
+
+Metrics::Metrics(const Scenario& scenario) : state_(std::make_unique<State>()) {
+  state_->settings = scenario;
+  state_->settings.robots.clear();
+  state_->settings.moving_obstacles.clear();
+  state_->summary.scene = scenario.name;
+  state_->summary.seed = scenario.seed;
+}
+Metrics::~Metrics() = default;
+
+void Metrics::observe(const Simulation& simulation) {
+  State& state = *state_;
+  state.observe_arrivals(simulation);
+  state.observe_limits(simulation);
+  if (!state.started) state.remember(simulation);  // before the first step nothing moves
+  state.collect_robots(simulation);
+  state.collect_obstacles(simulation);
+  state.observe_separation();
+  state.remember(simulation);
+  state.summary.steps = simulation.steps();
+  state.started = true;
+}
+
+void Metrics::add_step_time(double milliseconds) {
+  state_->step_milliseconds.push_back(milliseconds);
+}
+
+RunSummary Metrics::summary() const {
+  RunSummary summary = state_->summary;
+  summary.robots = static_cast<std::int64_t>(state_->arrival.size());
+  double total = 0.0, last = 0.0;
+  for (const auto& [robot, time] : state_->arrival) {
+    if (!time) continue;
+    ++summary.arrived;
+    total += *time;
+    last = std::max(last, *time);
+  }
+  if (summary.arrived > 0) summary.mean_arrival = total / static_cast<double>(summary.arrived);
+  if (summary.arrived > 0 && summary.arrived == summary.robots) summary.last_arrival = last;
+  summary.collision_pairs = static_cast<std::int64_t>(state_->collided.size());
+  summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
+  std::vector<double> times = state_->step_milliseconds;
+  if (!times.empty()) {
+    const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), half, times.end());
+    summary.step_milliseconds_median = *half;
+  }
+  return summary;
+}
+
+}  // namespace avo

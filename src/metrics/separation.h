@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Distance of two bodies in continuous time over one step.
+#pragma once
+#include <array>
+
+#include "avo/vec.h"
+
+namespace avo {
+
+/// A path over one step as a cubic Bézier curve, m. Exact for held accelerations and for straight
+/// lines; Hermite interpolation of both ends' positions and velocities for anything else.
+struct StepPath {
+  std::array<Vec2, 4> control;
+};
+
+StepPath hermite_path(Vec2 position, Vec2 velocity, Vec2 next_position, Vec2 next_velocity,
+                      double time_step);
+
+struct Separation {
+  double distance = 0.0;  // m, smallest
+  double fraction = 0.0;  // of the step, where it is smallest
+};
+
+/// Smallest distance between the two bodies, to 1e-12 of the paths' size. Stops early, with a
+/// distance that is still an upper bound, once it is known to exceed `cutoff`.
+Separation separation(const StepPath& a, const StepPath& b, double cutoff);
+
+/// First fraction of the step at which the distance falls below `distance`, given that it does at
+/// `fraction`.
+double first_below(const StepPath& a, const StepPath& b, double distance, double fraction);
+
+}  // namespace avo

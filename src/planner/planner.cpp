@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot's decision (paper §IV-D): collect a half-plane per neighbor, choose the allowed
+// velocity nearest the preferred one.
+#include "avo/planner.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "avo/error.h"
+#include "avo/half_plane.h"
+#include "lp/lens.h"
+#include "lp/linear_program.h"
+#include "planner/braking.h"
+#include "planner/passive_obstacles.h"
+
+namespace avo {
+namespace {
+
+void require_positive(double value, const char* name) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw Error(std::string("PlannerOptions.") + name + ": found " + std::to_string(value) +
+              ", must be > 0 s");
+}
+
+bool is_valid(const Robot& robot) {
+  return is_finite(robot.position) && is_finite(robot.velocity) &&
+         is_finite(robot.preferred_velocity) && std::isfinite(robot.radius) && robot.radius > 0.0 &&
+         std::isfinite(robot.max_acceleration) && robot.max_acceleration > 0.0 &&
+         std::isfinite(robot.max_speed) && robot.max_speed > 0.0;
+}
+
+bool is_valid(const Neighbor& neighbor) {
+  return is_finite(neighbor.position) && is_finite(neighbor.velocity) &&
+         is_finite(neighbor.acceleration) && std::isfinite(neighbor.radius) &&
+         neighbor.radius > 0.0 && std::isfinite(neighbor.max_acceleration) &&
+         neighbor.max_acceleration >= 0.0;
+}
+
+bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
+  if (!is_valid(robot)) return false;
+  for (const Neighbor& neighbor : neighbors) {
+    if (!is_valid(neighbor)) return false;
+  }
+  return true;
+}
+
+bool adopts_at_once(Method method) {
+  return method != Method::avo_paper;
+}
+
+// p_AB, v_AB, r_AB
+Pair relative(const Robot& robot, const Neighbor& neighbor) {
+  return {robot.position - neighbor.position, robot.velocity - neighbor.velocity,
+          robot.radius + neighbor.radius};
+}
+
+RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
+                                      const Robot& robot, const Neighbor& neighbor) {
+  const Pair pair = relative(robot, neighbor);
+  if (options.method == Method::orca) {
+    return orca_half_plane(pair, options.time_horizon, options.time_step);
+  }
+  // what both can do: δ (a_A + a_B); a mover that does not decide does what it is seen to do
+  const double reach = options.control_time *
+                       (robot.max_acceleration + neighbor.max_acceleration +
+                        (neighbor.max_acceleration > 0.0 ? 0.0 : norm(neighbor.acceleration)));
+  return options.samples > 0 ? sampled_half_plane(pair, reach, horizon, options.samples)
+                             : half_plane(pair, reach, horizon);
+}
+
+}  // namespace
+
+const char* to_string(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::optimal:
+      return "optimal";
+    case PlanStatus::least_unsafe:
+      return "least_unsafe";
+    case PlanStatus::overlapping:
+      return "overlapping";
+    case PlanStatus::braking:
+      return "braking";
+    case PlanStatus::invalid_input:
+      return "invalid_input";
+  }
+  return "unknown";
+}
+
+struct PlanWorkspace::Scratch {
+  std::vector<HalfPlane> half_planes;
+  std::vector<HalfPlane> projected;
+  std::vector<PassiveObstacle> obstacles;
+  PassiveWorkspace passive;
+};
+PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
+PlanWorkspace::~PlanWorkspace() = default;
+PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
+PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
+
+Planner::Planner(const PlannerOptions& options) : options_(options) {
+  require_positive(options.control_time, "control_time");
+  require_positive(options.time_horizon, "time_horizon");
+  require_positive(options.time_step, "time_step");
+  if (options.samples < 0 || options.samples == 1) {
+    throw Error("PlannerOptions.samples: found " + std::to_string(options.samples) +
+                ", must be 0 (exact) or >= 2");
+  }
+  horizon_ = std::make_shared<const Horizon>(options.control_time, options.time_horizon,
+                                             options.time_step);
+}
+
+Disc Planner::acceleration_disc(const Robot& robot) const {
+  if (adopts_at_once(options_.method)) return {{}, std::numeric_limits<double>::infinity()};
+  return {robot.velocity, options_.control_time * robot.max_acceleration};
+}
+
+Disc Planner::speed_disc(const Robot& robot) const {
+  return {{}, robot.max_speed};
+}
+
+double Planner::step_rate() const {
+  if (adopts_at_once(options_.method)) return 1.0;
+  return options_.motion == Motion::held ? options_.time_step / options_.control_time
+                                         : horizon_->step().rate;
+}
+
+double Planner::step_lag() const {
+  if (adopts_at_once(options_.method)) return 0.0;
+  return options_.motion == Motion::held ? 0.5 * options_.time_step : horizon_->step().lag;
+}
+
+void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
+                                  PlanWorkspace& workspace) const {
+  workspace.planes.clear();
+  workspace.overlapping = false;
+  const Lens allowed = make_lens(acceleration_disc(robot), speed_disc(robot));
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor& neighbor = neighbors[k];
+    const RelativeHalfPlane relative = relative_half_plane(options_, *horizon_, robot, neighbor);
+    if (relative.state == PairState::free) continue;
+    if (relative.state != PairState::constrained) workspace.overlapping = true;
+    if (relative.state == PairState::coincident) continue;
+
+    const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration);
+    HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
+    if (!(neighbor.max_acceleration > 0.0) && !adopts_at_once(options_.method)) {
+      // w = v'_A - v_A - δ a_B (§III-B: v'_B = v_B + δ a_B)
+      plane.offset += options_.control_time * dot(plane.normal, neighbor.acceleration);
+    }
+    if (lens_support_min(plane.normal, allowed) >= plane.offset) continue;
+    workspace.planes.push_back({static_cast<int>(k), plane});
+  }
+}
+
+Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
+                     double violation) const noexcept {
+  const double time = adopts_at_once(options_.method) ? options_.time_step : options_.control_time;
+  return {new_velocity, (new_velocity - robot.velocity) / time, status, violation};
+}
+
+Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const noexcept {
+  if (!is_valid(robot)) return {{}, {}, PlanStatus::invalid_input, 0.0};
+  if (adopts_at_once(options_.method)) return finish(robot, {}, status, violation);
+  return finish(robot, braking_velocity(robot, options_.control_time, step_rate()), status,
+                violation);
+}
+
+Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
+                   PlanWorkspace& workspace) const noexcept {
+  if (options_.method == Method::velocity_obstacle) {
+    return plan_among_obstacles(robot, neighbors, workspace);
+  }
+  if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
+
+  collect_half_planes(robot, neighbors, workspace);
+  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+  scratch.half_planes.clear();
+  for (const NeighborPlane& each : workspace.planes) scratch.half_planes.push_back(each.plane);
+
+  // Eq. (23)
+  const ProgramResult result =
+      nearest_point({}, scratch.half_planes, acceleration_disc(robot), speed_disc(robot),
+                    robot.preferred_velocity, scratch.projected);
+  if (result.state == ProgramState::discs_disjoint) {
+    return brake(robot, PlanStatus::braking, result.violation);
+  }
+  const PlanStatus status = workspace.overlapping                   ? PlanStatus::overlapping
+                            : result.state == ProgramState::optimal ? PlanStatus::optimal
+                                                                    : PlanStatus::least_unsafe;
+  return finish(robot, result.point, status, result.violation);
+}
+
+Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
+                                   PlanWorkspace& workspace) const noexcept {
+  if (!all_valid(robot, obstacles)) return brake(robot, PlanStatus::invalid_input, 0.0);
+  const Response response = options_.method == Method::avo_paper
+                                ? Response::proportional(options_.control_time)
+                                : Response::velocity();
+  bool overlapping = false;
+  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+  scratch.obstacles.clear();
+  for (const Neighbor& each : obstacles) {
+    const Pair pair = relative(robot, each);
+    overlapping = overlapping || norm(pair.position) < pair.radius;
+    const Vec2 v_new_B =
+        each.velocity +
+        (response.control_time() * (each.max_acceleration > 0.0 ? 0.0 : 1.0)) * each.acceleration;
+    scratch.obstacles.push_back({{pair, response, options_.time_horizon}, v_new_B});
+  }
+  // Eq. (14)
+  const PassiveChoice choice =
+      choose_among_obstacles(scratch.obstacles, acceleration_disc(robot), speed_disc(robot),
+                             robot.preferred_velocity, scratch.passive);
+  if (choice.state == PassiveState::discs_disjoint) {
+    return brake(robot, PlanStatus::braking, choice.violation);
+  }
+  const PlanStatus status = overlapping                          ? PlanStatus::overlapping
+                            : choice.state == PassiveState::free ? PlanStatus::optimal
+                                                                 : PlanStatus::least_unsafe;
+  return finish(robot, choice.velocity, status, choice.violation);
+}
+
+}  // namespace avo

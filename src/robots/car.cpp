@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Car-like robots (paper §V). With heading θ, speed v >= 0 and curvature κ = tan(φ)/d,
+//   p' = v (cos θ, sin θ),  θ' = v κ,  v' = a_lin                                     Eq. (24)
+//   velocity (v, 0) and acceleration (a_lin, v² κ) in the frame turned by θ           Eq. (25)
+// |a_lin| <= a_max and |v² κ| <= a_max make a square turned by θ; its incircle is the disc
+// D(0, a_max) that the planner chooses from, so every choice can be turned into controls.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "robots/motion.h"
+
+namespace avo {
+namespace {
+
+// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of a_max adds or
+// takes away, a car that would have to turn by more than this first stops, and then turns in place
+// about its rear axle (front wheels across), which moves neither the axle nor the disc around it.
+constexpr double kTurnInPlace = 0.25;  // rad
+
+struct Controls {
+  double linear = 0.0;     // [a_lin] m/s^2
+  double curvature = 0.0;  // [κ] 1/m
+};
+
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+// Eq. (25) solved for the controls. κ is that of the highest speed in the step, so that
+// |(a_lin, v² κ)| <= |a| holds all through it.
+Controls controls(Vec2 acceleration, Vec2 heading, double speed, double time_step) {
+  Controls result{dot(heading, acceleration), 0.0};
+  const double top = std::max(speed, speed + result.linear * time_step);
+  if (top > 0.0) result.curvature = cross(heading, acceleration) / (top * top);
+  return result;
+}
+
+// Eq. (24) with held controls: an arc of the length that the speed covers, which stops at v = 0.
+MotionStep drive(const MotionState& state, double speed, const Controls& control,
+                 double time_step) {
+  const bool stops = speed + control.linear * time_step <= 0.0;
+  const double next_speed = stops ? 0.0 : speed + control.linear * time_step;
+  const double length = stops && control.linear < 0.0 ? speed * speed / (-2.0 * control.linear)
+                                                      : 0.5 * (speed + next_speed) * time_step;
+  const double half_turn = 0.5 * control.curvature * length;
+  const double middle = state.heading + half_turn;
+  const double chord =
+      std::abs(half_turn) < 1e-8 ? length : length * (std::sin(half_turn) / half_turn);
+  const double top = std::max(speed, next_speed);
+
+  MotionStep step;
+  step.next.position = state.position + chord * Vec2{std::cos(middle), std::sin(middle)};
+  step.next.heading = wrapped(state.heading + 2.0 * half_turn);
+  step.next.velocity = next_speed * Vec2{std::cos(step.next.heading), std::sin(step.next.heading)};
+  step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
+  return step;
+}
+
+}  // namespace
+
+MotionStep advance_car(const MotionState& state, const Plan& plan, const RobotSetup& setup,
+                       double time_step) {
+  const Vec2 heading{std::cos(state.heading), std::sin(state.heading)};
+  const double speed = norm(state.velocity);
+  const Controls control = controls(plan.acceleration, heading, speed, time_step);
+  const double top = std::max(speed, speed + control.linear * time_step);
+  const double slow = setup.max_acceleration * time_step;
+  const bool moves = norm(plan.new_velocity) > 0.0;
+  const double turn =
+      moves ? std::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity)) : 0.0;
+  if (top > slow || (moves && std::abs(turn) <= kTurnInPlace)) {
+    return drive(state, speed, control, time_step);
+  }
+  if (speed > 0.0) return drive(state, speed, {-speed / time_step, 0.0}, time_step);
+
+  // the front axle, one wheelbase ahead, moves at v_max at most
+  const double most = setup.max_speed / setup.car->wheelbase * time_step;
+  MotionStep step{state, 0.0};
+  step.next.heading = wrapped(state.heading + std::clamp(turn, -most, most));
+  return step;
+}
+
+}  // namespace avo

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Coming to rest at a goal under Eq. (7)'s control, in discrete steps.
+#include "sim/goals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace avo {
+namespace {
+
+// Highest next speed from which full braking, `decrement` m/s a step, ends within `distance`
+// of where the robot will be. Braking from (k + f) q, q = decrement, after a step that ends with
+// this speed, takes Δt q (k + 1)(k/2 + f) in all.
+double admissible_speed(double distance, double decrement, double time_step) {
+  if (!(distance > 0.0)) return 0.0;
+  const double y = distance / (decrement * time_step);
+  const double k = std::floor(0.5 * (std::sqrt(1.0 + 8.0 * y) - 1.0));
+  const double f = (y - 0.5 * k * (k + 1.0)) / (k + 1.0);
+  return (k + f) * decrement;
+}
+
+Vec2 limited(Vec2 a, double length) {
+  const double n = norm(a);
+  return n > length ? (length / n) * a : a;
+}
+
+}  // namespace
+
+Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, Vec2 goal,
+                        const Planner& planner) {
+  const PlannerOptions& options = planner.options();
+  const Vec2 way = goal - position;
+  const double distance = norm(way);
+  const Vec2 direction = distance > 0.0 ? way / distance : Vec2{};
+  if (options.method != Method::avo_paper) {
+    return std::min(setup.preferred_speed, distance / options.time_step) * direction;
+  }
+
+  // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
+  const double change = std::min(options.control_time * setup.max_acceleration, setup.max_speed);
+  const double rate = planner.step_rate();
+  const double along = dot(velocity, direction);
+  const double speed =
+      admissible_speed(distance - planner.step_lag() * along, rate * change, options.time_step);
+  if (speed >= setup.preferred_speed) return setup.preferred_speed * direction;
+
+  const Vec2 wanted =
+      limited((speed * direction - velocity) / rate, options.control_time * setup.max_acceleration);
+  const Vec2 v_new = velocity + wanted;
+  return speed >= along ? limited(v_new, setup.preferred_speed) : v_new;
+}
+
+}  // namespace avo

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The preferred velocity of a robot on its way to a goal at which it comes to rest.
+#pragma once
+#include "avo/planner.h"
+#include "avo/scenario.h"
+
+namespace avo {
+
+/// [v_A^pref] m/s: towards the goal at preferred_speed (the paper's), until the distance left is
+/// the one that braking needs; then the v' whose next speed is the highest that still stops at the
+/// goal. Without other robots it comes to rest on the goal, does not overshoot and does not
+/// oscillate, at any δ: v' leads the velocity by the lag of the controller, so near the goal it
+/// points away from it.
+Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, Vec2 goal,
+                        const Planner& planner);
+
+}  // namespace avo

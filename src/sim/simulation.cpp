@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sensing-acting cycle of a fleet (paper §IV-D): all robots decide from the same generation,
+// each alone, then all move.
+#include "avo/simulation.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/parallel.h"
+#include "neighbors/uniform_grid.h"
+#include "robots/motion.h"
+#include "sim/fleet.h"
+#include "sim/goals.h"
+
+namespace avo {
+namespace {
+
+PlannerOptions planner_options(const Scenario& scenario) {
+  return {scenario.method,       scenario.motion,    scenario.control_time,
+          scenario.time_horizon, scenario.time_step, scenario.samples};
+}
+
+// What one worker needs to plan for one robot after the other without allocating.
+struct Worker {
+  PlanWorkspace plan;
+  std::vector<NeighborHit> robots, obstacles;
+  std::vector<Neighbor> neighbors;
+  std::vector<int> source;
+};
+
+}  // namespace
+
+struct Simulation::State {
+  Scenario settings;  // without its robots and obstacles
+  Planner planner;
+  StepResponse response;
+  Fleet fleet;
+  ObstacleColumns obstacles;
+  UniformGrid robot_grid, obstacle_grid;
+  std::vector<Worker> workers;
+  std::int64_t steps = 0;
+  std::uint64_t next_id = 0;
+
+  State(const Scenario& scenario, int threads)
+      : settings(scenario), planner(planner_options(scenario)), response(step_response(planner)) {
+    workers.resize(static_cast<std::size_t>(threads > 0 ? threads : default_threads()));
+    for (const RobotSetup& setup : scenario.robots) fleet.add({next_id++}, setup);
+    for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
+    settings.robots.clear();
+    settings.moving_obstacles.clear();
+    index();
+  }
+
+  void index() {
+    robot_grid.build(fleet.position, settings.sensing_radius);
+    obstacle_grid.build(obstacles.position, settings.sensing_radius);
+  }
+  // a single robot avoids movers by §III-C; among other robots they are neighbors that do not
+  // decide
+  bool alone() const { return fleet.size() == 1; }
+
+  Robot robot(std::size_t i) const;
+  void sense(std::size_t i, Worker& worker) const;
+  void plan(std::size_t i, Worker& worker);
+  void move(std::size_t i);
+};
+
+Robot Simulation::State::robot(std::size_t i) const {
+  const RobotSetup& setup = fleet.setup[i];
+  return {fleet.position[i],
+          fleet.velocity[i],
+          preferred_velocity(fleet.position[i], fleet.velocity[i], setup, fleet.goal[i], planner),
+          setup.radius,
+          setup.max_acceleration,
+          setup.max_speed};
+}
+
+// All robots and moving obstacles within the sensing radius, nearest first (robots first and by id
+// where distances are equal), cut to the nearest max_neighbors.
+void Simulation::State::sense(std::size_t i, Worker& worker) const {
+  const std::size_t most = settings.max_neighbors
+                               ? static_cast<std::size_t>(*settings.max_neighbors)
+                               : std::numeric_limits<std::size_t>::max();
+  robot_grid.gather(fleet.position[i], static_cast<int>(i), most, worker.robots);
+  obstacle_grid.gather(fleet.position[i], -1, most, worker.obstacles);
+  worker.neighbors.clear();
+  worker.source.clear();
+  auto robot = worker.robots.begin();
+  auto obstacle = worker.obstacles.begin();
+  while (worker.neighbors.size() < most) {
+    const bool more_robots = robot != worker.robots.end();
+    const bool more_obstacles = obstacle != worker.obstacles.end();
+    if (!more_robots && !more_obstacles) break;
+    if (more_robots && (!more_obstacles || robot->distance_squared <= obstacle->distance_squared)) {
+      const auto j = static_cast<std::size_t>(robot->index);
+      const RobotSetup& setup = fleet.setup[j];
+      worker.neighbors.push_back(
+          {fleet.position[j], fleet.velocity[j], setup.radius, setup.max_acceleration, {}});
+      worker.source.push_back(robot->index);
+      ++robot;
+    } else {
+      const auto k = static_cast<std::size_t>(obstacle->index);
+      const MovingObstacle& setup = obstacles.setup[k];
+      worker.neighbors.push_back(
+          {obstacles.position[k], obstacles.velocity[k], setup.radius, 0.0, setup.acceleration});
+      worker.source.push_back(-1 - obstacle->index);
+      ++obstacle;
+    }
+  }
+}
+
+void Simulation::State::plan(std::size_t i, Worker& worker) {
+  sense(i, worker);
+  fleet.plan[i] = alone() ? planner.plan_among_obstacles(robot(i), worker.neighbors, worker.plan)
+                          : planner.plan(robot(i), worker.neighbors, worker.plan);
+}
+
+void Simulation::State::move(std::size_t i) {
+  const MotionState state{fleet.position[i], fleet.velocity[i], fleet.heading[i]};
+  const MotionStep step =
+      fleet.setup[i].car ? advance_car(state, fleet.plan[i], fleet.setup[i], settings.time_step)
+                         : advance(state, fleet.plan[i], response);
+  fleet.next_position[i] = step.next.position;
+  fleet.next_velocity[i] = step.next.velocity;
+  fleet.next_heading[i] = step.next.heading;
+  fleet.applied_acceleration[i] = step.acceleration;
+}
+
+Simulation::Simulation(const Scenario& scenario, int threads) {
+  validate(scenario);
+  state_ = std::make_unique<State>(scenario, threads);
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::step() {
+  State& state = *state_;
+  parallel_for(state.fleet.size(), static_cast<int>(state.workers.size()),
+               [&](std::size_t i, std::size_t worker) {
+                 state.plan(i, state.workers[worker]);
+                 state.move(i);
+               });
+  state.fleet.swap_generations();
+  state.obstacles.advance(state.settings.time_step);
+  ++state.steps;
+  state.index();
+}
+
+RobotId Simulation::add_robot(const RobotSetup& setup) {
+  Scenario probe = state_->settings;
+  probe.robots = {setup};
+  validate(probe);
+  const RobotId robot{state_->next_id++};
+  state_->fleet.add(robot, setup);
+  state_->index();
+  return robot;
+}
+
+void Simulation::remove_robot(RobotId robot) {
+  state_->fleet.remove(state_->fleet.index_of(robot));
+  state_->index();
+}
+
+void Simulation::set_goal(RobotId robot, Vec2 goal) {
+  const std::size_t i = state_->fleet.index_of(robot);
+  Scenario probe = state_->settings;
+  probe.robots = {state_->fleet.setup[i]};
+  probe.robots[0].goal = goal;
+  validate(probe);
+  state_->fleet.goal[i] = goal;
+}
+
+FleetView Simulation::fleet() const {
+  const Fleet& f = state_->fleet;
+  return {f.id, f.position, f.velocity, f.heading, f.goal, f.setup, f.plan, f.applied_acceleration};
+}
+
+ObstacleView Simulation::obstacles() const {
+  const ObstacleColumns& o = state_->obstacles;
+  return {o.position, o.velocity, o.setup};
+}
+
+double Simulation::time() const {
+  return static_cast<double>(state_->steps) * state_->settings.time_step;
+}
+
+std::int64_t Simulation::steps() const {
+  return state_->steps;
+}
+
+bool Simulation::all_at_goal() const {
+  const Fleet& f = state_->fleet;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    if (!(norm(f.goal[i] - f.position[i]) <= state_->settings.arrival_distance)) return false;
+  }
+  return true;
+}
+
+std::uint64_t Simulation::state_hash() const {
+  return hash_of(state_->fleet, state_->obstacles, state_->steps);
+}
+
+Simulation::Perception Simulation::perceive(std::size_t robot) const {
+  Worker worker;
+  state_->sense(robot, worker);
+  return {state_->robot(robot), std::move(worker.neighbors), std::move(worker.source),
+          state_->alone()};
+}
+
+const Planner& Simulation::planner() const {
+  return state_->planner;
+}
+
+}  // namespace avo

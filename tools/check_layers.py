@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Fails if a folder includes a layer that it may not see (ARCHITECTURE.md, "Layers")."""
+import pathlib
+import re
+import sys
+
+# folder of src/ -> folders of src/ whose headers it may include, besides its own
+ALLOWED = {
+    "core": set(),
+    "obstacles": {"core"},
+    "lp": {"core"},
+    "neighbors": {"core"},
+    "robots": {"core"},
+    "planner": {"core", "obstacles", "lp"},
+    "sim": {"core", "neighbors", "robots", "planner"},
+    "metrics": {"core", "neighbors"},
+}
+# folder outside src/ -> prefixes of quoted includes that it may use
+OUTER = {
+    "include/avo": {"avo"},
+    "include/avo_io": {"avo", "avo_io"},
+    "io": {"avo", "avo_io", "io", "core"},
+    "figures": {"avo", "figures"},
+    "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures"},
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
+
+
+def includes(path):
+    return [name.split("/")[0] for name in INCLUDE.findall(path.read_text()) if "/" in name]
+
+
+def main():
+    root = pathlib.Path(__file__).resolve().parent.parent
+    bad = []
+    for path in sorted(root.glob("src/*/*.[hc]*")):
+        layer = path.parent.name
+        allowed = ALLOWED.get(layer, set()) | {layer, "avo"}
+        bad += [(path, seen) for seen in includes(path) if seen not in allowed]
+    for folder, allowed in OUTER.items():
+        for path in sorted((root / folder).rglob("*.[hc]*")):
+            bad += [(path, seen) for seen in includes(path) if seen not in allowed]
+    for path, seen in bad:
+        print(f"{path.relative_to(root)}: includes {seen}/, which its layer may not see")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
