@@ -65,11 +65,37 @@ struct Group {
   Goals goals;
 };
 
-/// std::monostate: a value with keys of its own, read by the code that knows them.
+/// Which kinds of values T has. std::monostate: one with keys of its own, read by the code that
+/// knows them.
+template <class T, class... Kinds>
+using MemberOf = std::variant<std::monostate, Kinds T::*...>;
 template <class T>
-using Member =
-    std::variant<std::monostate, double T::*, int T::*, std::optional<int> T::*, std::uint64_t T::*,
-                 std::string T::*, avo::Vec2 T::*, avo::Method T::*, avo::Motion T::*>;
+struct MembersOf {
+  using type = MemberOf<T, double, avo::Vec2>;
+};
+template <>
+struct MembersOf<AntipodalGoals> {
+  using type = MemberOf<AntipodalGoals>;
+};
+template <>
+struct MembersOf<PermutationGoals> {
+  using type = MemberOf<PermutationGoals>;
+};
+template <>
+struct MembersOf<GridPlacement> {
+  using type = MemberOf<GridPlacement, double, avo::Vec2, int>;
+};
+template <>
+struct MembersOf<Group> {
+  using type = MemberOf<Group, int>;
+};
+template <>
+struct MembersOf<avo::Scenario> {
+  using type = MemberOf<avo::Scenario, double, int, std::optional<int>, std::uint64_t, std::string,
+                        avo::Method, avo::Motion>;
+};
+template <class T>
+using Member = typename MembersOf<T>::type;
 
 enum class Need : std::uint8_t { required, optional };
 

@@ -138,6 +138,32 @@ std::string Reader::name(const Node& node, const std::string& path) const {
   return node.text;
 }
 
+void Reader::set(double& value, const Node& node, const Path& path, const Rule& rule) const {
+  value = number(node, path, rule.range, rule.unit);
+}
+void Reader::set(int& value, const Node& node, const Path& path, const Rule& rule) const {
+  value = static_cast<int>(whole_number(node, path, rule.range));
+}
+void Reader::set(std::optional<int>& value, const Node& node, const Path& path,
+                 const Rule& rule) const {
+  value = static_cast<int>(whole_number(node, path, rule.range));
+}
+void Reader::set(std::uint64_t& value, const Node& node, const Path& path, const Rule& rule) const {
+  value = whole_number(node, path, rule.range);
+}
+void Reader::set(std::string& value, const Node& node, const Path& path, const Rule&) const {
+  value = name(node, path);
+}
+void Reader::set(avo::Vec2& value, const Node& node, const Path& path, const Rule& rule) const {
+  value = point(node, path, rule.range, rule.unit);
+}
+void Reader::set(avo::Method& value, const Node& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kMethods);
+}
+void Reader::set(avo::Motion& value, const Node& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kMotions);
+}
+
 void Reader::fail_choice(const Node& node, const std::string& path,
                          const std::vector<std::string_view>& words) const {
   const auto meant = node.kind == Node::Kind::text ? nearest(node.text, words) : std::nullopt;

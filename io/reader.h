@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "fields.h"
@@ -62,49 +64,32 @@ class Reader {
             bool patch = false) const {
     for (const Field<T>& field : table) {
       const Node* node = map.find(field.key);
+      const auto set_member = [&](auto member) {
+        if constexpr (!std::is_same_v<decltype(member), std::monostate>)
+          set(target.*member, *node, path_to(path, field.key), {field.range, field.unit});
+      };
       if (node != nullptr)
-        read_value(*node, path_to(path, field.key), field, target);
+        std::visit(set_member, field.member);
       else if (field.need == Need::required && !patch)
         fail_missing(map, path, field.key, field.doc);
     }
   }
 
  private:
-  template <class T>
-  void read_value(const Node& node, const std::string& path, const Field<T>& field,
-                  T& target) const {
-    struct Visitor {
-      const Reader& reader;
-      const Node& node;
-      const std::string& path;
-      const Field<T>& field;
-      T& target;
-      void operator()(std::monostate) const {}
-      void operator()(double T::*member) const {
-        target.*member = reader.number(node, path, field.range, field.unit);
-      }
-      void operator()(int T::*member) const {
-        target.*member = static_cast<int>(reader.whole_number(node, path, field.range));
-      }
-      void operator()(std::optional<int> T::*member) const {
-        target.*member = static_cast<int>(reader.whole_number(node, path, field.range));
-      }
-      void operator()(std::uint64_t T::*member) const {
-        target.*member = reader.whole_number(node, path, field.range);
-      }
-      void operator()(std::string T::*member) const { target.*member = reader.name(node, path); }
-      void operator()(avo::Vec2 T::*member) const {
-        target.*member = reader.point(node, path, field.range, field.unit);
-      }
-      void operator()(avo::Method T::*member) const {
-        target.*member = reader.choice(node, path, kMethods);
-      }
-      void operator()(avo::Motion T::*member) const {
-        target.*member = reader.choice(node, path, kMotions);
-      }
-    };
-    std::visit(Visitor{*this, node, path, field, target}, field.member);
-  }
+  /// What a field says of the value to be read.
+  struct Rule {
+    const avo::Range& range;
+    std::string_view unit;
+  };
+  using Path = std::string;
+  void set(double& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(int& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<int>& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(std::uint64_t& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(std::string& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(avo::Vec2& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(avo::Method& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(avo::Motion& value, const Node& node, const Path& path, const Rule& rule) const;
 
   const Document& document_;
 };

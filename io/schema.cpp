@@ -52,43 +52,50 @@ std::string name_of(const Names& names, Value value) {
   return "";
 }
 
-/// Schema of one value, with the default that T has.
-template <class T>
+/// Schema of one value, and the default it has.
 struct ValueSchema {
-  const Field<T>& field;
-  T defaults{};
-
-  Json operator()(std::monostate) const { return Json::object(); }
-  Json operator()(double T::*member) const {
-    return with_default(number_schema(field.range), defaults.*member);
-  }
-  Json operator()(int T::*member) const {
-    return with_default(whole_number_schema(field.range), defaults.*member);
-  }
-  Json operator()(std::optional<int> T::*) const { return whole_number_schema(field.range); }
-  Json operator()(std::uint64_t T::*member) const {
-    return with_default(whole_number_schema(field.range), defaults.*member);
-  }
-  Json operator()(std::string T::*) const {
-    return {{"type", "string"}, {"minLength", 1}, {"maxLength", 200}};
-  }
-  Json operator()(avo::Vec2 T::*member) const {
-    const avo::Vec2 value = defaults.*member;
-    return with_default(point_schema(field.range), Json{value.x, value.y});
-  }
-  Json operator()(avo::Method T::*member) const {
-    return with_default(names_schema(kMethods), name_of(kMethods, defaults.*member));
-  }
-  Json operator()(avo::Motion T::*member) const {
-    return with_default(names_schema(kMotions), name_of(kMotions, defaults.*member));
-  }
-
-  template <class Value>
-  Json with_default(Json json, const Value& value) const {
-    if (field.need == Need::optional && field.default_text.empty()) json["default"] = value;
-    return json;
-  }
+  Json schema, default_value;
 };
+ValueSchema describe(double value, const avo::Range& range) {
+  return {number_schema(range), value};
+}
+ValueSchema describe(int value, const avo::Range& range) {
+  return {whole_number_schema(range), value};
+}
+ValueSchema describe(const std::optional<int>&, const avo::Range& range) {
+  return {whole_number_schema(range), nullptr};
+}
+ValueSchema describe(std::uint64_t value, const avo::Range& range) {
+  return {whole_number_schema(range), value};
+}
+ValueSchema describe(const std::string& value, const avo::Range&) {
+  return {{{"type", "string"}, {"minLength", 1}, {"maxLength", 200}}, value};
+}
+ValueSchema describe(avo::Vec2 value, const avo::Range& range) {
+  return {point_schema(range), Json::array({value.x, value.y})};
+}
+ValueSchema describe(avo::Method value, const avo::Range&) {
+  return {names_schema(kMethods), name_of(kMethods, value)};
+}
+ValueSchema describe(avo::Motion value, const avo::Range&) {
+  return {names_schema(kMotions), name_of(kMotions, value)};
+}
+
+template <class T>
+Json value_schema(const Field<T>& field) {
+  static const T defaults{};
+  const auto visitor = [&](auto member) -> Json {
+    if constexpr (std::is_same_v<decltype(member), std::monostate>) {
+      return Json::object();
+    } else {
+      auto [schema, default_value] = describe(defaults.*member, field.range);
+      if (field.need == Need::optional && field.default_text.empty())
+        schema["default"] = default_value;
+      return schema;
+    }
+  };
+  return std::visit(visitor, field.member);
+}
 
 /// A map with the fields of the table and no others; `nested` has the schemas of those values that
 /// have keys of their own.
@@ -102,8 +109,7 @@ Json map_schema(const std::vector<Field<T>>& table, const Json& nested = Json::o
     if (!field.unit.empty()) doc += fmt::format(" ({})", field.unit);
     if (!field.default_text.empty()) doc += fmt::format("; omitted: {}", field.default_text);
     Json json{{"description", doc}};
-    json.update(nested.contains(key) ? nested[key]
-                                     : std::visit(ValueSchema<T>{field}, field.member));
+    json.update(nested.contains(key) ? nested[key] : value_schema(field));
     properties[key] = json;
     if (field.need == Need::required) required.push_back(key);
   }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line tells its caller.
+#pragma once
+#include "avo/error.h"
+
+namespace avo_cli {
+
+inline constexpr int kDone = 0;
+inline constexpr int kUsage = 2;      ///< the command line is wrong
+inline constexpr int kBadScene = 3;   ///< the scene is wrong
+inline constexpr int kFile = 4;       ///< a file cannot be read or written
+inline constexpr int kResources = 5;  ///< no memory, no threads
+inline constexpr int kOurFault = 6;
+inline constexpr int kSignal = 128;      ///< + number of the signal: 130, 143
+inline constexpr int kClosedPipe = 141;  ///< who read our output went away
+
+/// A command line that says something impossible.
+class UsageError : public avo::Error {
+ public:
+  using avo::Error::Error;
+};
+
+}  // namespace avo_cli

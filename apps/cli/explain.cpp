@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo explain: why a robot chooses the velocity that it chooses (paper Figs. 3 to 6).
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "avo/simulation.h"
+#include "avo_io/output_file.h"
+#include "exit_codes.h"
+#include "figures/canvas.h"
+#include "figures/velocity_space.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+using avo::Vec2;
+using Json = nlohmann::ordered_json;
+
+/// All that there is to say of one decision.
+struct Decision {
+  std::string scene;
+  std::int64_t robot = 0;
+  double time = 0.0;
+  Vec2 goal;
+  avo::Method method{};
+  avo::Simulation::Perception seen;
+  bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
+  avo::PlanWorkspace workspace;
+  avo::Plan plan;
+  avo::Disc acceleration_disc, speed_disc;
+};
+
+Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario,
+                std::int64_t robot) {
+  const auto index = static_cast<std::size_t>(robot);
+  const avo::Planner& planner = simulation.planner();
+  Decision decision;
+  decision.scene = scenario.name;
+  decision.robot = robot;
+  decision.time = simulation.time();
+  decision.goal = simulation.fleet().goal[index];
+  decision.method = scenario.method;
+  decision.seen = simulation.perceive(index);
+  const auto& [self, neighbors, source, alone] = decision.seen;
+  decision.by_half_planes = !alone && scenario.method != avo::Method::velocity_obstacle;
+  decision.plan = alone ? planner.plan_among_obstacles(self, neighbors, decision.workspace)
+                        : planner.plan(self, neighbors, decision.workspace);
+  if (decision.by_half_planes)
+    planner.collect_half_planes(self, neighbors, decision.workspace);
+  else
+    decision.workspace.planes.clear();
+  decision.acceleration_disc = planner.acceleration_disc(self);
+  decision.speed_disc = planner.speed_disc(self);
+  return decision;
+}
+
+/// Robot I, or moving obstacle K as "moving_obstacles.K".
+Json name_of(int source) {
+  if (source >= 0) return source;
+  return fmt::format("moving_obstacles.{}", -1 - source);
+}
+
+Json to_json(Vec2 v) {
+  return Json::array({v.x, v.y});
+}
+
+Json to_json(const avo::Disc& disc) {
+  if (!std::isfinite(disc.radius)) return nullptr;  // no limit
+  return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
+}
+
+Json to_json(const Decision& decision) {
+  const auto& seen = decision.seen;
+  Json half_planes = Json::array();
+  for (const avo::NeighborPlane& each : decision.workspace.planes)
+    half_planes.push_back(
+        {{"neighbor", name_of(seen.source[static_cast<std::size_t>(each.neighbor)])},
+         {"normal", to_json(each.plane.normal)},
+         {"offset", each.plane.offset}});
+  Json obstacles = Json::array();
+  for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+    const avo::Neighbor& neighbor = seen.neighbors[k];
+    obstacles.push_back({{"neighbor", name_of(seen.source[k])},
+                         {"position", to_json(neighbor.position)},
+                         {"velocity", to_json(neighbor.velocity)},
+                         {"acceleration", to_json(neighbor.acceleration)},
+                         {"radius", neighbor.radius},
+                         {"max_acceleration", neighbor.max_acceleration}});
+  }
+  const avo::Robot& self = seen.robot;
+  return {{"scene", decision.scene},
+          {"robot", decision.robot},
+          {"time", decision.time},
+          {"position", to_json(self.position)},
+          {"velocity", to_json(self.velocity)},
+          {"goal", to_json(decision.goal)},
+          {"radius", self.radius},
+          {"max_speed", self.max_speed},
+          {"max_acceleration", self.max_acceleration},
+          {"obstacles", obstacles},
+          {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
+          {"half_planes", half_planes},
+          {"acceleration_disc", to_json(decision.acceleration_disc)},
+          {"speed_disc", to_json(decision.speed_disc)},
+          {"preferred_velocity", to_json(self.preferred_velocity)},
+          {"new_velocity", to_json(decision.plan.new_velocity)},
+          {"acceleration", to_json(decision.plan.acceleration)},
+          {"status", avo::to_string(decision.plan.status)},
+          {"violation", decision.plan.violation}};
+}
+
+std::string text(Vec2 v) {
+  return fmt::format("({:.6g}, {:.6g})", v.x, v.y);
+}
+
+std::string text_of(int source) {
+  return source >= 0 ? fmt::format("robot {}", source)
+                     : fmt::format("moving obstacle {}", -1 - source);
+}
+
+std::string readable(const Decision& decision) {
+  const avo::Robot& self = decision.seen.robot;
+  std::string result =
+      fmt::format("{}, robot {} at {:.6g} s\n", decision.scene, decision.robot, decision.time);
+  const auto line = [&](const char* name, const std::string& value) {
+    result += fmt::format("  {:<19} {}\n", name, value);
+  };
+  line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
+  line("velocity", text(self.velocity) + " m/s");
+  const avo::Disc& reach = decision.acceleration_disc;
+  line("may choose", (std::isfinite(reach.radius) ? fmt::format("|v' - {}| <= {:.6g} m/s, ",
+                                                                text(reach.center), reach.radius)
+                                                  : std::string()) +
+                         fmt::format("|v'| <= {:.6g} m/s", decision.speed_disc.radius));
+  line("sees", fmt::format("{} robots and moving obstacles", decision.seen.neighbors.size()));
+  if (!decision.by_half_planes) line("avoids", "the union of their obstacles");
+  for (const avo::NeighborPlane& each : decision.workspace.planes)
+    line("half-plane",
+         fmt::format("{} . v' >= {:.6g} m/s, of {}", text(each.plane.normal), each.plane.offset,
+                     text_of(decision.seen.source[static_cast<std::size_t>(each.neighbor)])));
+  line("preferred velocity", text(self.preferred_velocity) + " m/s");
+  line("new velocity", text(decision.plan.new_velocity) + " m/s");
+  line("acceleration", text(decision.plan.acceleration) + " m/s^2");
+  line("status", fmt::format("{}, violation {:.6g} m/s", avo::to_string(decision.plan.status),
+                             decision.plan.violation));
+  return result;
+}
+
+}  // namespace
+
+int explain(const ExplainArguments& arguments) {
+  if (!arguments.figure.empty()) {
+    try {
+      avo::figures::check_figure_path(arguments.figure);
+    } catch (const avo::Error& error) {
+      throw UsageError(std::string("--figure ") + error.what());
+    }
+  }
+  if (!std::isfinite(arguments.time) || arguments.time < 0.0)
+    throw UsageError(fmt::format("--time: found {}, must be >= 0 s", arguments.time));
+  const avo::Scenario scenario = load(arguments.scene);
+  const auto robots = static_cast<std::int64_t>(scenario.robots.size());
+  if (arguments.robot < 0 || arguments.robot >= robots)
+    throw UsageError(
+        fmt::format("--robot: found {}, must be 0 to {}", arguments.robot, robots - 1));
+  if (arguments.time > scenario.duration * (1.0 + 1e-12))
+    throw UsageError(fmt::format("--time: found {} s, must be <= duration = {} s", arguments.time,
+                                 scenario.duration));
+  std::optional<avo_io::OutputFile> figure;
+  if (!arguments.figure.empty()) figure.emplace(arguments.figure);
+
+  catch_signals();
+  avo::Simulation simulation(scenario);
+  const std::int64_t steps = avo::last_step(scenario, arguments.time);
+  for (Progress progress(steps, scenario.time_step); simulation.steps() < steps;) {
+    if (signal_caught() != 0) return kSignal + signal_caught();
+    simulation.step();
+    progress.show(simulation.steps());
+  }
+  const Decision decision = decide(simulation, scenario, arguments.robot);
+  if (figure) {
+    draw_velocity_space(avo::figures::velocity_space(decision.seen, simulation.planner()),
+                        figure->temporary_path());
+    figure->commit();
+  }
+  print(arguments.json ? to_json(decision).dump(2) + "\n" : readable(decision));
+  return kDone;
+}
+
+}  // namespace avo_cli

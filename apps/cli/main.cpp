@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo: the command line. Reads arguments, calls one verb, turns what goes wrong into exit codes.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <functional>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "avo/version.h"
+#include "avo_io/errors.h"
+#include "exit_codes.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+using Action = std::function<int()>;
+
+void add_scene(CLI::App& verb, SceneArguments& arguments) {
+  verb.add_option("SCENE", arguments.scene, "name of a built-in scene, or a YAML file")->required();
+  verb.add_option("--set", arguments.overrides,
+                  "changes a value of the scene, e.g. robots.0.radius=0.4; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb.add_option_function<std::string>(
+          "--seed",
+          [&arguments](const std::string& seed) { arguments.overrides.push_back("seed=" + seed); },
+          "the same as --set seed=N")
+      ->type_name("N");
+}
+
+void add_run(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("run", "simulate a scene to its end");
+  static RunArguments arguments;
+  add_scene(*verb, arguments.scene);
+  verb->add_option("--record", arguments.record, "every state of every robot; - is stdout")
+      ->type_name("FILE.csv");
+  verb->add_option("--summary", arguments.summary, "results; - is stdout")->type_name("FILE.json");
+  verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories")
+      ->type_name("FILE.svg|.png|.pdf");
+  verb->add_option("--threads", arguments.threads, "0: as many as the machine has")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  verb->footer("Example: avo run circle-100 --record out.csv --summary out.json --figure out.svg");
+  verb->callback([&action] { action = [] { return run(arguments); }; });
+}
+
+void add_explain(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("explain", "why a robot chooses its velocity");
+  static ExplainArguments arguments;
+  add_scene(*verb, arguments.scene);
+  verb->add_option("--robot", arguments.robot, "its number")->type_name("I")->required();
+  verb->add_option("--time", arguments.time, "the last step until then is explained")
+      ->type_name("T");
+  CLI::Option* json = verb->add_flag("--json", arguments.json, "as JSON");
+  verb->add_option("--figure", arguments.figure, "velocity space")
+      ->type_name("FILE.svg|.png|.pdf")
+      ->excludes(json);
+  verb->footer("Example: avo explain circle-10 --robot 3 --time 4.2 --figure why.svg");
+  verb->callback([&action] { action = [] { return explain(arguments); }; });
+}
+
+void add_others(CLI::App& app, Action& action) {
+  CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or print one");
+  static std::string name;
+  static bool json = false;
+  scenes->add_option("NAME", name, "prints the text of this scene");
+  scenes->add_flag("--json", json, "the list as JSON");
+  scenes->footer("Example: avo scenes circle-N > my-circle.yaml");
+  scenes->callback([&action] { action = [] { return list_scenes(name, json); }; });
+
+  CLI::App* validate = app.add_subcommand("validate", "check a scene without running it");
+  static SceneArguments scene;
+  add_scene(*validate, scene);
+  validate->footer("Example: avo validate my-circle.yaml --set control_time=2");
+  validate->callback([&action] { action = [] { return validate_scene(scene); }; });
+
+  CLI::App* schema = app.add_subcommand("schema", "print the JSON Schema of scenes");
+  schema->footer("Example: avo schema > scene.schema.json");
+  schema->callback([&action] { action = [] { return print_schema(); }; });
+}
+
+int parse_and_act(int argc, char** argv) {
+  CLI::App app("Multi-robot collision avoidance that respects acceleration limits");
+  app.name("avo");
+  app.set_version_flag("--version", std::string("avo ") + avo::kVersion);
+  app.require_subcommand(1);
+  app.footer("Example: avo run circle-100 --figure circle.svg");
+  Action action;
+  add_run(app, action);
+  add_explain(app, action);
+  add_others(app, action);
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr)
+    throw UsageError(std::string(argv[1]) + ": found no such verb; see avo --help");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    print(app.help());
+    return kDone;
+  } catch (const CLI::CallForVersion&) {
+    print(std::string("avo ") + avo::kVersion + "\n");
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + "; see avo --help");
+  }
+  return action();
+}
+
+int fail(int code, const std::string& message) {
+  say(message);
+  return code;
+}
+
+}  // namespace
+}  // namespace avo_cli
+
+int main(int argc, char** argv) {
+  using namespace avo_cli;
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return parse_and_act(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(kUsage, std::string("avo: ") + error.what());
+  } catch (const avo_io::OverrideError& error) {
+    return fail(kUsage, error.what());
+  } catch (const avo_io::FileError& error) {
+    return error.broken_pipe() ? kClosedPipe : fail(kFile, error.what());
+  } catch (const avo::Error& error) {
+    return fail(kBadScene, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kResources, "avo: found too little memory");
+  } catch (const std::system_error& error) {
+    return fail(kResources, std::string("avo: ") + error.what());
+  } catch (const std::exception& error) {
+    return fail(kOurFault,
+                std::string("avo: a fault of this program, please report it: ") + error.what());
+  }
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo run: simulates a scene to its end, and writes what was asked for.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+
+#include "avo/metrics.h"
+#include "avo/simulation.h"
+#include "avo_io/output_file.h"
+#include "avo_io/recording.h"
+#include "exit_codes.h"
+#include "figures/canvas.h"
+#include "figures/trajectories.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+/// Everything that a run writes. Opened before the simulation, so that a place that cannot be
+/// written is reported at once; named after it.
+struct Outputs {
+  std::optional<avo_io::CsvRecording> record;
+  std::optional<avo_io::OutputFile> summary, figure;
+  std::optional<avo::figures::TrajectoryRecorder> trajectories;
+
+  explicit Outputs(const RunArguments& arguments) {
+    if (!arguments.figure.empty()) {
+      figure.emplace(arguments.figure);
+      trajectories.emplace();
+    }
+    if (!arguments.summary.empty()) summary.emplace(arguments.summary);
+    if (!arguments.record.empty()) record.emplace(arguments.record);
+  }
+
+  void observe(const avo::Simulation& simulation) {
+    if (record) record->add(simulation);
+    if (trajectories) trajectories->observe(simulation);
+  }
+
+  void finish(const avo::Scenario& scenario, const avo::RunSummary& results) {
+    if (record) record->commit();
+    if (summary) {
+      summary->write(avo_io::to_json(results));
+      summary->commit();
+    }
+    if (figure) {
+      draw_trajectories(scenario, trajectories->frames(), figure->temporary_path());
+      figure->commit();
+    }
+  }
+};
+
+void check_outputs(const RunArguments& arguments) {
+  if (!arguments.figure.empty()) {
+    try {
+      avo::figures::check_figure_path(arguments.figure);
+    } catch (const avo::Error& error) {
+      throw UsageError(std::string("--figure ") + error.what());
+    }
+  }
+  const std::string* paths[] = {&arguments.record, &arguments.summary, &arguments.figure};
+  for (const std::string* a : paths)
+    for (const std::string* b : paths)
+      if (a < b && !a->empty() &&
+          std::filesystem::path(*a).lexically_normal() ==
+              std::filesystem::path(*b).lexically_normal())
+        throw UsageError(fmt::format("{}: found as the name of two outputs, must differ", *a));
+}
+
+avo::RunSummary simulate(const avo::Scenario& scenario, int threads, Outputs& outputs) {
+  using Clock = std::chrono::steady_clock;
+  avo::Simulation simulation(scenario, threads);
+  avo::Metrics metrics(scenario);
+  const std::int64_t steps = avo::last_step(scenario, scenario.duration);
+  Progress progress(steps, scenario.time_step);
+  metrics.observe(simulation);
+  outputs.observe(simulation);
+  while (simulation.steps() < steps && signal_caught() == 0) {
+    const Clock::time_point start = Clock::now();
+    simulation.step();
+    metrics.add_step_time(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    metrics.observe(simulation);
+    outputs.observe(simulation);
+    progress.show(simulation.steps());
+  }
+  return metrics.summary();
+}
+
+std::string arrivals(const avo::RunSummary& results) {
+  std::string text = fmt::format("{} of {}", results.arrived, results.robots);
+  if (results.mean_arrival)
+    text += fmt::format(", after {:.1f} s on average", *results.mean_arrival);
+  if (results.last_arrival) text += fmt::format(", the last after {:.1f} s", *results.last_arrival);
+  return text;
+}
+
+std::string collisions(const avo::RunSummary& results) {
+  std::string text = fmt::format("{} pairs of robots", results.collision_pairs);
+  if (results.first_collision_time)
+    text += fmt::format(", the first at {:.1f} s", *results.first_collision_time);
+  return text + fmt::format("; {} with moving obstacles", results.obstacle_collisions);
+}
+
+std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {
+  const auto number = [](const std::optional<double>& value, const char* unit) {
+    return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
+  };
+  std::string text = fmt::format("{}: {} robots, {} steps of {} s\n", results.scene, results.robots,
+                                 results.steps, scenario.time_step);
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<18} {}\n", name, value);
+  };
+  line("arrived", arrivals(results));
+  line("collisions", collisions(results));
+  line("least clearance", number(results.min_clearance, "m"));
+  line("largest", fmt::format("acceleration {:.6g} m/s^2, speed {:.6g} m/s",
+                              results.max_acceleration, results.max_speed));
+  line("no safe choice", fmt::format("{} of {} robot-steps", results.infeasible_steps,
+                                     results.robots * results.steps));
+  line("time of a step", number(results.step_milliseconds_median, "ms (median)"));
+  return text;
+}
+
+}  // namespace
+
+int run(const RunArguments& arguments) {
+  check_outputs(arguments);
+  const avo::Scenario scenario = load(arguments.scene);
+  Outputs outputs(arguments);
+  catch_signals();
+  const avo::RunSummary results = simulate(scenario, arguments.threads, outputs);
+  outputs.finish(scenario, results);
+  const std::string text = readable(scenario, results);
+  if (arguments.record == "-" || arguments.summary == "-")
+    say(text.substr(0, text.size() - 1));
+  else
+    print(text);
+  const int caught = signal_caught();
+  if (caught == 0) return kDone;
+  say(fmt::format("stopped by a signal after {} of {} steps; all outputs end there", results.steps,
+                  avo::last_step(scenario, scenario.duration)));
+  return kSignal + caught;
+}
+
+}  // namespace avo_cli

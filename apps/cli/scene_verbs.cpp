@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo scenes, avo validate, avo schema.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "avo_io/scene.h"
+#include "exit_codes.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+
+avo::Scenario load(const SceneArguments& arguments) {
+  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides);
+  warn(avo::advice(scenario));
+  return scenario;
+}
+
+int list_scenes(const std::string& name, bool json) {
+  const auto& scenes = avo_io::builtin_scenes();
+  if (!name.empty()) {
+    for (const avo_io::BuiltinScene& scene : scenes)
+      if (scene.name == name) {
+        print(scene.yaml);
+        return kDone;
+      }
+    throw UsageError(fmt::format("{}: found no such scene, `avo scenes` lists them", name));
+  }
+  if (json) {
+    auto list = nlohmann::ordered_json::array();
+    for (const avo_io::BuiltinScene& scene : scenes)
+      list.push_back({{"name", scene.name}, {"description", scene.description}});
+    print(list.dump(2) + "\n");
+    return kDone;
+  }
+  for (const avo_io::BuiltinScene& scene : scenes)
+    print(fmt::format("{:<20} {}\n", scene.name, scene.description));
+  return kDone;
+}
+
+int validate_scene(const SceneArguments& arguments) {
+  const avo::Scenario scenario = load(arguments);
+  print(fmt::format("{}: valid: {} robots, {} moving obstacles, {} steps of {} s\n",
+                    arguments.scene, scenario.robots.size(), scenario.moving_obstacles.size(),
+                    avo::last_step(scenario, scenario.duration), scenario.time_step));
+  return kDone;
+}
+
+int print_schema() {
+  print(avo_io::scenario_schema());
+  return kDone;
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line can do, one file each. All return exit codes and throw as
+// exit_codes.h and avo_io/errors.h say.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "avo/scenario.h"
+
+namespace avo_cli {
+
+/// A scene and what the command line changes of it.
+struct SceneArguments {
+  std::string scene;
+  std::vector<std::string> overrides;  ///< key=value
+};
+/// Loads it and warns of settings that do not fit.
+avo::Scenario load(const SceneArguments& arguments);
+
+struct RunArguments {
+  SceneArguments scene;
+  std::string record, summary, figure;  ///< empty: none
+  int threads = 0;
+};
+int run(const RunArguments& arguments);
+
+struct ExplainArguments {
+  SceneArguments scene;
+  std::int64_t robot = 0;
+  double time = 0.0;
+  bool json = false;
+  std::string figure;
+};
+int explain(const ExplainArguments& arguments);
+
+int list_scenes(const std::string& name, bool json);
+int validate_scene(const SceneArguments& arguments);
+int print_schema();
+
+}  // namespace avo_cli
