@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eqs. (13), (14): the free velocity nearest the preferred one, on the boundary of the union.
+#include "planner/passive_obstacles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lp/lens.h"
+
+namespace avo {
+namespace {
+
+// Distances that differ by less than this part are equal but for rounding.
+constexpr double kTie = 0x1p-40;
+constexpr int kRootSteps = 100;
+constexpr int kDescentHalvings = 30;
+
+struct Search {
+  std::span<const Limit> limits;
+  std::span<const Curve> curves;
+  Vec2 preferred;
+  bool found = false;
+  Vec2 best{};
+  double distance = std::numeric_limits<double>::infinity();  // of best to preferred, m/s
+  std::size_t last_violated = 0;                              // most likely to be violated again
+
+  double distance_to(Vec2 u) const { return norm(u - preferred); }
+  bool too_far(double d) const { return d > distance * (1.0 + kTie); }
+
+  // Nearest to `preferred` wins; of equally near ones the one farthest to the right of it.
+  void offer(Vec2 u) {
+    const double d = distance_to(u);
+    if (too_far(d)) return;
+    const bool tied = found && d >= distance * (1.0 - kTie);
+    if (tied && !(cross(preferred, u) < cross(preferred, best))) return;
+    best = u;
+    distance = d;
+    found = true;
+  }
+
+  // Some limit that u violates, or limits.size().
+  std::size_t violated(Vec2 u) {
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      const std::size_t k = (last_violated + i) % limits.size();
+      if (clearance(limits[k], u) < 0.0) return last_violated = k;
+    }
+    return limits.size();
+  }
+};
+
+// Where f, negative at one point of the curve and not at the other, changes sign: the end of the
+// last bracket where it is not negative. False position with halved weights (Illinois), and
+// bisection where that does not halve the bracket in three steps.
+template <typename F>
+CurvePoint crossing(const Search& search, const Curve& curve, CurvePoint negative, double f_low,
+                    CurvePoint positive, double f_high, F&& f) {
+  double width = std::abs(positive.parameter - negative.parameter);
+  int side = 0;
+  for (int k = 1; k < kRootSteps; ++k) {
+    const double a = negative.parameter, b = positive.parameter;
+    double t = a - f_low * ((b - a) / (f_high - f_low));
+    if (k % 3 == 0) {
+      if (!(std::abs(b - a) <= 0.5 * width)) t = a + 0.5 * (b - a);
+      width = std::abs(b - a);
+    }
+    if (!(t > std::min(a, b) && t < std::max(a, b))) t = a + 0.5 * (b - a);
+    if (!(t > std::min(a, b) && t < std::max(a, b))) break;  // neighboring doubles
+    const CurvePoint middle = point_at(curve, search.limits, t);
+    const double f_middle = f(middle);
+    if (f_middle < 0.0) {
+      negative = middle;
+      f_low = f_middle;
+      if (side == -1) f_high *= 0.5;
+      side = -1;
+    } else {
+      positive = middle;
+      f_high = f_middle;
+      if (f_middle == 0.0) break;
+      if (side == 1) f_low *= 0.5;
+      side = 1;
+    }
+  }
+  return positive;
+}
+
+// A stretch on which the distance to `preferred` only grows: its first free point is offered.
+void walk(Search& search, const Curve& curve, CurvePoint from, const CurvePoint& to) {
+  for (std::size_t turns = 0; turns <= search.limits.size() + 1; ++turns) {
+    if (search.too_far(search.distance_to(from.position))) return;
+    const std::size_t k = search.violated(from.position);
+    if (k == search.limits.size()) return search.offer(from.position);
+    // on to where that limit is left, if it is left by the end or halfway
+    const Limit& limit = search.limits[k];
+    const auto f = [&](const CurvePoint& point) { return clearance(limit, point.position); };
+    CurvePoint free = to;
+    double f_free = f(free);
+    if (f_free < 0.0) {
+      free = point_at(curve, search.limits, 0.5 * (from.parameter + to.parameter));
+      f_free = f(free);
+      if (f_free < 0.0) return;
+    }
+    from = crossing(search, curve, from, f(from), free, f_free, f);
+  }
+}
+
+// A piece of a boundary: cut at the projection of `preferred`, each part walked outwards.
+void try_piece(Search& search, const Curve& curve, const CurvePoint& a, const CurvePoint& b) {
+  const auto side = [&](const CurvePoint& point) {
+    return cross(point.normal, search.preferred - point.position);
+  };
+  const auto walk_outwards = [&](const CurvePoint& x, const CurvePoint& y) {
+    const bool x_first = search.distance_to(x.position) <= search.distance_to(y.position);
+    walk(search, curve, x_first ? x : y, x_first ? y : x);
+  };
+  const double at_a = side(a), at_b = side(b);
+  if ((at_a < 0.0) == (at_b < 0.0)) return walk_outwards(a, b);
+  const CurvePoint foot = at_a < 0.0 ? crossing(search, curve, a, at_a, b, at_b, side)
+                                     : crossing(search, curve, b, at_b, a, at_a, side);
+  walk_outwards(foot, a);
+  walk_outwards(foot, b);
+}
+
+// No point of the piece is nearer to p: the distance to its chord, less half its length, which a
+// piece that turns by less than a half circle does not bulge by.
+double piece_bound(Vec2 a, Vec2 b, Vec2 p) {
+  const Vec2 along = b - a;
+  const double length = norm(along);
+  if (!(length > 0.0)) return norm(a - p);
+  const double part = std::clamp(dot(p - a, along) / (length * length), 0.0, 1.0);
+  return std::max(0.0, norm(a + part * along - p) - 0.5 * length);
+}
+
+double worst_violation(std::span<const Limit> limits, Vec2 u, double enough) {
+  double worst = 0.0;
+  for (const Limit& limit : limits) {
+    if (limit.kind != Limit::Kind::disc) worst = std::max(worst, violation(limit, u));
+    if (worst >= enough) break;
+  }
+  return worst;
+}
+
+// The least violation among the preferred velocity, a fan of velocities and the boundary points,
+// all brought into the discs; then downhill from there by compass steps.
+PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurvePoint> points,
+                           const Lens& lens, Vec2 preferred) {
+  PassiveChoice choice{{}, std::numeric_limits<double>::infinity(), PassiveState::least_unsafe};
+  const auto offer = [&](Vec2 u) {
+    const Vec2 allowed =
+        (lens.origin + nearest(lens, lens.scale * u - lens.origin).point) / lens.scale;
+    const double worst = worst_violation(limits, allowed, choice.violation);
+    if (!(worst < choice.violation)) return false;
+    choice.velocity = allowed;
+    choice.violation = worst;
+    return true;
+  };
+  offer(preferred);
+  const Vec2 middle = lens.origin / lens.scale;
+  const double radius = lens.radius / lens.scale;
+  constexpr std::array<Vec2, 8> kFan{{{1, 0},
+                                      {0.8, 0.6},
+                                      {0.6, 0.8},
+                                      {0, 1},
+                                      {-0.6, 0.8},
+                                      {-0.8, 0.6},
+                                      {0.28, 0.96},
+                                      {0.96, 0.28}}};
+  for (const double part : {0.0, 0.5, 1.0}) {
+    for (const Vec2 direction : kFan) {
+      offer(middle + (part * radius) * direction);
+      offer(middle - (part * radius) * direction);
+    }
+  }
+  for (const CurvePoint& point : points) offer(point.position);
+  double step = 0.25 * radius;
+  for (int k = 0; k < kDescentHalvings; ++k) {
+    const Vec2 here = choice.velocity;
+    bool improved = false;
+    for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
+      improved = offer(here + step * direction) || improved;
+    }
+    if (!improved) step *= 0.5;
+  }
+  return choice;
+}
+
+}  // namespace
+
+PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
+                                     const Disc& acceleration, const Disc& speed, Vec2 preferred,
+                                     PassiveWorkspace& workspace) {
+  const Lens lens = make_lens(acceleration, speed);
+  if (lens.empty) {
+    return {{},
+            (lens.distance - lens.larger_radius - lens.radius) / lens.scale,
+            PassiveState::discs_disjoint};
+  }
+  auto& [limits, curves, points, pieces] = workspace;
+  limits.clear();
+  curves.clear();
+  points.clear();
+  pieces.clear();
+  for (const PassiveObstacle& mover : obstacles) append_limit(mover, acceleration, speed, limits);
+
+  // the preferred velocity itself, or its projection on the discs
+  const Vec2 allowed =
+      (lens.origin + nearest(lens, lens.scale * preferred - lens.origin).point) / lens.scale;
+  Search search{limits, curves, preferred};
+  if (limits.empty() || search.violated(allowed) == limits.size()) {
+    return {allowed, 0.0, PassiveState::free};
+  }
+
+  append_limit(acceleration, limits);
+  append_limit(speed, limits);
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    append_boundary(static_cast<int>(k), limits, acceleration, speed, curves, points, pieces);
+  }
+  const auto point = [&](int k) { return points[static_cast<std::size_t>(k)]; };
+  for (Piece& piece : pieces) {
+    piece.bound = piece_bound(point(piece.first).position, point(piece.second).position, preferred);
+  }
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return a.bound != b.bound ? a.bound < b.bound : a.first < b.first;
+  });
+  search.limits = limits;
+  search.curves = curves;
+  for (const Piece& piece : pieces) {
+    if (search.too_far(piece.bound)) break;
+    try_piece(search, curves[static_cast<std::size_t>(piece.curve)], point(piece.first),
+              point(piece.second));
+  }
+  if (search.found) return {search.best, 0.0, PassiveState::free};
+  return least_unsafe(limits, points, lens, preferred);
+}
+
+}  // namespace avo
