@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "obstacles/contact.h"
 #include "obstacles/local_pair.h"
@@ -58,16 +59,19 @@ double solve_approach(const LocalPair& pair, const Approach& approach, const Hor
   double low = std::max(0.0, approach.speed * (approach.t_m - tau));
   double high = approach.speed * approach.t_m;
   at = horizon.at(std::min(approach.t_m, tau));
-  // as if the lag had its value of the latest time
+  // two starts, each near the root where the other is far: the lag of the latest time, and |x|
+  // linear in t halfway through the disc of radius r
   const double cosine = std::min(0.95, (pair.r - std::abs(approach.b)) / approach.m(at));
-  double sigma = std::abs(approach.b) * cosine / std::sqrt(1.0 - cosine * cosine);
-  if (!(sigma >= low && sigma <= high)) sigma = low;
+  const double halfway = 0.5 * std::sqrt(pair.r * pair.r - b2) / approach.speed;
+  const ResponseAt middle = horizon.at(std::clamp(approach.t_m - halfway, 0.0, tau));
+  double sigma = std::max(std::abs(approach.b) * cosine / std::sqrt(1.0 - cosine * cosine),
+                          pair.r - approach.speed * (middle.time - middle.lag));
+  if (!(sigma > low && sigma < high)) sigma = 0.5 * (low + high);
   for (int i = 0; i < kMaxIterations; ++i) {
     at = horizon.at(std::clamp(approach.t_m - sigma / approach.speed, 0.0, tau));
     const double m = approach.m(at);
     const double x2 = sigma * sigma + b2;
     const double x = std::sqrt(x2);
-    if (!(x > 0.0)) return 0.0;
     const double excess = (sigma * m + b2) / x - pair.r;
     (excess < 0.0 ? low : high) = sigma;
     const double lag_rate =
@@ -90,13 +94,17 @@ LocalPlane convex(const LocalPair& pair, const Horizon& horizon) {
   if (approach.b <= 0.0 && approach.t_m <= horizon.end().time && c < 1.0) {
     const double s = std::sqrt(1.0 - c * c);
     const double h = (pair.r - s * approach.b) / latest.gain;
-    return {h <= -pair.R, c * approach.u + s * approach.e, h};
+    return {false, c * approach.u + s * approach.e, h};
   }
   ResponseAt at;
   const double sigma = solve_approach(pair, approach, horizon, at);
   const double x = std::sqrt(sigma * sigma + approach.b * approach.b);
-  const double h = (pair.r - x) / at.gain;
-  return {h <= -pair.R, (1.0 / x) * (sigma * approach.u + approach.b * approach.e), h};
+  // Where n . y = r, F(t) = (r - |x|)/g is -n . v/g' > 0. In contact the time, and with it both, is
+  // known to rounding only: the larger of the two keeps the demand high, the least time finite.
+  const double least_time = 4.0 * std::numeric_limits<double>::epsilon() * approach.t_m;
+  if (at.time < least_time) at = horizon.at(least_time);
+  const double h = std::max((pair.r - x) / at.gain, approach.speed * (sigma / x) / at.rate);
+  return {false, (1.0 / x) * (sigma * approach.u + approach.b * approach.e), h};
 }
 
 LocalPlane local_half_plane(const LocalPair& pair, const Horizon& horizon) {

@@ -99,14 +99,15 @@ End end_at(const LocalPair& pair, const ResponseAt& at) {
 void cross(NearSide& side, const End& from, const End& to) {
   const LocalPair& pair = side.pair;
   if ((from.length > pair.R) == (to.length > pair.R)) return;
-  // |b|^{-1/2} is nearly linear in t
-  const double target = 1.0 / std::sqrt(pair.R);
-  const auto f = [&](const ResponseAt& at) {
-    return 1.0 / std::sqrt(norm(near_side(pair, at))) - target;
+  // between -1 and 1, and as |b|^{-1/2} nearly linear in t
+  const double root_R = std::sqrt(pair.R);
+  const auto f = [&](double length) {
+    const double root = std::sqrt(length);
+    return std::isinf(length) ? -1.0 : (root_R - root) / (root_R + root);
   };
   const ResponseAt at =
-      find_zero(side.horizon, from.at.time, to.at.time, 1.0 / std::sqrt(from.length) - target,
-                1.0 / std::sqrt(to.length) - target, f);
+      find_zero(side.horizon, from.at.time, to.at.time, f(from.length), f(to.length),
+                [&](const ResponseAt& each) { return f(norm(near_side(pair, each))); });
   const Vec2 b = near_side(pair, at);
   const auto ends = circle_points(pair, at);
   side.add(norm_squared(ends[0] - b) <= norm_squared(ends[1] - b) ? ends[0] : ends[1]);
