@@ -59,7 +59,7 @@ const std::vector<Field<Scenario>>& fields() {
 template <>
 const std::vector<Field<RobotSetup>>& fields() {
   static const std::vector<Field<RobotSetup>> table{
-      {"position", &RobotSetup::position, kRequired, kAnyValue, "m", "at the start"},
+      {"position", &RobotSetup::position, kRequired, kAnyValue, "m", "where it starts"},
       {"velocity", &RobotSetup::velocity, kOptional, kAnyValue, "m/s",
        "at the start; of a car only its length counts"},
       {"goal", &RobotSetup::goal, kRequired, kAnyValue, "m", "where it wants to come to rest"},
@@ -95,7 +95,7 @@ const std::vector<Field<CarSetup>>& fields() {
 template <>
 const std::vector<Field<MovingObstacle>>& fields() {
   static const std::vector<Field<MovingObstacle>> table{
-      {"position", &MovingObstacle::position, kRequired, kAnyValue, "m", "at the start"},
+      {"position", &MovingObstacle::position, kRequired, kAnyValue, "m", "where it starts"},
       {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},
       {"acceleration", &MovingObstacle::acceleration, kOptional, kAnyValue, "m/s^2", "constant"},
       {"radius", &MovingObstacle::radius, kOptional, kPositive, "m", "of its disc"},
@@ -106,7 +106,7 @@ const std::vector<Field<MovingObstacle>>& fields() {
 template <>
 const std::vector<Field<Group>>& fields() {
   static const std::vector<Field<Group>> table{
-      {"number", &Group::number, kRequired, kNumber, "", "of robots"},
+      {"number", &Group::number, kRequired, kNumber, "", "how many robots"},
       {"placement", kNested, kRequired, {}, "", "where they start"},
       {"goals", kNested, kRequired, {}, "", "where they want to come to rest"},
   };
@@ -128,8 +128,9 @@ template <>
 const std::vector<Field<GridPlacement>>& fields() {
   static const std::vector<Field<GridPlacement>> table{
       {"corner", &GridPlacement::corner, kOptional, kAnyValue, "m", "of the first robot"},
-      {"spacing", &GridPlacement::spacing, kRequired, kPositive, "m", "along x and y"},
-      {"columns", &GridPlacement::columns, kRequired, kNumber, "", "robots in a row"},
+      {"spacing", &GridPlacement::spacing, kRequired, kPositive, "m",
+       "from robot to robot, along x and y"},
+      {"columns", &GridPlacement::columns, kRequired, kNumber, "", "how many robots in a row"},
   };
   return table;
 }
@@ -137,8 +138,8 @@ const std::vector<Field<GridPlacement>>& fields() {
 template <>
 const std::vector<Field<LinePlacement>>& fields() {
   static const std::vector<Field<LinePlacement>> table{
-      {"from", &LinePlacement::from, kRequired, kAnyValue, "m", "the first robot"},
-      {"to", &LinePlacement::to, kRequired, kAnyValue, "m", "the last robot"},
+      {"from", &LinePlacement::from, kRequired, kAnyValue, "m", "where the first robot starts"},
+      {"to", &LinePlacement::to, kRequired, kAnyValue, "m", "where the last robot starts"},
   };
   return table;
 }

@@ -86,9 +86,9 @@ double Reader::number(const Node& node, const std::string& path, const avo::Rang
   if (!value) fail(node, path, shown(node), "must be within the range of a double");
   if (range.below(*value))
     fail(node, path, shown(node),
-         with_unit(fmt::format("must be {} {}", range.open_min ? ">" : ">=", range.min), unit));
+         with_unit(fmt::format("must be {} {:g}", range.open_min ? ">" : ">=", range.min), unit));
   if (*value > range.max)
-    fail(node, path, shown(node), with_unit(fmt::format("must be <= {}", range.max), unit));
+    fail(node, path, shown(node), with_unit(fmt::format("must be <= {:g}", range.max), unit));
   return *value;
 }
 

@@ -38,6 +38,16 @@ std::size_t skip_digits(std::string_view text, std::size_t i) {
   return i;
 }
 
+/// Is `word` what `found` abbreviates: the same beginning, and all letters in order?
+bool abbreviates(std::string_view found, std::string_view word) {
+  constexpr std::size_t kBeginning = 3;
+  if (found.size() < kBeginning || !word.starts_with(found.substr(0, kBeginning))) return false;
+  std::size_t i = 0;
+  for (const char c : word)
+    if (i < found.size() && c == found[i]) ++i;
+  return i == found.size();
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
@@ -74,7 +84,10 @@ std::optional<std::string_view> nearest(std::string_view found,
     best = word;
     smallest = distance;
   }
-  return best;
+  if (best) return best;
+  for (const std::string_view word : words)
+    if (abbreviates(found, word)) return word;
+  return std::nullopt;
 }
 
 bool is_number(std::string_view text) {

@@ -27,7 +27,12 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    add(make(Node::Kind::nothing, mark, "", anchor));
+    Node node = make(Node::Kind::nothing, mark, "", anchor);
+    if (!next_is_key() && !open_.empty() && open_.back().kind == Node::Kind::map) {
+      node.line = open_.back().children.back().line;  // the mark is that of the next line
+      node.column = open_.back().children.back().column;
+    }
+    add(std::move(node));
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
     refuse_reference(make(Node::Kind::nothing, mark, "", 0), "an alias");
@@ -159,6 +164,8 @@ std::string checked_text(std::string_view yaml, const Document& document, std::i
     yaml.remove_prefix(length);
     ++place.column;
   }
+  // yaml-cpp takes a line end at the end of the text for a missing closing quote.
+  result.erase(result.find_last_not_of(" \n") + 1);
   return result;
 }
 

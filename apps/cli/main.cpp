@@ -83,6 +83,15 @@ void add_others(CLI::App& app, Action& action) {
   schema->callback([&action] { action = [] { return print_schema(); }; });
 }
 
+void check_verb(CLI::App& app, const std::string& word) {
+  std::string verbs;
+  for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) {
+    if (verb->get_name() == word) return;
+    verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+  }
+  throw UsageError(word + ": found no such verb, verbs are " + verbs);
+}
+
 int parse_and_act(int argc, char** argv) {
   CLI::App app("Multi-robot collision avoidance that respects acceleration limits");
   app.name("avo");
@@ -93,8 +102,7 @@ int parse_and_act(int argc, char** argv) {
   add_run(app, action);
   add_explain(app, action);
   add_others(app, action);
-  if (argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr)
-    throw UsageError(std::string(argv[1]) + ": found no such verb; see avo --help");
+  if (argc > 1 && argv[1][0] != '-') check_verb(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
