@@ -197,6 +197,23 @@ std::optional<Vec2> line_end(const HalfPlane& plane, const Box& view, double ins
   return from + leave * way;
 }
 
+// The center of the earliest disc that is well inside the view: near the rim, where the obstacles
+// of different neighbors lie apart.
+std::optional<Vec2> label_place(const LabeledObstacle& labeled, const Box& view) {
+  const Vec2 size = view.upper - view.lower;
+  const Box inner = grown(view, -0.07 * std::min(size.x, size.y));
+  constexpr int kTimes = 400;
+  for (int k = 1; k <= kTimes; ++k) {
+    const double t = labeled.obstacle.time_horizon * k / kTimes;
+    const Vec2 at = disc(labeled.obstacle, t).center + labeled.offset;
+    if (at.x > inner.lower.x && at.x < inner.upper.x && at.y > inner.lower.y &&
+        at.y < inner.upper.y) {
+      return at;
+    }
+  }
+  return std::nullopt;
+}
+
 void draw_points(Canvas& canvas, const VelocitySpace& space) {
   Labels labels(canvas);
   for (const LabeledPoint& point : space.points) {
@@ -216,18 +233,16 @@ void draw_points(Canvas& canvas, const VelocitySpace& space) {
                  {.size = kLabelSize + 1.0, .color = point.color, .halo = true}, 3.5);
   }
   for (const LabeledPlane& labeled : space.half_planes) {
-    const auto end = line_end(labeled.plane, canvas.view_world(), 8.0 / canvas.scale());
+    const auto end = line_end(labeled.plane, canvas.view_world(), 9.0 / canvas.scale());
     if (!end || labeled.label.empty()) continue;
-    labels.place(*end, labeled.label, {.size = kLabelSize - 1.0, .color = kInk}, 1.5);
+    // beside its line, on the forbidden side
+    const Vec2 beside = *end - 7.0 / canvas.scale() * labeled.plane.normal;
+    labels.place(beside, labeled.label, {.size = kLabelSize - 1.0, .color = kInk}, -4.0);
   }
   for (const LabeledObstacle& labeled : space.obstacles) {
-    const Disc last = disc(labeled.obstacle, labeled.obstacle.time_horizon);
-    const Vec2 at = last.center + labeled.offset;
-    const Box view = canvas.view_world();
-    const bool seen =
-        at.x > view.lower.x && at.x < view.upper.x && at.y > view.lower.y && at.y < view.upper.y;
-    if (!seen || labeled.label.empty()) continue;
-    labels.place(at, labeled.label, {.size = kLabelSize, .color = kInk}, -4.0);
+    const auto at = label_place(labeled, canvas.view_world());
+    if (!at || labeled.label.empty()) continue;
+    labels.place(*at, labeled.label, {.size = kLabelSize, .color = kInk}, -4.0);
   }
 }
 
@@ -251,7 +266,13 @@ void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& s
     draw_points(canvas, space);
   }
   if (options.axes) {
-    draw_axes(canvas, {.x_label = "*v*_x (m/s)", .y_label = "*v*_y (m/s)"});
+    const auto ticks = [](double length) {
+      return std::clamp(static_cast<int>(length / 20.0), 2, 9);
+    };
+    draw_axes(canvas, {.x_label = "*v*_x (m/s)",
+                       .y_label = "*v*_y (m/s)",
+                       .most_ticks_x = ticks(page.upper.x - page.lower.x),
+                       .most_ticks_y = ticks(page.upper.y - page.lower.y)});
   }
   if (!options.title.empty()) {
     canvas.plain_page_text({0.5 * (page.lower.x + page.upper.x), page.lower.y - 6.0}, options.title,

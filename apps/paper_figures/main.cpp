@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// paper_figures FOLDER: the figures of the paper and a README.md about them.
+#include <cstdio>
+#include <exception>
+
+#include "avo_io/output_file.h"
+#include "figures_of_the_paper.h"
+
+namespace avo::paper {
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+namespace {
+
+std::string readme(const std::vector<Caption>& captions) {
+  std::string text =
+      "# Figures of the paper\n\n"
+      "Made by `scripts/paper` from this library; the numbers come from the same runs. The paper "
+      "is van den Berg, Snape, Guy, Manocha, *Reciprocal Collision Avoidance with "
+      "Acceleration-Velocity Obstacles*, ICRA 2011. The method is the paper's (`avo_paper`), with "
+      "exact half-planes instead of 25 samples. A collision is an overlap of two discs at any "
+      "time, also between two steps.\n";
+  for (const Caption& caption : captions) {
+    text += "\n## Fig. " + caption.number + ": " + caption.title + "\n\n![" + caption.title + "](" +
+            caption.file + ")\n\n" + caption.shows + "\n\n**Agrees:** " + caption.agrees + "\n";
+    if (!caption.differs.empty()) text += "\n**Differs:** " + caption.differs + "\n";
+  }
+  return text;
+}
+
+void draw_all(const std::string& folder) {
+  using Draw = Caption (*)(const std::string&);
+  std::vector<Caption> captions;
+  for (const Draw draw :
+       {Draw{draw_exchange}, Draw{draw_velocity_obstacle}, Draw{draw_acceleration_obstacle},
+        Draw{draw_among_obstacles}, Draw{draw_reciprocal_sets}, Draw{draw_half_planes},
+        Draw{draw_moving_obstacle}, Draw{draw_circle}, Draw{draw_cars}, Draw{draw_speed}}) {
+    captions.push_back(draw(folder));
+    std::printf("%s/%s\n", folder.c_str(), captions.back().file.c_str());
+    std::fflush(stdout);
+  }
+  avo_io::OutputFile file(folder + "/README.md");
+  file.write(readme(captions));
+  file.commit();
+  std::printf("%s/README.md\n", folder.c_str());
+}
+
+}  // namespace
+}  // namespace avo::paper
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: paper_figures FOLDER\n");
+    return 2;
+  }
+  try {
+    avo::paper::draw_all(argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "paper_figures: %s\n", error.what());
+    return 4;
+  }
+  return 0;
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts that several of the paper's figures share: rows of panels, robots with their velocities.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "avo/geometry.h"
+#include "figures/canvas.h"
+
+namespace avo::paper {
+
+/// A disc of the workspace with an arrow for its velocity.
+struct Body {
+  Disc disc;      ///< m
+  Vec2 velocity;  ///< m/s, drawn as long as the way of one second
+  std::string label;
+  bool decides = true;  ///< colored; gray if not
+};
+
+/// Square panels in one row, each with its letter above; the widths and heights are in pt.
+struct Row {
+  double width = 450.0;
+  int panels = 2;
+  [[nodiscard]] double panel() const;
+  [[nodiscard]] double height() const;
+  [[nodiscard]] figures::Box box(int index) const;
+};
+
+/// "(a) configuration" above a panel.
+void write_title(figures::Canvas& canvas, const figures::Box& panel, const std::string& markup);
+
+/// Robots and moving obstacles in the workspace, with axes in m.
+void draw_bodies(figures::Canvas& canvas, const figures::Box& panel, const figures::Box& world,
+                 const std::vector<Body>& bodies);
+
+/// Corners of the convex hull, counter-clockwise.
+std::vector<Vec2> convex_hull(std::vector<Vec2> points);
+
+inline constexpr figures::Color kRobotColor{0.00, 0.36, 0.66, 1.0};
+inline constexpr figures::Color kOtherColor{0.80, 0.30, 0.00, 1.0};
+
+}  // namespace avo::paper
