@@ -79,7 +79,7 @@ double solve_approach(const LocalPair& pair, const Approach& approach, const Hor
     const double slope = (b2 * (m - sigma) / x2 + sigma * lag_rate) / x;
     double next = sigma - excess / slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - sigma) <= 1e-9 * next) break;  // of second order in what follows
+    if (std::abs(next - sigma) <= 1e-8 * next) break;  // of second order in what follows
     sigma = next;
   }
   return sigma;

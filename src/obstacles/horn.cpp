@@ -15,15 +15,16 @@ namespace {
 
 constexpr int kMaxIterations = 64;
 constexpr int kMaxPoints = 12;
-constexpr double kTimeTolerance = 1e-9;  // relative; every use is of second order in the time
+constexpr double kTimeTolerance = 1e-7;  // relative; every use is of second order in the time
 
 // Where the near side touches the disc of one time: b = (r n - x)/g with n . y = r.
 Vec2 near_side(const LocalPair& pair, const ResponseAt& at) {
   const Vec2 x = pair.x(at), y = pair.y(at);
   const double y2 = norm_squared(y);
   const double l = std::sqrt(std::max(0.0, (y2 - pair.r * pair.r)));
-  const double c = pair.r * pair.r / y2, s = pair.r * l / y2;
-  return {(c * y.x - s * y.y - x.x) / at.gain, (c * y.y + s * y.x - x.y) / at.gain};
+  const double k = pair.r / y2, per_gain = 1.0 / at.gain;
+  const double c = k * pair.r, s = k * l;
+  return {(c * y.x - s * y.y - x.x) * per_gain, (c * y.y + s * y.x - x.y) * per_gain};
 }
 
 // |b| falls while this is positive and grows while it is negative (m²). Zero where b is parallel
@@ -37,7 +38,7 @@ double falling(const LocalPair& pair, const ResponseAt& at) {
 template <typename F>
 ResponseAt find_zero(const Horizon& horizon, double low, double high, double f_low, double f_high,
                      F f) {
-  const double negligible = 1e-12 * (std::abs(f_low) + std::abs(f_high));
+  const double negligible = 1e-8 * (std::abs(f_low) + std::abs(f_high));
   int kept = 0;
   for (int i = 0; i < kMaxIterations && high - low > kTimeTolerance * high; ++i) {
     double t = (low * f_high - high * f_low) / (f_high - f_low);
@@ -99,12 +100,8 @@ End end_at(const LocalPair& pair, const ResponseAt& at) {
 void cross(NearSide& side, const End& from, const End& to) {
   const LocalPair& pair = side.pair;
   if ((from.length > pair.R) == (to.length > pair.R)) return;
-  // between -1 and 1, and as |b|^{-1/2} nearly linear in t
-  const double root_R = std::sqrt(pair.R);
-  const auto f = [&](double length) {
-    const double root = std::sqrt(length);
-    return std::isinf(length) ? -1.0 : (root_R - root) / (root_R + root);
-  };
+  // |b|^{-1/2} is nearly linear in t; its limit keeps false position in balance
+  const auto f = [&](double length) { return std::sqrt(std::min(pair.R / length, 9.0)) - 1.0; };
   const ResponseAt at =
       find_zero(side.horizon, from.at.time, to.at.time, f(from.length), f(to.length),
                 [&](const ResponseAt& each) { return f(norm(near_side(pair, each))); });
@@ -113,13 +110,16 @@ void cross(NearSide& side, const End& from, const End& to) {
   side.add(norm_squared(ends[0] - b) <= norm_squared(ends[1] - b) ? ends[0] : ends[1]);
 }
 
-// The next time of the search, as wide as the passage itself.
-double next_time(const LocalPair& pair, double t_m, double speed, double t) {
+// The next time of the search for turning points, as wide as the passage itself. Receding, |b| is
+// at least (d - r)/g and so exceeds R while R t²/(2 δ) < d - r.
+double next_time(const LocalPair& pair, double control_time, double t_m, double speed, double t) {
   if (t_m > 0.0) {
-    return t < t_m ? t_m
-                   : t + std::max(0.5 * (t - t_m), 0.125 * pair.d * pair.v.y / (speed * speed));
+    const double least = 0.125 * pair.d * pair.v.y / (speed * speed);
+    return t < t_m ? t_m : t + std::max(0.5 * (t - t_m), least);
   }
-  return std::max(1.5 * t, 1e-3 * pair.r / speed);
+  if (t > 0.0) return 1.5 * t;
+  return std::max(std::sqrt(2.0 * control_time * (pair.d - pair.r) / pair.R),
+                  1e-3 * pair.r / speed);
 }
 
 // All crossings of the near side. |b| falls up to the closest approach t_m; it can cross R outwards
@@ -130,12 +130,13 @@ void find_crossings(NearSide& side) {
   const ResponseAt& last = side.horizon.end();
   const double speed = norm(pair.v);
   const double t_m = speed > 0.0 ? -pair.v.x * pair.d / (speed * speed) : 0.0;
+  const double delta = side.horizon.control_time();
   End from{};
   while (from.at.time < last.time) {
     const bool settled = pair.R * from.at.rate >= speed;
-    const double t = settled ? last.time : next_time(pair, t_m, speed, from.at.time);
+    const double t = settled ? last.time : next_time(pair, delta, t_m, speed, from.at.time);
     const End to = end_at(pair, t > from.at.time && t < last.time ? side.horizon.at(t) : last);
-    if ((from.falling < 0.0) == (to.falling < 0.0)) {
+    if (settled || (from.falling < 0.0) == (to.falling < 0.0)) {
       cross(side, from, to);
     } else {
       const auto f = [&](const ResponseAt& at) { return falling(pair, at); };
