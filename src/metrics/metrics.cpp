@@ -46,7 +46,7 @@ struct Metrics::State {
 
   std::vector<Body> robots, obstacles;
   std::vector<Vec2> positions;
-  std::vector<Hit> hits;
+  std::vector<NeighborHit> hits;
   UniformGrid grid;
 
   void remember(const Simulation& simulation);
@@ -176,16 +176,17 @@ void Metrics::State::observe_separation() {
   for (const Body& body : robots) positions.push_back(body.position);
   const double clearance = std::max(summary.min_clearance.value_or(0.0), 0.0);
   grid.build(positions, 2.0 * largest + clearance + 2.0 * farthest);
+  const std::size_t all = robots.size();
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    grid.gather(positions[i], static_cast<int>(i), UniformGrid::kNoLimit, hits);
-    for (const Hit& hit : hits) {
+    grid.gather(positions[i], static_cast<int>(i), all, hits);
+    for (const NeighborHit& hit : hits) {
       const auto j = static_cast<std::size_t>(hit.index);
       if (j > i) meet(robots[i], robots[j]);
     }
   }
   for (const Body& obstacle : obstacles) {
-    grid.gather(obstacle.position, -1, UniformGrid::kNoLimit, hits);
-    for (const Hit& hit : hits) {
+    grid.gather(obstacle.position, -1, all, hits);
+    for (const NeighborHit& hit : hits) {
       meet_obstacle(robots[static_cast<std::size_t>(hit.index)], obstacle);
     }
   }

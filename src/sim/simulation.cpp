@@ -4,6 +4,7 @@
 #include "avo/simulation.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/parallel.h"
 #include "neighbors/uniform_grid.h"
@@ -22,7 +23,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
 // What one worker needs to plan for one robot after the other without allocating.
 struct Worker {
   PlanWorkspace plan;
-  std::vector<Hit> robots, obstacles;
+  std::vector<NeighborHit> robots, obstacles;
   std::vector<Neighbor> neighbors;
   std::vector<int> source;
 };
@@ -77,14 +78,16 @@ Robot Simulation::State::robot(std::size_t i) const {
 // All robots and moving obstacles within the sensing radius, nearest first (robots first and by id
 // where distances are equal), cut to the nearest max_neighbors.
 void Simulation::State::sense(std::size_t i, Worker& worker) const {
-  const int most = settings.max_neighbors.value_or(UniformGrid::kNoLimit);
+  const std::size_t most = settings.max_neighbors
+                               ? static_cast<std::size_t>(*settings.max_neighbors)
+                               : std::numeric_limits<std::size_t>::max();
   robot_grid.gather(fleet.position[i], static_cast<int>(i), most, worker.robots);
   obstacle_grid.gather(fleet.position[i], -1, most, worker.obstacles);
   worker.neighbors.clear();
   worker.source.clear();
   auto robot = worker.robots.begin();
   auto obstacle = worker.obstacles.begin();
-  while (most < 0 || static_cast<int>(worker.neighbors.size()) < most) {
+  while (worker.neighbors.size() < most) {
     const bool more_robots = robot != worker.robots.end();
     const bool more_obstacles = obstacle != worker.obstacles.end();
     if (!more_robots && !more_obstacles) break;
