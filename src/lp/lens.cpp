@@ -44,20 +44,15 @@ bool in_larger(const Lens& lens, Vec2 u, double rounding = kRoundingOfSquares) {
 }
 
 // Where the circles meet, on the left of the axis from the smaller to the larger disc (side = 1)
-// or on its right (side = -1). Height by Heron's formula in factors, so that it keeps its digits
-// for discs that nearly touch; then put back on the smaller circle, which the rounding of a much
-// larger disc must not leave.
+// or on its right (side = -1). On the smaller circle to rounding, whatever the larger one's size.
 Vec2 corner(const Lens& lens, double side) {
   const double r = lens.radius;
   const double R = lens.larger_radius;
   const double D = lens.distance;
-  const double along = ((r - R) * (r + R) + D * D) / (2.0 * D);
-  const double product = ((r + R) - D) * ((R - r) + D) * (D - (R - r)) * (D + (R + r));
-  const double height = std::sqrt(std::max(product, 0.0)) / (2.0 * D);
-  const double length = std::sqrt(along * along + height * height);
-  if (!(length > 0.0)) return {};
+  const double along = std::clamp(((r - R) * (r + R) + D * D) / (2.0 * D), -r, r);
+  const double height = std::sqrt((r - along) * (r + along));
   const Vec2 axis = lens.larger_center / D;
-  return (r / length) * (along * axis + (side * height) * perpendicular(axis));
+  return along * axis + (side * height) * perpendicular(axis);
 }
 
 Vec2 corner_towards(const Lens& lens, Vec2 p) {

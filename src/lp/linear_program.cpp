@@ -68,13 +68,13 @@ HalfPlane relative_plane(const Lens& lens, const HalfPlane& plane) {
 // Back into the discs, the smaller one last: rounding may have left it by some ulp of the larger
 // one's size, or of the distance between center and origin.
 Vec2 absolute_point(const Lens& lens, const Disc& acceleration, const Disc& speed, Vec2 relative) {
+  const Disc& smaller = lens.speed_is_larger ? acceleration : speed;
+  const Disc& larger = lens.speed_is_larger ? speed : acceleration;
   Vec2 u = (lens.origin + relative) / lens.scale;
-  const Disc* const discs[] = {&speed, &acceleration};
-  for (const Disc* disc :
-       {discs[lens.speed_is_larger ? 0 : 1], discs[lens.speed_is_larger ? 1 : 0]}) {
-    const Vec2 q = lens.scale * (u - disc->center);
+  for (const Disc& disc : {larger, smaller}) {
+    const Vec2 q = lens.scale * (u - disc.center);
     const double length = norm(q);
-    if (length > lens.scale * disc->radius) u = disc->center + disc->radius * (q / length);
+    if (length > lens.scale * disc.radius) u = disc.center + disc.radius * (q / length);
   }
   return u;
 }
@@ -120,8 +120,8 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
       result.state = ProgramState::hard_infeasible;
       return result;
     }
-    // The hard half-planes leave a set thinner than rounding: widen it by as much.
-    for (HalfPlane& plane : keep) plane.offset -= 2.0 * lens.tolerance;
+    // The hard half-planes leave a set thinner than rounding: widen it by more.
+    for (HalfPlane& plane : keep) plane.offset -= 1.5 * lens.tolerance;
     const PlanarSolution inside = solution;
     failed = solve_planar(lens, planes, {target, {}}, solution);
     if (failed < hard.size()) solution = inside, failed = hard.size();

@@ -251,6 +251,38 @@ TEST(LinearProgram, a_disc_far_from_the_origin_keeps_its_digits) {
   EXPECT_NEAR(r.point.y - disc.center.y, 0.01 * 0.6, 4e-9);
 }
 
+// A corner of a line and both discs, all within rounding of each other: 1.05 times the bound
+// before the point was taken back into the disc.
+TEST(LinearProgram, rounding_does_not_leave_the_disc) {
+  constexpr double kHalf = 0.70710678118654757;
+  const Disc speed{{0.75, -0.25}, 1.25};
+  const ProgramResult r =
+      solve({{{-0.8, 0.6}, -0.39999999999999997}}, {{{kHalf, -kHalf}, 0.53033008588991071}},
+            {{1, -1}, 1.75}, speed, {-1.5, -1.5});
+  EXPECT_EQ(r.state, ProgramState::optimal);
+  EXPECT_LE(norm(r.point - speed.center), 1.25 * (1 + 0x1p-51));
+}
+
+// A hard set that is one point (two touching half-planes and a third through it): soft planes
+// count still. They were once forgotten, with a violation of 2.55 called optimal.
+TEST(LinearProgram, a_hard_set_thinner_than_rounding_is_a_set) {
+  const ProgramResult r =
+      solve({{{3.0084882460584031e-10, 1}, 0.75}, {{-1, 0}, 0.75}},
+            {{{0.80000000007968086, -0.59999999989375896}, 1.5000000001890765}}, {{0, 0.75}, 0.75},
+            {{-0.24999999992191163, 0.75000000018731428}, 0.75000000020611701},
+            {-2.5, 1.5000000000730211});
+  EXPECT_EQ(r.state, ProgramState::least_unsafe);
+  EXPECT_NEAR(r.violation, 2.55, 1e-6);
+}
+
+TEST(LinearProgram, offsets_may_be_beyond_all_scaling) {
+  const ProgramResult r = solve({}, {{{1, 0}, 1.7e308}, {{-1, 0}, 1.7e308}, {{0, 1}, 1.7e308}},
+                                {{0, 0}, 4e-310}, {{0, 0}, 2e-310}, {0, 0});
+  EXPECT_EQ(r.state, ProgramState::least_unsafe);
+  EXPECT_TRUE(is_finite(r.point));
+  EXPECT_EQ(r.violation, 1.7e308);
+}
+
 TEST(LinearProgram, scratch_is_reused) {
   std::vector<HalfPlane> scratch;
   const Planes soft{{{1, 0}, 0.5}, {{-1, 0}, -0.2}, {{0, 1}, 0.1}};

@@ -235,6 +235,8 @@ void shuffle(std::vector<HalfPlane>& planes, Random& random) {
 TEST(Programs, P10_order_changes_rounding_only) {
   for (const Family& family : kFamilies) {
     if (family.make == nearly_degenerate_program) continue;
+    // a hard half-plane that touches a disc amplifies rounding to its square root
+    const double rounding = family.make == degenerate_program ? 1e-7 : 1e-12;
     Random random(5);
     for (int k = 0; k < kPrograms / 4; ++k) {
       Program p = family.make(random);
@@ -243,7 +245,7 @@ TEST(Programs, P10_order_changes_rounding_only) {
       shuffle(p.hard, random);
       const ProgramResult q = run(p);
       const double size = static_cast<double>(extent(p));
-      ASSERT_NEAR(q.violation / size, r.violation / size, 1e-12) << text(p, r);
+      ASSERT_NEAR(q.violation / size, r.violation / size, rounding) << text(p, r);
       ASSERT_EQ(q.state, r.state) << text(p, r);
       ASSERT_NEAR(norm(q.point - p.preferred) / size, norm(r.point - p.preferred) / size, 1e-9)
           << text(p, r);
