@@ -99,11 +99,12 @@ LocalPlane convex(const LocalPair& pair, const Horizon& horizon) {
   ResponseAt at;
   const double sigma = solve_approach(pair, approach, horizon, at);
   const double x = std::sqrt(sigma * sigma + approach.b * approach.b);
-  // Where n . y = r, F(t) = (r - |x|)/g is -n . v/g' > 0. In contact the time, and with it both, is
-  // known to rounding only: the larger of the two keeps the demand high, the least time finite.
-  const double least_time = 4.0 * std::numeric_limits<double>::epsilon() * approach.t_m;
-  if (at.time < least_time) at = horizon.at(least_time);
-  const double h = std::max((pair.r - x) / at.gain, approach.speed * (sigma / x) / at.rate);
+  // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
+  // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  if (at.time < 4.0 * kRounding * approach.t_m) at = horizon.at(4.0 * kRounding * approach.t_m);
+  double h = (pair.r - x) / at.gain;
+  if (at.time < 1e-6 * approach.t_m) h = std::max(h, approach.speed * (sigma / x) / at.rate);
   return {false, (1.0 / x) * (sigma * approach.u + approach.b * approach.e), h};
 }
 
