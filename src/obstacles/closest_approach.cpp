@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Membership in an obstacle: the exact closest approach by branch and bound on time (Eqs. 4, 10).
+#include "obstacles/closest_approach.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-
-#include "avo/velocity_obstacle.h"
 
 namespace avo {
 namespace {
@@ -21,7 +21,13 @@ constexpr int kMaxSplits = 4096;
 struct RelativeMotion {
   Vec2 p, v, w;
   const Response& response;
+  double bend;  // g''(0)
 };
+
+double initial_bend(const Response& response) {
+  if (response.is_acceleration()) return 1.0;
+  return response.control_time() > 0.0 ? 1.0 / response.control_time() : 0.0;
+}
 
 // The motion at one time; slope is half the derivative of the squared distance.
 struct Instant {
@@ -31,7 +37,7 @@ struct Instant {
 };
 
 Instant at(const RelativeMotion& motion, double t) {
-  const double gain = motion.response.gain(t);
+  const double gain = t > 0.0 ? motion.response.gain(t) : 0.0;
   const double rate = motion.response.rate(t);
   const Vec2 position = motion.p + t * motion.v + gain * motion.w;
   const Vec2 velocity = motion.v + rate * motion.w;
@@ -57,12 +63,12 @@ double triangle_distance(Vec2 a, Vec2 b, Vec2 c) {
   return std::min({segment_distance(a, b), segment_distance(b, c), segment_distance(c, a)});
 }
 
-// Where the tangents of the motion at both ends meet. The response continues from any time as a
-// scaled copy of itself plus a line, so this is the lag of the interval's length after its start.
-// (t, g(t)) is convex: the motion stays in the triangle of both ends and this point.
-Vec2 apex(const RelativeMotion& motion, const Instant& from, const Instant& to) {
-  const double lag = from.t == 0.0 ? to.t - to.gain / to.rate : motion.response.lag(to.t - from.t);
-  return from.position + lag * from.velocity;
+// (t, g(t)) is convex and bends no less at its start than at its end: it stays in the triangle of
+// both ends and the point where the tangent of the start is at half time (or at the lag, where the
+// tangents meet, which costs nothing at t = 0). So does the motion, as a linear image of it.
+Vec2 apex(const Instant& from, const Instant& to) {
+  const double half = from.t == 0.0 ? to.t - to.gain / to.rate : 0.5 * (to.t - from.t);
+  return from.position + half * from.velocity;
 }
 
 // Is the squared distance monotone? Its slope x . x' is bilinear, x in the triangle and x' on the
@@ -75,16 +81,13 @@ bool is_monotone(const Instant& from, const Instant& to, Vec2 corner) {
 }
 
 // Is the squared distance convex? |x'|² + g'' x . w > 0 with the least |x'|, the largest g'' and
-// the least x . w of the interval. g'' is largest at the start for every response.
+// the least x . w of the interval. g'' does not grow: it is at most that at 0, or the mean so far.
 bool is_convex(const RelativeMotion& motion, const Instant& from, const Instant& to, Vec2 corner) {
-  const Response& response = motion.response;
   const double least =
       std::min({dot(from.position, motion.w), dot(to.position, motion.w), dot(corner, motion.w)});
   const double speed = segment_distance(from.velocity, to.velocity);
-  double bend = response.is_acceleration()      ? 1.0
-                : response.control_time() > 0.0 ? 1.0 / response.control_time()
-                                                : 0.0;
-  if (from.t > 0.0 && bend > 0.0) bend *= (to.rate - from.rate) / response.rate(to.t - from.t);
+  double bend = motion.bend;
+  if (from.t > 0.0) bend = std::min(bend, from.rate / from.t);
   return speed * speed > bend * std::max(0.0, -least);
 }
 
@@ -138,38 +141,39 @@ void keep_nearer(const Instant& instant, ClosestApproach& best) {
   }
 }
 
-// Nothing in the interval can be nearer than `best` by more than 2^-46 of it or than rounding.
+// Nothing in the interval is nearer than `limit`, or than `best` by more than 2^-46 of it or than
+// rounding.
 bool is_farther(const RelativeMotion& motion, const Instant& from, const Instant& to, Vec2 corner,
-                const ClosestApproach& best) {
+                const ClosestApproach& best, double limit) {
   const double least = triangle_distance(from.position, to.position, corner);
-  return !(least < best.distance * (1.0 - 0x1p-46) - position_error(motion, to));
+  return !(least < limit) ||
+         !(least < best.distance * (1.0 - 0x1p-46) - position_error(motion, to));
 }
-
-}  // namespace
 
 // Intervals are settled from left to right. Their right ends wait on a stack, all of them already
 // compared; an interval that is settled hands its right end over as the left end of the next.
-ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u) {
+// With a limit, only distances below it are of interest and the first of them ends the search.
+ClosestApproach search(const Obstacle& obstacle, Vec2 u, double limit) {
   const RelativeMotion motion{obstacle.pair.position, obstacle.pair.velocity, change(obstacle, u),
-                              obstacle.response};
+                              obstacle.response, initial_bend(obstacle.response)};
+  const bool any_will_do = std::isfinite(limit);
   Instant from = at(motion, 0.0);
   ClosestApproach best{0.0, norm(from.position)};
   std::array<Instant, kMaxOpen> open;
   std::size_t count = 1;
   open[0] = at(motion, obstacle.time_horizon);
   keep_nearer(open[0], best);
-  for (int splits = 0; count > 0;) {
+  for (int splits = 0; count > 0 && !(any_will_do && best.distance < limit);) {
     const Instant& to = open[count - 1];
-    const Vec2 corner = apex(motion, from, to);
-    bool settled = is_monotone(from, to, corner);
+    const Vec2 corner = apex(from, to);
+    bool settled =
+        is_monotone(from, to, corner) || is_farther(motion, from, to, corner, best, limit);
     if (!settled && is_convex(motion, from, to, corner)) {
       if (from.slope < 0.0 && to.slope > 0.0) keep_nearer(bottom(motion, from, to), best);
       settled = true;
     }
     const double t = split_time(from, to);
-    settled = settled || count == kMaxOpen || splits == kMaxSplits || !(t > from.t && t < to.t) ||
-              is_farther(motion, from, to, corner, best);
-    if (settled) {
+    if (settled || count == kMaxOpen || splits == kMaxSplits || !(t > from.t && t < to.t)) {
       from = to;
       --count;
     } else {
@@ -182,9 +186,19 @@ ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u) {
   return best;
 }
 
+}  // namespace
+
+ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u) {
+  return search(obstacle, u, std::numeric_limits<double>::infinity());
+}
+
+bool comes_within(const Obstacle& obstacle, Vec2 u, double distance) {
+  return search(obstacle, u, distance).distance < distance;
+}
+
 // Eqs. (4), (10). A distance below r at an end of the window is one inside it as well.
 bool contains(const Obstacle& obstacle, Vec2 u) {
-  return closest_approach(obstacle, u).distance < obstacle.pair.radius;
+  return comes_within(obstacle, u, obstacle.pair.radius);
 }
 
 }  // namespace avo

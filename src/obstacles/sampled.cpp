@@ -19,8 +19,7 @@ constexpr double kTie = 0x1p-40;
 using Polygon = std::vector<Vec2>;
 
 // Both sides and the arc of the last disc as one loop in w, from the far left to the far right.
-Polygon sampled_polygon(const Pair& pair, const Horizon& horizon, int samples) {
-  const Obstacle obstacle{pair, Response::proportional(horizon.control_time()), horizon.end().time};
+Polygon sampled_polygon(const Obstacle& obstacle, int samples) {
   const Boundary sides = boundary(obstacle, samples);
   Polygon loop(sides.left.rbegin(), sides.left.rend());
   if (!sides.cap.empty()) loop.insert(loop.end(), sides.cap.begin() + 1, sides.cap.end() - 1);
@@ -69,19 +68,34 @@ std::vector<Vec2> compass(Vec2 p) {
   return directions;
 }
 
-// Extreme points of D(0, reach) ∩ polygon. Where the polygon holds all of the disc, the polygon
-// itself: its nearest side says how far beyond reach safety lies.
-Polygon clip(const Polygon& loop, double reach, Vec2 p) {
-  Polygon points;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    if (norm(loop[k]) <= reach) points.push_back(loop[k]);
-    append_crossings(loop[k], loop[(k + 1) % loop.size()], reach, points);
+// The first sampled disc that lies inside the one before, as a polygon; empty if there is none. A
+// pair that closes in fast has such discs: they bear no boundary of their own, and hold the next.
+Polygon nested_disc(const Obstacle& obstacle, int samples) {
+  const Pair& pair = obstacle.pair;
+  Polygon polygon;
+  for (int k = 1; k <= samples && polygon.empty(); ++k) {
+    const double t = obstacle.time_horizon * k / samples;
+    if (norm(pair.position + obstacle.response.lag(t) * pair.velocity) >= pair.radius) continue;
+    const Disc at_t = disc(obstacle, t);
+    for (const Vec2 direction : compass(pair.position)) {
+      polygon.push_back(change(obstacle, at_t.center + at_t.radius * direction));
+    }
   }
-  if (points.empty()) return winding(loop, {}) != 0 ? loop : points;
+  return polygon;
+}
+
+// Appends the extreme points of D(0, reach) ∩ polygon; false if the polygon holds all of the disc.
+bool clip(const Polygon& polygon, double reach, Vec2 p, Polygon& points) {
+  const std::size_t before = points.size();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    if (norm(polygon[k]) <= reach) points.push_back(polygon[k]);
+    append_crossings(polygon[k], polygon[(k + 1) % polygon.size()], reach, points);
+  }
+  if (points.size() == before) return polygon.empty() || winding(polygon, {}) == 0;
   for (const Vec2 direction : compass(p)) {
-    if (winding(loop, reach * direction) != 0) points.push_back(reach * direction);
+    if (winding(polygon, reach * direction) != 0) points.push_back(reach * direction);
   }
-  return points;
+  return true;
 }
 
 // Corners of the convex hull, counter-clockwise from the point farthest from 0 (gift wrapping).
@@ -139,20 +153,17 @@ RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, const Horiz
                                      int samples) {
   const double distance = norm(pair.position);
   if (distance < pair.radius || !(distance > 0.0)) return separate(pair, reach, horizon);
-  const Polygon loop = sampled_polygon(pair, horizon, samples);
-  if (loop.empty()) {
-    // in contact and closing: every sampled disc lies in the one before, the first is the obstacle
-    const ResponseAt first = horizon.at(horizon.end().time / samples);
-    const Vec2 x = pair.position + first.time * pair.velocity;
-    const double length = norm(x);
-    const Vec2 normal = length > 0.0 ? x / length : pair.position / distance;
-    const double offset = (pair.radius - length) / first.gain;
-    if (offset <= -reach) return {};
-    return {PairState::constrained, {normal, offset}};
+  const Obstacle obstacle{pair, Response::proportional(horizon.control_time()), horizon.end().time};
+  const Vec2 p = pair.position;
+  Polygon points;
+  for (const Polygon& part : {sampled_polygon(obstacle, samples), nested_disc(obstacle, samples)}) {
+    // its nearest side says how far beyond reach safety lies
+    if (!clip(part, reach, p, points)) {
+      return {PairState::constrained, least_support(convex_hull(part), reach, p)};
+    }
   }
-  const Polygon points = clip(loop, reach, pair.position);
   if (points.empty()) return {};
-  return {PairState::constrained, least_support(convex_hull(points), reach, pair.position)};
+  return {PairState::constrained, least_support(convex_hull(points), reach, p)};
 }
 
 }  // namespace avo

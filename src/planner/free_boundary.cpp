@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "obstacles/closest_approach.h"
+
 namespace avo {
 namespace {
 
@@ -196,6 +198,12 @@ double clearance(const Limit& limit, Vec2 v_new) {
       break;
   }
   return limit.disc.radius - norm(v_new - limit.disc.center) + 0.5 * limit.slack;
+}
+
+bool violates(const Limit& limit, Vec2 v_new) {
+  if (limit.kind != Limit::Kind::obstacle) return clearance(limit, v_new) < 0.0;
+  return comes_within(limit.obstacle, v_new - limit.v_new_B,
+                      limit.obstacle.pair.radius - 0.5 * limit.slack);
 }
 
 double violation(const Limit& limit, Vec2 v_new) {

@@ -35,6 +35,9 @@ struct Limit {
 /// Positive on the free side, in the unit of the slack, 0 at half the slack.
 double clearance(const Limit& limit, Vec2 v_new);
 
+/// clearance(limit, v_new) < 0, decided faster.
+bool violates(const Limit& limit, Vec2 v_new);
+
 /// How deep v_new lies in what is forbidden, m/s; 0 if it does not.
 double violation(const Limit& limit, Vec2 v_new);
 
@@ -49,9 +52,11 @@ struct Curve {
 };
 
 struct CurvePoint {
+  static constexpr int kUnknown = -2, kFree = -1;
   double parameter = 0.0;
-  Vec2 position;  ///< v'_A
-  Vec2 normal;    ///< unit, across the curve
+  Vec2 position;            ///< v'_A
+  Vec2 normal;              ///< unit, across the curve
+  int violated = kUnknown;  ///< index of a limit that it violates, or kFree; filled in on demand
 };
 
 CurvePoint point_at(const Curve& curve, std::span<const Limit> limits, double parameter);

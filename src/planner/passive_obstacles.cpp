@@ -14,7 +14,7 @@ namespace {
 // Distances that differ by less than this part are equal but for rounding.
 constexpr double kTie = 0x1p-40;
 constexpr int kRootSteps = 100;
-constexpr int kDescentHalvings = 30;
+constexpr int kDescentSteps = 20;
 
 struct Search {
   std::span<const Limit> limits;
@@ -39,13 +39,28 @@ struct Search {
     found = true;
   }
 
-  // Some limit that u violates, or limits.size().
-  std::size_t violated(Vec2 u) {
-    for (std::size_t i = 0; i < limits.size(); ++i) {
-      const std::size_t k = (last_violated + i) % limits.size();
-      if (clearance(limits[k], u) < 0.0) return last_violated = k;
+  // The index of a limit that the point violates, or kFree. Discs and walls are quickly tested;
+  // of the obstacles the one that was violated last is tried first.
+  int violated(Vec2 u) {
+    const std::size_t count = limits.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      if (limits[k].kind != Limit::Kind::obstacle && violates(limits[k], u)) {
+        return static_cast<int>(k);
+      }
     }
-    return limits.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = (last_violated + i) % count;
+      if (limits[k].kind == Limit::Kind::obstacle && violates(limits[k], u)) {
+        last_violated = k;
+        return static_cast<int>(k);
+      }
+    }
+    return CurvePoint::kFree;
+  }
+
+  int violated(CurvePoint& point) {
+    if (point.violated == CurvePoint::kUnknown) point.violated = violated(point.position);
+    return point.violated;
   }
 };
 
@@ -85,40 +100,51 @@ CurvePoint crossing(const Search& search, const Curve& curve, CurvePoint negativ
 }
 
 // A stretch on which the distance to `preferred` only grows: its first free point is offered.
-void walk(Search& search, const Curve& curve, CurvePoint from, const CurvePoint& to) {
-  for (std::size_t turns = 0; turns <= search.limits.size() + 1; ++turns) {
-    if (search.too_far(search.distance_to(from.position))) return;
-    const std::size_t k = search.violated(from.position);
-    if (k == search.limits.size()) return search.offer(from.position);
+void walk(Search& search, const Curve& curve, CurvePoint& first, const CurvePoint& last) {
+  if (search.too_far(search.distance_to(first.position))) return;
+  int k = search.violated(first);
+  CurvePoint from = first;
+  for (std::size_t turns = 0; k != CurvePoint::kFree; ++turns) {
+    if (k == last.violated || turns > search.limits.size()) return;
     // on to where that limit is left, if it is left by the end or halfway
-    const Limit& limit = search.limits[k];
+    const Limit& limit = search.limits[static_cast<std::size_t>(k)];
     const auto f = [&](const CurvePoint& point) { return clearance(limit, point.position); };
-    CurvePoint free = to;
+    CurvePoint free = last;
     double f_free = f(free);
     if (f_free < 0.0) {
-      free = point_at(curve, search.limits, 0.5 * (from.parameter + to.parameter));
+      free = point_at(curve, search.limits, 0.5 * (from.parameter + last.parameter));
       f_free = f(free);
       if (f_free < 0.0) return;
     }
     from = crossing(search, curve, from, f(from), free, f_free, f);
+    if (search.too_far(search.distance_to(from.position))) return;
+    k = search.violated(from.position);
   }
+  search.offer(from.position);
 }
 
 // A piece of a boundary: cut at the projection of `preferred`, each part walked outwards.
-void try_piece(Search& search, const Curve& curve, const CurvePoint& a, const CurvePoint& b) {
+void try_piece(Search& search, const Curve& curve, CurvePoint& a, CurvePoint& b) {
   const auto side = [&](const CurvePoint& point) {
     return cross(point.normal, search.preferred - point.position);
   };
-  const auto walk_outwards = [&](const CurvePoint& x, const CurvePoint& y) {
-    const bool x_first = search.distance_to(x.position) <= search.distance_to(y.position);
-    walk(search, curve, x_first ? x : y, x_first ? y : x);
-  };
   const double at_a = side(a), at_b = side(b);
-  if ((at_a < 0.0) == (at_b < 0.0)) return walk_outwards(a, b);
-  const CurvePoint foot = at_a < 0.0 ? crossing(search, curve, a, at_a, b, at_b, side)
-                                     : crossing(search, curve, b, at_b, a, at_a, side);
-  walk_outwards(foot, a);
-  walk_outwards(foot, b);
+  if ((at_a < 0.0) != (at_b < 0.0)) {
+    CurvePoint foot = at_a < 0.0 ? crossing(search, curve, a, at_a, b, at_b, side)
+                                 : crossing(search, curve, b, at_b, a, at_a, side);
+    // the foot may be the nearest point of the piece, or the farthest
+    if (search.distance_to(foot.position) <= search.distance_to(a.position)) {
+      walk(search, curve, foot, a);
+      walk(search, curve, foot, b);
+    } else {
+      walk(search, curve, a, foot);
+      walk(search, curve, b, foot);
+    }
+  } else if (search.distance_to(a.position) <= search.distance_to(b.position)) {
+    walk(search, curve, a, b);
+  } else {
+    walk(search, curve, b, a);
+  }
 }
 
 // No point of the piece is nearer to p: the distance to its chord, less half its length, which a
@@ -165,15 +191,18 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
                                       {-0.8, 0.6},
                                       {0.28, 0.96},
                                       {0.96, 0.28}}};
-  for (const double part : {0.0, 0.5, 1.0}) {
-    for (const Vec2 direction : kFan) {
-      offer(middle + (part * radius) * direction);
-      offer(middle - (part * radius) * direction);
-    }
+  offer(middle);
+  for (const Vec2 direction : kFan) {
+    for (const double along : {-1.0, -0.5, 0.5, 1.0}) offer(middle + (along * radius) * direction);
   }
-  for (const CurvePoint& point : points) offer(point.position);
+  for (const CurvePoint& point : points) {
+    const bool in_discs = std::none_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+      return limit.kind == Limit::Kind::disc && violates(limit, point.position);
+    });
+    if (in_discs) offer(point.position);
+  }
   double step = 0.25 * radius;
-  for (int k = 0; k < kDescentHalvings; ++k) {
+  for (int k = 0; k < kDescentSteps; ++k) {
     const Vec2 here = choice.velocity;
     bool improved = false;
     for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
@@ -206,7 +235,7 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
   const Vec2 allowed =
       (lens.origin + nearest(lens, lens.scale * preferred - lens.origin).point) / lens.scale;
   Search search{limits, curves, preferred};
-  if (limits.empty() || search.violated(allowed) == limits.size()) {
+  if (limits.empty() || search.violated(allowed) == CurvePoint::kFree) {
     return {allowed, 0.0, PassiveState::free};
   }
 
@@ -215,7 +244,7 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
   for (std::size_t k = 0; k < limits.size(); ++k) {
     append_boundary(static_cast<int>(k), limits, acceleration, speed, curves, points, pieces);
   }
-  const auto point = [&](int k) { return points[static_cast<std::size_t>(k)]; };
+  const auto point = [&](int k) -> CurvePoint& { return points[static_cast<std::size_t>(k)]; };
   for (Piece& piece : pieces) {
     piece.bound = piece_bound(point(piece.first).position, point(piece.second).position, preferred);
   }

@@ -75,6 +75,12 @@ inline Situation wide_situation(Random& random) {
   return s;
 }
 
+/// The same pair, in contact at most: rounding may have made it overlap.
+inline Situation apart(Situation s) {
+  while (norm(s.pair.position) < s.pair.radius) s.pair.radius *= 1.0 - 0x1p-52;
+  return s;
+}
+
 /// As above, and then moved next to (or exactly onto) one special case: at rest, parallel,
 /// head-on, in contact, grazing at the miss distance, on an axis, tiny or huge reach. Never
 /// overlapping at the start.
@@ -114,8 +120,7 @@ inline Situation degenerate_situation(Random& random) {
       s.reach *= random.below(2) == 0 ? 1e-6 : 1e6;
       break;
   }
-  if (norm(p) < r) p = ((1.0 + 4e-16) * r / norm(p)) * p;
-  return s;
+  return apart(s);
 }
 
 /// Lengths × `length`, times × `time`.
@@ -131,7 +136,7 @@ inline Situation scaled(const Situation& s, double length, double time) {
 inline Situation any_situation(Random& random) {
   const Situation s = random.below(2) == 0 ? wide_situation(random) : degenerate_situation(random);
   if (random.below(2) == 0) return s;
-  return scaled(s, random.log_uniform(1e-6, 1e7), random.log_uniform(1e-2, 1e2));
+  return apart(scaled(s, random.log_uniform(1e-6, 1e7), random.log_uniform(1e-2, 1e2)));
 }
 
 inline Vec2 in_disc(Random& random, double radius) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The half-plane of Eqs. (15), (16): soundness, agreement with brute force, symmetries.
+#include "avo/half_plane.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "support/brute_force.h"
+#include "support/generators.h"
+
+namespace avo {
+namespace {
+
+using test::Random;
+using test::Situation;
+
+RelativeHalfPlane half_plane_of(const Situation& s) {
+  return half_plane(s.pair, s.reach, Horizon(s.control_time, s.time_horizon, 0.1));
+}
+
+// The least support of the sampled hull is off by a refinement error of this part of the reach.
+constexpr double kSlowError = 1e-7;
+// Near contact the offset is known to fewer digits, and is kept on the safe side.
+constexpr double kCaution = 1e-6;
+
+TEST(HalfPlane, P3_agrees_with_brute_force) {
+  Random random(2011);
+  int compared = 0, failures = 0;
+  for (int k = 0; compared < 10'000 && failures < 10; ++k) {
+    const Situation s =
+        k % 4 == 0 ? test::degenerate_situation(random) : test::wide_situation(random);
+    const test::SlowHull hull(s);
+    if (hull.empty()) continue;  // samples may miss what is hardly within reach
+    const auto [n, h] = hull.least();
+    if (h >= s.reach * (1.0 - kSlowError)) continue;  // everything within reach collides
+    const RelativeHalfPlane found = half_plane_of(s);
+    ++compared;
+    const double tolerance = kSlowError * (s.reach + std::abs(h));
+    const double cautious = kCaution * (s.reach + std::abs(h));
+    if (found.state != PairState::constrained) {
+      ADD_FAILURE() << "no half-plane, but brute force has h = " << h << "\n" << s;
+      ++failures;
+    } else if (const double support = hull.support(found.plane.normal);
+               found.plane.offset < support - tolerance) {
+      ADD_FAILURE() << "optimistic by " << support - found.plane.offset << ", h "
+                    << found.plane.offset << ", least " << h << "\n"
+                    << s;
+      ++failures;
+    } else if (found.plane.offset > h + cautious &&
+               // sampling misses points of the hull: more samples before blaming
+               found.plane.offset > test::SlowHull(s, 20'000).support(n) + cautious) {
+      ADD_FAILURE() << "too cautious by " << found.plane.offset - h << ", h " << found.plane.offset
+                    << "\n"
+                    << s;
+      ++failures;
+    }
+  }
+}
+
+// Nothing on the line n . w = h, within reach, collides: the nearest point, the ends, and others.
+// Nothing at all within reach collides where there is no half-plane.
+TEST(HalfPlane, P3_no_reachable_point_of_the_line_collides) {
+  Random random(15);
+  int constrained = 0, free = 0, failures = 0;
+  while (constrained < 100'000 && failures < 10) {
+    const Situation s = test::any_situation(random);
+    const RelativeHalfPlane found = half_plane_of(s);
+    const Obstacle obstacle = test::obstacle_of(s);
+    const auto collides = [&](Vec2 w) {
+      const double distance = closest_approach(obstacle, s.pair.velocity + w).distance;
+      if (distance >= s.pair.radius * (1.0 - 1e-7)) return false;
+      ADD_FAILURE() << "w " << w.x << ", " << w.y << " gets to " << distance << ", h "
+                    << found.plane.offset << "\n"
+                    << s;
+      ++failures;
+      return true;
+    };
+    if (found.state == PairState::free) {
+      ++free;
+      collides(test::in_disc(random, s.reach));
+      continue;
+    }
+    ASSERT_EQ(found.state, PairState::constrained) << s;
+    const HalfPlane& plane = found.plane;
+    if (std::abs(plane.offset) > s.reach) continue;
+    ++constrained;
+    const double half = std::sqrt((s.reach - plane.offset) * (s.reach + plane.offset));
+    for (const double part : {0.0, -1.0, 1.0, -random.near_zero(), random.uniform(-1.0, 0.0),
+                              random.uniform(0.0, 1.0), random.uniform(-0.3, 0.3)}) {
+      if (collides(plane.offset * plane.normal + (part * half) * perpendicular(plane.normal)))
+        break;
+    }
+  }
+  EXPECT_GT(free, 10'000);
+}
+
+}  // namespace
+}  // namespace avo

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The half-plane in cases that can be worked out by hand: ties, contact, overlap, shares, ORCA.
+#include "avo/half_plane.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace avo {
+namespace {
+
+constexpr double kNear = 1e-13;
+constexpr double kDelta = 4.0, kTau = 10.0, kStep = 0.1;
+const double kGain = kTau + kDelta * std::expm1(-kTau / kDelta);  // g(τ)
+const Horizon kHorizon(kDelta, kTau, kStep);
+constexpr double kReach = 8.0;
+
+TEST(HalfPlane, at_rest_is_towards_p) {
+  const RelativeHalfPlane found = half_plane({{3.0, 4.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
+  EXPECT_EQ(found.state, PairState::constrained);
+  EXPECT_NEAR(found.plane.normal.x, 0.6, kNear);
+  EXPECT_NEAR(found.plane.normal.y, 0.8, kNear);
+  EXPECT_NEAR(found.plane.offset, -4.0 / kGain, kNear);  // may close in to contact at τ
+}
+
+TEST(HalfPlane, moving_apart_fast_enough_is_free) {
+  EXPECT_EQ(half_plane({{3.0, 4.0}, {30.0, 40.0}, 1.0}, 0.5, kHorizon).state, PairState::free);
+}
+
+TEST(HalfPlane, out_of_reach_is_free) {
+  EXPECT_EQ(half_plane({{300.0, 0.0}, {-1.0, 0.0}, 1.0}, kReach, kHorizon).state, PairState::free);
+}
+
+TEST(HalfPlane, head_on_passes_on_the_right) {
+  const RelativeHalfPlane found = half_plane({{6.0, 0.0}, {-2.0, 0.0}, 1.0}, kReach, kHorizon);
+  ASSERT_EQ(found.state, PairState::constrained);
+  EXPECT_GT(found.plane.offset, 0.0);
+  EXPECT_GT(found.plane.normal.y, 0.0);  // left of p: A, ahead of B, goes left of p, its own right
+  // the same from B's side
+  const RelativeHalfPlane other = half_plane({{-6.0, 0.0}, {2.0, 0.0}, 1.0}, kReach, kHorizon);
+  EXPECT_EQ(other.plane.normal, -found.plane.normal);
+  EXPECT_EQ(other.plane.offset, found.plane.offset);
+}
+
+TEST(HalfPlane, contact_at_rest_forbids_closing) {
+  const RelativeHalfPlane found = half_plane({{1.0, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
+  ASSERT_EQ(found.state, PairState::constrained);
+  EXPECT_NEAR(found.plane.normal.x, 1.0, kNear);
+  EXPECT_NEAR(found.plane.offset, 0.0, kNear);
+}
+
+TEST(HalfPlane, overlap_separates_along_p) {
+  const RelativeHalfPlane found = half_plane({{0.9, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
+  ASSERT_EQ(found.state, PairState::overlapping);
+  EXPECT_EQ(found.plane.normal, (Vec2{1.0, 0.0}));
+  EXPECT_GT(found.plane.offset, 0.0);
+  EXPECT_LE(found.plane.offset, kReach * (1.0 + kNear));
+  // what it asks for ends the overlap within the window
+  const double demand = found.plane.offset;
+  const double gain = kTau + kDelta * std::expm1(-kTau / kDelta);
+  EXPECT_GE(0.9 + gain * demand, 1.0);
+}
+
+TEST(HalfPlane, deeper_overlap_asks_for_no_less) {
+  double last = 0.0;
+  for (const double distance : {0.9999, 0.99, 0.9, 0.5, 0.1}) {
+    const RelativeHalfPlane found =
+        half_plane({{distance, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
+    EXPECT_GE(found.plane.offset, last * (1.0 - 1e-9));
+    last = found.plane.offset;
+  }
+}
+
+TEST(HalfPlane, equal_centers_separate_along_v) {
+  const RelativeHalfPlane found = half_plane({{0.0, 0.0}, {0.0, 2.0}, 1.0}, kReach, kHorizon);
+  EXPECT_EQ(found.state, PairState::overlapping);
+  EXPECT_EQ(found.plane.normal, (Vec2{0.0, 1.0}));
+  EXPECT_EQ(half_plane({{0.0, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon).state,
+            PairState::coincident);
+}
+
+TEST(HalfPlane, sampled_one_treats_overlap_alike) {
+  const Pair pair{{0.5, 0.2}, {-1.0, 0.3}, 1.0};
+  const RelativeHalfPlane exact = half_plane(pair, kReach, kHorizon);
+  const RelativeHalfPlane found = sampled_half_plane(pair, kReach, kHorizon, 25);
+  EXPECT_EQ(found.state, PairState::overlapping);
+  EXPECT_EQ(found.plane.normal, exact.plane.normal);
+  EXPECT_EQ(found.plane.offset, exact.plane.offset);
+}
+
+TEST(SampledHalfPlane, head_on_passes_on_the_right) {
+  for (int quarter = 0, x = 6, y = 0; quarter < 4; ++quarter) {
+    const Vec2 p{static_cast<double>(x), static_cast<double>(y)};
+    const RelativeHalfPlane found = sampled_half_plane({p, -0.3 * p, 1.0}, kReach, kHorizon, 25);
+    EXPECT_GT(dot(found.plane.normal, perpendicular(p)), 0.0);
+    const int turned = x;
+    x = -y;
+    y = turned;
+  }
+}
+
+TEST(SampledHalfPlane, all_within_reach_collides) {
+  const Pair pair{{1.01, 0.0}, {-2.0, 0.1}, 1.0};
+  const RelativeHalfPlane found = sampled_half_plane(pair, 0.2, kHorizon, 25);
+  ASSERT_EQ(found.state, PairState::constrained);
+  EXPECT_GT(found.plane.offset, 0.2);
+}
+
+// |p| = 5, r = 3: the legs of the cone have n . p = 3.
+TEST(Orca, leg_of_the_cone) {
+  const RelativeHalfPlane found = orca_half_plane({{5.0, 0.0}, {-9.0, 0.0}, 3.0}, 10.0, 0.1);
+  EXPECT_NEAR(found.plane.normal.x, 0.6, kNear);
+  EXPECT_NEAR(found.plane.normal.y, 0.8, kNear);
+  EXPECT_NEAR(found.plane.offset, 5.4, kNear);
+}
+
+TEST(Orca, cut_off_of_the_cone) {
+  const RelativeHalfPlane found = orca_half_plane({{5.0, 0.0}, {-0.1, 0.0}, 3.0}, 10.0, 0.1);
+  EXPECT_NEAR(found.plane.normal.x, 1.0, kNear);
+  EXPECT_NEAR(found.plane.offset, -0.1, kNear);
+}
+
+TEST(Reciprocity, shares_follow_ability) {
+  EXPECT_EQ(reciprocal_share(1.0, 1.0), 0.5);
+  EXPECT_EQ(reciprocal_share(3.0, 1.0), 0.75);
+  EXPECT_EQ(reciprocal_share(1.0, 3.0), 0.25);
+  EXPECT_EQ(reciprocal_share(2.0, 0.0), 1.0);  // a mover that does not decide
+}
+
+// Eq. (17): scaled about v_AB, moved to v_A.
+TEST(Reciprocity, apportion_scales_and_moves) {
+  const HalfPlane found = apportion({{0.6, 0.8}, -2.0}, {5.0, 10.0}, 0.25);
+  EXPECT_EQ(found.normal, (Vec2{0.6, 0.8}));
+  EXPECT_NEAR(found.offset, 11.0 - 0.5, kNear);
+}
+
+}  // namespace
+}  // namespace avo
