@@ -138,10 +138,13 @@ void draw_panels(std::span<const TimeLapse> panels, const Box& world,
     canvas.set_view({{x, top}, {x + panel, top + height}}, world);
     draw_lapse(canvas, panels[i]);
     if (options.axes) {
+      const auto ticks = [](double length) {
+        return std::clamp(static_cast<int>(length / 28.0), 3, 9);
+      };
       draw_axes(canvas, {.x_label = "x (m)",
                          .y_label = i == 0 ? "y (m)" : "",
-                         .most_ticks_x = panels.size() > 1 ? 5 : 9,
-                         .most_ticks_y = panels.size() > 1 ? 5 : 9,
+                         .most_ticks_x = ticks(panel),
+                         .most_ticks_y = ticks(height),
                          .y_numbers = i == 0});
     }
     if (!titles.empty()) {

@@ -230,7 +230,7 @@ Caption draw_reciprocal_sets(const std::string& folder) {
               ": the relative velocities within reach, D(*v*, δ a) with radius " +
               format("%.1f m/s", reach) +
               ", without the obstacle (white), the hull of what the obstacle takes from them "
-              "(dotted) and the half-plane H, tangent at q. (b), (c) The sets of A and of B, "
+              "(dashed) and the half-plane H, tangent at q. (b), (c) The sets of A and of B, "
               "each with half of it, Eqs. (17)–(20).",
           "q is the point of the hull nearest to *v*; h = " +
               format("%.4f m/s", relative.plane.offset) + " in closed form, " +

@@ -13,6 +13,9 @@
 namespace avo::paper {
 namespace {
 
+constexpr double kTail = 4.0;     // s, of the traces of Fig. 8
+constexpr double kCarTail = 6.0;  // s, of those of Fig. 9
+
 struct Run {
   Scenario scenario;
   std::vector<figures::TrajectoryFrame> frames;
@@ -37,29 +40,28 @@ Run run_scene(const std::string& name) {
   return run;
 }
 
-std::string seconds(const std::optional<double>& time) {
-  return time ? format("%.1f s", *time) : "never";
+std::string clearance_text(double clearance) {
+  return format(std::fabs(clearance) < 0.01 ? "%.1e m" : "%.2f m", clearance);
 }
 
 // What happened, in one sentence.
 std::string numbers(const RunSummary& summary) {
-  const double robot_steps = static_cast<double>(summary.robots * summary.steps);
   std::string text =
       std::to_string(summary.arrived) + " of " + std::to_string(summary.robots) + " arrive";
-  if (summary.mean_arrival)
+  if (summary.mean_arrival && summary.robots > 1) {
     text += ", after " + format("%.1f s", *summary.mean_arrival) + " on average";
-  if (summary.last_arrival)
-    text += " and " + format("%.1f s", *summary.last_arrival) + " at the latest";
-  text += "; " + std::to_string(summary.collision_pairs) + " pairs of robots collide";
-  if (summary.first_collision_time)
-    text += " (first at " + seconds(summary.first_collision_time) + ")";
-  if (summary.min_clearance) {
-    text += "; smallest clearance " + format("%.3f m", *summary.min_clearance);
   }
-  text += "; largest acceleration " + format("%.3f m/s²", summary.max_acceleration) + ", speed " +
-          format("%.3f m/s", summary.max_speed) + "; CA empty in " +
-          format("%.1f %%", 100.0 * static_cast<double>(summary.infeasible_steps) / robot_steps) +
-          " of the decisions.";
+  if (summary.last_arrival) text += ", the last after " + format("%.1f s", *summary.last_arrival);
+  if (summary.robots > 1) {
+    text += "; pairs of robots that collide: " + std::to_string(summary.collision_pairs);
+  }
+  if (summary.first_collision_time) {
+    text += " (the first after " + format("%.1f s", *summary.first_collision_time) + ")";
+  }
+  if (summary.min_clearance)
+    text += "; smallest clearance " + clearance_text(*summary.min_clearance);
+  text += "; largest acceleration " + format("%.3f m/s²", summary.max_acceleration) +
+          ", largest speed " + format("%.3f m/s", summary.max_speed) + ".";
   return text;
 }
 
@@ -69,17 +71,65 @@ std::string parameters(const Scenario& scenario) {
          ", Δt = " + format("%g s", scenario.time_step);
 }
 
-// The paper says of all its scenes that they are free of collisions.
-std::string collisions_agree(const RunSummary& summary) {
-  return summary.collision_pairs + summary.obstacle_collisions == 0 ? "no collision. "
-                                                                    : std::string();
+// The paper says of all its scenes that they are free of collisions, keep the limits, and that
+// the robots reach their goals. What holds here goes to one side, the rest to the other.
+struct Comparison {
+  std::string agrees, differs;
+};
+
+void compare_collisions(const RunSummary& summary, Comparison& to) {
+  const auto collisions = summary.collision_pairs + summary.obstacle_collisions;
+  if (collisions == 0) {
+    to.agrees += "No collision. ";
+    return;
+  }
+  to.differs += "The paper calls the motion collision-free; here " + std::to_string(collisions) +
+                " pairs overlap at some time. ";
+  if (summary.infeasible_steps == 0) return;
+  const double decisions = static_cast<double>(summary.robots * summary.steps);
+  to.differs +=
+      "CA_A was empty in " +
+      format("%.1f %%", 100.0 * static_cast<double>(summary.infeasible_steps) / decisions) +
+      " of the decisions; there the least unsafe velocity is taken, and the method "
+      "promises nothing. ";
 }
-std::string collisions_differ(const RunSummary& summary) {
-  if (summary.collision_pairs + summary.obstacle_collisions == 0) return {};
-  return "the paper calls the motion collision-free; here " +
-         std::to_string(summary.collision_pairs) +
-         " pairs overlap at some time, because the linear program has no solution and the least "
-         "unsafe velocity is taken. ";
+
+Comparison compare(const Run& run) {
+  const RunSummary& summary = run.summary;
+  Comparison comparison;
+  compare_collisions(summary, comparison);
+  double max_acceleration = 0.0, max_speed = 0.0;
+  for (const RobotSetup& robot : run.scenario.robots) {
+    max_acceleration = std::fmax(max_acceleration, robot.max_acceleration);
+    max_speed = std::fmax(max_speed, robot.max_speed);
+  }
+  constexpr double kRounding = 1.0 + 1e-9;
+  const bool limits = summary.max_acceleration <= kRounding * max_acceleration &&
+                      summary.max_speed <= kRounding * max_speed;
+  (limits ? comparison.agrees : comparison.differs) +=
+      limits ? "The limits of acceleration and speed hold on every step. "
+             : "A limit of acceleration or speed is exceeded. ";
+  const bool all = summary.arrived == summary.robots;
+  (all ? comparison.agrees : comparison.differs) +=
+      all ? "Every robot reaches its goal. "
+          : std::to_string(summary.robots - summary.arrived) + " robots do not reach their goals. ";
+  return comparison;
+}
+
+// How far the robot passes to the left of the straight way to its goal, at most; negative: right.
+double largest_detour(const Run& run, std::size_t robot) {
+  const RobotSetup& setup = run.scenario.robots[robot];
+  const Vec2 way = (setup.goal - setup.position) / norm(setup.goal - setup.position);
+  double largest = 0.0;
+  for (const auto& frame : run.frames) {
+    const double left = cross(way, frame.position[robot] - setup.position);
+    if (std::fabs(left) > std::fabs(largest)) largest = left;
+  }
+  return largest;
+}
+
+std::string detour_text(double left) {
+  return format("%.2f m", std::fabs(left)) + (left > 0.0 ? " to the left" : " to the right");
 }
 
 // When the robots have come to `part` of their first mean distance from the middle, to the least
@@ -107,61 +157,66 @@ std::array<double, 3> crossing_times(const Run& run, double part) {
 Caption draw_exchange(const std::string& folder) {
   const Run run = run_scene("positions-exchange");
   figures::draw_trajectories(run.scenario, run.frames, folder + "/fig-01.png");
-  return {
-      "1",
-      "fig-01.png",
-      "Positions exchange",
-      "Two robots exchange positions, " + parameters(run.scenario) +
-          ". Newer discs are on top and darker. " + numbers(run.summary),
-      collisions_agree(run.summary) +
-          "Both give way to the same side, and the spacing of the discs grows as they speed up.",
-      collisions_differ(run.summary) +
-          "The paper prints no positions, and its robots pass their targets at high speed; "
-          "here they come to rest at them."};
+  const Comparison comparison = compare(run);
+  return {"1",
+          "fig-01.png",
+          "Positions exchange",
+          "Two robots exchange positions, " + parameters(run.scenario) +
+              ". Newer discs are on top and darker; crosses are goals. " + numbers(run.summary),
+          comparison.agrees + "The robots give way by " + detour_text(largest_detour(run, 0)) +
+              " and " + detour_text(largest_detour(run, 1)) +
+              " of their straight ways, and the spacing of the discs grows as they speed up.",
+          comparison.differs +
+              "The paper prints no positions, and its robots pass their targets at high speed; "
+              "these come to rest there."};
 }
 
 Caption draw_moving_obstacle(const std::string& folder) {
   const Run run = run_scene("moving-obstacle");
   figures::draw_trajectories(run.scenario, run.frames, folder + "/fig-07.png");
+  const Comparison comparison = compare(run);
   return {"7",
           "fig-07.png",
           "Moving obstacle",
           "One robot and an oncoming obstacle (gray) that does not react, " +
-              parameters(run.scenario) + ". " + numbers(run.summary) +
-              " Collisions with the obstacle: " + std::to_string(run.summary.obstacle_collisions) +
-              ".",
-          collisions_agree(run.summary) + "The robot goes around the obstacle to its goal.",
-          collisions_differ(run.summary) + "The paper prints no positions."};
+              parameters(run.scenario) + ". " + numbers(run.summary),
+          comparison.agrees + "The robot passes the obstacle " +
+              detour_text(largest_detour(run, 0)) + " of its straight way.",
+          comparison.differs + "The paper prints no positions."};
 }
 
 Caption draw_circle(const std::string& folder) {
   const Run run = run_scene("circle-100");
   const auto times = crossing_times(run, 0.65);
-  figures::draw_instants(run.scenario, run.frames, times, 4.0, folder + "/fig-08.png",
+  figures::draw_instants(run.scenario, run.frames, times, kTail, folder + "/fig-08.png",
                          {.width = 500.0});
+  const Comparison comparison = compare(run);
   return {"8",
           "fig-08.png",
           "Circle-100",
           "100 robots move to the opposite side of a circle, " + parameters(run.scenario) +
-              "; three instants, each with the trace of the last 4 s. " + numbers(run.summary),
-          collisions_agree(run.summary) +
-              "All robots meet in the middle, keep turning to one side, and leave the crowd "
-              "again; the limits of acceleration and speed hold on every step.",
-          collisions_differ(run.summary)};
+              "; three instants, each with the trace of the last " + format("%g s", kTail) + ". " +
+              numbers(run.summary),
+          comparison.agrees + "All robots meet in the middle, where the density is highest.",
+          comparison.differs};
 }
 
 Caption draw_cars(const std::string& folder) {
   const Run run = run_scene("cars-100");
-  figures::draw_trajectories(run.scenario, run.frames, folder + "/fig-09.png", {.width = 400.0});
+  const double times[] = {0.5 * run.summary.mean_arrival.value_or(run.scenario.duration)};
+  figures::draw_instants(run.scenario, run.frames, times, kCarTail, folder + "/fig-09.png",
+                         {.width = 360.0});
+  const Comparison comparison = compare(run);
   return {"9",
           "fig-09.png",
           "Car-like robots",
-          "100 cars with random poses and goals, " + parameters(run.scenario) +
-              "; the newest frame shows the disc that is kept clear, centered at the rear axle. " +
+          "100 cars with random poses and goals (crosses), " + parameters(run.scenario) +
+              ", with the trace of the last " + format("%g s", kCarTail) +
+              "; the circle is the disc that is kept clear, centered at the rear axle. " +
               numbers(run.summary),
-          collisions_agree(run.summary) +
-              "All accelerations are turned into controls of the car by Eqs. (24), (25).",
-          collisions_differ(run.summary) + "The paper prints neither the poses nor the size."};
+          comparison.agrees +
+              "The accelerations are turned into controls of the car by Eqs. (24), (25).",
+          comparison.differs + "The paper prints neither poses nor sizes."};
 }
 
 }  // namespace avo::paper

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// From what a robot saw to what is drawn: the sets must be those that the planner used.
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "figures/velocity_space.h"
+
+namespace avo::figures {
+namespace {
+
+// A robot that heads for one neighbor, with a second one in reach.
+Simulation::Perception some_perception() {
+  Simulation::Perception seen;
+  seen.robot.velocity = {1.0, 0.2};
+  seen.robot.preferred_velocity = {1.6, 0.1};
+  Neighbor ahead;
+  ahead.position = {6.0, 0.5};
+  ahead.velocity = {-1.0, 0.0};
+  Neighbor beside;
+  beside.position = {2.0, -3.0};
+  beside.velocity = {0.2, 0.8};
+  seen.neighbors = {ahead, beside};
+  seen.source = {4, -2};
+  return seen;
+}
+
+TEST(Perception, half_planes_are_those_of_the_planner) {
+  const Simulation::Perception seen = some_perception();
+  const Planner planner{PlannerOptions{}};
+  const VelocitySpace space = velocity_space(seen, planner);
+
+  PlanWorkspace workspace;
+  const Plan plan = planner.plan(seen.robot, seen.neighbors, workspace);
+  planner.collect_half_planes(seen.robot, seen.neighbors, workspace);
+  ASSERT_FALSE(workspace.planes.empty());
+  ASSERT_EQ(space.half_planes.size(), workspace.planes.size());
+  int binding = 0;
+  for (std::size_t i = 0; i < workspace.planes.size(); ++i) {
+    EXPECT_EQ(space.half_planes[i].plane.normal, workspace.planes[i].plane.normal);
+    EXPECT_EQ(space.half_planes[i].plane.offset, workspace.planes[i].plane.offset);
+    EXPECT_EQ(space.half_planes[i].label, workspace.planes[i].neighbor == 0 ? "4" : "o1");
+    if (space.half_planes[i].binding) ++binding;
+  }
+  EXPECT_GE(binding, 1);  // the preferred velocity is forbidden, so some line is touched
+  EXPECT_TRUE(space.obstacles.empty());
+  ASSERT_EQ(space.points.size(), 3U);
+  EXPECT_EQ(space.points[0].at, seen.robot.velocity);
+  EXPECT_EQ(space.points[1].at, seen.robot.preferred_velocity);
+  EXPECT_EQ(space.points[2].at, plan.new_velocity);
+  EXPECT_NE(space.points[2].at, space.points[1].at);
+  ASSERT_TRUE(space.acceleration_disc && space.speed_disc);
+  EXPECT_EQ(space.acceleration_disc->center, seen.robot.velocity);
+  EXPECT_EQ(space.acceleration_disc->radius, 4.0);
+  EXPECT_EQ(space.speed_disc->radius, 2.0);
+}
+
+TEST(Perception, the_choice_lies_outside_of_the_drawn_obstacles) {
+  Simulation::Perception seen = some_perception();
+  seen.alone = true;
+  for (Neighbor& neighbor : seen.neighbors) neighbor.max_acceleration = 0.0;
+  seen.neighbors[0].acceleration = {0.1, -0.2};
+  const Planner planner{PlannerOptions{}};
+  const VelocitySpace space = velocity_space(seen, planner);
+  EXPECT_TRUE(space.half_planes.empty());
+  ASSERT_EQ(space.obstacles.size(), 2U);
+  EXPECT_DOUBLE_EQ(space.obstacles[0].offset.x, -1.0 + 4.0 * 0.1);  // v_B + δ a_B
+  EXPECT_DOUBLE_EQ(space.obstacles[0].offset.y, 4.0 * -0.2);
+  EXPECT_EQ(space.obstacles[1].offset, seen.neighbors[1].velocity);
+  bool touched = false;
+  for (const LabeledObstacle& labeled : space.obstacles) {
+    const ClosestApproach closest =
+        closest_approach(labeled.obstacle, space.points[2].at - labeled.offset);
+    EXPECT_GE(closest.distance, labeled.obstacle.pair.radius - 1e-6);
+    touched = touched || closest.distance < labeled.obstacle.pair.radius + 1e-3;
+    EXPECT_TRUE(std::isfinite(closest.time));
+  }
+  EXPECT_TRUE(touched);  // the nearest allowed point lies on a boundary
+}
+
+TEST(Perception, velocity_obstacles_are_drawn_as_such) {
+  PlannerOptions options;
+  options.method = Method::velocity_obstacle;
+  const Planner planner(options);
+  const VelocitySpace space = velocity_space(some_perception(), planner);
+  ASSERT_EQ(space.obstacles.size(), 2U);
+  EXPECT_EQ(space.obstacles[0].obstacle.response.gain(3.0), 3.0);
+  EXPECT_EQ(space.obstacles[0].offset, (Vec2{-1.0, 0.0}));
+}
+
+TEST(Perception, orca_has_no_acceleration_disc) {
+  PlannerOptions options;
+  options.method = Method::orca;
+  const VelocitySpace space = velocity_space(some_perception(), Planner(options));
+  EXPECT_FALSE(space.acceleration_disc);
+  EXPECT_TRUE(space.speed_disc);
+  EXPECT_FALSE(space.half_planes.empty());
+}
+
+}  // namespace
+}  // namespace avo::figures
