@@ -17,8 +17,6 @@ using figures::VelocitySpace;
 namespace {
 
 constexpr Box kWorkspace{{-6.0, -6.0}, {6.0, 6.0}};
-constexpr figures::Color kPreferred{0.00, 0.36, 0.66, 1.0};
-constexpr figures::Color kChosen{0.80, 0.20, 0.00, 1.0};
 
 // The configuration of Fig. 4(a); the paper prints no numbers.
 Robot robot_of_figure() {

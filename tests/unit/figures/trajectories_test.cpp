@@ -13,7 +13,7 @@ namespace {
 class TrajectoriesFile : public FigureFile {};
 
 // Without axes the view begins 8 pt from the edges of the page.
-constexpr FigureOptions kBare{.width = 216.0, .axes = false};
+const FigureOptions kBare{.width = 216.0, .axes = false};
 
 // One robot that goes 4 m to the right and back 2 m, and a mover far above.
 struct Drive {
