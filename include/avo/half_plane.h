@@ -45,7 +45,8 @@ constexpr double reciprocal_share(double max_acceleration_A, double max_accelera
   return max_acceleration_A / (max_acceleration_A + max_acceleration_B);
 }
 
-/// A's half-plane in v'_A, Eq. (17): the relative one scaled by the share about v_AB, moved to v_A.
+/// A's half-plane in v'_A, Eq. (17): the relative one scaled by the share about v_AB, Eq. (2), and
+/// moved to v_A, Eq. (3).
 constexpr HalfPlane apportion(const HalfPlane& relative, Vec2 v_A, double alpha_AB) {
   return {relative.normal, dot(relative.normal, v_A) + alpha_AB * relative.offset};
 }

@@ -95,7 +95,8 @@ class Planner {
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
                            PlanWorkspace& workspace) const;
 
-  /// D(v_A, δ a_max), what the acceleration allows; for orca without bound (infinite radius).
+  /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
+  /// radius).
   [[nodiscard]] Disc acceleration_disc(const Robot& robot) const;
   /// D(0, v_max).
   [[nodiscard]] Disc speed_disc(const Robot& robot) const;
