@@ -115,7 +115,7 @@ class SlowHull {
       const double low = lenses_[k > 0 ? k - 1 : k].t;
       const double high = lenses_[k + 1 < value.size() ? k + 1 : k].t;
       const auto f = [&](double t) { return support_of(lens(t), n); };
-      best = std::max(best, golden_section(f, low, high, 45));
+      best = std::max(best, golden_section(f, low, high, 36));
     }
     return best;
   }
@@ -136,14 +136,14 @@ class SlowHull {
     }
     std::sort(minima.begin(), minima.end());
     double best = kInfinity, best_angle = 0.0;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, minima.size()); ++k) {
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, minima.size()); ++k) {
       double angle = minima[k].second * kStep;
       const auto f = [&](double x) {
         const double h = support(direction(x));
         if (h < best) best = h, best_angle = x;
         return -h;
       };
-      golden_section(f, angle - kStep, angle + kStep, 45);
+      golden_section(f, angle - kStep, angle + kStep, 36);
     }
     return {direction(best_angle), best};
   }
