@@ -76,10 +76,14 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
-void OutputFile::commit() {
+void OutputFile::settle() {
   flush();
-  if (path_ == "-") return;
   if (renames_ && fsync(descriptor_) != 0 && errno != EINVAL) fail();
+}
+
+void OutputFile::commit() {
+  settle();
+  if (path_ == "-") return;
   const int descriptor = std::exchange(descriptor_, -1);
   const bool closed = close(descriptor) == 0;
   const bool done = closed && (!renames_ || std::rename(temporary_.c_str(), final_.c_str()) == 0);

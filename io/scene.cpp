@@ -48,7 +48,7 @@ class SceneBuilder {
     if (scenario_.robots.empty())
       reader_.fail(root, "", "no robots", "must have at least one in robots or groups");
     apply(patches);
-    if (root.find("duration") == nullptr) scenario_.duration = usual_duration();
+    if (root.find("duration") == nullptr) set_usual_duration();
     refuse_coincident();
     validate();
     return std::move(scenario_);
@@ -108,13 +108,18 @@ class SceneBuilder {
     }
   }
 
-  /// Time enough to arrive by detours, s.
-  double usual_duration() const {
-    double longest = 0.0;
+  /// Time enough to arrive by detours.
+  void set_usual_duration() {
+    double longest = 0.0;  // s
     for (const avo::RobotSetup& robot : scenario_.robots)
       if (robot.preferred_speed > 0.0)
         longest = std::max(longest, norm(robot.goal - robot.position) / robot.preferred_speed);
-    return std::ceil(60.0 + 2.0 * longest);
+    scenario_.duration = std::ceil(60.0 + 2.0 * longest);
+    if (scenario_.duration / scenario_.time_step > static_cast<double>(avo::kMostSteps))
+      reader_.fail(document_.root, "",
+                   fmt::format("no \"duration\", the usual one of {:g} s has more than {} steps",
+                               scenario_.duration, avo::kMostSteps),
+                   "must be given");
   }
 
   /// Robots at one point cannot tell in which direction to part.

@@ -81,8 +81,13 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void check_key(const Node& node) const {
     if (!next_is_key()) return;
+    const bool nested = node.kind == Node::Kind::list || node.kind == Node::Kind::map;
+    if (nested)  // also what yaml-cpp makes of "key: [1, 2" at the end of the text
+      document_.fail(node, fmt::format("found a {} as a key or one that is not closed, keys must "
+                                       "be words such as time_step",
+                                       node.kind == Node::Kind::list ? "list" : "map"));
     if (node.kind != Node::Kind::text)
-      document_.fail(node, "found a key that is not a word, keys must be words such as time_step");
+      document_.fail(node, "found an empty key, keys must be words such as time_step");
     if (node.text == "<<" && !node.quoted) refuse_reference(node, "a merge key");
   }
   void count(const Node& node) {

@@ -41,16 +41,15 @@ struct Outputs {
     if (trajectories) trajectories->observe(simulation);
   }
 
+  /// All of them, or none where one cannot be written.
   void finish(const avo::Scenario& scenario, const avo::RunSummary& results) {
+    if (summary) summary->write(avo_io::to_json(results));
+    if (figure) draw_trajectories(scenario, trajectories->frames(), figure->temporary_path());
+    if (record) record->settle();
+    if (summary) summary->settle();
     if (record) record->commit();
-    if (summary) {
-      summary->write(avo_io::to_json(results));
-      summary->commit();
-    }
-    if (figure) {
-      draw_trajectories(scenario, trajectories->frames(), figure->temporary_path());
-      figure->commit();
-    }
+    if (summary) summary->commit();
+    if (figure) figure->commit();
   }
 };
 

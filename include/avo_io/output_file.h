@@ -21,7 +21,9 @@ class OutputFile {
 
   /// Buffered. Throws FileError, e.g. where the disk is full.
   void write(std::string_view bytes);
-  /// Puts all bytes on the disk and gives the file its name. Throws FileError.
+  /// Puts all bytes on the disk, under the temporary name. Throws FileError.
+  void settle();
+  /// The same, and gives the file its name. Throws FileError.
   void commit();
 
   /// The name to write to for those who open files by name; commit() afterwards.

@@ -41,10 +41,11 @@ void check(const Place& place, double value, const Range& range, std::string_vie
            std::string_view component = "") {
   if (range.contains(value)) return;
   const std::string field = text(place) + std::string(component);
-  const std::string suffix = unit.empty() ? "" : " " + std::string(unit);
+  const std::string suffix = unit.empty() ? "" : std::string(" ").append(unit);
   if (!std::isfinite(value)) refuse(field, text(value), "a finite number");
   if (range.below(value))
-    refuse(field, text(value), (range.open_min ? "> " : ">= ") + text(range.min) + suffix);
+    refuse(field, text(value),
+           std::string(range.open_min ? "> " : ">= ") + text(range.min) + suffix);
   refuse(field, text(value), "<= " + text(range.max) + suffix);
 }
 

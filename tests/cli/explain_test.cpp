@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo explain: the decision that the simulation takes, and all that it rests on.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "avo_io/scene.h"
+#include "run_avo.h"
+
+namespace avo_test {
+namespace {
+
+using Json = nlohmann::json;
+using Strings = std::vector<std::string>;
+
+Json explained(const Strings& arguments) {
+  Strings all{"explain", "--json"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const ProcessResult result = run_avo(all);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return Json::parse(result.out, nullptr, false);
+}
+
+avo::Vec2 point(const Json& json) {
+  return {json.at(0), json.at(1)};
+}
+
+/// The simulation just before the step that begins at `steps` time steps.
+avo::Simulation simulated(const avo::Scenario& scenario, int steps) {
+  avo::Simulation simulation(scenario, 1);
+  for (int i = 0; i < steps; ++i) simulation.step();
+  return simulation;
+}
+
+TEST(Explain, tells_the_decision_that_the_next_step_takes) {
+  const Json json = explained({"circle-10", "--robot", "3", "--time", "7.05"});
+  avo::Simulation simulation = simulated(avo_io::load_scenario("circle-10"), 70);
+  EXPECT_EQ(json["time"], simulation.time()) << "the last step until then";
+  EXPECT_EQ(json["robot"], 3);
+  EXPECT_EQ(point(json["position"]), simulation.fleet().position[3]);
+  EXPECT_EQ(point(json["velocity"]), simulation.fleet().velocity[3]);
+  EXPECT_EQ(point(json["preferred_velocity"]), simulation.perceive(3).robot.preferred_velocity);
+  simulation.step();
+  const avo::Plan& plan = simulation.fleet().plan[3];
+  EXPECT_EQ(point(json["new_velocity"]), plan.new_velocity);
+  EXPECT_EQ(json["status"], avo::to_string(plan.status));
+  EXPECT_EQ(json["violation"], plan.violation);
+}
+
+TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
+  const Json json = explained({"circle-10", "--robot", "0", "--time", "6"});
+  const avo::Simulation simulation = simulated(avo_io::load_scenario("circle-10"), 60);
+  const auto perception = simulation.perceive(0);
+  avo::PlanWorkspace workspace;
+  simulation.planner().collect_half_planes(perception.robot, perception.neighbors, workspace);
+  ASSERT_GT(workspace.planes.size(), 0U);
+  ASSERT_EQ(json["half_planes"].size(), workspace.planes.size());
+  ASSERT_EQ(json["status"], "optimal");
+  const avo::Vec2 chosen = point(json["new_velocity"]);
+  for (std::size_t k = 0; k < workspace.planes.size(); ++k) {
+    const Json& plane = json["half_planes"][k];
+    const auto index = static_cast<std::size_t>(workspace.planes[k].neighbor);
+    EXPECT_EQ(plane["neighbor"], perception.source[index]);
+    EXPECT_EQ(point(plane["normal"]), workspace.planes[k].plane.normal);
+    EXPECT_EQ(plane["offset"], workspace.planes[k].plane.offset);
+    EXPECT_NEAR(norm(point(plane["normal"])), 1.0, 1e-12);
+    EXPECT_GE(dot(point(plane["normal"]), chosen), plane["offset"].get<double>() - 1e-9);
+  }
+  EXPECT_EQ(json["obstacles"].size(), perception.neighbors.size());
+  EXPECT_EQ(json["acceleration_disc"]["radius"], 4.0);
+  EXPECT_EQ(point(json["acceleration_disc"]["center"]), perception.robot.velocity);
+  EXPECT_EQ(json["speed_disc"]["radius"], 2.0);
+  EXPECT_EQ(json["rule"], "half_planes");
+}
+
+TEST(Explain, names_moving_obstacles) {
+  const Json json = explained({"positions-exchange", "--robot", "1", "--set",
+                               "moving_obstacles=[{position: [30, 0]}, {position: [7, 0.5], "
+                               "velocity: [1, 0]}]"});
+  ASSERT_EQ(json["half_planes"].size(), 1U) << "the other robot is too far away";
+  EXPECT_EQ(json["half_planes"][0]["neighbor"], "moving_obstacles.1");
+  EXPECT_EQ(json["obstacles"][0]["neighbor"], "moving_obstacles.1");
+  EXPECT_EQ(json["obstacles"][0]["max_acceleration"], 0.0);
+}
+
+TEST(Explain, a_robot_alone_avoids_the_union_of_obstacles) {
+  const Json json = explained({"moving-obstacle", "--robot", "0", "--time", "5"});
+  EXPECT_EQ(json["rule"], "union_of_obstacles");
+  EXPECT_EQ(json["half_planes"], Json::array());
+  EXPECT_EQ(json["obstacles"][0]["neighbor"], "moving_obstacles.0");
+  avo::Simulation simulation = simulated(avo_io::load_scenario("moving-obstacle"), 50);
+  simulation.step();
+  EXPECT_EQ(point(json["new_velocity"]), simulation.fleet().plan[0].new_velocity);
+  EXPECT_EQ(json["status"], "optimal");
+  EXPECT_EQ(json["violation"], 0.0);
+}
+
+TEST(Explain, orca_has_no_acceleration_disc) {
+  const Json json = explained({"circle-10", "--robot", "0", "--set", "method=orca"});
+  EXPECT_TRUE(json["acceleration_disc"].is_null());
+}
+
+TEST(Explain, draws_velocity_space) {
+  for (const char* name : {"a.svg", "a.png", "a.pdf"}) {
+    const ProcessResult result =
+        run_avo({"explain", "circle-10", "--robot", "0", "--time", "6", "--figure", path_of(name)});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_GT(read_file(path_of(name)).size(), 1000U);
+  }
+  EXPECT_EQ(files_in(folder()), (Strings{"a.pdf", "a.png", "a.svg"}));
+}
+
+TEST(Explain, speaks_without_json) {
+  const ProcessResult result = run_avo({"explain", "circle-10", "--robot", "3", "--time", "6"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(result.out.starts_with("circle-10, robot 3 at 6 s\n")) << result.out;
+  for (const char* word : {"half-plane", "preferred velocity", "new velocity", "status"})
+    EXPECT_NE(result.out.find(word), std::string::npos) << word;
+}
+
+TEST(Explain, usage_errors) {
+  const auto message = [](Strings arguments) {
+    arguments.insert(arguments.begin(), {"explain", "circle-10"});
+    const ProcessResult result = run_avo(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    return result.err;
+  };
+  EXPECT_EQ(message({"--robot", "10"}), "avo: --robot: found 10, must be 0 to 9\n");
+  EXPECT_EQ(message({"--robot", "-1"}), "avo: --robot: found -1, must be 0 to 9\n");
+  EXPECT_EQ(message({"--robot", "0", "--time", "-1"}), "avo: --time: found -1, must be >= 0 s\n");
+  EXPECT_EQ(message({"--robot", "0", "--time", "nan"}), "avo: --time: found nan, must be >= 0 s\n");
+  EXPECT_EQ(message({"--robot", "0", "--time", "101"}),
+            "avo: --time: found 101 s, must be <= duration = 100 s\n");
+  EXPECT_NE(message({}).find("--robot"), std::string::npos);
+  EXPECT_NE(message({"--robot", "0", "--json", "--figure", "a.svg"}).find("--figure"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace avo_test

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of fields, the core's validation and the JSON Schema say the same.
+#include "fields.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
+
+#include "avo/error.h"
+#include "avo_io/scene.h"
+
+namespace avo_test {
+namespace {
+
+using avo::Scenario;
+
+Scenario valid_scenario() {
+  Scenario scenario;
+  scenario.robots.push_back({.position = {0, 0}, .velocity = {}, .goal = {1, 0}, .car = {}});
+  scenario.robots[0].car.emplace();
+  scenario.moving_obstacles.push_back({.position = {5, 5}, .velocity = {}, .acceleration = {}});
+  return scenario;
+}
+
+std::string refusal(const Scenario& scenario) {
+  try {
+    avo::validate(scenario);
+  } catch (const avo::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+double next(double value, double towards) {
+  return std::nextafter(value, towards);
+}
+
+/// Puts values at and just beyond the ends of a field's range into `target`, a part of `scenario`.
+template <class T, class Value>
+void check_ends(const Scenario& scenario, T& target, const avo_io::Field<T>& field,
+                Value T::*member, double& number, const std::string& path) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Value before = target.*member;
+  const auto refused = [&](double value) {
+    number = value;
+    const std::string message = refusal(scenario);
+    target.*member = before;
+    return message.starts_with(path + ": found ");
+  };
+  const avo::Range& range = field.range;
+  EXPECT_TRUE(refused(next(range.max, infinity))) << path;
+  EXPECT_TRUE(refused(next(range.min, -infinity))) << path;
+  EXPECT_EQ(refused(range.min), range.open_min) << path;
+  EXPECT_TRUE(refused(std::nan(""))) << path;
+  EXPECT_TRUE(refused(infinity)) << path;
+  EXPECT_TRUE(refused(-infinity)) << path;
+}
+
+template <class T>
+int check_ranges(const Scenario& scenario, T& target, const std::string& path) {
+  int checked = 0;
+  for (const avo_io::Field<T>& field : avo_io::fields<T>()) {
+    const std::string name = path + std::string(field.key);
+    const auto visitor = [&](auto member) {
+      using Pointer = decltype(member);
+      if constexpr (std::is_same_v<Pointer, double T::*>) {
+        check_ends(scenario, target, field, member, target.*member, name);
+        ++checked;
+      } else if constexpr (std::is_same_v<Pointer, avo::Vec2 T::*>) {
+        check_ends(scenario, target, field, member, (target.*member).x, name + ".0");
+        check_ends(scenario, target, field, member, (target.*member).y, name + ".1");
+        ++checked;
+      }
+    };
+    std::visit(visitor, field.member);
+  }
+  return checked;
+}
+
+TEST(Fields, ranges_are_those_of_validate) {
+  Scenario scenario = valid_scenario();
+  ASSERT_EQ(refusal(scenario), "");
+  EXPECT_EQ(check_ranges(scenario, scenario, ""), 6);
+  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 7);
+  EXPECT_EQ(check_ranges(scenario, *scenario.robots[0].car, "robots.0.car."), 2);
+  EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 4);
+}
+
+TEST(Fields, whole_numbers_have_the_ranges_of_validate) {
+  Scenario scenario = valid_scenario();
+  scenario.samples = -1;
+  EXPECT_EQ(refusal(scenario), "samples: found -1, must be >= 0");
+  scenario.samples = 10001;
+  EXPECT_EQ(refusal(scenario), "samples: found 10001, must be <= 10000");
+  scenario.samples = 1;
+  EXPECT_EQ(refusal(scenario), "samples: found 1, must be 0 (exact) or >= 2");
+  scenario.samples = 2;
+  EXPECT_EQ(refusal(scenario), "");
+  scenario.max_neighbors = 0;
+  EXPECT_EQ(refusal(scenario), "max_neighbors: found 0, must be >= 1");
+  scenario.max_neighbors = 1;
+  EXPECT_EQ(refusal(scenario), "");
+}
+
+std::string refusal_of_text(const std::string& yaml) {
+  try {
+    avo_io::parse_scenario(yaml, "f");
+  } catch (const avo_io::SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+const std::string kRobots = "robots: [{position: [0, 0], goal: [1, 0]}]\n";
+
+/// One misspelling and one repetition of every key of a map that opens with `before`.
+template <class T>
+void check_misspellings(const std::vector<avo_io::Field<T>>& table, const std::string& before,
+                        const std::string& after) {
+  for (const auto& field : table) {
+    const std::string key(field.key);
+    const std::string wrong = key.substr(0, key.size() - 1) + "x";
+    const std::string unknown = refusal_of_text(before + wrong + ": 1" + after);
+    EXPECT_NE(unknown.find("found the unknown key \"" + wrong + "\""), std::string::npos)
+        << unknown;
+    EXPECT_TRUE(unknown.ends_with("; did you mean \"" + key + "\"?")) << unknown;
+    const std::string twice = refusal_of_text(before + key + ": 1, " + key + ": 1" + after);
+    EXPECT_NE(twice.find("found the key \"" + key + "\" twice"), std::string::npos) << twice;
+  }
+}
+
+TEST(Fields, every_key_is_guessed_and_refused_twice) {
+  check_misspellings(avo_io::fields<Scenario>(), "{", "}");
+  check_misspellings(avo_io::fields<avo::RobotSetup>(), "{version: 1, robots: [{", "}]}");
+  check_misspellings(avo_io::fields<avo::MovingObstacle>(), "{version: 1, moving_obstacles: [{",
+                     "}]}");
+  check_misspellings(avo_io::fields<avo::CarSetup>(),
+                     "{version: 1, robots: [{position: [0, 0], goal: [1, 0], car: {", "}}]}");
+  check_misspellings(avo_io::fields<avo_io::Group>(), "{version: 1, groups: [{", "}]}");
+}
+
+TEST(Fields, every_default_is_that_of_the_struct) {
+  const Scenario defaults;
+  const Scenario scenario =
+      avo_io::parse_scenario("version: 1\nduration: 60\n" + kRobots, "a.yaml");
+  EXPECT_EQ(scenario.name, "a");
+  EXPECT_EQ(scenario.time_step, defaults.time_step);
+  EXPECT_EQ(scenario.control_time, 4.0);
+  EXPECT_EQ(scenario.time_horizon, 10.0);
+  EXPECT_EQ(scenario.sensing_radius, 15.0);
+  EXPECT_EQ(scenario.max_neighbors, std::nullopt);
+  EXPECT_EQ(scenario.method, avo::Method::avo_paper);
+  EXPECT_EQ(scenario.motion, avo::Motion::held);
+  EXPECT_EQ(scenario.samples, 0);
+  EXPECT_EQ(scenario.arrival_distance, 0.5);
+  EXPECT_EQ(scenario.seed, 1U);
+  EXPECT_EQ(scenario.robots[0].radius, 0.5);
+  EXPECT_EQ(scenario.robots[0].max_speed, 2.0);
+  EXPECT_EQ(scenario.robots[0].max_acceleration, 1.0);
+  EXPECT_EQ(scenario.robots[0].preferred_speed, 2.0);
+  EXPECT_FALSE(scenario.robots[0].car);
+}
+
+TEST(Fields, every_value_of_the_contract_arrives) {
+  const Scenario scenario = avo_io::parse_scenario(R"yaml(version: 1
+name: two robots
+time_step: 0.2
+duration: 61
+control_time: 3        # delta
+time_horizon: 9        # tau
+sensing_radius: 14
+max_neighbors: 8
+method: orca
+motion: exponential
+samples: 25
+arrival_distance: 0.25
+seed: 18446744073709551615
+robots:
+  - {position: [-10, 1], velocity: [0.5, 0.25], goal: [10, 2], radius: 0.4, max_speed: 3, max_acceleration: 0.75, preferred_speed: 1.5}
+  - {position: [+1.0e+1, -.5], goal: [-10, 0], max_speed: 1.25, car: {wheelbase: 0.7, heading: 3.}}
+moving_obstacles:
+  - {position: [0, 5], velocity: [0, -0.5], acceleration: [0.125, 0], radius: 0.6}
+)yaml",
+                                                   "f.yaml");
+  EXPECT_EQ(scenario.name, "two robots");
+  EXPECT_EQ(scenario.time_step, 0.2);
+  EXPECT_EQ(scenario.duration, 61.0);
+  EXPECT_EQ(scenario.control_time, 3.0);
+  EXPECT_EQ(scenario.time_horizon, 9.0);
+  EXPECT_EQ(scenario.sensing_radius, 14.0);
+  EXPECT_EQ(scenario.max_neighbors, 8);
+  EXPECT_EQ(scenario.method, avo::Method::orca);
+  EXPECT_EQ(scenario.motion, avo::Motion::exponential);
+  EXPECT_EQ(scenario.samples, 25);
+  EXPECT_EQ(scenario.arrival_distance, 0.25);
+  EXPECT_EQ(scenario.seed, 18446744073709551615U);
+  ASSERT_EQ(scenario.robots.size(), 2U);
+  const avo::RobotSetup& first = scenario.robots[0];
+  EXPECT_EQ(first.position, (avo::Vec2{-10, 1}));
+  EXPECT_EQ(first.velocity, (avo::Vec2{0.5, 0.25}));
+  EXPECT_EQ(first.goal, (avo::Vec2{10, 2}));
+  EXPECT_EQ(first.radius, 0.4);
+  EXPECT_EQ(first.max_speed, 3.0);
+  EXPECT_EQ(first.max_acceleration, 0.75);
+  EXPECT_EQ(first.preferred_speed, 1.5);
+  const avo::RobotSetup& second = scenario.robots[1];
+  EXPECT_EQ(second.position, (avo::Vec2{10, -0.5}));
+  EXPECT_EQ(second.preferred_speed, 1.25) << "max_speed where it is left out";
+  ASSERT_TRUE(second.car);
+  EXPECT_EQ(second.car->wheelbase, 0.7);
+  EXPECT_EQ(second.car->heading, 3.0);
+  ASSERT_EQ(scenario.moving_obstacles.size(), 1U);
+  EXPECT_EQ(scenario.moving_obstacles[0].velocity, (avo::Vec2{0, -0.5}));
+  EXPECT_EQ(scenario.moving_obstacles[0].acceleration, (avo::Vec2{0.125, 0}));
+  EXPECT_EQ(scenario.moving_obstacles[0].radius, 0.6);
+}
+
+TEST(Fields, doubles_arrive_bit_by_bit_and_without_minus_zero) {
+  for (const char* text : {"0.1", "1.7976931348623157e+1", "4.9406564584124654e-324", "123456789.1",
+                           "0.30000000000000004", "2.2250738585072011e-308"}) {
+    const Scenario scenario = avo_io::parse_scenario(
+        fmt::format("version: 1\nduration: 60\nrobots: [{{position: [{}, -0], goal: [1, 0]}}]\n",
+                    text),
+        "f");
+    EXPECT_EQ(fmt::format("{:.17g}", scenario.robots[0].position.x),
+              fmt::format("{:.17g}", std::strtod(text, nullptr)));
+    EXPECT_FALSE(std::signbit(scenario.robots[0].position.y));
+  }
+}
+
+TEST(Fields, comments_bom_crlf_and_markers_do_no_harm) {
+  const Scenario plain = avo_io::parse_scenario("version: 1\n" + kRobots, "f");
+  for (const std::string& text :
+       {"\xEF\xBB\xBFversion: 1\r\n# comment\r\n" + kRobots,
+        "---\nversion: 1\n" + kRobots + "...\n", "%YAML 1.2\n---\nversion: 1\n" + kRobots,
+        "version: 1\n" + kRobots + "\n\n  \n"}) {
+    EXPECT_EQ(avo_io::parse_scenario(text, "f").robots[0].goal, plain.robots[0].goal) << text;
+  }
+}
+
+TEST(Fields, schema_has_every_field_with_range_and_default) {
+  const auto schema = nlohmann::json::parse(avo_io::scenario_schema());
+  EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(schema["additionalProperties"], false);
+  EXPECT_EQ(schema["properties"].size(), avo_io::fields<Scenario>().size());
+  EXPECT_EQ(schema["properties"]["control_time"]["exclusiveMinimum"], 0.0);
+  EXPECT_EQ(schema["properties"]["control_time"]["default"], 4.0);
+  EXPECT_EQ(schema["properties"]["version"]["const"], 1);
+  EXPECT_FALSE(schema["properties"]["duration"].contains("default"));
+  EXPECT_EQ(schema["required"], nlohmann::json({"version"}));
+  const auto& robot = schema["$defs"]["robot"];
+  EXPECT_EQ(robot["required"], nlohmann::json({"position", "goal"}));
+  EXPECT_EQ(robot["additionalProperties"], false);
+  for (const auto& field : avo_io::fields<avo::RobotSetup>()) {
+    const auto& property = robot["properties"][std::string(field.key)];
+    EXPECT_NE(property["description"].get<std::string>().find(field.doc), std::string::npos);
+  }
+  EXPECT_EQ(robot["properties"]["goal"]["minItems"], 2);
+  EXPECT_EQ(schema["$defs"]["group"]["properties"]["goals"]["oneOf"][0]["enum"],
+            nlohmann::json({"antipodal", "permutation"}));
+}
+
+}  // namespace
+}  // namespace avo_test

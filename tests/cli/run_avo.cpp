@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the command line as a process of its own, without a shell.
+#include "run_avo.h"
+
+#include <algorithm>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <signal.h>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace avo_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+void redirect(const std::string& path, int target) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (file < 0 || dup2(file, target) < 0) _exit(99);
+  close(file);
+}
+
+[[noreturn]] void become_avo(const std::vector<std::string>& arguments, const std::string& out,
+                             const std::string& err, int unread_pipe) {
+  if (unread_pipe >= 0)
+    dup2(unread_pipe, STDOUT_FILENO);
+  else
+    redirect(out, STDOUT_FILENO);
+  redirect(err, STDERR_FILENO);
+  std::vector<char*> words;
+  std::string name = "avo";
+  words.push_back(name.data());
+  std::vector<std::string> copies = arguments;
+  for (std::string& word : copies) words.push_back(word.data());
+  words.push_back(nullptr);
+  execv(AVO_BINARY, words.data());
+  _exit(98);
+}
+
+/// Gone with the process, like all in it.
+struct TemporaryFolder {
+  fs::path path = fs::temp_directory_path() / ("avo_cli_test." + std::to_string(getpid()));
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+}  // namespace
+
+ProcessResult run_avo(const std::vector<std::string>& arguments, const ProcessOptions& options) {
+  const std::string err = path_of("stderr.txt");
+  const std::string own_out = path_of("stdout.txt");
+  const std::string out = options.out_path.empty() ? own_out : options.out_path;
+  int ends[2] = {-1, -1};
+  if (options.out_path == "|") {
+    if (pipe(ends) != 0) throw std::runtime_error("pipe");
+    close(ends[0]);
+  }
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("fork");
+  if (child == 0) become_avo(arguments, out, err, ends[1]);
+  if (ends[1] >= 0) close(ends[1]);
+  if (options.meanwhile) options.meanwhile(child);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ProcessResult result;
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (options.out_path.empty()) result.out = read_file(own_out);
+  result.err = read_file(err);
+  fs::remove(own_out);
+  fs::remove(err);
+  return result;
+}
+
+std::string folder() {
+  static const TemporaryFolder top;
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = std::string(test->test_suite_name()) + "." + test->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  fs::create_directories(top.path / name);
+  return (top.path / name).string();
+}
+
+std::string path_of(const std::string& file) {
+  return folder() + "/" + file;
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+bool exists(const std::string& path) {
+  return fs::exists(path);
+}
+
+std::vector<std::string> files_in(const std::string& path) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace avo_test

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo run: recordings and summaries as promised, whole or not there, whatever happens.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <signal.h>
+#include <string>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include "avo/metrics.h"
+#include "avo/simulation.h"
+#include "avo/version.h"
+#include "avo_io/recording.h"
+#include "avo_io/scene.h"
+#include "run_avo.h"
+
+namespace avo_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Strings = std::vector<std::string>;
+
+const Strings kSummaryKeys{"scene",
+                           "robots",
+                           "steps",
+                           "arrived",
+                           "first_collision_time",
+                           "collision_pairs",
+                           "obstacle_collisions",
+                           "min_clearance",
+                           "max_acceleration",
+                           "max_speed",
+                           "mean_arrival",
+                           "last_arrival",
+                           "infeasible_steps",
+                           "step_milliseconds_median",
+                           "seed",
+                           "version"};
+
+Strings keys_of(const Json& json) {
+  Strings keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  return keys;
+}
+
+TEST(Run, records_every_step_of_every_robot_bit_by_bit) {
+  const Strings overrides{"duration=5", "groups.0.placement.circle.min_radius=5"};
+  const std::string csv = path_of("out.csv");
+  const ProcessResult result =
+      run_avo({"run", "circle-6", "--record", csv, "--set", overrides[0], "--set", overrides[1]});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Strings lines = lines_of(read_file(csv));
+  ASSERT_EQ(lines.size(), 1U + 51U * 6U);
+  EXPECT_EQ(lines[0], "time,robot,x,y,vx,vy");
+  avo::Simulation simulation(avo_io::load_scenario("circle-6", overrides), 1);
+  std::size_t row = 1;
+  for (int step = 0; step <= 50; ++step) {
+    if (step > 0) simulation.step();
+    const avo::FleetView fleet = simulation.fleet();
+    for (std::size_t i = 0; i < 6; ++i) {
+      double t = 0, x = 0, y = 0, vx = 0, vy = 0;
+      int robot = -1;
+      ASSERT_EQ(
+          std::sscanf(lines[row++].c_str(), "%lf,%d,%lf,%lf,%lf,%lf", &t, &robot, &x, &y, &vx, &vy),
+          6);
+      EXPECT_EQ(t, simulation.time());
+      EXPECT_EQ(robot, static_cast<int>(i));
+      EXPECT_EQ((avo::Vec2{x, y}), fleet.position[i]);
+      EXPECT_EQ((avo::Vec2{vx, vy}), fleet.velocity[i]);
+    }
+  }
+  EXPECT_EQ(read_file(csv).back(), '\n');
+  EXPECT_EQ(lines[7].substr(0, 22), "0.10000000000000001,0,") << "17 significant digits";
+}
+
+TEST(Run, is_the_same_for_any_number_of_threads) {
+  const auto record = [](const std::string& threads) {
+    const std::string csv = path_of("threads.csv");
+    EXPECT_EQ(
+        run_avo({"run", "circle-20", "--set", "duration=8", "--threads", threads, "--record", csv})
+            .exit_code,
+        0);
+    return read_file(csv);
+  };
+  const std::string one = record("1");
+  EXPECT_GT(one.size(), 10000U);
+  EXPECT_EQ(one, record("2"));
+  EXPECT_EQ(one, record("3"));
+}
+
+TEST(Run, summary_has_all_keys_and_the_numbers_of_the_library) {
+  const Strings overrides{"duration=30", "moving_obstacles=[{position: [0, 3], radius: 0.25}]"};
+  const std::string path = path_of("out.json");
+  const ProcessResult result = run_avo({"run", "positions-exchange", "--summary", path, "--set",
+                                        overrides[0], "--set", overrides[1], "--seed", "7"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(read_file(path));
+  EXPECT_EQ(keys_of(json), kSummaryKeys);
+
+  const avo::Scenario scenario = avo_io::load_scenario("positions-exchange", overrides);
+  avo::Simulation simulation(scenario, 1);
+  avo::Metrics metrics(scenario);
+  metrics.observe(simulation);
+  for (int step = 0; step < 300; ++step) {
+    simulation.step();
+    metrics.observe(simulation);
+  }
+  const avo::RunSummary expected = metrics.summary();
+  EXPECT_EQ(json["scene"], "positions-exchange");
+  EXPECT_EQ(json["robots"], 2);
+  EXPECT_EQ(json["steps"], 300);
+  EXPECT_EQ(json["arrived"], 2);
+  EXPECT_EQ(json["arrived"], expected.arrived);
+  EXPECT_TRUE(json["first_collision_time"].is_null());
+  EXPECT_EQ(json["collision_pairs"], 0);
+  EXPECT_EQ(json["obstacle_collisions"], 0);
+  EXPECT_EQ(json["min_clearance"], *expected.min_clearance);
+  EXPECT_EQ(json["max_acceleration"], expected.max_acceleration);
+  EXPECT_EQ(json["max_speed"], expected.max_speed);
+  EXPECT_EQ(json["mean_arrival"], *expected.mean_arrival);
+  EXPECT_EQ(json["last_arrival"], *expected.last_arrival);
+  EXPECT_EQ(json["infeasible_steps"], expected.infeasible_steps);
+  EXPECT_GT(json["step_milliseconds_median"], 0.0);
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["version"], avo::kVersion);
+}
+
+TEST(Run, summary_says_null_where_there_is_nothing) {
+  const std::string path = path_of("out.json");
+  ASSERT_EQ(run_avo({"run", "moving-obstacle", "--summary", path, "--set", "duration=1"}).exit_code,
+            0);
+  const Json json = Json::parse(read_file(path));
+  for (const char* key : {"first_collision_time", "min_clearance", "mean_arrival", "last_arrival"})
+    EXPECT_TRUE(json[key].is_null()) << key;
+  EXPECT_EQ(json["arrived"], 0);
+}
+
+TEST(Run, collisions_are_counted_and_are_no_failure) {
+  const std::string path = path_of("out.json");
+  const ProcessResult result =
+      run_avo({"run", "positions-exchange", "--summary", path, "--set", "duration=1", "--set",
+               "robots.1.position=[-9.5, 0]", "--set",
+               "moving_obstacles=[{position: [-10, -0.5], radius: 0.5}]"});
+  EXPECT_EQ(result.exit_code, 0);
+  const Json json = Json::parse(read_file(path));
+  EXPECT_EQ(json["first_collision_time"], 0.0);
+  EXPECT_EQ(json["collision_pairs"], 1);
+  EXPECT_GE(json["obstacle_collisions"], 1);
+  EXPECT_LE(json["min_clearance"], -0.5);
+  EXPECT_NE(result.err.find("warning: robot 0 and robot 1 overlap at the start"),
+            std::string::npos);
+}
+
+TEST(Run, writes_figures_of_every_kind) {
+  for (const char* name : {"a.svg", "a.png", "a.pdf"}) {
+    const std::string path = path_of(name);
+    ASSERT_EQ(run_avo({"run", "moving-obstacle", "--figure", path}).exit_code, 0);
+    const std::string bytes = read_file(path);
+    EXPECT_GT(bytes.size(), 1000U) << name;
+    const std::string start = bytes.substr(0, 8);
+    EXPECT_TRUE(start.starts_with("<?xml") || start.starts_with("\x89PNG") ||
+                start.starts_with("%PDF"))
+        << name;
+  }
+  EXPECT_EQ(files_in(folder()), (Strings{"a.pdf", "a.png", "a.svg"})) << "nothing left behind";
+}
+
+TEST(Run, prints_a_summary_to_read) {
+  const ProcessResult result = run_avo({"run", "moving-obstacle"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "") << "no bar where there is no terminal, no warning";
+  EXPECT_TRUE(result.out.starts_with("moving-obstacle: 1 robots, 300 steps of 0.1 s\n"));
+  for (const char* word : {"arrived            1 of 1", "collisions         0 pairs", "largest"})
+    EXPECT_NE(result.out.find(word), std::string::npos) << word;
+}
+
+TEST(Run, writes_to_the_standard_output_on_demand) {
+  const ProcessResult csv =
+      run_avo({"run", "moving-obstacle", "--set", "duration=1", "--record", "-"});
+  EXPECT_EQ(lines_of(csv.out).size(), 12U);
+  EXPECT_TRUE(csv.out.starts_with("time,robot,x,y,vx,vy\n0,0,-10,0,0,0\n"));
+  const ProcessResult json =
+      run_avo({"run", "moving-obstacle", "--set", "duration=1", "--summary", "-"});
+  EXPECT_EQ(keys_of(Json::parse(json.out)), kSummaryKeys);
+}
+
+TEST(Run, warns_in_one_line_and_goes_on) {
+  const ProcessResult result =
+      run_avo({"run", "moving-obstacle", "--set", "control_time=1", "--set", "duration=1"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(lines_of(result.err).size(), 1U);
+  EXPECT_TRUE(result.err.starts_with("warning: control_time 1 s is less than half of"));
+}
+
+TEST(Run, reports_places_that_cannot_be_written_before_it_simulates) {
+  const Strings forever{"run", "positions-exchange", "--set", "duration=1e6"};
+  for (const char* option : {"--record", "--summary", "--figure"}) {
+    Strings arguments = forever;
+    const std::string path = path_of("no/such/folder/a.svg");
+    arguments.insert(arguments.end(), {"--record", path_of("ok.csv"), option, path});
+    if (std::string(option) == "--record")
+      arguments.erase(arguments.begin() + 4, arguments.begin() + 6);
+    const ProcessResult result = run_avo(arguments);
+    EXPECT_EQ(result.exit_code, 4) << option;
+    EXPECT_EQ(result.err, path + ": No such file or directory\n");
+    EXPECT_EQ(files_in(folder()), Strings{}) << "neither the other output nor a part of it";
+  }
+  EXPECT_EQ(run_avo({"run", "circle-2", "--record", folder()}).err,
+            folder() + ": found a directory, must be a file\n");
+}
+
+TEST(Run, reports_a_full_disk) {
+  const ProcessResult record =
+      run_avo({"run", "circle-10", "--set", "duration=1e5", "--record", "/dev/full"});
+  EXPECT_EQ(record.exit_code, 4);
+  EXPECT_EQ(record.err, "/dev/full: No space left on device\n");
+  const ProcessResult summary = run_avo({"run", "circle-2", "--summary", "/dev/full"});
+  EXPECT_EQ(summary.exit_code, 4);
+  EXPECT_EQ(summary.err, "/dev/full: No space left on device\n");
+  const ProcessResult out =
+      run_avo({"run", "circle-2"}, {.out_path = "/dev/full", .meanwhile = {}});
+  EXPECT_EQ(out.exit_code, 4);
+  EXPECT_EQ(out.err, "standard output: No space left on device\n");
+  struct stat status = {};
+  ASSERT_EQ(stat("/dev/full", &status), 0);
+  EXPECT_TRUE(S_ISCHR(status.st_mode)) << "still a device";
+}
+
+TEST(Run, is_quiet_when_nobody_reads_on) {
+  for (const Strings& arguments :
+       {Strings{"run", "circle-2"}, Strings{"run", "circle-2", "--record", "-"},
+        Strings{"schema"}}) {
+    const ProcessResult result = run_avo(arguments, {.out_path = "|", .meanwhile = {}});
+    EXPECT_EQ(result.exit_code, 141) << arguments[0];
+    EXPECT_EQ(lines_of(result.err).size(), 0U);
+  }
+}
+
+TEST(Run, replaces_a_file_only_when_it_is_whole) {
+  const std::string path = path_of("out.csv");
+  write_file(path, "precious\n");
+  EXPECT_EQ(run_avo({"run", "circle-2", "--record", path, "--summary", "/dev/full"}).exit_code, 4);
+  EXPECT_EQ(run_avo({"run", "circle-2", "--record", path, "--set", "duration=-1"}).exit_code, 2);
+  EXPECT_EQ(
+      run_avo({"run", "circle-2", "--record", path, "--figure", path_of("no/a.svg")}).exit_code, 4);
+  EXPECT_EQ(read_file(path), "precious\n");
+  EXPECT_EQ(run_avo({"run", "circle-2", "--record", path}).exit_code, 0);
+  EXPECT_TRUE(read_file(path).starts_with("time,robot"));
+  EXPECT_EQ(files_in(folder()), Strings{"out.csv"});
+}
+
+TEST(Run, follows_a_link_instead_of_replacing_it) {
+  write_file(path_of("target.csv"), "");
+  ASSERT_EQ(symlink(path_of("target.csv").c_str(), path_of("link.csv").c_str()), 0);
+  ASSERT_EQ(run_avo({"run", "circle-2", "--set", "duration=1", "--record", path_of("link.csv")})
+                .exit_code,
+            0);
+  struct stat status = {};
+  ASSERT_EQ(lstat(path_of("link.csv").c_str(), &status), 0);
+  EXPECT_TRUE(S_ISLNK(status.st_mode));
+  EXPECT_TRUE(read_file(path_of("target.csv")).starts_with("time,robot"));
+}
+
+/// Sends the signal once the recording has begun.
+ProcessResult interrupted(int signal, const Strings& more) {
+  Strings arguments{"run", "circle-5", "--set", "duration=1e6"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_avo(arguments, {.out_path = "", .meanwhile = [&](int pid) {
+                               const auto begun = [] {
+                                 const Strings names = files_in(folder());
+                                 return std::any_of(
+                                     names.begin(), names.end(),
+                                     [](const auto& name) { return name.ends_with(".part.csv"); });
+                               };
+                               for (int i = 0; i < 1000 && !begun(); ++i)
+                                 std::this_thread::sleep_for(std::chrono::milliseconds(10));
+                               std::this_thread::sleep_for(std::chrono::milliseconds(150));
+                               kill(pid, signal);
+                             }});
+}
+
+TEST(Run, interrupted_it_closes_what_it_has) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string csv = path_of("out.csv"), json = path_of("out.json");
+    const auto start = std::chrono::steady_clock::now();
+    const ProcessResult result = interrupted(signal, {"--record", csv, "--summary", json});
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    EXPECT_EQ(result.exit_code, 128 + signal);
+    const Strings lines = lines_of(read_file(csv));
+    ASSERT_GT(lines.size(), 6U);
+    ASSERT_EQ((lines.size() - 1) % 5, 0U) << "every step whole";
+    const auto steps = static_cast<int>((lines.size() - 1) / 5 - 1);
+    EXPECT_EQ(Json::parse(read_file(json))["steps"], steps);
+    EXPECT_EQ(std::count(lines.back().begin(), lines.back().end(), ','), 5);
+    EXPECT_EQ(read_file(csv).back(), '\n');
+    EXPECT_NE(result.err.find(fmt::format("stopped by a signal after {} of 10000000 steps", steps)),
+              std::string::npos)
+        << result.err;
+    EXPECT_EQ(files_in(folder()), (Strings{"out.csv", "out.json"}));
+  }
+}
+
+TEST(Run, usage_errors) {
+  const auto message = [](Strings arguments) {
+    arguments.insert(arguments.begin(), {"run", "circle-2"});
+    const ProcessResult result = run_avo(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(lines_of(result.err).size(), 1U);
+    return result.err;
+  };
+  EXPECT_EQ(message({"--figure", "a.gif"}),
+            "avo: --figure a.gif: found the extension '.gif', allowed: .svg, .png, .pdf\n");
+  EXPECT_EQ(message({"--record", "a", "--summary", "./a"}),
+            "avo: a: found as the name of two outputs, must differ\n");
+  EXPECT_NE(message({"--threads", "-1"}).find("--threads"), std::string::npos);
+  EXPECT_NE(message({"--threads", "many"}).find("--threads"), std::string::npos);
+  EXPECT_NE(message({"--nonsense"}).find("--nonsense"), std::string::npos);
+  EXPECT_NE(message({"--set"}).find("--set"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace avo_test

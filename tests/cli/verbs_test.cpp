@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The other verbs, help and versions.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "avo/version.h"
+#include "avo_io/scene.h"
+#include "run_avo.h"
+
+namespace avo_test {
+namespace {
+
+TEST(Verbs, version) {
+  const ProcessResult result = run_avo({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, std::string("avo ") + avo::kVersion + "\n");
+}
+
+TEST(Verbs, help_of_every_verb_has_an_example_that_works) {
+  EXPECT_NE(run_avo({"--help"}).out.find("Example: avo run"), std::string::npos);
+  for (const std::string verb : {"run", "explain", "scenes", "validate", "schema"}) {
+    const ProcessResult result = run_avo({verb, "--help"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.out.find("Usage: avo " + verb), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("Example: avo " + verb), std::string::npos) << result.out;
+  }
+}
+
+TEST(Verbs, scenes_are_listed_and_printed) {
+  const ProcessResult list = run_avo({"scenes"});
+  EXPECT_EQ(list.exit_code, 0);
+  const std::vector<std::string> lines = lines_of(list.out);
+  ASSERT_EQ(lines.size(), avo_io::builtin_scenes().size());
+  const auto json = nlohmann::json::parse(run_avo({"scenes", "--json"}).out);
+  const std::vector<std::string> names{"cars-100", "circle-N", "moving-obstacle",
+                                       "positions-exchange"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_TRUE(lines[i].starts_with(names[i] + " ")) << lines[i];
+    EXPECT_EQ(json[i]["name"], names[i]);
+    EXPECT_NE(json[i]["description"], "");
+    const std::string path = path_of("scene.yaml");
+    write_file(path, run_avo({"scenes", names[i]}).out);
+    EXPECT_EQ(run_avo({"validate", path}).exit_code, 0) << names[i];
+  }
+  EXPECT_EQ(run_avo({"scenes", "nonsense"}).exit_code, 2);
+}
+
+TEST(Verbs, a_scene_by_path_is_the_scene_by_name) {
+  const std::string path = path_of("circle.yaml");
+  write_file(path, run_avo({"scenes", "circle-N"}).out);
+  const auto run = [](const std::string& scene) {
+    return run_avo({"run", scene, "--set", "duration=2", "--record", "-"}).out;
+  };
+  EXPECT_EQ(run(path), run("circle-100"));
+}
+
+TEST(Verbs, validate_says_what_there_is_and_warns) {
+  const ProcessResult good = run_avo({"validate", "circle-12"});
+  EXPECT_EQ(good.exit_code, 0);
+  EXPECT_EQ(good.out, "circle-12: valid: 12 robots, 0 moving obstacles, 1000 steps of 0.1 s\n");
+  EXPECT_EQ(good.err, "");
+  const ProcessResult odd = run_avo({"validate", "circle-12", "--set", "sensing_radius=2"});
+  EXPECT_EQ(odd.exit_code, 0);
+  EXPECT_TRUE(odd.err.starts_with("warning: sensing_radius 2 m is less than"));
+}
+
+TEST(Verbs, schema_is_json) {
+  const ProcessResult result = run_avo({"schema"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, avo_io::scenario_schema());
+  EXPECT_EQ(nlohmann::json::parse(result.out)["type"], "object");
+}
+
+TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
+  using Strings = std::vector<std::string>;
+  for (const Strings& arguments :
+       {Strings{}, Strings{"nonsense"}, Strings{"run"}, Strings{"--nonsense"}, Strings{"validate"},
+        Strings{"run", "circle-2", "circle-3"}}) {
+    const ProcessResult result = run_avo(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+  }
+  EXPECT_EQ(run_avo({"rnu", "circle-2"}).err,
+            "avo: rnu: found no such verb, verbs are run, explain, scenes, validate, schema\n");
+}
+
+}  // namespace
+}  // namespace avo_test
