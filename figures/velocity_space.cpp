@@ -15,7 +15,7 @@ constexpr Color kChosen{0.80, 0.20, 0.00, 1.0};
 constexpr int kContourCells = 240;
 
 std::string source_label(int source) {
-  return source >= 0 ? std::to_string(source) : "o" + std::to_string(-1 - source);
+  return source >= 0 ? std::to_string(source) : std::string("o") + std::to_string(-1 - source);
 }
 
 // v'_B of a mover: the velocity it has, or approaches under the acceleration observed (§III-C).

@@ -109,7 +109,7 @@ std::string area_of(const VelocitySpace& space) {
 }
 
 std::string point(Vec2 at) {
-  return "(" + format("%.2f", at.x) + ", " + format("%.2f", at.y) + ")";
+  return std::string("(") + format("%.2f", at.x) + ", " + format("%.2f", at.y) + ")";
 }
 
 }  // namespace
