@@ -60,8 +60,9 @@ void append_wall(const PassiveObstacle& mover, double reach, std::vector<Limit>&
   const Obstacle& obstacle = mover.obstacle;
   const Pair& pair = obstacle.pair;
   const Vec2 along = pair.position == Vec2{} ? pair.velocity : pair.position;
-  if (along == Vec2{}) return;
-  const Vec2 n = unit(along);
+  const double length = norm(along);  // 0 also where its square underflows
+  if (!(length > 0.0)) return;
+  const Vec2 n = along / length;
   const double A = pair.radius - dot(n, pair.position);
   const double B = dot(n, pair.velocity);
   const auto falls_short = [&](double T) { return B * T + reach * obstacle.response.gain(T) < A; };

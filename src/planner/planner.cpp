@@ -9,6 +9,7 @@
 
 #include "avo/error.h"
 #include "avo/half_plane.h"
+#include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
 #include "planner/braking.h"
@@ -23,18 +24,28 @@ void require_positive(double value, const char* name) {
               ", must be > 0 s");
 }
 
+// Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
+constexpr Range kSize{1e-60, kLargest, false};
+
+bool is_valid(Vec2 value) {
+  return kAnyValue.contains(value.x) && kAnyValue.contains(value.y);
+}
+
+// Where the robot is does not matter for slowing down.
+bool can_brake(const Robot& robot) {
+  return is_valid(robot.velocity) && kSize.contains(robot.max_acceleration) &&
+         kSize.contains(robot.max_speed);
+}
+
 bool is_valid(const Robot& robot) {
-  return is_finite(robot.position) && is_finite(robot.velocity) &&
-         is_finite(robot.preferred_velocity) && std::isfinite(robot.radius) && robot.radius > 0.0 &&
-         std::isfinite(robot.max_acceleration) && robot.max_acceleration > 0.0 &&
-         std::isfinite(robot.max_speed) && robot.max_speed > 0.0;
+  return can_brake(robot) && is_valid(robot.position) && is_valid(robot.preferred_velocity) &&
+         kSize.contains(robot.radius);
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  return is_finite(neighbor.position) && is_finite(neighbor.velocity) &&
-         is_finite(neighbor.acceleration) && std::isfinite(neighbor.radius) &&
-         neighbor.radius > 0.0 && std::isfinite(neighbor.max_acceleration) &&
-         neighbor.max_acceleration >= 0.0;
+  return is_valid(neighbor.position) && is_valid(neighbor.velocity) &&
+         is_valid(neighbor.acceleration) && kSize.contains(neighbor.radius) &&
+         kNotNegative.contains(neighbor.max_acceleration);
 }
 
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
@@ -160,7 +171,7 @@ Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
 }
 
 Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const noexcept {
-  if (!is_valid(robot)) return {{}, {}, PlanStatus::invalid_input, 0.0};
+  if (!can_brake(robot)) return {{}, {}, PlanStatus::invalid_input, 0.0};
   if (adopts_at_once(options_.method)) return finish(robot, {}, status, violation);
   return finish(robot, braking_velocity(robot, options_.control_time, step_rate()), status,
                 violation);
@@ -206,7 +217,8 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
     const Vec2 v_new_B =
         each.velocity +
         (response.control_time() * (each.max_acceleration > 0.0 ? 0.0 : 1.0)) * each.acceleration;
-    scratch.obstacles.push_back({{pair, response, options_.time_horizon}, v_new_B});
+    scratch.obstacles.push_back(
+        {{pair, response, options_.time_horizon}, v_new_B, options_.time_step});
   }
   // Eq. (14)
   const PassiveChoice choice =
