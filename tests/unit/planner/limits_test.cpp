@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// No decision leaves D(v_A, δ a_max) or D(0, v_max), however crowded (Eqs. 21-23).
+#include <gtest/gtest.h>
+#include <map>
+
+#include "unit/planner/crowds.h"
+
+namespace avo {
+namespace {
+
+using test::Crowd;
+using test::Random;
+
+constexpr double kRounding = 1.0 + 1e-12;
+
+void expect_within_limits(const Crowd& crowd, const Plan& plan) {
+  const Robot& A = crowd.robot;
+  const double delta = crowd.options.control_time;
+  EXPECT_LE(norm(plan.new_velocity - A.velocity), delta * A.max_acceleration * kRounding) << crowd;
+  EXPECT_LE(norm(plan.acceleration), A.max_acceleration * kRounding) << crowd;
+  if (plan.status != PlanStatus::braking) {
+    EXPECT_LE(norm(plan.new_velocity), A.max_speed * kRounding) << crowd;
+  }
+  EXPECT_GE(plan.violation, 0.0);
+  switch (plan.status) {
+    case PlanStatus::optimal:
+      EXPECT_EQ(plan.violation, 0.0) << crowd;
+      break;
+    case PlanStatus::least_unsafe:
+    case PlanStatus::braking:
+      EXPECT_GT(plan.violation, 0.0) << crowd;
+      break;
+    default:
+      break;
+  }
+}
+
+// Speeds up to v_max + 1.2 δ a_max in one case of eight.
+Crowd possibly_too_fast(Random& random) {
+  Crowd crowd = test::random_crowd(random, -0.9);
+  if (random.below(8) > 0) return crowd;
+  Robot& A = crowd.robot;
+  const double beyond = random.uniform(0.0, 1.2) * crowd.options.control_time * A.max_acceleration;
+  A.velocity = (A.max_speed + beyond) * random.direction();
+  return crowd;
+}
+
+TEST(Limits, P12_hold_for_every_decision_of_plan) {
+  Random random(12);
+  std::map<PlanStatus, int> seen;
+  for (int k = 0; k < 120'000 && !testing::Test::HasFailure(); ++k) {
+    const Crowd crowd = possibly_too_fast(random);
+    const Plan plan = test::plan_of(crowd);
+    expect_within_limits(crowd, plan);
+    ++seen[plan.status];
+  }
+  // the situations are hard enough to matter
+  EXPECT_GT(seen[PlanStatus::optimal], 10'000);
+  EXPECT_GT(seen[PlanStatus::least_unsafe], 10'000);
+  EXPECT_GT(seen[PlanStatus::overlapping], 10'000);
+  EXPECT_GT(seen[PlanStatus::braking], 500);
+  EXPECT_EQ(seen[PlanStatus::invalid_input], 0);
+}
+
+TEST(Limits, P12_hold_for_every_decision_among_movers) {
+  Random random(13);
+  std::map<PlanStatus, int> seen;
+  for (int k = 0; k < 2'000 && !testing::Test::HasFailure(); ++k) {
+    Crowd crowd = possibly_too_fast(random);
+    if (crowd.neighbors.size() > 5) crowd.neighbors.resize(5);
+    PlanWorkspace workspace;
+    const Plan plan =
+        Planner(crowd.options).plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+    expect_within_limits(crowd, plan);
+    ++seen[plan.status];
+  }
+  EXPECT_GT(seen[PlanStatus::optimal], 200);
+  EXPECT_GT(seen[PlanStatus::least_unsafe], 50);
+}
+
+TEST(Limits, orca_and_velocity_obstacle_keep_the_speed_limit) {
+  Random random(14);
+  for (const Method method : {Method::orca, Method::velocity_obstacle}) {
+    for (int k = 0; k < 1'000; ++k) {
+      Crowd crowd = possibly_too_fast(random);
+      crowd.options.method = method;
+      if (crowd.neighbors.size() > 5) crowd.neighbors.resize(5);
+      const Plan plan = test::plan_of(crowd);
+      EXPECT_LE(norm(plan.new_velocity), crowd.robot.max_speed * kRounding) << crowd;
+      // adopted at once: the acceleration says so
+      const Vec2 a = (plan.new_velocity - crowd.robot.velocity) / crowd.options.time_step;
+      EXPECT_EQ(plan.acceleration, a);
+    }
+  }
+}
+
+// The limit is a disc, not a pair of lines or a square: it is reached in every direction.
+TEST(Limits, the_speed_disc_is_round) {
+  PlannerOptions options;
+  options.control_time = 8.0;
+  for (int k = 0; k < 64; ++k) {
+    const double angle = 0.1 * k;
+    const Vec2 direction{std::cos(angle), std::sin(angle)};
+    const Robot robot = test::paper_robot({}, {0.4, -0.2}, 5.0 * direction);
+    PlanWorkspace workspace;
+    const Plan plan = Planner(options).plan(robot, {}, workspace);
+    EXPECT_NEAR(norm(plan.new_velocity - 2.0 * direction), 0.0, 1e-12);
+  }
+}
+
+TEST(Limits, the_acceleration_disc_is_round) {
+  PlannerOptions options;
+  options.control_time = 0.5;
+  for (int k = 0; k < 64; ++k) {
+    const double angle = 0.1 * k;
+    const Vec2 direction{std::cos(angle), std::sin(angle)};
+    const Robot robot = test::paper_robot({}, {0.4, -0.2}, Vec2{0.4, -0.2} + 1.1 * direction);
+    PlanWorkspace workspace;
+    const Plan plan = Planner(options).plan(robot, {}, workspace);
+    EXPECT_NEAR(norm(plan.new_velocity - robot.velocity - 0.5 * direction), 0.0, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace avo

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Movers that do not decide: the whole share, and their observed acceleration (§III-C).
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "unit/planner/crowds.h"
+
+namespace avo {
+namespace {
+
+using test::Random;
+
+Neighbor mover(Vec2 position, Vec2 velocity, Vec2 acceleration) {
+  return {position, velocity, 0.5, 0.0, acceleration};
+}
+
+// Distance over (0, τ] if A heads for v_new_A and B for v_B + δ a_B, both by Eqs. (8), (9).
+double distance_ahead(const PlannerOptions& options, const Robot& A, Vec2 v_new_A,
+                      const Neighbor& B) {
+  const Pair pair{A.position - B.position, A.velocity - B.velocity, A.radius + B.radius};
+  const Obstacle obstacle{pair, Response::proportional(options.control_time), options.time_horizon};
+  return closest_approach(obstacle, v_new_A - B.velocity - options.control_time * B.acceleration)
+      .distance;
+}
+
+// B stands still and pulls out across A's way: only its acceleration gives it away.
+TEST(Movers, observed_acceleration_is_avoided_by_both_ways_of_planning) {
+  const PlannerOptions options;
+  const Planner planner(options);
+  const Robot A = test::paper_robot({}, {1.5, 0}, {1.5, 0});
+  const Neighbor seen = mover({7, -1.5}, {}, {0, 0.1});
+  const Neighbor unseen = mover({7, -1.5}, {}, {});
+  PlanWorkspace workspace;
+  for (const bool alone : {true, false}) {
+    const auto plan = [&](const Neighbor& B) {
+      const std::vector<Neighbor> others{B};
+      return alone ? planner.plan_among_obstacles(A, others, workspace)
+                   : planner.plan(A, others, workspace);
+    };
+    const Plan blind = plan(unseen), aware = plan(seen);
+    ASSERT_EQ(blind.status, PlanStatus::optimal);
+    ASSERT_EQ(aware.status, PlanStatus::optimal);
+    EXPECT_EQ(blind.new_velocity, A.preferred_velocity);
+    EXPECT_LT(distance_ahead(options, A, blind.new_velocity, seen), 0.9);
+    EXPECT_GE(distance_ahead(options, A, aware.new_velocity, seen), 1.0 - 1e-9);
+  }
+}
+
+// An overlap by a millionth asks for no more than one step can mend, alone or not.
+TEST(Movers, a_hardly_overlapping_one_is_left_gently) {
+  PlannerOptions options;
+  options.control_time = 0.5;
+  const Planner planner(options);
+  const Robot A = test::paper_robot({}, {}, {});
+  const std::vector<Neighbor> others{mover({1.0 - 1e-6, 0}, {}, {})};
+  PlanWorkspace workspace;
+  const Plan alone = planner.plan_among_obstacles(A, others, workspace);
+  const Plan by_plane = planner.plan(A, others, workspace);
+  EXPECT_EQ(alone.status, PlanStatus::overlapping);
+  EXPECT_EQ(by_plane.status, PlanStatus::overlapping);
+  EXPECT_NEAR(norm(alone.new_velocity - by_plane.new_velocity), 0.0, 1e-12);
+  EXPECT_GT(norm(alone.new_velocity), 0.0);
+  EXPECT_LT(norm(alone.new_velocity), 1e-3);
+}
+
+TEST(Movers, observed_acceleration_of_those_that_decide_is_not_read) {
+  const Planner planner{PlannerOptions{}};
+  const Robot A = test::paper_robot({}, {1.5, 0}, {1.5, 0});
+  Neighbor B = mover({5, 0.3}, {-1, 0}, {});
+  B.max_acceleration = 1.0;
+  Neighbor accelerating = B;
+  accelerating.acceleration = {0.3, -0.7};
+  PlanWorkspace workspace;
+  for (const bool alone : {true, false}) {
+    const auto plan = [&](const Neighbor& other) {
+      const std::vector<Neighbor> others{other};
+      return alone ? planner.plan_among_obstacles(A, others, workspace)
+                   : planner.plan(A, others, workspace);
+    };
+    EXPECT_EQ(plan(B).new_velocity, plan(accelerating).new_velocity);
+  }
+}
+
+TEST(Movers, an_optimal_choice_keeps_clear_of_all_of_them) {
+  Random random(3);
+  int optimal = 0, busy = 0;
+  for (int k = 0; k < 4'000 && !testing::Test::HasFailure(); ++k) {
+    test::Crowd crowd = test::random_crowd(random, 0.001);
+    if (crowd.neighbors.size() > 4) crowd.neighbors.resize(4);
+    for (Neighbor& B : crowd.neighbors) {
+      B.max_acceleration = 0.0;
+      if (k % 2 == 0) B.acceleration = test::in_disc(random, 0.3);
+    }
+    const Planner planner(crowd.options);
+    PlanWorkspace workspace;
+    for (const bool alone : {true, false}) {
+      if (alone && k % 4 > 0) continue;
+      const Plan plan = alone
+                            ? planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace)
+                            : planner.plan(crowd.robot, crowd.neighbors, workspace);
+      if (plan.status != PlanStatus::optimal) continue;
+      ++optimal;
+      if (!(plan.new_velocity == crowd.robot.preferred_velocity)) ++busy;
+      for (const Neighbor& B : crowd.neighbors) {
+        EXPECT_GE(distance_ahead(crowd.options, crowd.robot, plan.new_velocity, B),
+                  (crowd.robot.radius + B.radius) * (1.0 - 1e-9))
+            << (alone ? "alone\n" : "by half-planes\n") << crowd;
+      }
+    }
+  }
+  EXPECT_GT(optimal, 2'000);
+  EXPECT_GT(busy, 1'000);
+}
+
+// The union of obstacles is larger than what half-planes leave: never a longer detour alone.
+TEST(Movers, the_exact_set_is_no_worse_than_half_planes) {
+  Random random(4);
+  int better = 0;
+  for (int k = 0; k < 1'000 && !testing::Test::HasFailure(); ++k) {
+    test::Crowd crowd = test::random_crowd(random, 0.001);
+    if (crowd.neighbors.size() > 3) crowd.neighbors.resize(3);
+    for (Neighbor& B : crowd.neighbors) B.max_acceleration = 0.0;
+    const Planner planner(crowd.options);
+    PlanWorkspace workspace;
+    const Plan planes = planner.plan(crowd.robot, crowd.neighbors, workspace);
+    const Plan exact = planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+    if (planes.status != PlanStatus::optimal) continue;
+    ASSERT_EQ(exact.status, PlanStatus::optimal) << crowd;
+    const double detour = norm(exact.new_velocity - crowd.robot.preferred_velocity);
+    const double detour_of_planes = norm(planes.new_velocity - crowd.robot.preferred_velocity);
+    EXPECT_LE(detour, detour_of_planes + 1e-9 * crowd.robot.max_speed) << crowd;
+    if (detour < detour_of_planes - 1e-3) ++better;
+  }
+  EXPECT_GT(better, 50);
+}
+
+// Method velocity_obstacle: outside the cone of every neighbor at its present velocity (§III-A).
+TEST(Movers, velocity_obstacle_adopts_a_velocity_outside_the_cones) {
+  Random random(5);
+  int optimal = 0;
+  for (int k = 0; k < 1'000; ++k) {
+    test::Crowd crowd = test::random_crowd(random, 0.001);
+    crowd.options.method = Method::velocity_obstacle;
+    if (crowd.neighbors.size() > 4) crowd.neighbors.resize(4);
+    const Plan plan = test::plan_of(crowd);
+    if (plan.status != PlanStatus::optimal) continue;
+    ++optimal;
+    for (const Neighbor& B : crowd.neighbors) {
+      const Pair pair{crowd.robot.position - B.position, crowd.robot.velocity - B.velocity,
+                      crowd.robot.radius + B.radius};
+      const Obstacle cone{pair, Response::velocity(), crowd.options.time_horizon};
+      EXPECT_GE(closest_approach(cone, plan.new_velocity - B.velocity).distance,
+                pair.radius * (1.0 - 1e-9))
+          << crowd;
+    }
+  }
+  EXPECT_GT(optimal, 300);
+}
+
+}  // namespace
+}  // namespace avo

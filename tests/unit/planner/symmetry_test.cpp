@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must not matter to a decision: place, scale, orientation, who is who, order of neighbors.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <utility>
+
+#include "unit/planner/crowds.h"
+
+namespace avo {
+namespace {
+
+using test::Crowd;
+using test::Random;
+
+// A multiple of 2^-20 m: sums with 1e7 m are exact.
+Vec2 on_grid(Vec2 p) {
+  return {std::round(p.x * 0x1p20) * 0x1p-20, std::round(p.y * 0x1p20) * 0x1p-20};
+}
+
+template <typename Change>
+Crowd mapped(Crowd crowd, Change&& change) {
+  Robot& A = crowd.robot;
+  for (Vec2* vector : {&A.position, &A.velocity, &A.preferred_velocity}) *vector = change(*vector);
+  for (Neighbor& B : crowd.neighbors) {
+    for (Vec2* vector : {&B.position, &B.velocity, &B.acceleration}) *vector = change(*vector);
+  }
+  return crowd;
+}
+
+Plan among(const Crowd& crowd) {
+  PlanWorkspace workspace;
+  return Planner(crowd.options).plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+}
+
+void expect_same(const Plan& a, const Plan& b, const Crowd& crowd) {
+  EXPECT_EQ(a.new_velocity, b.new_velocity) << crowd;
+  EXPECT_EQ(a.status, b.status) << crowd;
+  EXPECT_EQ(a.violation, b.violation) << crowd;
+}
+
+TEST(Symmetry, P6_translation_by_1e7_m_changes_no_bit) {
+  Random random(6);
+  for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
+    Crowd here = test::random_crowd(random, -0.5);
+    here.robot.position = on_grid(here.robot.position);
+    for (Neighbor& B : here.neighbors) B.position = on_grid(B.position);
+    Crowd there = here;
+    const Vec2 way{1e7, -1e7};
+    there.robot.position = there.robot.position + way;
+    for (Neighbor& B : there.neighbors) B.position = B.position + way;
+    expect_same(test::plan_of(here), test::plan_of(there), here);
+    if (k % 20 == 0) expect_same(among(here), among(there), here);
+  }
+}
+
+Crowd scaled(const Crowd& crowd, double length) {
+  Crowd result = mapped(crowd, [&](Vec2 a) { return length * a; });
+  result.robot.radius *= length;
+  result.robot.max_acceleration *= length;
+  result.robot.max_speed *= length;
+  for (Neighbor& B : result.neighbors) {
+    B.radius *= length;
+    B.max_acceleration *= length;
+  }
+  return result;
+}
+
+TEST(Symmetry, P6_lengths_times_a_power_of_two_scale_every_bit) {
+  Random random(7);
+  for (int k = 0; k < 10'000 && !testing::Test::HasFailure(); ++k) {
+    const Crowd crowd = test::random_crowd(random, -0.5);
+    const double length = std::ldexp(1.0, k % 41 - 20);
+    const Crowd other = scaled(crowd, length);
+    Plan plan = test::plan_of(crowd);
+    plan.new_velocity = length * plan.new_velocity;
+    plan.violation *= length;
+    expect_same(plan, test::plan_of(other), crowd);
+    if (k % 20 != 0) continue;
+    plan = among(crowd);
+    plan.new_velocity = length * plan.new_velocity;
+    plan.violation *= length;
+    expect_same(plan, among(other), crowd);
+  }
+}
+
+TEST(Symmetry, P7_point_reflection_negates_every_bit) {
+  Random random(8);
+  for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
+    const Crowd crowd = test::random_crowd(random, -0.5);
+    Plan plan = test::plan_of(crowd);
+    plan.new_velocity = -plan.new_velocity;
+    expect_same(plan, test::plan_of(mapped(crowd, [](Vec2 a) { return -a; })), crowd);
+  }
+}
+
+TEST(Symmetry, P6_quarter_turns_turn_every_bit) {
+  Random random(9);
+  for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
+    const Crowd crowd = test::random_crowd(random, -0.5);
+    Plan plan = test::plan_of(crowd);
+    plan.new_velocity = perpendicular(plan.new_velocity);
+    expect_same(plan, test::plan_of(mapped(crowd, [](Vec2 a) { return perpendicular(a); })), crowd);
+  }
+}
+
+// A and B see the same line from both sides, and it splits: P7 through the planner.
+TEST(Symmetry, P7_two_robots_get_opposite_planes) {
+  Random random(10);
+  int both = 0;
+  for (int k = 0; k < 50'000 && !testing::Test::HasFailure(); ++k) {
+    Crowd crowd = test::random_crowd(random, -0.5);
+    Robot A = crowd.robot;
+    const Neighbor random_B = test::random_neighbor(random, A, -0.5);
+    Robot B{random_B.position, random_B.velocity, {}, random_B.radius, A.max_acceleration, 5.0};
+    if (random_B.max_acceleration > 0.0) B.max_acceleration = random_B.max_acceleration;
+    if (k % 3 == 0) B.velocity = A.velocity;  // ties
+    const Planner planner(crowd.options);
+    PlanWorkspace of_A, of_B;
+    planner.collect_half_planes(A, std::vector<Neighbor>{test::as_neighbor(B)}, of_A);
+    planner.collect_half_planes(B, std::vector<Neighbor>{test::as_neighbor(A)}, of_B);
+    if (of_A.planes.empty() || of_B.planes.empty()) continue;
+    ++both;
+    EXPECT_EQ(of_A.planes[0].plane.normal, -of_B.planes[0].plane.normal);
+  }
+  EXPECT_GT(both, 10'000);
+}
+
+TEST(Symmetry, P10_order_of_the_neighbors_changes_rounding_only) {
+  Random random(11);
+  for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
+    Crowd crowd = test::random_crowd(random, -0.5);
+    const Plan plan = test::plan_of(crowd);
+    for (std::size_t i = crowd.neighbors.size(); i > 1; --i) {
+      std::swap(crowd.neighbors[i - 1],
+                crowd.neighbors[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    }
+    const Plan other = test::plan_of(crowd);
+    const double speed = crowd.robot.max_speed;
+    if (plan.status != other.status) {  // on the edge of being empty
+      EXPECT_LT(std::max(plan.violation, other.violation), 1e-12 * speed) << crowd;
+      continue;
+    }
+    EXPECT_NEAR(plan.violation, other.violation, 1e-10 * speed) << crowd;
+    EXPECT_NEAR(norm(plan.new_velocity - crowd.robot.preferred_velocity),
+                norm(other.new_velocity - crowd.robot.preferred_velocity), 1e-7 * speed)
+        << crowd;
+    EXPECT_NEAR(norm(plan.new_velocity - other.new_velocity), 0.0, 1e-5 * speed) << crowd;
+  }
+}
+
+// A decision depends on nothing but its arguments: not on what the workspace was used for before.
+TEST(Symmetry, the_workspace_carries_nothing_over) {
+  Random random(12);
+  PlanWorkspace used;
+  for (int k = 0; k < 5'000 && !testing::Test::HasFailure(); ++k) {
+    const Crowd crowd = test::random_crowd(random, -0.5);
+    const Planner planner(crowd.options);
+    const Plan again = planner.plan(crowd.robot, crowd.neighbors, used);
+    expect_same(test::plan_of(crowd), again, crowd);
+    if (k % 10 == 0) {
+      expect_same(among(crowd), planner.plan_among_obstacles(crowd.robot, crowd.neighbors, used),
+                  crowd);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avo
