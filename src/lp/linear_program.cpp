@@ -48,10 +48,8 @@ std::array<int, 3> least_unsafe(const Lens& lens, Planes keep, Planes give, std:
   return binding;
 }
 
-// A point as far away as this has the same nearest points as any farther one in that direction,
-// and offsets as large as this are beyond every point: their squares and differences stay finite.
+// A point as far away as this has the same nearest points as any farther one in that direction.
 constexpr double kFarthestPoint = 0x1p400;
-constexpr double kLargestOffset = 0x1p1000;
 
 Vec2 relative_point(const Lens& lens, Vec2 u) {
   const double size = std::max(std::abs(u.x), std::abs(u.y));
@@ -61,8 +59,7 @@ Vec2 relative_point(const Lens& lens, Vec2 u) {
 }
 
 HalfPlane relative_plane(const Lens& lens, const HalfPlane& plane) {
-  const double offset = lens.scale * plane.offset - dot(plane.normal, lens.origin);
-  return {plane.normal, std::clamp(offset, -kLargestOffset, kLargestOffset)};
+  return {plane.normal, lens.scale * plane.offset - dot(plane.normal, lens.origin)};
 }
 
 // Back into the discs, the smaller one last: rounding may have left it by some ulp of the larger

@@ -23,9 +23,9 @@ struct NeighborHit {
 };
 
 /// All points within a fixed radius of any place, exactly those that comparing all pairs finds.
-/// The cells, squares of side `radius`, are unbounded in number and kept in a table of fixed size:
-/// the cells of one row follow each other in it, each row from a scattered start. So memory is
-/// O(n) and a far outlier costs nothing; cells that share a slot are told apart when read.
+/// The cells, squares of side `radius`, are unbounded in number and kept in a table of O(n) slots:
+/// the cells of one row follow each other in it, each row from a scattered start. So a far outlier
+/// costs nothing; points of far cells that share a slot fail the test of their distance.
 class UniformGrid {
  public:
   /// Copies the positions. radius: m, >= 0, may be infinite. Positions that are not finite are
@@ -46,13 +46,12 @@ class UniformGrid {
 
   [[nodiscard]] std::int64_t cell(double coordinate) const;
   [[nodiscard]] std::size_t row_start(std::int64_t row) const;
-  [[nodiscard]] std::size_t slots() const { return begin_.size() - 1; }
 
   double radius_ = 0.0;
   double cells_per_meter_ = 0.0;
   int hash_shift_ = 63;
-  std::vector<int> begin_{0, 0, 0};  ///< entries of slot s: [begin_[s], begin_[s + 1])
-  std::vector<Entry> entries_;       ///< by slot, then by index
+  std::vector<int> begin_{0, 0, 0};  // entries of slot s: [begin_[s], begin_[s + 1])
+  std::vector<Entry> entries_;       // by slot, then by index
 };
 
 }  // namespace avo

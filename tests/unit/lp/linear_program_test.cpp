@@ -263,24 +263,53 @@ TEST(LinearProgram, rounding_does_not_leave_the_disc) {
   EXPECT_LE(norm(r.point - speed.center), 1.25 * (1 + 0x1p-51));
 }
 
-// A hard set that is one point (two touching half-planes and a third through it): soft planes
-// count still. They were once forgotten, with a violation of 2.55 called optimal.
-TEST(LinearProgram, a_hard_set_thinner_than_rounding_is_a_set) {
+// A hard half-plane that misses the disc by rounding leaves one point, and the soft ones count
+// still. They were once forgotten, with a violation of 2.55 called optimal.
+TEST(LinearProgram, a_hard_half_plane_that_nearly_misses_the_disc) {
   const ProgramResult r =
-      solve({{{3.0084882460584031e-10, 1}, 0.75}, {{-1, 0}, 0.75}},
-            {{{0.80000000007968086, -0.59999999989375896}, 1.5000000001890765}}, {{0, 0.75}, 0.75},
-            {{-0.24999999992191163, 0.75000000018731428}, 0.75000000020611701},
-            {-2.5, 1.5000000000730211});
+      solve({{{1, 0}, 1.2499999999999938}},
+            {{{-0.79999999999999982, 0.60000000000000031}, 0.70000000000000628}},
+            {{0.49999999999999561, 0.49999999999999206}, 0.74999999999999656}, {{0.5, 0.5}, 2},
+            {-2.75, -1.5});
   EXPECT_EQ(r.state, ProgramState::least_unsafe);
-  EXPECT_NEAR(r.violation, 2.55, 1e-6);
+  EXPECT_NEAR(r.violation, 1.4, 1e-7);  // a touching line amplifies rounding to its root
 }
 
-TEST(LinearProgram, offsets_may_be_beyond_all_scaling) {
+// Two hard half-planes that miss each other by rounding leave a segment to choose from.
+TEST(LinearProgram, hard_half_planes_that_nearly_miss_each_other) {
+  const ProgramResult r = solve({{{8.7973085321773399e-16, 1}, 0.75000000000000211},
+                                 {{-1.2459643631976329e-15, -1}, -0.74999999999999556}},
+                                {{{1, 0}, 0.25}}, {{1, 0.249999999999995}, 1.25},
+                                {{-0.50000000000000533, -0.5}, 1.4999999999999967}, {-2.5, 0.25});
+  expect_point(r, {0.25, 0.75}, 1e-14);
+  EXPECT_EQ(r.state, ProgramState::optimal);
+}
+
+TEST(LinearProgram, offsets_may_overflow_where_the_discs_are_scaled_up) {
   const ProgramResult r = solve({}, {{{1, 0}, 1.7e308}, {{-1, 0}, 1.7e308}, {{0, 1}, 1.7e308}},
-                                {{0, 0}, 4e-310}, {{0, 0}, 2e-310}, {0, 0});
+                                {{0, 0}, 4e-310}, {{0, 0}, 2e-310}, {1e-310, 1e-310});
   EXPECT_EQ(r.state, ProgramState::least_unsafe);
-  EXPECT_TRUE(is_finite(r.point));
   EXPECT_EQ(r.violation, 1.7e308);
+  EXPECT_LE(std::abs(r.point.x), 2e-310);
+  EXPECT_LE(std::abs(r.point.y), 2e-310);
+}
+
+// Lines that coincide but for rounding: exact clipping left nothing of a line that the least
+// unsafe point lies on, and the violation came out as 0.178.
+TEST(LinearProgram, nearly_coincident_lines_are_clipped_with_a_tolerance) {
+  const Planes hard{{{-0.70710678118654802, 0.70710678118654702}, -0.17677669529663625},
+                    {{-0.79999999999999971, 0.60000000000000031}, -0.35000000000000009}};
+  const Planes soft{{{0.70710678118654757, -0.70710678118654757}, 0.17677669529663809},
+                    {{1.6740133119564523e-15, -1}, -0.74999999999999845},
+                    {{-0.60000000000000009, -0.79999999999999993}, -1.2},
+                    {{-0.5999999999999992, -0.8000000000000006}, -0.49999999999999911},
+                    {{0.79999999999999982, -0.60000000000000042}, 0.35000000000000009},
+                    {{-0.79999999999999905, 0.60000000000000131}, -0.35000000000000009}};
+  const ProgramResult r =
+      solve(hard, soft, {{0.49999999999999889, -0.49999999999999961}, 2},
+            {{0.750000000000001, 0.25}, 0.75000000000000056}, {-1, -0.50000000000000167});
+  EXPECT_EQ(r.state, ProgramState::least_unsafe);
+  EXPECT_NEAR(r.violation, 0.0875, 1e-14);
 }
 
 TEST(LinearProgram, scratch_is_reused) {

@@ -191,6 +191,39 @@ TEST(UniformGrid, the_radius_is_closed) {
   EXPECT_EQ(gather(grid, {0, 0}, 0), (std::vector<NeighborHit>{{25.0, 1}, {25.0, 2}}));
 }
 
+// 1 + 2^-53.5 is 1 as computed, but -2^-53.5 + 1 lies below 1, in the cell before.
+TEST(UniformGrid, a_distance_rounded_to_the_radius_is_within_it) {
+  UniformGrid grid;
+  const std::vector<Vec2> positions{{-0x1.6ap-54, 0}, {1, 0}};
+  ASSERT_EQ(positions[1].x - positions[0].x, 1.0);
+  ASSERT_LT(positions[0].x + 1.0, 1.0);
+  grid.build(positions, 1.0);
+  EXPECT_EQ(gather(grid, positions[0], 0), (std::vector<NeighborHit>{{1.0, 1}}));
+}
+
+// Rounding doubles the reach of a search there: more rows and columns, none read twice.
+TEST(UniformGrid, positions_with_an_ulp_as_large_as_the_radius) {
+  Random random(6);
+  std::vector<Vec2> positions;
+  for (int i = 0; i < 100; ++i) {
+    positions.push_back({1e16 + 2.0 * random.below(9), -1e16 - 2.0 * random.below(9)});
+  }
+  for (const double radius : {0.5, 1.0, 1.000001, 1.5, 2.0, 2.9, 3.1, 4.0}) {
+    EXPECT_GT(compare(positions, radius, 5), 0u);
+  }
+}
+
+TEST(UniformGrid, squares_may_overflow_and_underflow) {
+  const double edge = 0x1p-511;  // of two cells
+  UniformGrid grid;
+  const std::vector<Vec2> close{{edge, 0}, {edge - 1.5e-162, 0}};
+  grid.build(close, 2e-163);
+  EXPECT_EQ(gather(grid, close[1], 1), (std::vector<NeighborHit>{{0.0, 0}}));
+  const std::vector<Vec2> far{{0, 0}, {3.7e161, 0}};
+  grid.build(far, 1e160);
+  EXPECT_EQ(gather(grid, far[1], 1), (std::vector<NeighborHit>{{kInfinity, 0}}));
+}
+
 TEST(UniformGrid, ties_are_settled_by_index) {
   UniformGrid grid;
   const std::vector<Vec2> positions{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}};

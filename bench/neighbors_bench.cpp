@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time to index n robots and to find the ten nearest of each within the sensing radius.
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "neighbors/uniform_grid.h"
+
+namespace avo {
+namespace {
+
+// About `crowd` robots within the radius of each.
+void index_and_gather(benchmark::State& state, double crowd) {
+  const auto n = static_cast<int>(state.range(0));
+  const double side = std::sqrt(3.14159 * n / crowd);
+  std::uint64_t random = 2011;
+  const auto coordinate = [&] {
+    random = random * 6364136223846793005u + 1442695040888963407u;
+    return side * (static_cast<double>(random >> 11) * 0x1p-53);
+  };
+  std::vector<Vec2> positions;
+  for (int i = 0; i < n; ++i) {
+    const double x = coordinate();
+    positions.push_back({x, coordinate()});
+  }
+  UniformGrid grid;
+  std::vector<NeighborHit> hits;
+  for (auto _ : state) {
+    grid.build(positions, 1.0);
+    for (int i = 0; i < n; ++i) {
+      grid.gather(positions[static_cast<std::size_t>(i)], i, 10, hits);
+      benchmark::DoNotOptimize(hits.data());
+    }
+  }
+  state.counters["robots/s"] = benchmark::Counter(n, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK_CAPTURE(index_and_gather, ten_within, 10.0)->Arg(1000)->Arg(100000);
+BENCHMARK_CAPTURE(index_and_gather, hundred_within, 100.0)->Arg(1000)->Arg(100000);
+
+void index_only(benchmark::State& state) {
+  std::vector<Vec2> positions;
+  for (int i = 0; i < 100000; ++i) positions.push_back({std::fmod(i * 0.618, 300.0), i * 0.003});
+  UniformGrid grid;
+  for (auto _ : state) {
+    grid.build(positions, 1.0);
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(index_only);
+
+}  // namespace
+}  // namespace avo
