@@ -10,4 +10,5 @@ add_library(avo_settings INTERFACE)
 target_compile_features(avo_settings INTERFACE cxx_std_20)
 target_compile_options(avo_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false alarms of g++ 12 in std::string's operator+
   $<$<BOOL:${AVO_WERROR}>:-Werror>)

@@ -7,13 +7,13 @@ namespace avo {
 
 /// D(center, radius) of Eq. (1). As an obstacle it is open, as a set of allowed velocities closed.
 struct Disc {
-  Vec2 center;
+  Vec2 center = {};
   double radius = 0.0;
 };
 
 /// {u : normal . u >= offset}, |normal| = 1.
 struct HalfPlane {
-  Vec2 normal;
+  Vec2 normal = {};
   double offset = 0.0;
 };
 

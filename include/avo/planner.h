@@ -42,8 +42,8 @@ enum class PlanStatus : std::uint8_t {
 const char* to_string(PlanStatus status);
 
 struct Plan {
-  Vec2 new_velocity;                        ///< [v'_A] m/s, Eqs. (14), (23)
-  Vec2 acceleration;                        ///< [a_A] m/s^2 at the start of the step, Eq. (7)
+  Vec2 new_velocity = {};                   ///< [v'_A] m/s, Eqs. (14), (23)
+  Vec2 acceleration = {};                   ///< [a_A] m/s^2 at the start of the step, Eq. (7)
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
   double violation = 0.0;                   ///< m/s: how far v' lies outside CA_A; 0 if optimal
 };

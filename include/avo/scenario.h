@@ -19,39 +19,39 @@ struct CarSetup {
 };
 
 struct RobotSetup {
-  Vec2 position;                  ///< m
-  Vec2 velocity;                  ///< m/s; for a car only its length counts, along the heading
-  Vec2 goal;                      ///< m
-  double radius = 0.5;            ///< m, > 0
-  double max_speed = 2.0;         ///< m/s, > 0
-  double max_acceleration = 1.0;  ///< m/s^2, > 0
-  double preferred_speed = 2.0;   ///< m/s, >= 0
-  std::optional<CarSetup> car;    ///< a car-like robot if set
+  Vec2 position = {};                ///< m
+  Vec2 velocity = {};                ///< m/s; for a car only its length counts, along the heading
+  Vec2 goal = {};                    ///< m
+  double radius = 0.5;               ///< m, > 0
+  double max_speed = 2.0;            ///< m/s, > 0
+  double max_acceleration = 1.0;     ///< m/s^2, > 0
+  double preferred_speed = 2.0;      ///< m/s, >= 0
+  std::optional<CarSetup> car = {};  ///< a car-like robot if set
 };
 
 /// A disc that moves with constant acceleration and reacts to nobody.
 struct MovingObstacle {
-  Vec2 position;        ///< m
-  Vec2 velocity;        ///< m/s
-  Vec2 acceleration;    ///< m/s^2
-  double radius = 0.5;  ///< m, > 0
+  Vec2 position = {};      ///< m
+  Vec2 velocity = {};      ///< m/s
+  Vec2 acceleration = {};  ///< m/s^2
+  double radius = 0.5;     ///< m, > 0
 };
 
 struct Scenario {
-  std::string name;
-  double time_step = 0.1;            ///< [Δt] s, > 0
-  double duration = 60.0;            ///< s, >= time_step
-  double control_time = 4.0;         ///< [δ] s, > 0
-  double time_horizon = 10.0;        ///< [τ] s, > 0
-  double sensing_radius = 15.0;      ///< m, > 0, between centers
-  std::optional<int> max_neighbors;  ///< nearest neighbors that get a half-plane; unset: all
+  std::string name = {};
+  double time_step = 0.1;                 ///< [Δt] s, > 0
+  double duration = 60.0;                 ///< s, >= time_step
+  double control_time = 4.0;              ///< [δ] s, > 0
+  double time_horizon = 10.0;             ///< [τ] s, > 0
+  double sensing_radius = 15.0;           ///< m, > 0, between centers
+  std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all
   Method method = Method::avo_paper;
   Motion motion = Motion::held;
   int samples = 0;                ///< 0: exact half-planes; N >= 2: the paper's samples
   double arrival_distance = 0.5;  ///< m, > 0
   std::uint64_t seed = 1;         ///< of random placements
-  std::vector<RobotSetup> robots;
-  std::vector<MovingObstacle> moving_obstacles;
+  std::vector<RobotSetup> robots = {};
+  std::vector<MovingObstacle> moving_obstacles = {};
 };
 
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be

@@ -12,15 +12,15 @@ namespace avo {
 
 /// Robot A relative to B: p_AB = p_A - p_B (m), v_AB = v_A - v_B (m/s), r_AB = r_A + r_B (m).
 struct Pair {
-  Vec2 position;
-  Vec2 velocity;
+  Vec2 position = {};
+  Vec2 velocity = {};
   double radius = 0.0;
 };
 
 /// Pair under a response g: the relative position is x(t) = p + t v + g(t) w for 0 < t < horizon.
-///   velocity obstacle, Eqs. (4)-(6)               g = t,                      set of u = v + w
-///   acceleration obstacle (§III-B)               g = t^2 / 2,                set of u = w
-///   acceleration-velocity obstacle, Eqs. (10)-(12)  g = t + δ (e^{-t/δ} - 1),   set of u = v + w
+///   velocity obstacle, Eqs. (4)-(6)                 g = t,                     set of u = v + w
+///   acceleration obstacle, §III-B                   g = t^2 / 2,               set of u = w
+///   acceleration-velocity obstacle, Eqs. (10)-(12)  g = t + δ (e^{-t/δ} - 1),  set of u = v + w
 /// All functions below speak of u: a new relative velocity (m/s), or for the acceleration
 /// obstacle a relative acceleration (m/s^2).
 struct Obstacle {
@@ -43,7 +43,7 @@ Vec2 relative_position(const Obstacle& obstacle, Vec2 u, double t);
 /// Smallest distance of the centers over the window, exact to rounding (branch and bound on t).
 ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u);
 
-/// Is u forbidden: a distance below r_AB somewhere in the window Eqs. (4), (10)?
+/// Is u forbidden: a distance below r_AB somewhere in the window? Eqs. (4), (10).
 bool contains(const Obstacle& obstacle, Vec2 u);
 
 /// The disc of all u that collide at time t > 0, Eqs. (5), (11), (27), (28).

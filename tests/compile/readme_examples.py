@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Compiles and runs every C++ example of README.md, and validates its scene.
+
+usage: readme_examples.py COMPILER PREFIX LIBDIR FOLDER FLAGS [AVO]
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+compiler, prefix, libdir, folder, flags = sys.argv[1:6]
+avo = sys.argv[6] if len(sys.argv) > 6 else None
+root = pathlib.Path(__file__).resolve().parents[2]
+folder = pathlib.Path(folder)
+folder.mkdir(parents=True, exist_ok=True)
+readme = (root / "README.md").read_text()
+library = pathlib.Path(prefix) / libdir
+environment = dict(os.environ, PKG_CONFIG_PATH=str(library / "pkgconfig"),
+                   LD_LIBRARY_PATH=str(library))
+package = subprocess.run(
+    ["pkg-config", f"--define-variable=prefix={prefix}", "--cflags", "--libs", "avo"],
+    env=environment, check=True, capture_output=True, text=True).stdout.split()
+
+examples = re.findall(r"```cpp\n(.*?)```", readme, re.S)
+assert len(examples) >= 2, "README.md has lost its examples"
+for number, text in enumerate(examples):
+    source = folder / f"example_{number}.cpp"
+    program = folder / f"example_{number}"
+    source.write_text(text)
+    subprocess.run([compiler, *flags.split(), "-Wall", "-Wextra", "-Werror", str(source), *package,
+                    "-o", str(program)], check=True)
+    run = subprocess.run([str(program)], env=environment, check=True, capture_output=True,
+                         text=True, timeout=60)
+    assert run.stdout.strip(), f"example {number} prints nothing"
+    print(run.stdout, end="")
+
+scenes = re.findall(r"```yaml\n(.*?)```", readme, re.S)
+assert scenes, "README.md has lost its scene"
+if avo:
+    for number, text in enumerate(scenes):
+        scene = folder / f"scene_{number}.yaml"
+        scene.write_text(text)
+        subprocess.run([avo, "validate", str(scene)], check=True)
