@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// Car-like robots (paper §V): the arc of Eq. (24) against fine integration, and the rules at rest.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "avo/simulation.h"
+#include "robots/motion.h"
+#include "support/generators.h"
+
+namespace avo {
+namespace {
+
+using test::Random;
+
+struct CarState {
+  double x, y, heading, speed;
+};
+
+// Eq. (24) with held controls.
+CarState derivative(const CarState& s, double linear, double curvature) {
+  return {s.speed * std::cos(s.heading), s.speed * std::sin(s.heading), s.speed * curvature,
+          linear};
+}
+
+CarState moved(const CarState& s, double h, const CarState& d) {
+  return {s.x + h * d.x, s.y + h * d.y, s.heading + h * d.heading, s.speed + h * d.speed};
+}
+
+// Runge-Kutta of order four over `time`.
+CarState integrated(CarState s, double linear, double curvature, double time, int steps) {
+  const double h = time / steps;
+  for (int k = 0; k < steps; ++k) {
+    const CarState a = derivative(s, linear, curvature);
+    const CarState b = derivative(moved(s, h / 2, a), linear, curvature);
+    const CarState c = derivative(moved(s, h / 2, b), linear, curvature);
+    const CarState d = derivative(moved(s, h, c), linear, curvature);
+    s = moved(moved(moved(moved(s, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
+  }
+  return s;
+}
+
+RobotSetup car_setup() {
+  RobotSetup setup;
+  setup.car = CarSetup{0.8, 0.0};
+  return setup;
+}
+
+struct Drive {
+  MotionState state;
+  double speed;
+  Plan plan;
+};
+
+// Any plan within the limits of a car of v_max 2, a_max 1 with δ = 4.
+Drive random_drive(Random& random, double least_speed) {
+  Drive drive;
+  drive.state.position = test::in_disc(random, 10.0);
+  drive.state.heading = random.uniform(-std::numbers::pi, std::numbers::pi);
+  drive.speed = random.uniform(least_speed, 2.0);
+  drive.state.velocity =
+      drive.speed * Vec2{std::cos(drive.state.heading), std::sin(drive.state.heading)};
+  do {
+    drive.plan.new_velocity = test::in_disc(random, 2.0);
+    drive.plan.acceleration = (drive.plan.new_velocity - drive.state.velocity) / 4.0;
+  } while (norm(drive.plan.acceleration) > 1.0);
+  return drive;
+}
+
+double angle_between(double a, double b) {
+  return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
+}
+
+TEST(Car, drives_the_arc_of_Eq_24_with_the_controls_of_Eq_25) {
+  Random random(24);
+  int turns = 0;
+  for (int k = 0; k < 3'000 && !HasFailure(); ++k) {
+    const Drive drive = random_drive(random, 0.3);
+    const Vec2 ahead{std::cos(drive.state.heading), std::sin(drive.state.heading)};
+    const double dt = 0.1;
+    const double linear = dot(ahead, drive.plan.acceleration);
+    const double top = std::max(drive.speed, drive.speed + linear * dt);
+    const double curvature = cross(ahead, drive.plan.acceleration) / (top * top);
+    const CarState expected = integrated(
+        {drive.state.position.x, drive.state.position.y, drive.state.heading, drive.speed}, linear,
+        curvature, dt, 50);
+    const MotionStep step = advance_car(drive.state, drive.plan, car_setup(), dt);
+    EXPECT_NEAR(step.next.position.x, expected.x, 2e-5);
+    EXPECT_NEAR(step.next.position.y, expected.y, 2e-5);
+    EXPECT_LT(angle_between(step.next.heading, expected.heading), 1e-10);
+    EXPECT_NEAR(norm(step.next.velocity), expected.speed, 1e-12);
+    if (std::abs(curvature) > 0.1) ++turns;
+  }
+  EXPECT_GT(turns, 1'000);
+}
+
+// With a constant speed the path is a circle, in closed form.
+TEST(Car, constant_speed_is_a_circle) {
+  MotionState state{{0, 0}, {1.5, 0}, 0.0};
+  Plan plan;
+  plan.acceleration = {0, 0.9};  // κ = 0.4 / m
+  plan.new_velocity = {1.5, 3.6};
+  const MotionStep step = advance_car(state, plan, car_setup(), 0.1);
+  const double angle = 0.4 * 1.5 * 0.1;
+  EXPECT_NEAR(step.next.position.x, std::sin(angle) / 0.4, 1e-15);
+  EXPECT_NEAR(step.next.position.y, (1.0 - std::cos(angle)) / 0.4, 1e-15);
+  EXPECT_NEAR(step.next.heading, angle, 1e-15);
+  EXPECT_NEAR(step.acceleration, 0.9, 1e-15);
+}
+
+TEST(Car, limits_hold_all_through_the_step) {
+  Random random(25);
+  for (int k = 0; k < 50'000 && !HasFailure(); ++k) {
+    const Drive drive = random_drive(random, 0.0);
+    const double dt = random.log_uniform(0.01, 1.0);
+    const MotionStep step = advance_car(drive.state, drive.plan, car_setup(), dt);
+    EXPECT_LE(step.acceleration, 1.0 + 1e-12);
+    const double speed = norm(step.next.velocity);
+    EXPECT_LE(speed, 2.0 + 1e-12);
+    EXPECT_LE(std::abs(speed - drive.speed), 1.0 * dt + 1e-12);
+    // forwards, along the heading
+    const Vec2 ahead{std::cos(step.next.heading), std::sin(step.next.heading)};
+    EXPECT_NEAR(dot(ahead, step.next.velocity), speed, 1e-14);
+    EXPECT_LE(std::abs(step.next.heading), std::numbers::pi);
+    // |v² κ| from what happened: the angle turned over the way driven
+    const double way = norm(step.next.position - drive.state.position);
+    const double turned = angle_between(step.next.heading, drive.state.heading);
+    const double top = std::max(speed, drive.speed);
+    if (way > 1e-6 && turned < 2.0) {
+      const double arc = turned > 1e-6 ? way * (turned / 2) / std::sin(turned / 2) : way;
+      const double lateral = top * top * turned / arc;
+      EXPECT_LE(lateral, 1.0 + 1e-6);
+      EXPECT_NEAR(std::max(lateral, std::abs(speed - drive.speed) / dt), 0.0,
+                  step.acceleration + 1e-6);
+    }
+  }
+}
+
+TEST(Car, stops_within_the_step_and_does_not_reverse) {
+  MotionState state{{1, 2}, {0, 0.05}, std::numbers::pi / 2};
+  Plan plan;
+  plan.acceleration = {0, -1};
+  plan.new_velocity = {0, -3.95};
+  const MotionStep step = advance_car(state, plan, car_setup(), 0.1);
+  EXPECT_EQ(norm(step.next.velocity), 0.0);
+  EXPECT_EQ(step.next.heading, state.heading);
+  EXPECT_GE(step.next.position.y, 2.0);
+  EXPECT_LE(step.next.position.y, 2.0 + 0.05 * 0.1);
+  EXPECT_LE(step.acceleration, 1.0);
+}
+
+// v²/(2 a), not the mean speed over the whole step. Only commands beyond a_max (orca) get there.
+TEST(Car, stopping_within_a_step_covers_the_braking_distance) {
+  MotionState state{{0, 0}, {0.15, 0}, 0.0};
+  Plan plan;
+  plan.acceleration = {-3, 0};
+  plan.new_velocity = {-0.15, 0};
+  const MotionStep step = advance_car(state, plan, car_setup(), 0.1);
+  EXPECT_NEAR(step.next.position.x, 0.15 * 0.15 / 6.0, 1e-15);
+  EXPECT_EQ(norm(step.next.velocity), 0.0);
+  EXPECT_EQ(step.acceleration, 3.0);
+}
+
+TEST(Car, at_rest_turns_in_place_at_a_bounded_rate) {
+  for (const double angle : {0.5, 1.5, 3.0, -0.5, -1.5, -3.0}) {
+    MotionState state{{4, 5}, {0, 0}, 1.0};
+    Plan plan;
+    plan.new_velocity = 1.2 * Vec2{std::cos(1.0 + angle), std::sin(1.0 + angle)};
+    plan.acceleration = 0.25 * plan.new_velocity;
+    const double most = 2.0 / 0.8 * 0.1;  // front axle at v_max, a wheelbase ahead
+    int steps = 0;
+    while (angle_between(state.heading, 1.0 + angle) > 0.25 && steps < 100) {
+      const MotionStep step = advance_car(state, plan, car_setup(), 0.1);
+      EXPECT_EQ(step.next.position, state.position);
+      EXPECT_EQ(step.next.velocity, Vec2{});
+      EXPECT_EQ(step.acceleration, 0.0);
+      const double turned = std::remainder(step.next.heading - state.heading, 2 * std::numbers::pi);
+      EXPECT_LE(std::abs(turned), most * (1.0 + 1e-12));
+      EXPECT_GT(turned * angle, 0.0) << "the short way round";
+      state = step.next;
+      ++steps;
+    }
+    EXPECT_LE(steps, static_cast<int>(std::abs(angle) / most) + 1);
+  }
+}
+
+TEST(Car, at_rest_without_a_wish_stays_as_it_is) {
+  const MotionState state{{4, 5}, {0, 0}, 1.0};
+  const MotionStep step = advance_car(state, Plan{}, car_setup(), 0.1);
+  EXPECT_EQ(step.next.position, state.position);
+  EXPECT_EQ(step.next.heading, state.heading);
+  EXPECT_EQ(step.next.velocity, Vec2{});
+}
+
+Scenario lone_car(Vec2 goal, double heading, double speed) {
+  Scenario scenario;
+  RobotSetup setup = car_setup();
+  setup.car->heading = heading;
+  setup.velocity = {speed, 0};
+  setup.goal = goal;
+  scenario.robots = {setup};
+  return scenario;
+}
+
+TEST(Car, reaches_goals_behind_and_beside_it_and_rests_there) {
+  for (const double speed : {0.0, 1.0, 2.0}) {
+    for (const Vec2 goal : {Vec2{-10, 0}, Vec2{0, 8}, Vec2{-6, -6}, Vec2{15, 1}, Vec2{0.7, 2}}) {
+      for (const double delta : {0.5, 4.0}) {
+        Scenario scenario = lone_car(goal, 0.0, speed);
+        scenario.control_time = delta;
+        Simulation simulation(scenario, 1);
+        double nearest = norm(goal);
+        for (int k = 0; k < 1500; ++k) {
+          simulation.step();
+          nearest = std::min(nearest, norm(simulation.fleet().position[0] - goal));
+          ASSERT_LE(simulation.fleet().applied_acceleration[0], 1.0 + 1e-9);
+          ASSERT_LE(norm(simulation.fleet().velocity[0]), 2.0 + 1e-9);
+        }
+        EXPECT_LT(nearest, scenario.arrival_distance)
+            << "goal " << goal.x << " " << goal.y << " speed " << speed << " delta " << delta;
+        EXPECT_TRUE(simulation.all_at_goal())
+            << "goal " << goal.x << " " << goal.y << " speed " << speed << " delta " << delta;
+        EXPECT_LT(norm(simulation.fleet().velocity[0]), 1e-6);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avo
