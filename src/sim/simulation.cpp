@@ -26,6 +26,15 @@ struct Worker {
   std::vector<NeighborHit> robots, obstacles;
   std::vector<Neighbor> neighbors;
   std::vector<int> source;
+
+  // Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
+  void reserve(std::size_t all_robots, std::size_t all_obstacles, std::size_t most) {
+    constexpr std::size_t kMostAhead = 4096;  // of more, memory grows when it is needed
+    robots.reserve(std::min(all_robots, kMostAhead));
+    obstacles.reserve(std::min(all_obstacles, kMostAhead));
+    neighbors.reserve(std::min({all_robots + all_obstacles, most, kMostAhead}));
+    source.reserve(neighbors.capacity());
+  }
 };
 
 }  // namespace
@@ -48,9 +57,19 @@ struct Simulation::State {
     for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
     settings.robots.clear();
     settings.moving_obstacles.clear();
+    reserve();
     index();
   }
 
+  std::size_t most_neighbors() const {
+    return settings.max_neighbors ? static_cast<std::size_t>(*settings.max_neighbors)
+                                  : std::numeric_limits<std::size_t>::max();
+  }
+  void reserve() {
+    for (Worker& worker : workers) {
+      worker.reserve(fleet.size(), obstacles.setup.size(), most_neighbors());
+    }
+  }
   void index() {
     robot_grid.build(fleet.position, settings.sensing_radius);
     obstacle_grid.build(obstacles.position, settings.sensing_radius);
@@ -78,9 +97,7 @@ Robot Simulation::State::robot(std::size_t i) const {
 // All robots and moving obstacles within the sensing radius, nearest first (robots first and by id
 // where distances are equal), cut to the nearest max_neighbors.
 void Simulation::State::sense(std::size_t i, Worker& worker) const {
-  const std::size_t most = settings.max_neighbors
-                               ? static_cast<std::size_t>(*settings.max_neighbors)
-                               : std::numeric_limits<std::size_t>::max();
+  const std::size_t most = most_neighbors();
   robot_grid.gather(fleet.position[i], static_cast<int>(i), most, worker.robots);
   obstacle_grid.gather(fleet.position[i], -1, most, worker.obstacles);
   worker.neighbors.clear();
@@ -153,6 +170,7 @@ RobotId Simulation::add_robot(const RobotSetup& setup) {
   validate(probe);
   const RobotId robot{state_->next_id++};
   state_->fleet.add(robot, setup);
+  state_->reserve();
   state_->index();
   return robot;
 }
