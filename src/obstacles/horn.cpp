@@ -63,9 +63,10 @@ ResponseAt find_zero(const Horizon& horizon, double low, double high, double f_l
 std::array<Vec2, 2> circle_points(const LocalPair& pair, const ResponseAt& at) {
   const Vec2 x = pair.x(at);
   const double length = norm(x);
-  const double gR = at.gain * pair.R;
+  const double gain_R = at.gain * pair.R;
   const double c = std::clamp(
-      -((length - pair.r) * (length + pair.r) + gR * gR) / (2.0 * gR * length), -1.0, 1.0);
+      -((length - pair.r) * (length + pair.r) + gain_R * gain_R) / (2.0 * gain_R * length), -1.0,
+      1.0);
   const double s = std::sqrt((1.0 - c) * (1.0 + c));
   const Vec2 u = x / length;
   return {{pair.R * Vec2{c * u.x - s * u.y, c * u.y + s * u.x},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uses the installed library as a user would; fails unless two robots pass each other.
-#include <avo/avo.h>
-
 #include <cstdio>
+
+#include <avo/avo.h>
 
 int main() {
   avo::Scenario scenario;
