@@ -60,6 +60,6 @@ void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& s
 
 /// As a file of its own. Throws Error on a path that is no figure or cannot be written.
 void draw_velocity_space(const VelocitySpace& space, const std::string& path,
-                         const FigureOptions& options = {});
+                         const FigureOptions& options = {.width = 340.0});
 
 }  // namespace avo::figures

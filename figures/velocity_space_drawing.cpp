@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "figures/axes.h"
+#include "figures/labels.h"
 #include "figures/velocity_space.h"
 
 namespace avo::figures {
@@ -120,58 +121,6 @@ void draw_origin(Canvas& canvas) {
   canvas.add_page_line({origin.x, page.lower.y}, {origin.x, page.upper.y});
   canvas.stroke({gray(0.45), 0.35});
 }
-
-// Rectangles of the page that labels must not cover.
-class Labels {
- public:
-  explicit Labels(Canvas& canvas) : canvas_(canvas) {}
-
-  void keep_free(Vec2 world, double radius) {
-    const Vec2 at = canvas_.to_page(world);
-    taken_.push_back({at - Vec2{radius, radius}, at + Vec2{radius, radius}});
-  }
-
-  // At the side of `world` where it hides least; the first of equal sides.
-  void place(Vec2 world, const std::string& markup, const TextStyle& style, double distance) {
-    static constexpr std::array<Vec2, 8> kSides{
-        {{1, 1}, {-1, 1}, {1, -1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-    const Vec2 size{canvas_.text_width(markup, style), 1.1 * style.size};
-    const Vec2 anchor = canvas_.to_page(world);
-    Box best{};
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vec2 side : kSides) {
-      const Vec2 middle{anchor.x + side.x * (distance + 0.5 * size.x),
-                        anchor.y - side.y * (distance + 0.5 * size.y)};
-      const Box box{middle - 0.5 * size, middle + 0.5 * size};
-      const double cost = hidden(box);
-      if (cost < least) {
-        least = cost;
-        best = box;
-      }
-    }
-    TextStyle centered = style;
-    centered.align_x = 0.5;
-    centered.align_y = 0.5;
-    canvas_.page_text(0.5 * (best.lower + best.upper), markup, centered);
-    taken_.push_back(best);
-  }
-
- private:
-  static double overlap(const Box& a, const Box& b) {
-    const double x = std::min(a.upper.x, b.upper.x) - std::max(a.lower.x, b.lower.x);
-    const double y = std::min(a.upper.y, b.upper.y) - std::max(a.lower.y, b.lower.y);
-    return x > 0.0 && y > 0.0 ? x * y : 0.0;
-  }
-  [[nodiscard]] double hidden(const Box& box) const {
-    const double area = (box.upper.x - box.lower.x) * (box.upper.y - box.lower.y);
-    double sum = area - overlap(box, grown(canvas_.view_page(), -1.0));  // must stay in the view
-    for (const Box& other : taken_) sum += overlap(box, other);
-    return sum;
-  }
-
-  Canvas& canvas_;
-  std::vector<Box> taken_;
-};
 
 // Where the line of a half-plane leaves the view, a little inside of it.
 std::optional<Vec2> line_end(const HalfPlane& plane, const Box& view, double inset) {
