@@ -157,13 +157,20 @@ double piece_bound(Vec2 a, Vec2 b, Vec2 p) {
   return std::max(0.0, norm(a + part * along - p) - 0.5 * length);
 }
 
-double worst_violation(std::span<const Limit> limits, Vec2 u, double enough) {
-  double worst = 0.0;
-  for (const Limit& limit : limits) {
-    if (limit.kind != Limit::Kind::disc) worst = std::max(worst, violation(limit, u));
-    if (worst >= enough) break;
+// The largest violation, or one that is not below `enough`. `worst` is the limit that was the worst
+// last time, most likely to be so again, and is replaced.
+double worst_violation(std::span<const Limit> limits, Vec2 u, double enough, std::size_t& worst) {
+  const std::size_t first = worst;
+  double largest = violation(limits[first], u);
+  for (std::size_t k = 0; k < limits.size() && largest < enough; ++k) {
+    if (k == first || limits[k].kind == Limit::Kind::disc) continue;
+    const double here = violation(limits[k], u);
+    if (here > largest) {
+      largest = here;
+      worst = k;
+    }
   }
-  return worst;
+  return largest;
 }
 
 // The least violation among the preferred velocity, a fan of velocities and the boundary points,
@@ -171,13 +178,14 @@ double worst_violation(std::span<const Limit> limits, Vec2 u, double enough) {
 PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurvePoint> points,
                            const Lens& lens, Vec2 preferred) {
   PassiveChoice choice{{}, std::numeric_limits<double>::infinity(), PassiveState::least_unsafe};
+  std::size_t worst = 0;  // the first limit is no disc
   const auto offer = [&](Vec2 u) {
     const Vec2 allowed =
         (lens.origin + nearest(lens, lens.scale * u - lens.origin).point) / lens.scale;
-    const double worst = worst_violation(limits, allowed, choice.violation);
-    if (!(worst < choice.violation)) return false;
+    const double largest = worst_violation(limits, allowed, choice.violation, worst);
+    if (!(largest < choice.violation)) return false;
     choice.velocity = allowed;
-    choice.violation = worst;
+    choice.violation = largest;
     return true;
   };
   offer(preferred);

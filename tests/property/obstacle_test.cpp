@@ -118,6 +118,35 @@ RC_GTEST_PROP(Obstacle, P3_boundary_points_touch_one_disc_at_its_time, ()) {
   RC_ASSERT(next == found.left.size());
 }
 
+// The boundary of the plain cone lies in none of its discs; with the tangents from the origin
+// alone it would for any other response.
+RC_GTEST_PROP(Obstacle, P3_boundary_of_the_velocity_obstacle_is_inside_none, ()) {
+  Query q = *test::drawn(query);
+  q.obstacle.response = Response::velocity();
+  const Boundary found = boundary(q.obstacle, 9);
+  for (const auto* side : {&found.left, &found.right, &found.cap}) {
+    for (const Vec2 u : *side) {
+      RC_ASSERT(closest_approach(q.obstacle, u).distance >=
+                q.obstacle.pair.radius - rounding({q.obstacle, u}));
+    }
+  }
+}
+
+// So it is for any response of a pair that does not close in (p . v >= 0).
+RC_GTEST_PROP(Obstacle, P3_boundary_of_a_parting_pair_is_inside_none, ()) {
+  Query q = *test::drawn(query);
+  if (dot(q.obstacle.pair.position, q.obstacle.pair.velocity) < 0.0) {
+    q.obstacle.pair.velocity = -q.obstacle.pair.velocity;
+  }
+  const Boundary found = boundary(q.obstacle, 9);
+  for (const auto* side : {&found.left, &found.right, &found.cap}) {
+    for (const Vec2 u : *side) {
+      RC_ASSERT(closest_approach(q.obstacle, u).distance >=
+                q.obstacle.pair.radius * (1.0 - 1e-12) - 4.0 * rounding({q.obstacle, u}));
+    }
+  }
+}
+
 RC_GTEST_PROP(Obstacle, P5_larger_radius_or_horizon_never_shrinks_it, ()) {
   const Query q = *test::drawn(query);
   const double larger = *test::drawn([](Random& random) { return random.log_uniform(1.0, 10.0); });

@@ -107,6 +107,49 @@ TEST(PassiveObstacles, P2_free_choice_is_safe_and_no_sample_is_nearer) {
   EXPECT_GT(jammed, 100);
 }
 
+// Movers in contact, grazing, head-on, at rest, just out of reach: in contact the obstacle cannot
+// be drawn larger, and the choice may touch it to rounding.
+TEST(PassiveObstacles, P1_free_choice_is_safe_in_degenerate_scenes) {
+  Random random(8);
+  int moved = 0, jammed = 0;
+  for (int k = 0; k < 3000; ++k) {
+    Scene scene = random_scene(random, 0);
+    const Vec2 v_A = std::isfinite(scene.acceleration.radius) ? scene.acceleration.center
+                                                              : test::in_disc(random, 1.0);
+    const double control_time = random.log_uniform(0.3, 6.0);
+    const Response response = std::isfinite(scene.acceleration.radius)
+                                  ? Response::proportional(control_time)
+                                  : Response::velocity();
+    const int count = 1 + random.below(4);
+    for (int i = 0; i < count; ++i) {
+      const test::Situation s = test::degenerate_situation(random);
+      scene.obstacles.push_back({{s.pair, response, s.time_horizon}, v_A - s.pair.velocity});
+    }
+    if (random.below(3) == 0) scene.preferred = v_A;
+    const PassiveChoice choice = choose(scene);
+    ASSERT_TRUE(is_finite(choice.velocity)) << "scene " << k;
+    if (choice.state == PassiveState::discs_disjoint) continue;
+    EXPECT_TRUE(in_disc(scene.acceleration, choice.velocity));
+    EXPECT_TRUE(in_disc(scene.speed, choice.velocity));
+    if (choice.state == PassiveState::least_unsafe) {
+      ++jammed;
+      continue;
+    }
+    if (norm(choice.velocity - scene.preferred) > 0.0) ++moved;
+    for (const PassiveObstacle& each : scene.obstacles) {
+      const Pair& pair = each.obstacle.pair;
+      const double distance =
+          closest_approach(each.obstacle, choice.velocity - each.v_new_B).distance;
+      const double rounding =
+          1e-13 * (norm(pair.position) +
+                   each.obstacle.time_horizon * (norm(pair.velocity) + scene.speed.radius));
+      EXPECT_GE(distance, pair.radius - rounding) << "scene " << k;
+    }
+  }
+  EXPECT_GT(moved, 500);
+  EXPECT_GT(jammed, 100);
+}
+
 // Property (4): no sampled velocity is much less unsafe.
 TEST(PassiveObstacles, least_unsafe_is_about_the_least) {
   Random random(4);
