@@ -86,15 +86,15 @@ Lens make_lens(const Disc& acceleration, const Disc& speed) noexcept {
 
 LensPoint nearest(const Lens& lens, Vec2 p) noexcept {
   const bool inside_smaller = in_smaller(lens, p, 1.0);
-  if (inside_smaller && in_larger(lens, p, 1.0)) return {p, Arc::none};
+  const bool inside_larger = in_larger(lens, p, 1.0);
+  if (inside_smaller && inside_larger) return {p, Arc::none};
   if (!inside_smaller) {
     const Vec2 u = (lens.radius / norm(p)) * p;
     if (in_larger(lens, u)) return {u, Arc::smaller};
   }
-  const Vec2 q = p - lens.larger_center;
-  const double length = norm(q);
-  if (length > lens.larger_radius) {
-    const Vec2 u = lens.larger_center + (lens.larger_radius / length) * q;
+  if (!inside_larger) {
+    const Vec2 q = p - lens.larger_center;
+    const Vec2 u = lens.larger_center + (lens.larger_radius / norm(q)) * q;
     if (in_smaller(lens, u)) return {u, Arc::larger};
   }
   return {corner_towards(lens, p), Arc::corner};

@@ -108,6 +108,28 @@ TEST(Limits, the_speed_disc_is_round) {
   }
 }
 
+// A preferred velocity of v_max whose square rounds up and whose length does not: one decision in
+// fifty took a corner of the discs instead, 0.1 m/s to 2 m/s aside.
+TEST(Limits, at_the_speed_limit_rounding_does_not_turn_the_robot) {
+  for (const double delta : {0.1, 4.0}) {
+    PlannerOptions options;
+    options.control_time = delta;
+    const Planner planner(options);
+    PlanWorkspace workspace;
+    for (int k = 0; k < 20'000; ++k) {
+      const double angle = 3e-4 * k;
+      const double rounded = 2.0 * (1.0 + 0x1p-53 * (k % 5 - 2));
+      const Vec2 direction{std::cos(angle), std::sin(angle)};
+      const Robot robot =
+          test::paper_robot({}, 2.0 * (1.0 - 1e-3 * (k % 7)) * direction, rounded * direction);
+      const Plan plan = planner.plan(robot, {}, workspace);
+      ASSERT_NEAR(norm(plan.new_velocity - robot.preferred_velocity), 0.0, 1e-12) << angle;
+      const Plan alone = planner.plan_among_obstacles(robot, {}, workspace);
+      ASSERT_NEAR(norm(alone.new_velocity - robot.preferred_velocity), 0.0, 1e-12) << angle;
+    }
+  }
+}
+
 TEST(Limits, the_acceleration_disc_is_round) {
   PlannerOptions options;
   options.control_time = 0.5;
