@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nothing is allocated per step once a simulation is warm: every operator new is counted.
+#include <atomic>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+
+#include "avo/simulation.h"
+#include "unit/sim/scenes.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+  void* memory = alignment > alignof(std::max_align_t)
+                     ? std::aligned_alloc(alignment, rounded)
+                     : std::malloc(size > 0 ? size : 1);  // NOLINT
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+// The other forms of new and delete call these.
+void* operator new(std::size_t size) {
+  return counted(size, 1);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);  // NOLINT
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);  // NOLINT
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);  // NOLINT
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);  // NOLINT
+}
+
+namespace avo {
+namespace {
+
+TEST(Allocation, the_counter_counts) {
+  const long before = allocations;
+  delete new double(1.0);
+  EXPECT_EQ(allocations - before, 1);
+}
+
+long allocations_when_warm(const Scenario& scene, int threads, int warm_up, int steps) {
+  Simulation simulation(scene, threads);
+  for (int k = 0; k < warm_up; ++k) simulation.step();
+  const long before = allocations;
+  for (int k = 0; k < steps; ++k) simulation.step();
+  return allocations - before;
+}
+
+TEST(Allocation, none_per_step_in_a_dense_scene) {
+  for (const int threads : {1, 2}) {
+    for (const Motion motion : {Motion::held, Motion::exponential}) {
+      const Scenario scene = test::dense_scene(200, motion);
+      EXPECT_EQ(allocations_when_warm(scene, threads, 60, 60), 0) << threads << " threads";
+    }
+  }
+}
+
+TEST(Allocation, none_per_step_of_orca) {
+  Scenario scene = test::dense_scene(200, Motion::held);
+  scene.method = Method::orca;
+  EXPECT_EQ(allocations_when_warm(scene, 1, 60, 60), 0);
+}
+
+TEST(Allocation, none_per_step_of_velocity_obstacle) {
+  Scenario scene = test::dense_scene(60, Motion::held);
+  scene.method = Method::velocity_obstacle;
+  scene.max_neighbors = 6;
+  EXPECT_EQ(allocations_when_warm(scene, 1, 60, 40), 0);
+}
+
+TEST(Allocation, none_per_step_of_one_robot_among_movers) {
+  Scenario scene = test::dense_scene(1, Motion::held);
+  scene.robots[0].car.reset();
+  scene.robots[0].goal = {12, 6};
+  scene.sensing_radius = 100;
+  EXPECT_EQ(allocations_when_warm(scene, 1, 30, 60), 0);
+}
+
+// On board: one planner, one workspace.
+TEST(Allocation, none_per_plan) {
+  Scenario scene = test::dense_scene(100, Motion::held);
+  const Simulation simulation(scene, 1);
+  std::vector<Simulation::Perception> seen;
+  for (std::size_t i = 0; i < 100; ++i) seen.push_back(simulation.perceive(i));
+  PlanWorkspace workspace;
+  const Planner& planner = simulation.planner();
+  double sum = 0.0;
+  long before = 0;
+  for (int round = 0; round < 2; ++round) {
+    before = allocations;
+    for (const Simulation::Perception& each : seen) {
+      sum += planner.plan(each.robot, each.neighbors, workspace).new_velocity.x;
+      sum += planner.plan_among_obstacles(each.robot, each.neighbors, workspace).new_velocity.x;
+    }
+  }
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_TRUE(std::isfinite(sum));
+}
+
+}  // namespace
+}  // namespace avo

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// P13: the same bits for any number of threads and any order of the robots.
+#include <algorithm>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "unit/sim/scenes.h"
+
+namespace avo {
+namespace {
+
+using test::dense_scene;
+using test::Random;
+
+std::vector<std::uint64_t> hashes(const Scenario& scene, int threads, int steps) {
+  Simulation simulation(scene, threads);
+  std::vector<std::uint64_t> all{simulation.state_hash()};
+  for (int k = 0; k < steps; ++k) {
+    simulation.step();
+    all.push_back(simulation.state_hash());
+  }
+  return all;
+}
+
+TEST(Determinism, P13_any_number_of_threads_gives_the_same_bits) {
+  for (const Motion motion : {Motion::held, Motion::exponential}) {
+    const Scenario scene = dense_scene(220, motion);
+    const std::vector<std::uint64_t> one = hashes(scene, 1, 200);
+    for (const int threads : {2, 3, 7, 16}) EXPECT_EQ(hashes(scene, threads, 200), one) << threads;
+    // all different: the hash sees the motion
+    std::vector<std::uint64_t> sorted = one;
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  }
+}
+
+TEST(Determinism, P13_other_methods_too) {
+  for (const Method method : {Method::orca, Method::velocity_obstacle}) {
+    Scenario scene = dense_scene(60, Motion::held);
+    scene.method = method;
+    scene.max_neighbors = 5;
+    EXPECT_EQ(hashes(scene, 3, 30), hashes(scene, 1, 30));
+  }
+}
+
+TEST(Determinism, the_hash_sees_every_bit_of_the_state) {
+  const Scenario scene = dense_scene(30, Motion::held);
+  const std::uint64_t hash = Simulation(scene, 1).state_hash();
+  const auto changed = [&](auto&& change) {
+    Scenario other = scene;
+    change(other);
+    return Simulation(other, 1).state_hash();
+  };
+  const auto nudged = [](double& x) { x = std::nextafter(x, 1e9); };
+  EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.robots[7].position.x); }));
+  EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.robots[29].velocity.y); }));
+  EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.robots[5].car->heading); }));
+  EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.moving_obstacles[2].position.y); }));
+  EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.moving_obstacles[0].velocity.x); }));
+  EXPECT_EQ(hash, changed([](Scenario&) {}));
+}
+
+TEST(Determinism, P13_order_of_the_robots_permutes_the_trajectories) {
+  for (const Motion motion : {Motion::held, Motion::exponential}) {
+    const Scenario scene = dense_scene(120, motion, 5);
+    std::vector<std::size_t> from(scene.robots.size());
+    std::iota(from.begin(), from.end(), std::size_t{0});
+    Random random(17);
+    for (std::size_t i = from.size(); i > 1; --i) {
+      std::swap(from[i - 1], from[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    }
+    Scenario permuted = scene;
+    for (std::size_t i = 0; i < from.size(); ++i) permuted.robots[i] = scene.robots[from[i]];
+    Simulation a(scene, 2), b(permuted, 2);
+    for (int k = 0; k < 200 && !HasFailure(); ++k) {
+      a.step();
+      b.step();
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        ASSERT_EQ(b.fleet().position[i], a.fleet().position[from[i]]) << "step " << k;
+        ASSERT_EQ(b.fleet().velocity[i], a.fleet().velocity[from[i]]);
+        ASSERT_EQ(b.fleet().heading[i], a.fleet().heading[from[i]]);
+      }
+    }
+  }
+}
+
+// What is planned is what can be asked for: perceive() and the planner give the plan of step().
+TEST(Determinism, perception_is_what_the_step_plans_with) {
+  for (const int robots : {1, 40}) {
+    Simulation simulation(dense_scene(robots, Motion::held, 3), 1);
+    for (int k = 0; k < 20; ++k) {
+      std::vector<Plan> expected;
+      PlanWorkspace workspace;
+      for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
+        const Simulation::Perception seen = simulation.perceive(i);
+        EXPECT_EQ(seen.alone, robots == 1);
+        ASSERT_EQ(seen.source.size(), seen.neighbors.size());
+        ASSERT_LE(seen.neighbors.size(), 10u);
+        double last = 0.0;
+        for (const Neighbor& each : seen.neighbors) {  // nearest first
+          EXPECT_GE(norm(each.position - seen.robot.position), last * (1.0 - 1e-15));
+          last = norm(each.position - seen.robot.position);
+          EXPECT_LE(last, 8.0);
+        }
+        const Planner& planner = simulation.planner();
+        expected.push_back(seen.alone
+                               ? planner.plan_among_obstacles(seen.robot, seen.neighbors, workspace)
+                               : planner.plan(seen.robot, seen.neighbors, workspace));
+      }
+      simulation.step();
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(simulation.fleet().plan[i].new_velocity, expected[i].new_velocity);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avo

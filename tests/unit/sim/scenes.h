@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dense scenes without two equal distances, so that no tie is broken by index.
+#pragma once
+#include <cmath>
+#include <numbers>
+
+#include "avo/scenario.h"
+#include "support/generators.h"
+
+namespace avo::test {
+
+inline RobotSetup robot_at(Vec2 position, Vec2 goal) {
+  RobotSetup setup;
+  setup.position = position;
+  setup.goal = goal;
+  return setup;
+}
+
+/// `count` robots of mixed sizes and limits on a jittered lattice 1.6 m wide, every fifth a car,
+/// on their way to random goals in the crowd, and three moving obstacles through it.
+inline Scenario dense_scene(int count, Motion motion, std::uint64_t seed = 1) {
+  Random random(seed);
+  Scenario scene;
+  scene.motion = motion;
+  scene.control_time = 2.0;
+  scene.time_horizon = 5.0;
+  scene.sensing_radius = 8.0;
+  scene.max_neighbors = 10;
+  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+  const double extent = 1.6 * side;
+  for (int k = 0; k < count; ++k) {
+    const Vec2 jitter{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)};
+    const Vec2 place{1.6 * (k % side), 1.6 * (k / side)};
+    RobotSetup setup =
+        robot_at(place + jitter, {random.uniform(0.0, extent), random.uniform(0.0, extent)});
+    setup.radius = random.uniform(0.3, 0.55);
+    setup.max_speed = random.uniform(1.0, 2.0);
+    setup.max_acceleration = random.uniform(0.5, 2.0);
+    setup.preferred_speed = random.uniform(0.7, 1.0) * setup.max_speed;
+    setup.velocity = in_disc(random, setup.max_speed);
+    if (k % 5 == 0) {
+      setup.car = CarSetup{0.7, random.uniform(-std::numbers::pi, std::numbers::pi)};
+    }
+    scene.robots.push_back(setup);
+  }
+  scene.moving_obstacles = {{{-3.1, 4.3}, {1.1, 0.2}, {}, 0.7},
+                            {{extent + 2, 7.7}, {-0.8, 0.1}, {0.03, 0.0}, 0.4},
+                            {{9.9, -2.2}, {0.05, 1.3}, {0.0, -0.05}, 0.6}};
+  return scene;
+}
+
+}  // namespace avo::test
