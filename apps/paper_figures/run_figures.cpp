@@ -128,8 +128,29 @@ double largest_detour(const Run& run, std::size_t robot) {
   return largest;
 }
 
+// Of the fastest robot, from the last two frames.
+double final_speed(const Run& run) {
+  const auto& last = run.frames.back();
+  const auto& before = run.frames[run.frames.size() - 2];
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < last.position.size(); ++i) {
+    const double way = norm(last.position[i] - before.position[i]);
+    fastest = std::fmax(fastest, way / (last.time - before.time));
+  }
+  return fastest;
+}
+
 std::string detour_text(double left) {
   return format("%.2f m", std::fabs(left)) + (left > 0.0 ? " to the left" : " to the right");
+}
+
+// Of the robots from the middle of the scene, at the last frame not later than `time`.
+double mean_distance(const std::vector<figures::TrajectoryFrame>& frames, double time) {
+  std::size_t index = 0;
+  while (index + 1 < frames.size() && frames[index + 1].time <= time) ++index;
+  double sum = 0.0;
+  for (const Vec2 at : frames[index].position) sum += norm(at);
+  return sum / static_cast<double>(frames[index].position.size());
 }
 
 // When the robots have come to `part` of their first mean distance from the middle, to the least
@@ -137,9 +158,7 @@ std::string detour_text(double left) {
 std::array<double, 3> crossing_times(const Run& run, double part) {
   std::vector<double> distance;
   for (const auto& frame : run.frames) {
-    double sum = 0.0;
-    for (const Vec2 at : frame.position) sum += norm(at);
-    distance.push_back(sum / static_cast<double>(frame.position.size()));
+    distance.push_back(mean_distance({frame}, frame.time));
   }
   const auto least = std::min_element(distance.begin(), distance.end());
   const double wanted = part * distance.front();
@@ -168,7 +187,8 @@ Caption draw_exchange(const std::string& folder) {
               " of their straight ways, and the spacing of the discs grows as they speed up.",
           comparison.differs +
               "The paper prints no positions, and its robots pass their targets at high speed; "
-              "these come to rest there."};
+              "at the end of this run the faster one still makes " +
+              format("%.2g m/s", final_speed(run)) + "."};
 }
 
 Caption draw_moving_obstacle(const std::string& folder) {
@@ -197,7 +217,10 @@ Caption draw_circle(const std::string& folder) {
           "100 robots move to the opposite side of a circle, " + parameters(run.scenario) +
               "; three instants, each with the trace of the last " + format("%g s", kTail) + ". " +
               numbers(run.summary),
-          comparison.agrees + "All robots meet in the middle, where the density is highest.",
+          comparison.agrees + "All robots meet in the middle: after " + format("%.1f s", times[1]) +
+              " they are " + format("%.1f m", mean_distance(run.frames, times[1])) +
+              " from it on average, at the start " +
+              format("%.1f m", mean_distance(run.frames, 0.0)) + ".",
           comparison.differs};
 }
 

@@ -63,8 +63,8 @@ Caption draw_speed(const std::string& folder) {
           "one thread of " +
               processor() + ". 1000 robots: median " + format("%.2f ms", thousand) +
               ", 95 % of the steps below " + format("%.2f ms", high.points.back().y) + ".",
-          "growth about linear: the median for 1000 robots is " +
-              format("%.1f", thousand / hundred) + " times that for 100.",
+          "the median for 1000 robots is " + format("%.1f", thousand / hundred) +
+              " times that for 100; the paper calls its growth about linear.",
           "the paper shows less than 30 ms for 1000 robots, for the new velocities alone, on 8 "
           "threads of a Core i7 at 3.2 GHz. Times depend on the machine and on what else it does."};
 }
