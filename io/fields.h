@@ -168,6 +168,7 @@ constexpr KindText kind_text<RandomGoals>() {
 template <class T>
 std::vector<std::string_view> keys_of(const std::vector<Field<T>>& table) {
   std::vector<std::string_view> keys;
+  keys.reserve(table.size());
   for (const Field<T>& field : table) keys.push_back(field.key);
   return keys;
 }

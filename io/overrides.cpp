@@ -30,9 +30,9 @@ std::optional<std::size_t> to_index(std::string_view text) {
 }
 
 /// One step down the tree, to an item of a list or the value of a key, which is added if missing.
-Node& step_down(const Document& document, Node& node, const std::string& path,
-                std::string_view part, const Node& value) {
-  if (node.kind == Node::Kind::list) {
+YamlNode& step_down(const Document& document, YamlNode& node, const std::string& path,
+                    std::string_view part, const YamlNode& value) {
+  if (node.kind == YamlNode::Kind::list) {
     const std::optional<std::size_t> index = to_index(part);
     const std::size_t count = node.children.size();
     if (!index || *index >= count)
@@ -41,29 +41,29 @@ Node& step_down(const Document& document, Node& node, const std::string& path,
                                                   : fmt::format("must be 0 to {}", count - 1)));
     return node.children[*index];
   }
-  if (node.kind == Node::Kind::nothing) {  // also of a key added just now
+  if (node.kind == YamlNode::Kind::nothing) {  // also of a key added just now
     node = value;
-    node.kind = Node::Kind::map;
+    node.kind = YamlNode::Kind::map;
     node.text.clear();
     node.children.clear();
   }
-  if (node.kind != Node::Kind::map)
+  if (node.kind != YamlNode::Kind::map)
     document.fail(value, fmt::format("{}found {}, has no key {}", in_front(path), shown(node),
                                      in_quotes(part)));
-  if (Node* existing = node.find(part)) return *existing;
-  Node key = value;
-  key.kind = Node::Kind::text;
+  if (YamlNode* existing = node.find(part)) return *existing;
+  YamlNode key = value;
+  key.kind = YamlNode::Kind::text;
   key.text = part;
   key.children.clear();
   node.children.push_back(std::move(key));
-  node.children.push_back(Node{});
+  node.children.push_back(YamlNode{});
   node.children.back().source = value.source;
   return node.children.back();
 }
 
-void put(const Document& document, Node& root, const std::vector<std::string_view>& parts,
-         const Node& value) {
-  Node* node = &root;
+void put(const Document& document, YamlNode& root, const std::vector<std::string_view>& parts,
+         const YamlNode& value) {
+  YamlNode* node = &root;
   std::string path;
   for (const std::string_view part : parts) {
     node = &step_down(document, *node, path, part, value);
@@ -83,9 +83,9 @@ std::vector<RobotPatch> apply_overrides(const std::vector<std::string>& override
     if (equals == std::string::npos || equals == 0)
       throw OverrideError(
           fmt::format("--set {}: found no key=value, must be such as time_step=0.1", text));
-    const Node value = parse_yaml(std::string_view(text).substr(equals + 1), name, document);
+    const YamlNode value = parse_yaml(std::string_view(text).substr(equals + 1), name, document);
     const std::vector<std::string_view> parts = parts_of(std::string_view(text).substr(0, equals));
-    const Node* listed = std::as_const(document.root).find("robots");
+    const YamlNode* listed = std::as_const(document.root).find("robots");
     const std::size_t count = listed != nullptr ? listed->size() : 0;
     const std::optional<std::size_t> robot =
         parts.size() > 2 && parts[0] == "robots" ? to_index(parts[1]) : std::nullopt;

@@ -15,7 +15,7 @@ namespace avo_io {
 /// order given.
 struct RobotPatch {
   std::size_t robot;
-  Node map;  ///< keys of a robot
+  YamlNode map;  ///< keys of a robot
 };
 
 /// Puts each "key=value" into the tree. "robots.I.key" beyond the robots that the file lists goes

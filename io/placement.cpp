@@ -101,12 +101,13 @@ Starts starts(const CirclePlacement& circle, int n) {
 
 Starts starts(const GridPlacement& grid, int n) {
   Starts result;
-  for (int k = 0; k < n; ++k)
-    result.points.push_back(
-        grid.corner + grid.spacing * Vec2{double(k % grid.columns), double(k / grid.columns)});
+  for (int k = 0; k < n; ++k) {
+    const int row = k / grid.columns, column = k % grid.columns;
+    result.points.push_back(grid.corner + grid.spacing * Vec2{double(column), double(row)});
+  }
   const int columns = std::min(n, grid.columns);
-  const int rows = (n - 1) / grid.columns;
-  result.center = grid.corner + 0.5 * grid.spacing * Vec2{double(columns - 1), double(rows)};
+  const int rows = (n - 1) / grid.columns + 1;
+  result.center = grid.corner + 0.5 * grid.spacing * Vec2{double(columns - 1), double(rows - 1)};
   return result;
 }
 

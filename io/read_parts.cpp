@@ -10,13 +10,13 @@ namespace avo_io {
 namespace {
 
 /// `heading`: of groups, where it may be a word.
-void read_car(const Reader& reader, const Node& node, const std::string& path, avo::CarSetup& car,
-              GroupHeading* heading) {
+void read_car(const Reader& reader, const YamlNode& node, const std::string& path,
+              avo::CarSetup& car, GroupHeading* heading) {
   std::vector<Field<avo::CarSetup>> table = fields<avo::CarSetup>();
   reader.check_keys(node, path, keys_of(table));
-  const Node* given = node.find("heading");
+  const YamlNode* given = node.find("heading");
   if (heading != nullptr && given != nullptr) {
-    const bool word = given->kind == Node::Kind::text && !is_number(given->text);
+    const bool word = given->kind == YamlNode::Kind::text && !is_number(given->text);
     *heading =
         word ? reader.choice(*given, path_to(path, "heading"), kHeadings) : GroupHeading::given;
     if (word) std::erase_if(table, [](const auto& field) { return field.key == "heading"; });
@@ -26,13 +26,13 @@ void read_car(const Reader& reader, const Node& node, const std::string& path, a
 
 }  // namespace
 
-void read_robot(const Reader& reader, const Node& node, const std::string& path,
+void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch) {
   const auto& table = fields<avo::RobotSetup>();
   reader.check_keys(node, path, keys_of(table));
   reader.read(node, path, table, robot, patch);
   if (!patch && node.find("preferred_speed") == nullptr) robot.preferred_speed = robot.max_speed;
-  const Node* car = node.find("car");
+  const YamlNode* car = node.find("car");
   if (car == nullptr) return;
   if (!robot.car) robot.car.emplace();
   read_car(reader, *car, path_to(path, "car"), *robot.car, nullptr);
@@ -41,7 +41,8 @@ void read_robot(const Reader& reader, const Node& node, const std::string& path,
 namespace {
 
 template <class T>
-void check_area(const Reader& reader, const Node& node, const std::string& path, const T& area) {
+void check_area(const Reader& reader, const YamlNode& node, const std::string& path,
+                const T& area) {
   if (area.min.x > area.max.x || area.min.y > area.max.y)
     reader.fail(node, path,
                 fmt::format("min [{}, {}] and max [{}, {}]", area.min.x, area.min.y, area.max.x,
@@ -50,17 +51,17 @@ void check_area(const Reader& reader, const Node& node, const std::string& path,
 }
 /// A kind by its name alone, or as the only key of a map: {circle: {spacing: 2}}.
 template <class... Kinds>
-void read_kind(const Reader& reader, const Node& node, const std::string& path,
+void read_kind(const Reader& reader, const YamlNode& node, const std::string& path,
                std::variant<Kinds...>& target) {
   const std::vector<std::string_view> names{kind_text<Kinds>().key...};
-  Node alone;  // what a name alone stands for: a map without keys
-  alone.kind = Node::Kind::map;
+  YamlNode alone;  // what a name alone stands for: a map without keys
+  alone.kind = YamlNode::Kind::map;
   alone.line = node.line;
   alone.column = node.column;
   alone.source = node.source;
-  const Node* name = &node;
-  const Node* map = &alone;
-  if (node.kind == Node::Kind::map) {
+  const YamlNode* name = &node;
+  const YamlNode* map = &alone;
+  if (node.kind == YamlNode::Kind::map) {
     reader.check_keys(node, path, names);
     if (node.size() != 1)
       reader.fail(node, path, fmt::format("{} kinds", node.size()),
@@ -68,7 +69,7 @@ void read_kind(const Reader& reader, const Node& node, const std::string& path,
     name = &node.children[0];
     map = &node.children[1];
   }
-  if (name->kind != Node::Kind::text ||
+  if (name->kind != YamlNode::Kind::text ||
       std::find(names.begin(), names.end(), name->text) == names.end())
     reader.fail_choice(*name, path, names);
   const auto read_if_named = [&]<class Kind>(Kind kind) {
@@ -84,7 +85,7 @@ void read_kind(const Reader& reader, const Node& node, const std::string& path,
 
 }  // namespace
 
-Group read_group(const Reader& reader, const Node& node, const std::string& path) {
+Group read_group(const Reader& reader, const YamlNode& node, const std::string& path) {
   std::vector<std::string_view> keys = keys_of(fields<Group>());
   for (const std::string_view key : keys_of(group_robot_fields())) keys.push_back(key);
   reader.check_keys(node, path, keys);
@@ -94,12 +95,12 @@ Group read_group(const Reader& reader, const Node& node, const std::string& path
   if (node.find("preferred_speed") == nullptr) group.robot.preferred_speed = group.robot.max_speed;
   read_kind(reader, *node.find("placement"), path_to(path, "placement"), group.placement);
   read_kind(reader, *node.find("goals"), path_to(path, "goals"), group.goals);
-  if (const Node* car = node.find("car"))
+  if (const YamlNode* car = node.find("car"))
     read_car(reader, *car, path_to(path, "car"), group.robot.car.emplace(), &group.heading);
   return group;
 }
 
-void read_obstacle(const Reader& reader, const Node& node, const std::string& path,
+void read_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                    avo::MovingObstacle& obstacle) {
   const auto& table = fields<avo::MovingObstacle>();
   reader.check_keys(node, path, keys_of(table));

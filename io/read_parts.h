@@ -10,10 +10,10 @@
 namespace avo_io {
 
 /// patch: changes a robot that there is already.
-void read_robot(const Reader& reader, const Node& node, const std::string& path,
+void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch);
-void read_obstacle(const Reader& reader, const Node& node, const std::string& path,
+void read_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                    avo::MovingObstacle& obstacle);
-Group read_group(const Reader& reader, const Node& node, const std::string& path);
+Group read_group(const Reader& reader, const YamlNode& node, const std::string& path);
 
 }  // namespace avo_io

@@ -16,34 +16,34 @@ std::string in_front(const std::string& path) {
   return path.empty() ? "" : path + ": ";
 }
 
-std::string shown(const Node& node) {
+std::string shown(const YamlNode& node) {
   switch (node.kind) {
-    case Node::Kind::nothing:
+    case YamlNode::Kind::nothing:
       return "nothing";
-    case Node::Kind::list:
+    case YamlNode::Kind::list:
       return node.children.empty() ? "an empty list" : "a list";
-    case Node::Kind::map:
+    case YamlNode::Kind::map:
       return "a map";
-    case Node::Kind::text:
+    case YamlNode::Kind::text:
       break;
   }
   const bool bare = !node.quoted && is_number(node.text) && node.text.size() <= 40;
   return bare ? node.text : in_quotes(node.text);
 }
 
-void Reader::fail(const Node& node, const std::string& path, const std::string& found,
+void Reader::fail(const YamlNode& node, const std::string& path, const std::string& found,
                   const std::string& allowed) const {
   document_.fail(node, fmt::format("{}found {}, {}", in_front(path), found, allowed));
 }
 
-void Reader::check_keys(const Node& map, const std::string& path,
+void Reader::check_keys(const YamlNode& map, const std::string& path,
                         const std::vector<std::string_view>& allowed) const {
-  if (map.kind != Node::Kind::map)
+  if (map.kind != YamlNode::Kind::map)
     fail(map, path, shown(map),
          allowed.empty() ? "must be an empty map {}"
                          : fmt::format("must be a map with keys {}", joined(allowed)));
   for (std::size_t i = 0; i < map.children.size(); i += 2) {
-    const Node& key = map.children[i];
+    const YamlNode& key = map.children[i];
     if (std::find(allowed.begin(), allowed.end(), key.text) == allowed.end()) {
       const auto meant = nearest(key.text, allowed);
       fail(key, path, "the unknown key " + in_quotes(key.text),
@@ -57,8 +57,8 @@ void Reader::check_keys(const Node& map, const std::string& path,
   }
 }
 
-void Reader::require_list(const Node& node, const std::string& path) const {
-  if (node.kind != Node::Kind::list) fail(node, path, shown(node), "must be a list");
+void Reader::require_list(const YamlNode& node, const std::string& path) const {
+  if (node.kind != YamlNode::Kind::list) fail(node, path, shown(node), "must be a list");
 }
 
 namespace {
@@ -73,9 +73,9 @@ std::string with_unit(std::string text, std::string_view unit) {
 
 }  // namespace
 
-double Reader::number(const Node& node, const std::string& path, const avo::Range& range,
+double Reader::number(const YamlNode& node, const std::string& path, const avo::Range& range,
                       std::string_view unit) const {
-  const bool text = node.kind == Node::Kind::text;
+  const bool text = node.kind == YamlNode::Kind::text;
   if (text && !node.quoted &&
       std::find(std::begin(kNotFinite), std::end(kNotFinite), node.text) != std::end(kNotFinite))
     fail(node, path, node.text, "must be a finite number");
@@ -92,11 +92,11 @@ double Reader::number(const Node& node, const std::string& path, const avo::Rang
   return *value;
 }
 
-std::uint64_t Reader::whole_number(const Node& node, const std::string& path,
+std::uint64_t Reader::whole_number(const YamlNode& node, const std::string& path,
                                    const avo::Range& range) const {
   const std::string_view text = node.text;
   const bool digits =
-      node.kind == Node::Kind::text && !node.quoted && !text.empty() &&
+      node.kind == YamlNode::Kind::text && !node.quoted && !text.empty() &&
       text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) == std::string_view::npos &&
       text != "-";
   if (!digits) fail(node, path, shown(node), "must be a whole number");
@@ -113,11 +113,11 @@ std::uint64_t Reader::whole_number(const Node& node, const std::string& path,
   return value;
 }
 
-avo::Vec2 Reader::point(const Node& node, const std::string& path, const avo::Range& range,
+avo::Vec2 Reader::point(const YamlNode& node, const std::string& path, const avo::Range& range,
                         std::string_view unit) const {
-  if (node.kind != Node::Kind::list || node.children.size() != 2)
+  if (node.kind != YamlNode::Kind::list || node.children.size() != 2)
     fail(node, path,
-         node.kind == Node::Kind::list && !node.children.empty()
+         node.kind == YamlNode::Kind::list && !node.children.empty()
              ? fmt::format("a list of {}", node.children.size())
              : shown(node),
          fmt::format("must be [x, y] in {}", unit));
@@ -125,9 +125,9 @@ avo::Vec2 Reader::point(const Node& node, const std::string& path, const avo::Ra
           number(node.children[1], path_to(path, "1"), range, unit)};
 }
 
-std::string Reader::name(const Node& node, const std::string& path) const {
+std::string Reader::name(const YamlNode& node, const std::string& path) const {
   constexpr std::size_t kLongest = 200;
-  if (node.kind != Node::Kind::text || node.text.empty())
+  if (node.kind != YamlNode::Kind::text || node.text.empty())
     fail(node, path, shown(node), "must be a text");
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
   if (std::any_of(node.text.begin(), node.text.end(), control))
@@ -138,41 +138,42 @@ std::string Reader::name(const Node& node, const std::string& path) const {
   return node.text;
 }
 
-void Reader::set(double& value, const Node& node, const Path& path, const Rule& rule) const {
+void Reader::set(double& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = number(node, path, rule.range, rule.unit);
 }
-void Reader::set(int& value, const Node& node, const Path& path, const Rule& rule) const {
+void Reader::set(int& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = static_cast<int>(whole_number(node, path, rule.range));
 }
-void Reader::set(std::optional<int>& value, const Node& node, const Path& path,
+void Reader::set(std::optional<int>& value, const YamlNode& node, const Path& path,
                  const Rule& rule) const {
   value = static_cast<int>(whole_number(node, path, rule.range));
 }
-void Reader::set(std::uint64_t& value, const Node& node, const Path& path, const Rule& rule) const {
+void Reader::set(std::uint64_t& value, const YamlNode& node, const Path& path,
+                 const Rule& rule) const {
   value = whole_number(node, path, rule.range);
 }
-void Reader::set(std::string& value, const Node& node, const Path& path, const Rule&) const {
+void Reader::set(std::string& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = name(node, path);
 }
-void Reader::set(avo::Vec2& value, const Node& node, const Path& path, const Rule& rule) const {
+void Reader::set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = point(node, path, rule.range, rule.unit);
 }
-void Reader::set(avo::Method& value, const Node& node, const Path& path, const Rule&) const {
+void Reader::set(avo::Method& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMethods);
 }
-void Reader::set(avo::Motion& value, const Node& node, const Path& path, const Rule&) const {
+void Reader::set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMotions);
 }
 
-void Reader::fail_choice(const Node& node, const std::string& path,
+void Reader::fail_choice(const YamlNode& node, const std::string& path,
                          const std::vector<std::string_view>& words) const {
-  const auto meant = node.kind == Node::Kind::text ? nearest(node.text, words) : std::nullopt;
+  const auto meant = node.kind == YamlNode::Kind::text ? nearest(node.text, words) : std::nullopt;
   fail(node, path, shown(node),
        fmt::format("must be one of {}{}", joined(words),
                    meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
 }
 
-void Reader::fail_missing(const Node& map, const std::string& path, std::string_view key,
+void Reader::fail_missing(const YamlNode& map, const std::string& path, std::string_view key,
                           std::string_view doc) const {
   fail(map, path, fmt::format("no \"{}\"", key), fmt::format("must be given: {}", doc));
 }

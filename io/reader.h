@@ -22,48 +22,48 @@ std::string path_to(const std::string& parent, std::string_view key);
 std::string in_front(const std::string& path);
 
 /// What stands there, for messages: `a list`, `-0.2`, `"fast"`, `nothing`.
-std::string shown(const Node& node);
+std::string shown(const YamlNode& node);
 
 class Reader {
  public:
   explicit Reader(const Document& document) : document_(document) {}
 
-  [[noreturn]] void fail(const Node& node, const std::string& path, const std::string& found,
+  [[noreturn]] void fail(const YamlNode& node, const std::string& path, const std::string& found,
                          const std::string& allowed) const;
 
   /// Refuses anything but a map, unknown keys and keys given twice.
-  void check_keys(const Node& map, const std::string& path,
+  void check_keys(const YamlNode& map, const std::string& path,
                   const std::vector<std::string_view>& allowed) const;
-  void require_list(const Node& node, const std::string& path) const;
+  void require_list(const YamlNode& node, const std::string& path) const;
 
-  double number(const Node& node, const std::string& path, const avo::Range& range,
+  double number(const YamlNode& node, const std::string& path, const avo::Range& range,
                 std::string_view unit) const;
-  std::uint64_t whole_number(const Node& node, const std::string& path,
+  std::uint64_t whole_number(const YamlNode& node, const std::string& path,
                              const avo::Range& range) const;
-  avo::Vec2 point(const Node& node, const std::string& path, const avo::Range& range,
+  avo::Vec2 point(const YamlNode& node, const std::string& path, const avo::Range& range,
                   std::string_view unit) const;
-  std::string name(const Node& node, const std::string& path) const;
+  std::string name(const YamlNode& node, const std::string& path) const;
   template <class Names>
-  auto choice(const Node& node, const std::string& path, const Names& names) const {
+  auto choice(const YamlNode& node, const std::string& path, const Names& names) const {
     std::vector<std::string_view> words;
     for (const auto& [word, value] : names) {
-      if (node.kind == Node::Kind::text && node.text == word) return value;
+      if (node.kind == YamlNode::Kind::text && node.text == word) return value;
       words.push_back(word);
     }
     fail_choice(node, path, words);
   }
-  [[noreturn]] void fail_choice(const Node& node, const std::string& path,
+  [[noreturn]] void fail_choice(const YamlNode& node, const std::string& path,
                                 const std::vector<std::string_view>& words) const;
-  [[noreturn]] void fail_missing(const Node& map, const std::string& path, std::string_view key,
+  [[noreturn]] void fail_missing(const YamlNode& map, const std::string& path, std::string_view key,
                                  std::string_view doc) const;
 
   /// Reads the values of `map` that the table says how to read; all keys are known to be allowed.
   /// patch: what is missing stays as it is.
   template <class T>
-  void read(const Node& map, const std::string& path, const std::vector<Field<T>>& table, T& target,
-            bool patch = false) const {
+  void read(const YamlNode& map, const std::string& path, const std::vector<Field<T>>& table,
+            T& target, bool patch = false) const {
     for (const Field<T>& field : table) {
-      const Node* node = map.find(field.key);
+      const YamlNode* node = map.find(field.key);
       const auto set_member = [&](auto member) {
         if constexpr (!std::is_same_v<decltype(member), std::monostate>)
           set(target.*member, *node, path_to(path, field.key), {field.range, field.unit});
@@ -82,14 +82,15 @@ class Reader {
     std::string_view unit;
   };
   using Path = std::string;
-  void set(double& value, const Node& node, const Path& path, const Rule& rule) const;
-  void set(int& value, const Node& node, const Path& path, const Rule& rule) const;
-  void set(std::optional<int>& value, const Node& node, const Path& path, const Rule& rule) const;
-  void set(std::uint64_t& value, const Node& node, const Path& path, const Rule& rule) const;
-  void set(std::string& value, const Node& node, const Path& path, const Rule& rule) const;
-  void set(avo::Vec2& value, const Node& node, const Path& path, const Rule& rule) const;
-  void set(avo::Method& value, const Node& node, const Path& path, const Rule& rule) const;
-  void set(avo::Motion& value, const Node& node, const Path& path, const Rule& rule) const;
+  void set(double& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(int& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<int>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(std::uint64_t& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::string& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Method& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
 
   const Document& document_;
 };

@@ -22,10 +22,10 @@ namespace {
 
 using avo::Scenario;
 
-void read_version(const Reader& reader, const Node& root) {
-  const Node* version = root.find("version");
+void read_version(const Reader& reader, const YamlNode& root) {
+  const YamlNode* version = root.find("version");
   if (version == nullptr) reader.fail_missing(root, "", "version", "version: 1");
-  if (version->kind != Node::Kind::text || version->quoted || version->text != "1")
+  if (version->kind != YamlNode::Kind::text || version->quoted || version->text != "1")
     reader.fail(*version, "version", shown(*version), "must be 1");
 }
 
@@ -35,8 +35,8 @@ class SceneBuilder {
   explicit SceneBuilder(const Document& document) : document_(document), reader_(document) {}
 
   Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name) {
-    const Node& root = document_.root;
-    if (root.kind == Node::Kind::nothing)
+    const YamlNode& root = document_.root;
+    if (root.kind == YamlNode::Kind::nothing)
       reader_.fail(root, "", "nothing", "must be a map with at least version and robots or groups");
     reader_.check_keys(root, "", keys_of(fields<Scenario>()));
     read_version(reader_, root);
@@ -56,10 +56,10 @@ class SceneBuilder {
 
  private:
   void add_robots() {
-    const Node* list = document_.root.find("robots");
+    const YamlNode* list = document_.root.find("robots");
     if (list == nullptr) return;
     reader_.require_list(*list, "robots");
-    for (const Node& node : list->children) {
+    for (const YamlNode& node : list->children) {
       const std::string path = fmt::format("robots.{}", scenario_.robots.size());
       read_robot(reader_, node, path, scenario_.robots.emplace_back(), false);
       origins_.push_back(&node);
@@ -67,10 +67,10 @@ class SceneBuilder {
   }
 
   void add_obstacles() {
-    const Node* list = document_.root.find("moving_obstacles");
+    const YamlNode* list = document_.root.find("moving_obstacles");
     if (list == nullptr) return;
     reader_.require_list(*list, "moving_obstacles");
-    for (const Node& node : list->children) {
+    for (const YamlNode& node : list->children) {
       const std::string path =
           fmt::format("moving_obstacles.{}", scenario_.moving_obstacles.size());
       read_obstacle(reader_, node, path, scenario_.moving_obstacles.emplace_back());
@@ -78,12 +78,12 @@ class SceneBuilder {
   }
 
   void add_groups() {
-    const Node* list = document_.root.find("groups");
+    const YamlNode* list = document_.root.find("groups");
     if (list == nullptr) return;
     reader_.require_list(*list, "groups");
     auto total = static_cast<std::int64_t>(scenario_.robots.size());
     for (std::size_t i = 0; i < list->children.size(); ++i) {
-      const Node& node = list->children[i];
+      const YamlNode& node = list->children[i];
       const std::string path = fmt::format("groups.{}", i);
       const Group group = read_group(reader_, node, path);
       total += group.number;
@@ -92,7 +92,7 @@ class SceneBuilder {
                      fmt::format("{} robots in all", total),
                      fmt::format("must be at most {}", avo::kMostRobots));
       const std::string trouble = append_group(group, i, scenario_);
-      if (!trouble.empty()) document_.fail(node, path + "." + trouble);
+      if (!trouble.empty()) document_.fail(node, path_to(path, trouble));
       origins_.resize(scenario_.robots.size(), &node);
     }
   }
@@ -135,7 +135,7 @@ class SceneBuilder {
     for (std::size_t i = 1; i < order.size(); ++i) {
       const std::size_t a = order[i - 1], b = order[i];
       if (!(robots[a].position == robots[b].position)) continue;
-      const Node* position = origins_[b]->find("position");
+      const YamlNode* position = origins_[b]->find("position");
       reader_.fail(position != nullptr ? *position : *origins_[b],
                    fmt::format("robots.{}.position", b),
                    fmt::format("[{}, {}], the position of robots.{}", robots[b].position.x,
@@ -154,14 +154,14 @@ class SceneBuilder {
   }
 
   /// The value with that path, or what contains it.
-  const Node& origin_of(std::string_view path) const {
-    const Node* node = &document_.root;
+  const YamlNode& origin_of(std::string_view path) const {
+    const YamlNode* node = &document_.root;
     while (!path.empty()) {
       const std::size_t dot = std::min(path.find('.'), path.size());
       const std::string part(path.substr(0, dot));
       path.remove_prefix(std::min(dot + 1, path.size()));
-      const Node* next = node->find(part);
-      if (node->kind == Node::Kind::list) {
+      const YamlNode* next = node->find(part);
+      if (node->kind == YamlNode::Kind::list) {
         const std::size_t index = std::stoul(part);
         const bool robot = node == document_.root.find("robots");
         if (robot)
@@ -180,7 +180,7 @@ class SceneBuilder {
   const Document& document_;
   Reader reader_;
   Scenario scenario_;
-  std::vector<const Node*> origins_;  // of each robot: its own map, its group's, or its patch's
+  std::vector<const YamlNode*> origins_;  // of each robot: its own map, its group's, or its patch's
 };
 
 }  // namespace

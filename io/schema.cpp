@@ -138,11 +138,11 @@ Json kinds_schema(const std::variant<Kinds...>*) {
     properties[std::string(text.key)] = json;
   };
   (add(static_cast<const Kinds*>(nullptr)), ...);
-  const Json map{{"type", "object"},
-                 {"properties", properties},
-                 {"additionalProperties", false},
-                 {"minProperties", 1},
-                 {"maxProperties", 1}};
+  Json map{{"type", "object"},
+           {"properties", properties},
+           {"additionalProperties", false},
+           {"minProperties", 1},
+           {"maxProperties", 1}};
   if (names.empty()) return map;
   return {{"oneOf", Json::array({Json{{"enum", names}}, map})}};
 }

@@ -27,41 +27,41 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    Node node = make(Node::Kind::nothing, mark, "", anchor);
-    if (!next_is_key() && !open_.empty() && open_.back().kind == Node::Kind::map) {
+    YamlNode node = make(YamlNode::Kind::nothing, mark, "", anchor);
+    if (!next_is_key() && !open_.empty() && open_.back().kind == YamlNode::Kind::map) {
       node.line = open_.back().children.back().line;  // the mark is that of the next line
       node.column = open_.back().children.back().column;
     }
     add(std::move(node));
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    refuse_reference(make(Node::Kind::nothing, mark, "", 0), "an alias");
+    refuse_reference(make(YamlNode::Kind::nothing, mark, "", 0), "an alias");
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
-    Node node = make(Node::Kind::text, mark, tag, anchor);
+    YamlNode node = make(YamlNode::Kind::text, mark, tag, anchor);
     node.quoted = tag == "!";
     node.text = value;
-    if (!node.quoted && (value == "~" || value == "null")) node.kind = Node::Kind::nothing;
+    if (!node.quoted && (value == "~" || value == "null")) node.kind = YamlNode::Kind::nothing;
     add(std::move(node));
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
-    open(make(Node::Kind::list, mark, tag, anchor));
+    open(make(YamlNode::Kind::list, mark, tag, anchor));
   }
   void OnSequenceEnd() override { close(); }
   void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override {
-    open(make(Node::Kind::map, mark, tag, anchor));
+    open(make(YamlNode::Kind::map, mark, tag, anchor));
   }
   void OnMapEnd() override { close(); }
 
-  std::optional<Node> root;
+  std::optional<YamlNode> root;
 
  private:
-  Node make(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
-            YAML::anchor_t anchor) const {
-    Node node;
+  YamlNode make(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag,
+                YAML::anchor_t anchor) const {
+    YamlNode node;
     node.kind = kind;
     node.line = mark.line + 1;
     node.column = mark.column + 1;
@@ -71,30 +71,30 @@ class TreeBuilder : public YAML::EventHandler {
       document_.fail(node, fmt::format("found the tag {}, tags are not allowed", tag));
     return node;
   }
-  [[noreturn]] void refuse_reference(const Node& node, std::string_view what) const {
+  [[noreturn]] void refuse_reference(const YamlNode& node, std::string_view what) const {
     document_.fail(node,
                    fmt::format("found {}, anchors, aliases and merge keys are not allowed", what));
   }
   bool next_is_key() const {
-    return !open_.empty() && open_.back().kind == Node::Kind::map &&
+    return !open_.empty() && open_.back().kind == YamlNode::Kind::map &&
            open_.back().children.size() % 2 == 0;
   }
-  void check_key(const Node& node) const {
+  void check_key(const YamlNode& node) const {
     if (!next_is_key()) return;
-    const bool nested = node.kind == Node::Kind::list || node.kind == Node::Kind::map;
+    const bool nested = node.kind == YamlNode::Kind::list || node.kind == YamlNode::Kind::map;
     if (nested)  // also what yaml-cpp makes of "key: [1, 2" at the end of the text
       document_.fail(node, fmt::format("found a {} as a key or one that is not closed, keys must "
                                        "be words such as time_step",
-                                       node.kind == Node::Kind::list ? "list" : "map"));
-    if (node.kind != Node::Kind::text)
+                                       node.kind == YamlNode::Kind::list ? "list" : "map"));
+    if (node.kind != YamlNode::Kind::text)
       document_.fail(node, "found an empty key, keys must be words such as time_step");
     if (node.text == "<<" && !node.quoted) refuse_reference(node, "a merge key");
   }
-  void count(const Node& node) {
+  void count(const YamlNode& node) {
     if (++values_ > kMostValues)
       document_.fail(node, fmt::format("found more than {} values", kMostValues));
   }
-  void open(Node node) {
+  void open(YamlNode node) {
     check_key(node);
     count(node);
     if (open_.size() >= kDeepest)
@@ -102,16 +102,16 @@ class TreeBuilder : public YAML::EventHandler {
     open_.push_back(std::move(node));
   }
   void close() {
-    Node node = std::move(open_.back());
+    YamlNode node = std::move(open_.back());
     open_.pop_back();
     append(std::move(node));
   }
-  void add(Node node) {
+  void add(YamlNode node) {
     check_key(node);
     count(node);
     append(std::move(node));
   }
-  void append(Node node) {
+  void append(YamlNode node) {
     if (open_.empty())
       root = std::move(node);
     else
@@ -120,7 +120,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   Document& document_;
   std::int32_t source_;
-  std::vector<Node> open_;
+  std::vector<YamlNode> open_;
   std::size_t values_ = 0;
 };
 
@@ -148,7 +148,7 @@ std::string checked_text(std::string_view yaml, const Document& document, std::i
   if (yaml.substr(0, 3) == "\xEF\xBB\xBF") yaml.remove_prefix(3);
   std::string result;
   result.reserve(yaml.size());
-  Node place;
+  YamlNode place;
   place.source = source;
   place.line = place.column = 1;
   while (!yaml.empty()) {
@@ -176,41 +176,41 @@ std::string checked_text(std::string_view yaml, const Document& document, std::i
 
 }  // namespace
 
-const Node* Node::find(std::string_view key) const {
+const YamlNode* YamlNode::find(std::string_view key) const {
   if (kind != Kind::map) return nullptr;
   for (std::size_t i = 0; i < children.size(); i += 2)
     if (children[i].text == key) return &children[i + 1];
   return nullptr;
 }
 
-Node* Node::find(std::string_view key) {
-  return const_cast<Node*>(std::as_const(*this).find(key));
+YamlNode* YamlNode::find(std::string_view key) {
+  return const_cast<YamlNode*>(std::as_const(*this).find(key));
 }
 
-std::string Document::where(const Node& node) const {
+std::string Document::where(const YamlNode& node) const {
   const std::string& name = sources[static_cast<std::size_t>(node.source)];
   if (node.source > 0) return name;
   return fmt::format("{}:{}:{}", name, node.line, node.column);
 }
 
-void Document::fail(const Node& node, const std::string& message) const {
+void Document::fail(const YamlNode& node, const std::string& message) const {
   const std::string line = where(node) + ": " + message;
   if (node.source > 0) throw OverrideError(line);
   throw SceneError(line);
 }
 
-Node parse_yaml(std::string_view yaml, const std::string& name, Document& document) {
+YamlNode parse_yaml(std::string_view yaml, const std::string& name, Document& document) {
   const auto source = static_cast<std::int32_t>(document.sources.size());
   document.sources.push_back(name);
   std::istringstream stream(checked_text(yaml, document, source));
-  Node place;
+  YamlNode place;
   place.source = source;
   place.line = place.column = 1;
   TreeBuilder builder(document, source);
   try {
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder) || !builder.root) return place;  // empty
-    Node root = std::move(*builder.root);
+    YamlNode root = std::move(*builder.root);
     TreeBuilder second(document, source);
     if (parser.HandleNextDocument(second)) {
       if (second.root) place = *second.root;

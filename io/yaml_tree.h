@@ -9,7 +9,7 @@
 
 namespace avo_io {
 
-struct Node {
+struct YamlNode {
   enum class Kind : std::uint8_t { nothing, text, list, map };
   Kind kind = Kind::nothing;
   bool quoted = false;
@@ -17,31 +17,31 @@ struct Node {
   std::int32_t column = 0;  ///< from 1, in characters
   std::int32_t source = 0;  ///< index into Document::sources
   std::string text;
-  std::vector<Node> children;  ///< items of a list; of a map its keys and values in turn
+  std::vector<YamlNode> children;  ///< items of a list; of a map its keys and values in turn
 
   [[nodiscard]] std::size_t size() const {
     return kind == Kind::map ? children.size() / 2 : children.size();
   }
   /// Value of the first entry with this key, or null.
-  [[nodiscard]] const Node* find(std::string_view key) const;
-  [[nodiscard]] Node* find(std::string_view key);
+  [[nodiscard]] const YamlNode* find(std::string_view key) const;
+  [[nodiscard]] YamlNode* find(std::string_view key);
 };
 
 /// A scene's tree, and the name of each text that its values come from: the file first, then the
 /// overrides.
 struct Document {
-  Node root;
+  YamlNode root;
   std::vector<std::string> sources;
 
   /// "file:line:column" or "--set key=value".
-  [[nodiscard]] std::string where(const Node& node) const;
+  [[nodiscard]] std::string where(const YamlNode& node) const;
   /// Throws SceneError, or OverrideError where the value comes from an override.
-  [[noreturn]] void fail(const Node& node, const std::string& message) const;
+  [[noreturn]] void fail(const YamlNode& node, const std::string& message) const;
 };
 
 /// Appends `name` to the sources and parses `yaml`. Refused: anything but one document of valid
 /// UTF-8, NUL bytes, anchors, aliases, merge keys, tags, nesting deeper than 64, keys that are not
 /// plain words, more than two million values. A byte order mark and CRLF are taken as they mean.
-Node parse_yaml(std::string_view yaml, const std::string& name, Document& document);
+YamlNode parse_yaml(std::string_view yaml, const std::string& name, Document& document);
 
 }  // namespace avo_io

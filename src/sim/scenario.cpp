@@ -32,7 +32,7 @@ struct Place {
 };
 
 std::string text(const Place& place) {
-  const std::string field(place.field);
+  std::string field(place.field);
   if (place.list.empty()) return field;
   return std::string(place.list) + "." + std::to_string(place.index) + "." + field;
 }
