@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Distance over one step against dense sampling.
+#include "metrics/separation.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "support/brute_force.h"
+
+namespace avo {
+namespace {
+
+using test::Random;
+
+Vec2 point(const StepPath& path, double u) {
+  const double q = 1.0 - u;
+  const auto& b = path.control;
+  return (q * q * q) * b[0] + (3 * q * q * u) * b[1] + (3 * q * u * u) * b[2] + (u * u * u) * b[3];
+}
+
+// By samples, then by golden section around each of their minima.
+Separation sampled(const StepPath& a, const StepPath& b) {
+  constexpr int kSamples = 400;
+  const auto nearness = [&](double u) { return -norm(point(a, u) - point(b, u)); };
+  Separation best{std::numeric_limits<double>::infinity(), 0.0};
+  for (int k = 0; k <= kSamples; ++k) {
+    const double u = static_cast<double>(k) / kSamples;
+    if (-nearness(u) < best.distance) best = {-nearness(u), u};
+  }
+  for (int k = 0; k <= kSamples; ++k) {
+    const double u = static_cast<double>(k) / kSamples;
+    const double low = std::max(0.0, u - 1.0 / kSamples), high = std::min(1.0, u + 1.0 / kSamples);
+    if (nearness(u) < nearness(low) || nearness(u) < nearness(high)) continue;
+    best.distance = std::min(best.distance, -test::golden_section(nearness, low, high, 50));
+  }
+  return best;
+}
+
+StepPath random_path(Random& random, double size) {
+  StepPath path;
+  for (Vec2& each : path.control) each = test::in_disc(random, size);
+  return path;
+}
+
+TEST(Separation, agrees_with_dense_sampling) {
+  Random random(1);
+  for (int k = 0; k < 3'000 && !HasFailure(); ++k) {
+    const double size = random.log_uniform(1e-6, 1e6);
+    const StepPath a = random_path(random, size), b = random_path(random, size);
+    const Separation found = separation(a, b, std::numeric_limits<double>::infinity());
+    const Separation expected = sampled(a, b);
+    EXPECT_NEAR(found.distance, expected.distance, 1e-7 * size);
+    const double there = norm(point(a, found.fraction) - point(b, found.fraction));
+    EXPECT_NEAR(there, found.distance, 1e-12 * size);
+  }
+}
+
+// Fast passes that both ends of the step miss.
+TEST(Separation, sees_what_happens_between_the_ends) {
+  const StepPath still = hermite_path({0, 0}, {0, 0}, {0, 0}, {0, 0}, 0.1);
+  for (const double miss : {0.0, 1e-9, 0.3, 0.9}) {
+    const StepPath fast = hermite_path({-10, miss}, {200, 0}, {10, miss}, {200, 0}, 0.1);
+    const Separation found = separation(still, fast, std::numeric_limits<double>::infinity());
+    EXPECT_NEAR(found.distance, miss, 1e-11);
+    EXPECT_NEAR(found.fraction, 0.5, 1e-4);
+    EXPECT_NEAR(first_below(still, fast, 1.0, found.fraction),
+                0.5 - std::sqrt(1.0 - miss * miss) / 20.0, 1e-12);
+  }
+}
+
+TEST(Separation, a_cutoff_never_hides_what_is_nearer) {
+  Random random(2);
+  int near = 0;
+  for (int k = 0; k < 20'000 && !HasFailure(); ++k) {
+    const StepPath a = random_path(random, 1.0), b = random_path(random, 1.0);
+    const double exact = separation(a, b, std::numeric_limits<double>::infinity()).distance;
+    const double cutoff = random.uniform(0.0, 1.0);
+    const double found = separation(a, b, cutoff).distance;
+    EXPECT_GE(found, exact - 1e-12);
+    if (exact < cutoff - 1e-12) {
+      EXPECT_NEAR(found, exact, 1e-9);
+      ++near;
+    } else {
+      EXPECT_GE(found, cutoff - 1e-9);
+    }
+  }
+  EXPECT_GT(near, 2'000);
+}
+
+TEST(Separation, a_cubic_is_exact_for_a_held_acceleration) {
+  const Vec2 p{1, 2}, v{0.3, -0.4}, a{0.7, 0.9};
+  const double dt = 0.25;
+  const Vec2 end = p + dt * v + (0.5 * dt * dt) * a;
+  const StepPath path = hermite_path(p, v, end, v + dt * a, dt);
+  for (const double u : {0.0, 0.2, 0.5, 0.77, 1.0}) {
+    const double t = u * dt;
+    EXPECT_NEAR(norm(point(path, u) - (p + t * v + (0.5 * t * t) * a)), 0.0, 1e-15);
+  }
+}
+
+TEST(Separation, first_below_is_the_first) {
+  const StepPath still = hermite_path({0, 0}, {0, 0}, {0, 0}, {0, 0}, 1.0);
+  const StepPath path = hermite_path({3, 0}, {-2, 0}, {1, 0}, {-2, 0}, 1.0);
+  EXPECT_NEAR(first_below(still, path, 2.0, 1.0), 0.5, 1e-15);
+  EXPECT_EQ(first_below(still, path, 4.0, 1.0), 0.0);
+}
+
+}  // namespace
+}  // namespace avo
