@@ -15,6 +15,7 @@ namespace {
 constexpr double kTie = 0x1p-40;
 constexpr int kRootSteps = 100;
 constexpr int kDescentSteps = 20;
+constexpr std::array<double, 4> kFanParts{0.25, 0.5, 0.75, 1.0};  // of the smaller disc's radius
 
 struct Search {
   std::span<const Limit> limits;
@@ -191,17 +192,16 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
   offer(preferred);
   const Vec2 middle = lens.origin / lens.scale;
   const double radius = lens.radius / lens.scale;
-  constexpr std::array<Vec2, 8> kFan{{{1, 0},
-                                      {0.8, 0.6},
-                                      {0.6, 0.8},
-                                      {0, 1},
-                                      {-0.6, 0.8},
-                                      {-0.8, 0.6},
-                                      {0.28, 0.96},
-                                      {0.96, 0.28}}};
+  constexpr double kSlope = 0.41421356237309503;  // tan 22.5°: every second direction between
+  constexpr std::array<Vec2, 8> kFan{
+      {{1, 0}, {1, kSlope}, {1, 1}, {kSlope, 1}, {0, 1}, {-kSlope, 1}, {-1, 1}, {-1, kSlope}}};
   offer(middle);
   for (const Vec2 direction : kFan) {
-    for (const double along : {-1.0, -0.5, 0.5, 1.0}) offer(middle + (along * radius) * direction);
+    const Vec2 u = (radius / norm(direction)) * direction;
+    for (const double part : kFanParts) {
+      offer(middle + part * u);
+      offer(middle - part * u);
+    }
   }
   for (const CurvePoint& point : points) {
     const bool in_discs = std::none_of(limits.begin(), limits.end(), [&](const Limit& limit) {
@@ -232,7 +232,10 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
             (lens.distance - lens.larger_radius - lens.radius) / lens.scale,
             PassiveState::discs_disjoint};
   }
-  auto& [limits, curves, points, pieces] = workspace;
+  std::vector<Limit>& limits = workspace.limits;
+  std::vector<Curve>& curves = workspace.curves;
+  std::vector<CurvePoint>& points = workspace.points;
+  std::vector<Piece>& pieces = workspace.pieces;
   limits.clear();
   curves.clear();
   points.clear();

@@ -199,7 +199,8 @@ TEST(Obstacle, closest_approach_ends_on_any_numbers) {
                             std::numeric_limits<double>::denorm_min()};
   const auto number = [&] {
     if (random.below(12) == 0) return special[random.below(6)];
-    return (random.below(2) == 0 ? 1.0 : -1.0) * random.log_uniform(1e-165, 1e150);
+    const double sign = random.below(2) == 0 ? 1.0 : -1.0;
+    return sign * random.log_uniform(1e-165, 1e150);
   };
   for (int k = 0; k < 100'000; ++k) {
     const double delta = random.log_uniform(1e-9, 1e9);

@@ -44,6 +44,12 @@ class Random {
   std::uint64_t state_;
 };
 
+/// Evenly over the disc about 0. (One draw a statement: C++ leaves the order within one open.)
+inline Vec2 in_disc(Random& random, double radius) {
+  const double length = radius * std::sqrt(random.uniform(0.0, 1.0));
+  return length * random.direction();
+}
+
 /// A pair and what it is planned with.
 struct Situation {
   Pair pair;
@@ -71,7 +77,7 @@ inline Situation wide_situation(Random& random) {
   const double gap = random.below(2) == 0 ? s.pair.radius * random.log_uniform(1e-3, 30.0)
                                           : random.uniform(0.0, 14.0);
   s.pair.position = (s.pair.radius + gap) * random.direction();
-  s.pair.velocity = 5.0 * std::sqrt(random.uniform(0.0, 1.0)) * random.direction();
+  s.pair.velocity = in_disc(random, 5.0);
   return s;
 }
 
@@ -136,11 +142,9 @@ inline Situation scaled(const Situation& s, double length, double time) {
 inline Situation any_situation(Random& random) {
   const Situation s = random.below(2) == 0 ? wide_situation(random) : degenerate_situation(random);
   if (random.below(2) == 0) return s;
-  return apart(scaled(s, random.log_uniform(1e-6, 1e7), random.log_uniform(1e-2, 1e2)));
-}
-
-inline Vec2 in_disc(Random& random, double radius) {
-  return radius * std::sqrt(random.uniform(0.0, 1.0)) * random.direction();
+  const double length = random.log_uniform(1e-6, 1e7);
+  const double time = random.log_uniform(1e-2, 1e2);
+  return apart(scaled(s, length, time));
 }
 
 /// Draws anything that a function of Random makes; a failure names the seed and shows the value.
