@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time of one robot's decision, and of a step of Circle-N, alone and over its whole crossing.
+#include <algorithm>
+#include <benchmark/benchmark.h>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
+#include <numbers>
+#include <vector>
+
+#include "avo/simulation.h"
+
+namespace avo {
+namespace {
+
+// The paper's Circle-N (§VI-B): everyone's goal is opposite; ten nearest neighbors.
+Scenario circle(int count) {
+  Scenario scene;
+  scene.max_neighbors = 10;
+  const double radius = std::max(20.0, 2.25 * count / (2.0 * std::numbers::pi));
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / count;
+    RobotSetup robot;
+    robot.position = radius * Vec2{std::cos(angle), std::sin(angle)};
+    robot.goal = -robot.position;
+    scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
+// What the robots of Circle-N see after `seconds`.
+std::vector<Simulation::Perception> crowd(int count, double seconds, Simulation& simulation) {
+  while (simulation.time() < seconds) simulation.step();
+  std::vector<Simulation::Perception> seen;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    seen.push_back(simulation.perceive(i));
+  }
+  return seen;
+}
+
+// One decision with ten neighbors: in Circle-1000 on the way (20 s) and amid the crowd (170 s).
+void plan_10_neighbors(benchmark::State& state) {
+  Simulation simulation(circle(1000), 1);
+  const std::vector<Simulation::Perception> seen =
+      crowd(1000, static_cast<double>(state.range(0)), simulation);
+  const Planner& planner = simulation.planner();
+  PlanWorkspace workspace;
+  std::size_t i = 0, least_unsafe = 0, decisions = 0;
+  for (auto _ : state) {
+    const Plan plan = planner.plan(seen[i].robot, seen[i].neighbors, workspace);
+    benchmark::DoNotOptimize(plan);
+    least_unsafe += plan.violation > 0.0 ? 1 : 0;
+    ++decisions;
+    i = (i + 1) % seen.size();
+  }
+  state.counters["infeasible"] = static_cast<double>(least_unsafe) / static_cast<double>(decisions);
+}
+BENCHMARK(plan_10_neighbors)->ArgName("s")->Arg(20)->Arg(170)->Unit(benchmark::kMicrosecond);
+
+// The steps from `seconds` on, one thread; the scene moves on with them.
+void step_of_circle(benchmark::State& state) {
+  const auto count = static_cast<int>(state.range(0));
+  const auto seconds = static_cast<double>(state.range(1));
+  Simulation simulation(circle(count), 1);
+  while (simulation.time() < seconds) simulation.step();
+  for (auto _ : state) simulation.step();
+}
+BENCHMARK(step_of_circle)
+    ->ArgNames({"robots", "s"})
+    ->ArgsProduct({{100}, {0, 10, 18, 30}})
+    ->ArgsProduct({{1000}, {0, 60, 120, 180}})
+    ->Iterations(30)
+    ->Unit(benchmark::kMillisecond);
+
+double quantile(const std::vector<double>& sorted, double part) {
+  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+}
+
+// Every step of the crossing, one thread: until all have arrived, at most one and a half times what
+// the straight way takes. The median is the figure to compare; CPU time is what counts where other
+// programs run as well.
+void crossing_of_circle(benchmark::State& state) {
+  const Scenario scene = circle(static_cast<int>(state.range(0)));
+  const double straight = 2.0 * norm(scene.robots[0].goal) / scene.robots[0].preferred_speed;
+  std::vector<double> wall, cpu;  // ms
+  for (auto _ : state) {
+    wall.clear();
+    cpu.clear();
+    Simulation simulation(scene, 1);
+    while (!simulation.all_at_goal() && simulation.time() < 1.5 * straight) {
+      const auto start = std::chrono::steady_clock::now();
+      const std::clock_t cpu_start = std::clock();
+      simulation.step();
+      cpu.push_back(1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC);
+      const std::chrono::duration<double, std::milli> taken =
+          std::chrono::steady_clock::now() - start;
+      wall.push_back(taken.count());
+    }
+  }
+  std::sort(wall.begin(), wall.end());
+  std::sort(cpu.begin(), cpu.end());
+  state.counters["steps"] = static_cast<double>(wall.size());
+  state.counters["median_ms"] = quantile(wall, 0.5);
+  state.counters["median_cpu_ms"] = quantile(cpu, 0.5);
+  state.counters["p95_cpu_ms"] = quantile(cpu, 0.95);
+  state.counters["max_cpu_ms"] = cpu.back();
+}
+BENCHMARK(crossing_of_circle)
+    ->ArgName("robots")
+    ->Arg(100)
+    ->Arg(1000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace avo
