@@ -40,6 +40,7 @@ BENCHMARK_CAPTURE(index_and_gather, hundred_within, 100.0)->Arg(1000)->Arg(10000
 
 void index_only(benchmark::State& state) {
   std::vector<Vec2> positions;
+  positions.reserve(100000);
   for (int i = 0; i < 100000; ++i) positions.push_back({std::fmod(i * 0.618, 300.0), i * 0.003});
   UniformGrid grid;
   for (auto _ : state) {

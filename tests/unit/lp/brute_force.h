@@ -175,6 +175,10 @@ class Random {
     return {std::cos(angle), std::sin(angle)};
   }
   Vec2 in_square(double half) { return {uniform(-half, half), uniform(-half, half)}; }
+  Vec2 vector(double shortest, double longest) {
+    const double length = uniform(shortest, longest);  // drawn before the direction
+    return length * unit();
+  }
 
  private:
   std::uint64_t state_;

@@ -74,5 +74,20 @@ TEST(Lens, nearly_equal_discs_do_not_jump_to_a_corner) {
   }
 }
 
+// The square of a distance may exceed the radius' square while the distance does not exceed the
+// radius: "outside" by the one and "inside" by the other sent such points to a corner.
+TEST(Lens, points_on_a_circle_stay_where_they_are) {
+  Random random(13);
+  const Lens lens = make_lens({{0, 0}, 1}, {{1, 0}, 1.25});
+  for (int k = 0; k < 100000; ++k) {
+    const Vec2 small = random.unit();
+    const Vec2 large = lens.larger_center + 1.25 * random.unit();
+    for (Vec2 p : {small, large}) {
+      if (norm(p) > 1 + 1e-12 || norm(p - lens.larger_center) > 1.25 + 1e-12) continue;
+      ASSERT_LE(norm(nearest(lens, p).point - p), 4e-15);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace avo::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random programs: as a planner meets them, in general position, degenerate, nearly degenerate.
 #pragma once
+#include <ostream>
+
 #include "unit/lp/brute_force.h"
 
 namespace avo::test {
@@ -8,10 +10,10 @@ namespace avo::test {
 /// What a robot of the paper solves: speed at most 2, reach 4, half-planes near the velocity.
 inline Program planner_program(Random& random) {
   Program p;
-  const Vec2 v = random.uniform(0.0, 2.0) * random.unit();
+  const Vec2 v = random.vector(0.0, 2.0);
   p.acceleration = {v, random.chance(0.5) ? 4.0 : random.uniform(0.1, 3.0)};
   p.speed = {{0, 0}, 2.0};
-  p.preferred = random.uniform(0.0, 2.0) * random.unit();
+  p.preferred = random.vector(0.0, 2.0);
   const double crowd = random.uniform(-2.0, 0.5);  // how far the half-planes leave v alone
   for (int n = random.below(13); n > 0; --n) {
     const Vec2 normal = random.unit();
@@ -95,8 +97,8 @@ inline Program lopsided_program(Random& random) {
   const double near = random.chance(0.5) ? random.uniform(-1.0, 1.0)
                                          : 1.0 - std::pow(10.0, random.uniform(-17.0, 0.0));
   Disc small{scale * random.in_square(1.0), scale};
-  Disc large{small.center + scale * (ratio + (random.chance(0.5) ? near : -near)) * random.unit(),
-             scale * ratio};
+  const double apart = ratio + (random.chance(0.5) ? near : -near);
+  Disc large{small.center + scale * apart * random.unit(), scale * ratio};
   if (random.chance(0.3)) small.center = {0, 0}, large.center = {large.radius + scale * near, 0};
   p.acceleration = random.chance(0.5) ? small : large;
   p.speed = p.acceleration.radius == small.radius ? large : small;
@@ -114,6 +116,10 @@ struct Family {
   const char* name;
   Generator make;
 };
+inline std::ostream& operator<<(std::ostream& out, const Family& family) {
+  return out << family.name;
+}
+
 constexpr Family kFamilies[] = {{"planner", planner_program},
                                 {"general", general_program},
                                 {"degenerate", degenerate_program},

@@ -8,6 +8,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,10 @@ struct World {
   std::function<Vec2(Random&, int)> place;
   double radius;
 };
+
+std::ostream& operator<<(std::ostream& out, const World& world) {
+  return out << world.name;
+}
 
 const World kWorlds[] = {
     {"dense",
@@ -168,6 +173,7 @@ TEST_P(Worlds, P14_agrees_with_all_pairs) {
   for (const int n : {1, 2, 3, 10, 100, 1000}) {
     Random random(static_cast<std::uint64_t>(n));
     std::vector<Vec2> positions;
+    positions.reserve(1000);
     for (int i = 0; i < n; ++i) positions.push_back(GetParam().place(random, i));
     const std::size_t found = compare(positions, GetParam().radius, 17);
     if (n == 1000) {
@@ -205,6 +211,7 @@ TEST(UniformGrid, a_distance_rounded_to_the_radius_is_within_it) {
 TEST(UniformGrid, positions_with_an_ulp_as_large_as_the_radius) {
   Random random(6);
   std::vector<Vec2> positions;
+  positions.reserve(100);
   for (int i = 0; i < 100; ++i) {
     positions.push_back({1e16 + 2.0 * random.below(9), -1e16 - 2.0 * random.below(9)});
   }
@@ -258,6 +265,7 @@ TEST(UniformGrid, twenty_thousand_coincident_points) {
 TEST(UniformGrid, an_outlier_changes_nothing_for_the_others) {
   Random random(3);
   std::vector<Vec2> positions;
+  positions.reserve(2001);
   for (int i = 0; i < 2000; ++i)
     positions.push_back({random.uniform(0, 99), random.uniform(0, 99)});
   UniformGrid without, with;
@@ -275,6 +283,7 @@ TEST(UniformGrid, an_outlier_changes_nothing_for_the_others) {
 TEST(UniformGrid, P13_insertion_order_renames_and_nothing_else) {
   Random random(4);
   std::vector<Vec2> positions;
+  positions.reserve(500);
   for (int i = 0; i < 500; ++i) positions.push_back({random.uniform(0, 40), random.uniform(0, 40)});
   std::vector<Vec2> reversed(positions.rbegin(), positions.rend());
   UniformGrid grid, mirror;
