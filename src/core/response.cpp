@@ -20,30 +20,41 @@ double proportional_gain(double u) {
 
 double Response::gain(double t) const {
   switch (kind_) {
-    case Kind::velocity: return t;
-    case Kind::acceleration: return 0.5 * t * t;
-    case Kind::held: return 0.5 * t * (t / control_time_);
-    case Kind::proportional: break;
+    case Kind::velocity:
+      return t;
+    case Kind::acceleration:
+      return 0.5 * t * t;
+    case Kind::held:
+      return 0.5 * t * (t / control_time_);
+    case Kind::proportional:
+      break;
   }
   return control_time_ * proportional_gain(t / control_time_);
 }
 
 double Response::rate(double t) const {
   switch (kind_) {
-    case Kind::velocity: return 1.0;
-    case Kind::acceleration: return t;
-    case Kind::held: return t / control_time_;
-    case Kind::proportional: break;
+    case Kind::velocity:
+      return 1.0;
+    case Kind::acceleration:
+      return t;
+    case Kind::held:
+      return t / control_time_;
+    case Kind::proportional:
+      break;
   }
   return -std::expm1(-t / control_time_);
 }
 
 double Response::lag(double t) const {
   switch (kind_) {
-    case Kind::velocity: return 0.0;
+    case Kind::velocity:
+      return 0.0;
     case Kind::acceleration:
-    case Kind::held: return 0.5 * t;
-    case Kind::proportional: break;
+    case Kind::held:
+      return 0.5 * t;
+    case Kind::proportional:
+      break;
   }
   return t > 0.0 ? t - gain(t) / rate(t) : 0.0;
 }
