@@ -110,6 +110,7 @@ std::vector<Group> cut(std::vector<Shade>& shades) {
 IndexedImage reduce_colors(std::span<const std::uint32_t> pixels) {
   std::vector<Shade> shades = distinct(pixels);
   std::vector<std::uint32_t> colors;
+  colors.reserve(shades.size());
   for (const Shade& shade : shades) colors.push_back(shade.color);  // ascending
   const std::vector<Group> groups = cut(shades);
 

@@ -94,7 +94,9 @@ std::string area_of(const VelocitySpace& space) {
   const double step = 2.0 * disc.radius / kSide;
   int count = 0;
   for (int i = 0; i < kSide * kSide; ++i) {
-    const Vec2 from_corner{(i % kSide + 0.5) * step, (i / kSide + 0.5) * step};
+    const int column = i % kSide;
+    const int row = i / kSide;
+    const Vec2 from_corner{(column + 0.5) * step, (row + 0.5) * step};
     const Vec2 u = disc.center - Vec2{disc.radius, disc.radius} + from_corner;
     if (norm(u - disc.center) > disc.radius) continue;
     const bool allowed =

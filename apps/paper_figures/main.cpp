@@ -16,6 +16,12 @@ std::string format(const char* pattern, double value) {
 
 namespace {
 
+// Sentences end with a space, paragraphs do not.
+std::string paragraph(std::string text) {
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
 std::string readme(const std::vector<Caption>& captions) {
   std::string text =
       "# Figures of the paper\n\n"
@@ -26,8 +32,9 @@ std::string readme(const std::vector<Caption>& captions) {
       "time, also between two steps.\n";
   for (const Caption& caption : captions) {
     text += "\n## Fig. " + caption.number + ": " + caption.title + "\n\n![" + caption.title + "](" +
-            caption.file + ")\n\n" + caption.shows + "\n\n**Agrees:** " + caption.agrees + "\n";
-    if (!caption.differs.empty()) text += "\n**Differs:** " + caption.differs + "\n";
+            caption.file + ")\n\n" + paragraph(caption.shows) + "\n\n**Agrees:** " +
+            paragraph(caption.agrees) + "\n";
+    if (!caption.differs.empty()) text += "\n**Differs:** " + paragraph(caption.differs) + "\n";
   }
   return text;
 }

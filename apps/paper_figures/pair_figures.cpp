@@ -2,6 +2,7 @@
 // The paper's Figs. 2, 3 and 5: one pair A, B, its obstacles and its reciprocal sets.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "avo/half_plane.h"
@@ -111,6 +112,70 @@ double boundary_error(const Obstacle& obstacle) {
   return worst;
 }
 
+// What Fig. 5 is made of.
+struct ReciprocalSets {
+  Obstacle obstacle = acceleration_velocity_obstacle();
+  double reach = kControlTime * 2.0 * kMaxAcceleration;  // m/s, δ (a_A + a_B)
+  HalfPlane relative =
+      half_plane(obstacle.pair, reach, Horizon(kControlTime, obstacle.time_horizon, 0.1))
+          .plane;  // n . w >= h
+  Disc reachable{obstacle.pair.velocity, reach};
+  Vec2 q = obstacle.pair.velocity + relative.offset * relative.normal;
+};
+
+Box around(Vec2 center, double half) {
+  return figures::grown({center, center}, half);
+}
+
+// Corners of the hull of D(v_AB, δ a_AB) ∩ AVO, from the distance function of the set.
+std::vector<Vec2> hull_of(const ReciprocalSets& sets) {
+  const Obstacle& obstacle = sets.obstacle;
+  const auto inside = [&](Vec2 u) {
+    const double gap = closest_approach(obstacle, u).distance - obstacle.pair.radius;
+    return std::fmax(gap / obstacle.response.gain(obstacle.time_horizon),
+                     norm(u - sets.reachable.center) - sets.reach);
+  };
+  std::vector<Vec2> corners;
+  for (const auto& part :
+       figures::negative_set(around(sets.reachable.center, 2.4), 400, inside, 1.0)) {
+    corners.insert(corners.end(), part.begin(), part.end());
+  }
+  return convex_hull(corners);
+}
+
+void draw_relative_set(Canvas& canvas, const Box& panel, const ReciprocalSets& sets,
+                       const std::vector<Vec2>& hull) {
+  VelocitySpace space;
+  space.view = around(sets.reachable.center, 2.4);
+  space.acceleration_disc = sets.reachable;
+  space.obstacles = {{sets.obstacle, {}, ""}};
+  space.outlines = {hull};
+  space.points = {{sets.obstacle.pair.velocity, "*v*_{AB}", figures::kBlack, true},
+                  {sets.q, "*q*", kPath}};
+  figures::draw_velocity_space(canvas, panel, space);
+  write_title(canvas, panel, "(a) V_{AB} and H");
+  const Canvas::ClipScope scope(canvas);
+  canvas.clip_to_view();
+  const Vec2 along = 10.0 * perpendicular(sets.relative.normal);
+  const Vec2 line[] = {sets.q - along, sets.q + along};
+  canvas.add_polyline(line);
+  canvas.stroke({kPath, 1.2});
+  canvas.text(sets.q - 0.13 * along, "H",
+              {.size = 9.5, .color = kPath, .offset = {3.0, 4.0}, .halo = true});
+}
+
+// The set of one robot: its half of the relative half-plane, within its own reach.
+void draw_share(Canvas& canvas, const Box& panel, Vec2 velocity, const HalfPlane& relative,
+                const std::string& name) {
+  const double share = reciprocal_share(kMaxAcceleration, kMaxAcceleration);
+  VelocitySpace own;
+  own.view = around(velocity, 1.6);
+  own.acceleration_disc = Disc{velocity, kControlTime * kMaxAcceleration};
+  own.half_planes = {{apportion(relative, velocity, share), "", true}};
+  own.points = {{velocity, "*v*_" + name, figures::kBlack, true}};
+  figures::draw_velocity_space(canvas, panel, own);
+}
+
 }  // namespace
 
 Caption draw_velocity_obstacle(const std::string& folder) {
@@ -164,78 +229,35 @@ Caption draw_acceleration_obstacle(const std::string& folder) {
 }
 
 Caption draw_reciprocal_sets(const std::string& folder) {
-  const Obstacle obstacle = acceleration_velocity_obstacle();
-  const Pair& pair = obstacle.pair;
-  const double reach = kControlTime * 2.0 * kMaxAcceleration;
-  const Horizon horizon(kControlTime, obstacle.time_horizon, 0.1);
-  const RelativeHalfPlane relative = half_plane(pair, reach, horizon);
-  const HalfPlane plane_H{relative.plane.normal,
-                          dot(relative.plane.normal, pair.velocity) + relative.plane.offset};
-  const Vec2 q = pair.velocity + relative.plane.offset * relative.plane.normal;
-  const Disc reachable{pair.velocity, reach};
-
+  const ReciprocalSets sets;
+  const std::vector<Vec2> hull = hull_of(sets);
+  const HalfPlane mirrored{-sets.relative.normal, sets.relative.offset};
   const Row row{.panels = 3};
   Canvas canvas(folder + "/fig-05.png", row.width, row.height());
-  VelocitySpace space;
-  space.view = Box{pair.velocity - Vec2{2.4, 2.4}, pair.velocity + Vec2{2.4, 2.4}};
-  space.acceleration_disc = reachable;
-  space.obstacles = {{obstacle, {}, ""}};
-  // D(v_AB, δ a_AB) ∩ AVO by its distance function; its hull by its corners
-  const auto inside = [&](Vec2 u) {
-    const double gap = closest_approach(obstacle, u).distance - pair.radius;
-    return std::fmax(gap / obstacle.response.gain(obstacle.time_horizon),
-                     norm(u - reachable.center) - reach);
-  };
-  std::vector<Vec2> corners;
-  for (const auto& part : figures::negative_set(*space.view, 400, inside, 1.0)) {
-    corners.insert(corners.end(), part.begin(), part.end());
-  }
-  space.outlines = {convex_hull(corners)};
-  space.points = {{pair.velocity, "*v*_{AB}", figures::kBlack, true}, {q, "*q*", kPath}};
-  figures::draw_velocity_space(canvas, row.box(0), space);
-  {
-    const Canvas::ClipScope scope(canvas);
-    canvas.clip_to_view();
-    const Vec2 along = 10.0 * perpendicular(plane_H.normal);
-    const Vec2 line[] = {q - along, q + along};
-    canvas.add_polyline(line);
-    canvas.stroke({kPath, 1.2});
-    canvas.text(q - 0.13 * along, "H",
-                {.size = 9.5, .color = kPath, .offset = {3.0, 4.0}, .halo = true});
-  }
-  write_title(canvas, row.box(0), "(a) V_{AB} and H");
-
-  const double share = reciprocal_share(kMaxAcceleration, kMaxAcceleration);
-  const auto draw_share = [&](int index, Vec2 velocity, Vec2 normal, const std::string& name) {
-    VelocitySpace own;
-    own.view = Box{velocity - Vec2{1.6, 1.6}, velocity + Vec2{1.6, 1.6}};
-    own.acceleration_disc = Disc{velocity, kControlTime * kMaxAcceleration};
-    own.half_planes = {{apportion({normal, relative.plane.offset}, velocity, share), "", true}};
-    own.points = {{velocity, "*v*_" + name, figures::kBlack, true}};
-    figures::draw_velocity_space(canvas, row.box(index), own);
-    write_title(canvas, row.box(index), (index == 1 ? "(b) set of " : "(c) set of ") + name);
-  };
-  draw_share(1, kVelocityA, relative.plane.normal, "A");
-  draw_share(2, kVelocityB, -relative.plane.normal, "B");
+  draw_relative_set(canvas, row.box(0), sets, hull);
+  draw_share(canvas, row.box(1), kVelocityA, sets.relative, "A");
+  write_title(canvas, row.box(1), "(b) set of A");
+  draw_share(canvas, row.box(2), kVelocityB, mirrored, "B");
+  write_title(canvas, row.box(2), "(c) set of B");
   canvas.finish();
 
-  double support = -1e9;  // of the hull, from its corners
-  for (const Vec2 corner : corners) {
-    support = std::fmax(support, dot(relative.plane.normal, corner - pair.velocity));
+  double support = -std::numeric_limits<double>::infinity();  // of the hull along the normal
+  for (const Vec2 corner : hull) {
+    support = std::fmax(support, dot(sets.relative.normal, corner - sets.obstacle.pair.velocity));
   }
-  return {"5",
-          "fig-05.png",
-          "Reciprocal sets",
-          "(a) For the pair of Fig. 3, both with a_max = " + format("%.1f m/s²", kMaxAcceleration) +
-              ": the relative velocities within reach, D(*v*, δ a) with radius " +
-              format("%.1f m/s", reach) +
-              ", without the obstacle (white), the hull of what the obstacle takes from them "
-              "(dashed) and the half-plane H, tangent at q. (b), (c) The sets of A and of B, "
-              "each with half of it, Eqs. (17)–(20).",
-          "q is the point of the hull nearest to *v*; h = " +
-              format("%.4f m/s", relative.plane.offset) + " in closed form, " +
-              format("%.4f m/s", support) + " from the corners of the drawn set.",
-          "the half-plane is exact; the paper's comes from 25 samples of the boundary."};
+  return {
+      "5",
+      "fig-05.png",
+      "Reciprocal sets",
+      "(a) For the pair of Fig. 3, both with a_max = " + format("%.1f m/s²", kMaxAcceleration) +
+          ": the relative velocities within reach, D(*v*, δ a) with radius " +
+          format("%.1f m/s", sets.reach) +
+          ", without the obstacle (white), the hull of what the obstacle takes from them "
+          "(dashed) and the half-plane H, tangent at q. (b), (c) The sets of A and of B, "
+          "each with half of it, Eqs. (17)–(20).",
+      "q is the point of the hull nearest to *v*; h = " + format("%.4f m/s", sets.relative.offset) +
+          " in closed form, " + format("%.4f m/s", support) + " from the corners of the drawn set.",
+      "the half-plane is exact; the paper's comes from 25 samples of the boundary."};
 }
 
 }  // namespace avo::paper
