@@ -22,6 +22,13 @@ double largest_violation(Planes planes, Vec2 u) {
   return largest;
 }
 
+// The violation to report, of the half-planes as given and the point as returned. It is not 0 even
+// where the point's last rounding made it so, among denormal numbers.
+double violation_at(Planes given, Vec2 u, double before_rounding) {
+  const double largest = largest_violation(given, u);
+  return largest > 0.0 ? largest : before_rounding;
+}
+
 // CA_A of Eq. (22) is empty, the 3-D program: the smallest s such that some point of the lens and
 // of `keep` violates no plane of `give` by more than s. Incremental as well: a plane violated by no
 // more than s changes nothing; otherwise it is the worst of those so far, and the new point lies
@@ -111,9 +118,10 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
   std::size_t failed = solve_planar(lens, planes, {target, {}}, solution);
   if (failed < hard.size()) {
     result.binding = least_unsafe(lens, {}, keep, failed, target, projected, solution);
-    if (largest_violation(keep, solution.point) > lens.tolerance) {
+    const double worst = largest_violation(keep, solution.point);
+    if (worst > lens.tolerance) {
       result.point = absolute_point(lens, acceleration, speed, solution.point);
-      result.violation = largest_violation(hard, result.point);
+      result.violation = violation_at(hard, result.point, worst / lens.scale);
       result.state = ProgramState::hard_infeasible;
       return result;
     }
@@ -134,8 +142,9 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
         least_unsafe(lens, keep, give, failed - hard.size(), target, projected, solution);
   }
   result.point = absolute_point(lens, acceleration, speed, solution.point);
-  if (largest_violation(give, solution.point) > lens.tolerance) {
-    result.violation = largest_violation(soft, result.point);
+  const double worst = largest_violation(give, solution.point);
+  if (worst > lens.tolerance) {
+    result.violation = violation_at(soft, result.point, worst / lens.scale);
     result.state = ProgramState::least_unsafe;
   }
   return result;
