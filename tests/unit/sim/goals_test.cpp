@@ -145,6 +145,7 @@ TEST(Goals, on_the_goal_at_rest_nothing_moves) {
     const Vec2 goal{3, -7};
     EXPECT_EQ(simulation.fleet().position[0], goal);
     EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
+    EXPECT_EQ(simulation.fleet().plan[0].status, PlanStatus::optimal);
   });
 }
 
