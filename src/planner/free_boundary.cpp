@@ -207,6 +207,12 @@ bool violates(const Limit& limit, Vec2 v_new) {
                       limit.obstacle.pair.radius - 0.5 * limit.slack);
 }
 
+double steepness(const Limit& limit) {
+  return limit.kind == Limit::Kind::obstacle
+             ? limit.obstacle.response.gain(limit.obstacle.time_horizon)
+             : 1.0;
+}
+
 double violation(const Limit& limit, Vec2 v_new) {
   switch (limit.kind) {
     case Limit::Kind::obstacle: {

@@ -38,6 +38,9 @@ double clearance(const Limit& limit, Vec2 v_new);
 /// clearance(limit, v_new) < 0, decided faster.
 bool violates(const Limit& limit, Vec2 v_new);
 
+/// The most that the clearance changes per m/s of v_new: g(τ) for an obstacle.
+double steepness(const Limit& limit);
+
 /// How deep v_new lies in what is forbidden, m/s; 0 if it does not.
 double violation(const Limit& limit, Vec2 v_new);
 

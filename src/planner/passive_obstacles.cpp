@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "lp/lens.h"
 
@@ -14,6 +15,9 @@ namespace {
 // Distances that differ by less than this part are equal but for rounding.
 constexpr double kTie = 0x1p-40;
 constexpr int kRootSteps = 100;
+// How finely a piece is searched for a way out of one limit; obstacles cost much more to test.
+constexpr int kObstacleHalvings = 4;
+constexpr int kDiscHalvings = 12;
 constexpr int kDescentSteps = 20;
 constexpr std::array<double, 4> kFanParts{0.25, 0.5, 0.75, 1.0};  // of the smaller disc's radius
 
@@ -100,24 +104,42 @@ CurvePoint crossing(const Search& search, const Curve& curve, CurvePoint negativ
   return positive;
 }
 
+// A point between a and b, both of which violate the limit, at which it is left; the first found
+// from a on. Halves are given up where the clearance cannot rise to 0 at the rate that `steepness`
+// allows, or after `depth` halvings.
+std::optional<CurvePoint> release(const Search& search, const Curve& curve, const Limit& limit,
+                                  const CurvePoint& a, double f_a, const CurvePoint& b, double f_b,
+                                  int depth) {
+  // the curve turns too little in a piece to be longer than its chord by a quarter
+  const double length = 1.25 * norm(b.position - a.position);
+  if (depth == 0 || f_a + f_b + steepness(limit) * length < 0.0) return std::nullopt;
+  const CurvePoint middle = point_at(curve, search.limits, 0.5 * (a.parameter + b.parameter));
+  const double f_middle = clearance(limit, middle.position);
+  if (f_middle >= 0.0) return middle;
+  const auto first = release(search, curve, limit, a, f_a, middle, f_middle, depth - 1);
+  if (first) return first;
+  return release(search, curve, limit, middle, f_middle, b, f_b, depth - 1);
+}
+
 // A stretch on which the distance to `preferred` only grows: its first free point is offered.
 void walk(Search& search, const Curve& curve, CurvePoint& first, const CurvePoint& last) {
   if (search.too_far(search.distance_to(first.position))) return;
   int k = search.violated(first);
   CurvePoint from = first;
   for (std::size_t turns = 0; k != CurvePoint::kFree; ++turns) {
-    if (k == last.violated || turns > search.limits.size()) return;
-    // on to where that limit is left, if it is left by the end or halfway
+    if (turns > search.limits.size()) return;
+    // on to where that limit is left, at the end or in between
     const Limit& limit = search.limits[static_cast<std::size_t>(k)];
     const auto f = [&](const CurvePoint& point) { return clearance(limit, point.position); };
+    const double f_from = f(from), f_last = f(last);
     CurvePoint free = last;
-    double f_free = f(free);
-    if (f_free < 0.0) {
-      free = point_at(curve, search.limits, 0.5 * (from.parameter + last.parameter));
-      f_free = f(free);
-      if (f_free < 0.0) return;
+    if (f_last < 0.0) {
+      const int depth = limit.kind == Limit::Kind::obstacle ? kObstacleHalvings : kDiscHalvings;
+      const auto between = release(search, curve, limit, from, f_from, last, f_last, depth);
+      if (!between) return;
+      free = *between;
     }
-    from = crossing(search, curve, from, f(from), free, f_free, f);
+    from = crossing(search, curve, from, f_from, free, f(free), f);
     if (search.too_far(search.distance_to(from.position))) return;
     k = search.violated(from.position);
   }

@@ -29,6 +29,8 @@ TEST(HalfPlane, P3_agrees_with_brute_force) {
   for (int k = 0; compared < 10'000 && failures < 10; ++k) {
     const Situation s =
         k % 4 == 0 ? test::degenerate_situation(random) : test::wide_situation(random);
+    // in contact the support is known to rounding over a short time only: see the next test
+    if (norm(s.pair.position) < (1.0 + 1e-7) * s.pair.radius) continue;
     const test::SlowHull hull(s);
     if (hull.empty()) continue;  // samples may miss what is hardly within reach
     const auto [n, h] = hull.least();

@@ -126,6 +126,8 @@ inline Situation degenerate_situation(Random& random) {
       s.reach *= random.below(2) == 0 ? 1e-6 : 1e6;
       break;
   }
+  // and in contact, or nearly, on top of it
+  if (random.below(6) == 0) p = (r * (1.0 + std::abs(random.near_zero())) / norm(p)) * p;
   return apart(s);
 }
 
