@@ -3,6 +3,7 @@
 #include "run_avo.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
@@ -38,6 +39,7 @@ void redirect(const std::string& path, int target) {
   std::vector<std::string> copies = arguments;
   for (std::string& word : copies) words.push_back(word.data());
   words.push_back(nullptr);
+  setenv("LSAN_OPTIONS", "print_suppressions=0:suppressions=" AVO_SUPPRESSIONS, 1);
   execv(AVO_BINARY, words.data());
   _exit(98);
 }
