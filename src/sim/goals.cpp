@@ -40,14 +40,18 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, V
   const double change = std::min(options.control_time * setup.max_acceleration, setup.max_speed);
   const double rate = planner.step_rate();
   const double along = dot(velocity, direction);
-  const double speed =
-      admissible_speed(distance - planner.step_lag() * along, rate * change, options.time_step);
+  // 2 distance/δ: among parked robots less than the full deceleration is left, and a robot that
+  // counts on it swings about its goal for ever
+  const double speed = std::min(
+      admissible_speed(distance - planner.step_lag() * along, rate * change, options.time_step),
+      2.0 * distance / options.control_time);
   if (speed >= setup.preferred_speed) return setup.preferred_speed * direction;
 
   const Vec2 wanted =
       limited((speed * direction - velocity) / rate, options.control_time * setup.max_acceleration);
   const Vec2 v_new = velocity + wanted;
-  return speed >= along ? limited(v_new, setup.preferred_speed) : v_new;
+  if (speed < along) return v_new;
+  return limited(v_new, std::min(setup.preferred_speed, std::max(speed, norm(velocity))));
 }
 
 }  // namespace avo
