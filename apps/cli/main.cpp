@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo: the command line. Reads arguments, calls one verb, turns what goes wrong into exit codes.
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <exception>
 #include <functional>
 #include <new>
@@ -127,7 +126,6 @@ int fail(int code, const std::string& message) {
 
 int main(int argc, char** argv) {
   using namespace avo_cli;
-  std::signal(SIGPIPE, SIG_IGN);
   try {
     return parse_and_act(argc, argv);
   } catch (const UsageError& error) {

@@ -45,7 +45,6 @@ struct Outputs {
   void finish(const avo::Scenario& scenario, const avo::RunSummary& results) {
     if (summary) summary->write(avo_io::to_json(results));
     if (figure) draw_trajectories(scenario, trajectories->frames(), figure->temporary_path());
-    if (record) record->settle();
     if (summary) summary->settle();
     if (record) record->commit();
     if (summary) summary->commit();

@@ -15,7 +15,6 @@ class CsvRecording {
   explicit CsvRecording(const std::string& path);
   /// One row a robot. Throws FileError.
   void add(const avo::Simulation& simulation);
-  void settle() { file_.settle(); }
   void commit() { file_.commit(); }
 
  private:

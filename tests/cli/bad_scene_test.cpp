@@ -259,6 +259,8 @@ const std::vector<BadScene> kBadScenes{
      s("\357\273\277version: 1\015\nrobots:\015\n  - {position: [0, 0], goal: [1, 0], radius: "
        "-1}\015\n"),
      "3:46: robots.0.radius: found -1, must be > 0 m"},
+    {"bom_is_no_column", s("\357\273\277a\001"),
+     "1:2: found the control character 0x01, must be text"},
     {"umlauts_count_as_one",
      s("version: 1\nname: \"\303\244\303\266\303\274\"\nrobots:\n  - "
        "{\"\303\244\303\266\303\274\": 1}\n"),
@@ -311,6 +313,14 @@ TEST(BadScene, size_is_limited_before_reading_on) {
   const ProcessResult result = run_avo({"validate", path});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err, path + ":1:1: found more than 16 MiB, a scene must be smaller\n");
+}
+
+TEST(BadScene, number_of_values_is_limited) {
+  std::string text = "robots: [";
+  for (int i = 0; i < 2000000; ++i) text += "1,";
+  const std::string path = path_of("values.yaml");
+  write_file(path, text + "]");
+  EXPECT_EQ(run_avo({"validate", path}).err, path + ":1:4000004: found more than 2000000 values\n");
 }
 
 TEST(BadScene, bombs_are_refused_in_one_line) {

@@ -13,6 +13,7 @@
 
 #include "avo/error.h"
 #include "avo_io/scene.h"
+#include "words.h"
 
 namespace avo_test {
 namespace {
@@ -231,6 +232,18 @@ TEST(Fields, doubles_arrive_bit_by_bit_and_without_minus_zero) {
               fmt::format("{:.17g}", std::strtod(text, nullptr)));
     EXPECT_FALSE(std::signbit(scenario.robots[0].position.y));
   }
+}
+
+TEST(Fields, quotes_make_a_text_of_anything) {
+  for (const std::string name : {"null", "~", "1", ".nan", "true"})
+    EXPECT_EQ(avo_io::parse_scenario("version: 1\nname: \"" + name + "\"\n" + kRobots, "f").name,
+              name);
+}
+
+TEST(Fields, the_first_of_equally_near_words_is_meant) {
+  EXPECT_EQ(avo_io::nearest("mix", {"min", "max"}), "min");
+  EXPECT_EQ(avo_io::nearest("mix", {"max", "min"}), "max");
+  EXPECT_EQ(avo_io::nearest("completely", {"min", "max"}), std::nullopt);
 }
 
 TEST(Fields, comments_bom_crlf_and_markers_do_no_harm) {
