@@ -104,7 +104,7 @@ LocalPlane convex(const LocalPair& pair, const Horizon& horizon) {
   constexpr double kRounding = std::numeric_limits<double>::epsilon();
   if (at.time < 4.0 * kRounding * approach.t_m) at = horizon.at(4.0 * kRounding * approach.t_m);
   double h = (pair.r - x) / at.gain;
-  if (at.time < 1e-6 * approach.t_m) h = std::max(h, approach.speed * (sigma / x) / at.rate);
+  if (pair.r - x < 1e-7 * pair.r) h = std::max(h, approach.speed * (sigma / x) / at.rate);
   return {false, (1.0 / x) * (sigma * approach.u + approach.b * approach.e), h};
 }
 

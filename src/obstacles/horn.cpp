@@ -17,21 +17,43 @@ constexpr int kMaxIterations = 64;
 constexpr int kMaxPoints = 12;
 constexpr double kTimeTolerance = 1e-7;  // relative; every use is of second order in the time
 
-// Where the near side touches the disc of one time: b = (r n - x)/g with n . y = r.
-Vec2 near_side(const LocalPair& pair, const ResponseAt& at) {
-  const Vec2 x = pair.x(at), y = pair.y(at);
-  const double y2 = norm_squared(y);
-  const double l = std::sqrt(std::max(0.0, (y2 - pair.r * pair.r)));
-  const double k = pair.r / y2, per_gain = 1.0 / at.gain;
-  const double c = k * pair.r, s = k * l;
-  return {(c * y.x - s * y.y - x.x) * per_gain, (c * y.y + s * y.x - x.y) * per_gain};
+// The pair with what does not depend on the time. In contact |x|² - r² is as small as t², and the
+// near side a difference of such numbers over g ~ t²: so they are kept as sums of small terms.
+struct Horn {
+  const LocalPair& pair;
+  const Horizon& horizon;
+  double gap;    // |p|² - r², m²
+  double along;  // p . v, m²/s
+  double v2;     // |v|²
+
+  Horn(const LocalPair& local, const Horizon& table)
+      : pair(local),
+        horizon(table),
+        gap((local.d - local.r) * (local.d + local.r)),
+        along(local.d * local.v.x),
+        v2(norm_squared(local.v)) {}
+
+  double beyond(double t) const { return gap + t * (2.0 * along + t * v2); }  // |p + t v|² - r²
+};
+
+// Where the near side touches the disc of one time: b = (r n - x)/g with n . y = r, in the frame
+// of n, with x = y + (t - s) v and t - s = g/g'.
+Vec2 near_side(const Horn& horn, const ResponseAt& at) {
+  const Vec2 y = horn.pair.y(at);
+  const double l = std::sqrt(std::max(0.0, horn.beyond(at.lag)));
+  const double per_y2 = 1.0 / norm_squared(y);
+  const Vec2 n = {(horn.pair.r * y.x - l * y.y) * per_y2, (horn.pair.r * y.y + l * y.x) * per_y2};
+  const double normal = -dot(n, horn.pair.v) / at.rate;
+  const double tangential = l / at.gain - dot(perpendicular(n), horn.pair.v) / at.rate;
+  return normal * n + tangential * perpendicular(n);
 }
 
-// |b| falls while this is positive and grows while it is negative (m²). Zero where b is parallel
-// to its normal, hence nearest to or farthest from w = 0.
-double falling(const LocalPair& pair, const ResponseAt& at) {
-  const Vec2 x = pair.x(at);
-  return dot(x, pair.y(at)) - pair.r * norm(x);
+// x . y - r |x|: |b| falls while this is positive and grows while it is negative (m²). Zero where b
+// is parallel to its normal, hence nearest to or farthest from w = 0.
+double falling(const Horn& horn, const ResponseAt& at) {
+  const double length = norm(horn.pair.x(at));
+  return length * horn.beyond(at.time) / (length + horn.pair.r) -
+         at.gain / at.rate * (horn.along + at.time * horn.v2);
 }
 
 // Zero of f in [low, high], where its signs differ: false position (Illinois), then bisection.
@@ -59,25 +81,21 @@ ResponseAt find_zero(const Horizon& horizon, double low, double high, double f_l
   return horizon.at(0.5 * (low + high));
 }
 
-// Where the circle |w| = R cuts the disc of one time.
-std::array<Vec2, 2> circle_points(const LocalPair& pair, const ResponseAt& at) {
-  const Vec2 x = pair.x(at);
-  const double length = norm(x);
-  const double gain_R = at.gain * pair.R;
-  const double c = std::clamp(
-      -((length - pair.r) * (length + pair.r) + gain_R * gain_R) / (2.0 * gain_R * length), -1.0,
-      1.0);
+// Where the circle |w| = R cuts the disc of one time, the end on the near side first.
+std::array<Vec2, 2> circle_points(const Horn& horn, const ResponseAt& at) {
+  const Vec2 x = horn.pair.x(at);
+  const double R = horn.pair.R, length = norm(x), gain_R = at.gain * R;
+  const double c =
+      std::clamp(-(horn.beyond(at.time) + gain_R * gain_R) / (2.0 * gain_R * length), -1.0, 1.0);
   const double s = std::sqrt((1.0 - c) * (1.0 + c));
   const Vec2 u = x / length;
-  return {{pair.R * Vec2{c * u.x - s * u.y, c * u.y + s * u.x},
-           pair.R * Vec2{c * u.x + s * u.y, c * u.y - s * u.x}}};
+  return {{R * Vec2{c * u.x - s * u.y, c * u.y + s * u.x},
+           R * Vec2{c * u.x + s * u.y, c * u.y - s * u.x}}};
 }
 
 // The corners of the hull on the near side, in the order of walking along it with the obstacle on
 // the right: the crossings of the circle by ascending time.
-struct NearSide {
-  const LocalPair& pair;
-  const Horizon& horizon;
+struct Corners {
   std::array<Vec2, kMaxPoints> points{};
   int count = 0;
 
@@ -86,65 +104,85 @@ struct NearSide {
   }
 };
 
-// One end of a piece of the near side; at t = 0 |b| is infinite and falls.
+// One end of a piece of the near side.
 struct End {
   ResponseAt at;
-  double length = std::numeric_limits<double>::infinity();  // |b|, m/s
-  double falling = 1.0;
+  double length;   // |b|, m/s
+  double falling;  // m²
 };
 
-End end_at(const LocalPair& pair, const ResponseAt& at) {
-  return {at, norm(near_side(pair, at)), falling(pair, at)};
+End end_at(const Horn& horn, const ResponseAt& at) {
+  return {at, norm(near_side(horn, at)), falling(horn, at)};
 }
 
 // The crossing of a piece on which |b| is monotone, if there is one.
-void cross(NearSide& side, const End& from, const End& to) {
-  const LocalPair& pair = side.pair;
-  if ((from.length > pair.R) == (to.length > pair.R)) return;
+void cross(const Horn& horn, const End& from, const End& to, Corners& corners) {
+  const double R = horn.pair.R;
+  if ((from.length > R) == (to.length > R)) return;
   // |b|^{-1/2} is nearly linear in t; its limit keeps false position in balance
-  const auto f = [&](double length) { return std::sqrt(std::min(pair.R / length, 9.0)) - 1.0; };
+  const auto f = [&](double length) { return std::sqrt(std::min(R / length, 9.0)) - 1.0; };
   const ResponseAt at =
-      find_zero(side.horizon, from.at.time, to.at.time, f(from.length), f(to.length),
-                [&](const ResponseAt& each) { return f(norm(near_side(pair, each))); });
-  const Vec2 b = near_side(pair, at);
-  const auto ends = circle_points(pair, at);
-  side.add(norm_squared(ends[0] - b) <= norm_squared(ends[1] - b) ? ends[0] : ends[1]);
+      find_zero(horn.horizon, from.at.time, to.at.time, f(from.length), f(to.length),
+                [&](const ResponseAt& each) { return f(norm(near_side(horn, each))); });
+  const Vec2 b = near_side(horn, at);
+  const auto ends = circle_points(horn, at);
+  const bool on_near_end = norm_squared(ends[0] - b) <= norm_squared(ends[1] - b);
+  // In contact, the first disc's edge can be the near side, up to where the others take over.
+  if (!on_near_end && corners.count == 0) corners.add(ends[0]);
+  corners.add(on_near_end ? ends[0] : ends[1]);
 }
 
-// The next time of the search for turning points, as wide as the passage itself. Receding, |b| is
-// at least (d - r)/g and so exceeds R while R t²/(2 δ) < d - r.
-double next_time(const LocalPair& pair, double control_time, double t_m, double speed, double t) {
-  if (t_m > 0.0) {
-    const double least = 0.125 * pair.d * pair.v.y / (speed * speed);
-    return t < t_m ? t_m : t + std::max(0.5 * (t - t_m), least);
-  }
-  if (t > 0.0) return 1.5 * t;
-  return std::max(std::sqrt(2.0 * control_time * (pair.d - pair.r) / pair.R),
-                  1e-3 * pair.r / speed);
+// Earlier than this a pair in contact cannot be told from one that touches at rest: its discs have
+// tended to a half-plane, to first order in t.
+double contact_time(const Horn& horn, double speed) {
+  return 1e-7 * std::min(horn.pair.r / speed, horn.horizon.control_time());
+}
+
+// The time from which on the near side matters: never nearer than `closest`, all is out of reach
+// while R t²/(2 δ) < closest - r.
+double first_time(const Horn& horn, double t_m, double speed) {
+  const LocalPair& pair = horn.pair;
+  const double closest = t_m > 0.0 ? pair.d * pair.v.y / speed : pair.d;
+  const double out_of_reach =
+      std::sqrt(std::max(0.0, 2.0 * horn.horizon.control_time() * (closest - pair.r) / pair.R));
+  return std::max(out_of_reach, (t_m > 0.0 ? 0.5 : 1.0) * contact_time(horn, speed));
+}
+
+// The next time of the search for turning points, as wide as the passage itself.
+double next_time(const LocalPair& pair, double t_m, double speed, double t) {
+  if (t < t_m) return t_m;
+  if (t_m <= 0.0) return 1.5 * t;
+  const double least = std::min(0.125 * pair.d * pair.v.y / (speed * speed), 0.25 * t_m);
+  return t + std::max(0.5 * (t - t_m), least);
 }
 
 // All crossings of the near side. |b| falls up to the closest approach t_m; it can cross R outwards
 // only while R g' < |v|, and from then on it falls wherever it exceeds R. So only times between
 // those two are searched for turning points.
-void find_crossings(NearSide& side) {
-  const LocalPair& pair = side.pair;
-  const ResponseAt& last = side.horizon.end();
-  const double speed = norm(pair.v);
-  const double t_m = speed > 0.0 ? -pair.v.x * pair.d / (speed * speed) : 0.0;
-  const double delta = side.horizon.control_time();
-  End from{};
+void find_crossings(const Horn& horn, Corners& corners) {
+  const LocalPair& pair = horn.pair;
+  const ResponseAt& last = horn.horizon.end();
+  const double speed = std::sqrt(horn.v2);
+  double t_m = speed > 0.0 ? -horn.along / horn.v2 : 0.0;
+  if (t_m < contact_time(horn, speed)) t_m = 0.0;
+  const double first = first_time(horn, t_m, speed);
+  End from = end_at(horn, first < last.time ? horn.horizon.at(first) : last);
+  if (horn.pair.R * from.at.gain * (2.0 * pair.r) > horn.beyond(from.at.time)) {
+    // in contact from the start: the first disc's edge is a half-plane's
+    for (const Vec2 end : circle_points(horn, from.at)) corners.add(end);
+  }
   while (from.at.time < last.time) {
     const bool settled = pair.R * from.at.rate >= speed;
-    const double t = settled ? last.time : next_time(pair, delta, t_m, speed, from.at.time);
-    const End to = end_at(pair, t > from.at.time && t < last.time ? side.horizon.at(t) : last);
+    const double t = settled ? last.time : next_time(pair, t_m, speed, from.at.time);
+    const End to = end_at(horn, t > from.at.time && t < last.time ? horn.horizon.at(t) : last);
     if (settled || (from.falling < 0.0) == (to.falling < 0.0)) {
-      cross(side, from, to);
+      cross(horn, from, to, corners);
     } else {
-      const auto f = [&](const ResponseAt& at) { return falling(pair, at); };
+      const auto f = [&](const ResponseAt& at) { return falling(horn, at); };
       const End turn = end_at(
-          pair, find_zero(side.horizon, from.at.time, to.at.time, from.falling, to.falling, f));
-      cross(side, from, turn);
-      cross(side, turn, to);
+          horn, find_zero(horn.horizon, from.at.time, to.at.time, from.falling, to.falling, f));
+      cross(horn, from, turn, corners);
+      cross(horn, turn, to, corners);
     }
     from = to;
   }
@@ -165,13 +203,13 @@ Vec2 tangent_normal(Vec2 a, const Disc& disc) {
 
 // Support of the corners. The points of the disc outside the reach do not count: where its
 // extreme point is one of them, its corners on the circle take its place.
-double support(const NearSide& side, const Disc& disc, bool disc_in_reach, Vec2 n) {
+double support(const Corners& corners, const Disc& disc, bool disc_in_reach, double R, Vec2 n) {
   double h = -std::numeric_limits<double>::infinity();
-  if (disc_in_reach && norm(disc.center + disc.radius * n) <= side.pair.R) {
+  if (disc_in_reach && norm(disc.center + disc.radius * n) <= R) {
     h = dot(n, disc.center) + disc.radius;
   }
-  for (int k = 0; k < side.count; ++k) {
-    h = std::max(h, dot(n, side.points[static_cast<std::size_t>(k)]));
+  for (int k = 0; k < corners.count; ++k) {
+    h = std::max(h, dot(n, corners.points[static_cast<std::size_t>(k)]));
   }
   return h;
 }
@@ -179,30 +217,31 @@ double support(const NearSide& side, const Disc& disc, bool disc_in_reach, Vec2 
 }  // namespace
 
 LocalPlane horn_half_plane(const LocalPair& pair, const Horizon& horizon) {
+  const Horn horn(pair, horizon);
   const ResponseAt& end = horizon.end();
   const Vec2 x = pair.x(end);
   const Disc disc{-x / end.gain, pair.r / end.gain};
   const bool disc_in_reach = norm(x) - pair.r < pair.R * end.gain;
 
-  NearSide side{pair, horizon};
-  find_crossings(side);
-  if (!disc_in_reach && side.count == 0) return {true, {}, 0.0};
-  const int crossings = side.count;
+  Corners corners;
+  find_crossings(horn, corners);
+  if (!disc_in_reach && corners.count == 0) return {true, {}, 0.0};
+  const int crossings = corners.count;
   if (disc_in_reach && norm(disc.center) + disc.radius > pair.R) {
-    for (const Vec2 corner : circle_points(pair, end)) side.add(corner);
+    for (const Vec2 corner : circle_points(horn, end)) corners.add(corner);
   }
 
   LocalPlane best{false, {}, std::numeric_limits<double>::infinity()};
   const auto offer = [&](Vec2 n) {
-    const double h = support(side, disc, disc_in_reach, n);
+    const double h = support(corners, disc, disc_in_reach, pair.R, n);
     if (h < best.h) best = {false, n, h};
   };
   if (disc_in_reach) offer(x / norm(x));
   for (int k = 0; k < crossings; ++k) {
-    const Vec2 q = side.points[static_cast<std::size_t>(k)];
+    const Vec2 q = corners.points[static_cast<std::size_t>(k)];
     if (disc_in_reach && norm(q - disc.center) > disc.radius) offer(tangent_normal(q, disc));
-    for (int j = k + 1; j < side.count; ++j) {
-      const Vec2 b = side.points[static_cast<std::size_t>(j)];
+    for (int j = k + 1; j < corners.count; ++j) {
+      const Vec2 b = corners.points[static_cast<std::size_t>(j)];
       if (!(q == b)) offer(chord_normal(q, b));
     }
   }
