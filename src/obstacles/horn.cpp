@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "obstacles/local_pair.h"
 
@@ -36,24 +37,32 @@ struct Horn {
   double beyond(double t) const { return gap + t * (2.0 * along + t * v2); }  // |p + t v|² - r²
 };
 
-// Where the near side touches the disc of one time: b = (r n - x)/g with n . y = r, in the frame
-// of n, with x = y + (t - s) v and t - s = g/g'.
-Vec2 near_side(const Horn& horn, const ResponseAt& at) {
-  const Vec2 y = horn.pair.y(at);
-  const double l = std::sqrt(std::max(0.0, horn.beyond(at.lag)));
-  const double per_y2 = 1.0 / norm_squared(y);
-  const Vec2 n = {(horn.pair.r * y.x - l * y.y) * per_y2, (horn.pair.r * y.y + l * y.x) * per_y2};
-  const double normal = -dot(n, horn.pair.v) / at.rate;
-  const double tangential = l / at.gain - dot(perpendicular(n), horn.pair.v) / at.rate;
-  return normal * n + tangential * perpendicular(n);
-}
+// The near side at one time: the point b = (r n - x)/g, n . y = r, at which it touches the disc.
+// With x = y + (t - s) v and t - s = g/g', b has the components -n . v/g' along n and `tangential`
+// across it. It moves across n only, by -cusp/(g l) with l² = |y|² - r²: so |b| turns where
+// `tangential` or `cusp` changes its sign, and falls at first, when both are positive.
+struct Touch {
+  ResponseAt at;
+  Vec2 b;             // m/s
+  double length;      // |b|
+  double tangential;  // m/s
+  double cusp;        // l² g'/g - r s' n . v, m²/s
+};
 
-// x . y - r |x|: |b| falls while this is positive and grows while it is negative (m²). Zero where b
-// is parallel to its normal, hence nearest to or farthest from w = 0.
-double falling(const Horn& horn, const ResponseAt& at) {
-  const double length = norm(horn.pair.x(at));
-  return length * horn.beyond(at.time) / (length + horn.pair.r) -
-         at.gain / at.rate * (horn.along + at.time * horn.v2);
+Touch touch_at(const Horn& horn, const ResponseAt& at) {
+  const double r = horn.pair.r;
+  const Vec2 y = horn.pair.y(at), v = horn.pair.v;
+  const double l2 = std::max(0.0, horn.beyond(at.lag)), l = std::sqrt(l2);
+  const double per_y2 = 1.0 / norm_squared(y), per_rate = 1.0 / at.rate, per_gain = 1.0 / at.gain;
+  const Vec2 n = {(r * y.x - l * y.y) * per_y2, (r * y.y + l * y.x) * per_y2};
+  const double n_v = dot(n, v);
+  const double normal = -n_v * per_rate;
+  const double tangential = l * per_gain - dot(perpendicular(n), v) * per_rate;
+  const double lag_rate =
+      at.gain * (1.0 - at.rate) * per_rate * per_rate / horn.horizon.control_time();
+  return {at, normal * n + tangential * perpendicular(n),
+          std::sqrt(normal * normal + tangential * tangential), tangential,
+          l2 * at.rate * per_gain - r * lag_rate * n_v};
 }
 
 // Zero of f in [low, high], where its signs differ: false position (Illinois), then bisection.
@@ -104,32 +113,36 @@ struct Corners {
   }
 };
 
-// One end of a piece of the near side.
-struct End {
-  ResponseAt at;
-  double length;   // |b|, m/s
-  double falling;  // m²
-};
-
-End end_at(const Horn& horn, const ResponseAt& at) {
-  return {at, norm(near_side(horn, at)), falling(horn, at)};
-}
-
 // The crossing of a piece on which |b| is monotone, if there is one.
-void cross(const Horn& horn, const End& from, const End& to, Corners& corners) {
+void cross(const Horn& horn, const Touch& from, const Touch& to, Corners& corners) {
   const double R = horn.pair.R;
   if ((from.length > R) == (to.length > R)) return;
   // |b|^{-1/2} is nearly linear in t; its limit keeps false position in balance
   const auto f = [&](double length) { return std::sqrt(std::min(R / length, 9.0)) - 1.0; };
   const ResponseAt at =
       find_zero(horn.horizon, from.at.time, to.at.time, f(from.length), f(to.length),
-                [&](const ResponseAt& each) { return f(norm(near_side(horn, each))); });
-  const Vec2 b = near_side(horn, at);
+                [&](const ResponseAt& each) { return f(touch_at(horn, each).length); });
+  const Vec2 b = touch_at(horn, at).b;
   const auto ends = circle_points(horn, at);
   const bool on_near_end = norm_squared(ends[0] - b) <= norm_squared(ends[1] - b);
   // In contact, the first disc's edge can be the near side, up to where the others take over.
   if (!on_near_end && corners.count == 0) corners.add(ends[0]);
   corners.add(on_near_end ? ends[0] : ends[1]);
+}
+
+// The crossings of a piece on which |b| may turn once by either sign.
+void cross_turning(const Horn& horn, const Touch& from, const Touch& to, Corners& corners) {
+  const auto turn = [&](double Touch::*sign) {
+    if ((from.*sign < 0.0) == (to.*sign < 0.0)) return from;
+    return touch_at(horn,
+                    find_zero(horn.horizon, from.at.time, to.at.time, from.*sign, to.*sign,
+                              [&](const ResponseAt& at) { return touch_at(horn, at).*sign; }));
+  };
+  Touch first = turn(&Touch::tangential), second = turn(&Touch::cusp);
+  if (second.at.time < first.at.time) std::swap(first, second);
+  cross(horn, from, first, corners);
+  cross(horn, first, second, corners);
+  cross(horn, second, to, corners);
 }
 
 // Earlier than this a pair in contact cannot be told from one that touches at rest: its discs have
@@ -148,17 +161,38 @@ double first_time(const Horn& horn, double t_m, double speed) {
   return std::max(out_of_reach, (t_m > 0.0 ? 0.5 : 1.0) * contact_time(horn, speed));
 }
 
+// The time whose lag is t_m, where y comes nearest: the near side of a close pass has two cusps
+// around it if s' g/g' > b √(b² - r²)/(r |v|), b the miss distance. s' g/g' is below 0.271 δ
+// always.
+double cusp_time(const Horn& horn, double t_m, double speed) {
+  const double b = horn.pair.d * horn.pair.v.y / speed, r = horn.pair.r;
+  const ResponseAt& last = horn.horizon.end();
+  const double l2 = std::max(0.0, (b - r) * (b + r)), most = 0.271 * horn.horizon.control_time();
+  if (!(t_m > 0.0) || last.lag <= t_m || b * std::sqrt(l2) >= most * r * speed) return 0.0;
+  return find_zero(horn.horizon, t_m, last.time, horn.horizon.at(t_m).lag - t_m, last.lag - t_m,
+                   [&](const ResponseAt& at) { return at.lag - t_m; })
+      .time;
+}
+
 // The next time of the search for turning points, as wide as the passage itself.
-double next_time(const LocalPair& pair, double t_m, double speed, double t) {
+double next_time(const LocalPair& pair, double t_m, double t_cusp, double speed, double t) {
   if (t < t_m) return t_m;
   if (t_m <= 0.0) return 1.5 * t;
   const double least = std::min(0.125 * pair.d * pair.v.y / (speed * speed), 0.25 * t_m);
-  return t + std::max(0.5 * (t - t_m), least);
+  const double next = t + std::max(0.5 * (t - t_m), least);
+  return t < t_cusp && t_cusp < next ? t_cusp : next;
 }
 
-// All crossings of the near side. |b| falls up to the closest approach t_m; it can cross R outwards
-// only while R g' < |v|, and from then on it falls wherever it exceeds R. So only times between
-// those two are searched for turning points.
+// Is |b| below R from here on? |b| <= |x|/g, and |x|/g <= R stays so once |v| <= R g'.
+bool stays_in_reach(const Horn& horn, const Touch& touch) {
+  const double R = horn.pair.R;
+  return touch.length <= R && horn.v2 <= R * R * touch.at.rate * touch.at.rate &&
+         norm_squared(horn.pair.x(touch.at)) <= R * R * touch.at.gain * touch.at.gain;
+}
+
+// All crossings of the near side. |b| falls up to the closest approach t_m. Past the cusps it can
+// cross R outwards only while R g' < |v|, and then falls wherever it exceeds R. So only times
+// between those two are searched for turning points.
 void find_crossings(const Horn& horn, Corners& corners) {
   const LocalPair& pair = horn.pair;
   const ResponseAt& last = horn.horizon.end();
@@ -166,24 +200,19 @@ void find_crossings(const Horn& horn, Corners& corners) {
   double t_m = speed > 0.0 ? -horn.along / horn.v2 : 0.0;
   if (t_m < contact_time(horn, speed)) t_m = 0.0;
   const double first = first_time(horn, t_m, speed);
-  End from = end_at(horn, first < last.time ? horn.horizon.at(first) : last);
-  if (horn.pair.R * from.at.gain * (2.0 * pair.r) > horn.beyond(from.at.time)) {
+  Touch from = touch_at(horn, first < last.time ? horn.horizon.at(first) : last);
+  if (pair.R * from.at.gain * (2.0 * pair.r) > horn.beyond(from.at.time)) {
     // in contact from the start: the first disc's edge is a half-plane's
     for (const Vec2 end : circle_points(horn, from.at)) corners.add(end);
   }
-  while (from.at.time < last.time) {
-    const bool settled = pair.R * from.at.rate >= speed;
-    const double t = settled ? last.time : next_time(pair, t_m, speed, from.at.time);
-    const End to = end_at(horn, t > from.at.time && t < last.time ? horn.horizon.at(t) : last);
-    if (settled || (from.falling < 0.0) == (to.falling < 0.0)) {
-      cross(horn, from, to, corners);
-    } else {
-      const auto f = [&](const ResponseAt& at) { return falling(horn, at); };
-      const End turn = end_at(
-          horn, find_zero(horn.horizon, from.at.time, to.at.time, from.falling, to.falling, f));
-      cross(horn, from, turn, corners);
-      cross(horn, turn, to, corners);
-    }
+  double t_cusp = -1.0;
+  while (from.at.time < last.time && !stays_in_reach(horn, from)) {
+    if (t_cusp < 0.0 && from.at.time >= t_m) t_cusp = cusp_time(horn, t_m, speed);
+    const bool settled = pair.R * from.at.rate >= speed && t_cusp >= 0.0 &&
+                         from.at.time >= t_cusp && from.cusp >= 0.0;
+    const double t = settled ? last.time : next_time(pair, t_m, t_cusp, speed, from.at.time);
+    const Touch to = touch_at(horn, t > from.at.time && t < last.time ? horn.horizon.at(t) : last);
+    settled ? cross(horn, from, to, corners) : cross_turning(horn, from, to, corners);
     from = to;
   }
 }
