@@ -48,6 +48,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["obstacle_collisions"] = summary.obstacle_collisions;
   json["min_clearance"] = or_null(summary.min_clearance);
   json["max_acceleration"] = summary.max_acceleration;
+  json["acceleration_excess"] = summary.acceleration_excess;
   json["max_speed"] = summary.max_speed;
   json["mean_arrival"] = or_null(summary.mean_arrival);
   json["last_arrival"] = or_null(summary.last_arrival);

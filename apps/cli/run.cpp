@@ -117,6 +117,9 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   line("least clearance", number(results.min_clearance, "m"));
   line("largest", fmt::format("acceleration {:.6g} m/s^2, speed {:.6g} m/s",
                               results.max_acceleration, results.max_speed));
+  if (results.acceleration_excess > 0.0)
+    line("exceeds",
+         fmt::format("max_acceleration, by up to {:.6g} m/s^2", results.acceleration_excess));
   line("no safe choice", fmt::format("{} of {} robot-steps", results.infeasible_steps,
                                      results.robots * results.steps));
   line("time of a step", number(results.step_milliseconds_median, "ms (median)"));

@@ -20,6 +20,7 @@ struct RunSummary {
   std::int64_t obstacle_collisions = 0;        ///< distinct (robot, moving obstacle) pairs
   std::optional<double> min_clearance;         ///< m, of robots; none with fewer than two
   double max_acceleration = 0.0;               ///< m/s^2, the largest applied |a|
+  double acceleration_excess = 0.0;            ///< m/s^2, the largest |a| - a_max; 0 if kept
   double max_speed = 0.0;                      ///< m/s
   std::optional<double> mean_arrival;          ///< s, over those that arrived
   std::optional<double> last_arrival;          ///< s, only if all arrived

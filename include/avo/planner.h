@@ -28,7 +28,7 @@ struct PlannerOptions {
   Motion motion = Motion::held;
   double control_time = 4.0;   ///< [δ] s, > 0, Eq. (7)
   double time_horizon = 10.0;  ///< [τ] s, > 0, Definition 2
-  double time_step = 0.1;      ///< [Δt] s, > 0
+  double time_step = 0.1;      ///< [Δt] s, > 0, <= control_time where motion is held
   int samples = 0;             ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
 };
 

@@ -21,8 +21,8 @@ inline int default_threads() {
 template <typename Body>
 void parallel_for(std::size_t count, int threads, const Body& body) {
 #ifdef _OPENMP
-  // below this the threads cost more than they save
-  constexpr std::size_t kFewest = 32;
+  // below this the threads cost more than they save, and on a busy machine far more
+  constexpr std::size_t kFewest = 256;
   if (threads > 1 && count >= kFewest) {
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
     for (std::size_t i = 0; i < count; ++i) body(i, static_cast<std::size_t>(omp_get_thread_num()));

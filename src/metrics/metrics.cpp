@@ -17,7 +17,8 @@
 namespace avo {
 namespace {
 
-constexpr double kContact = 1e-9;  // of the sum of radii: less overlap than that is rounding
+constexpr double kContact = 1e-9;    // of the sum of radii: less overlap than that is rounding
+constexpr double kRounding = 1e-12;  // of a limit: less excess than that is rounding
 
 // A robot or a moving obstacle over one step.
 struct Body {
@@ -197,7 +198,11 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     summary.max_speed = std::max(summary.max_speed, norm(fleet.velocity[i]));
     if (!started) continue;
-    summary.max_acceleration = std::max(summary.max_acceleration, fleet.applied_acceleration[i]);
+    const double a = fleet.applied_acceleration[i], a_max = fleet.setup[i].max_acceleration;
+    summary.max_acceleration = std::max(summary.max_acceleration, a);
+    if (a > a_max * (1.0 + kRounding)) {
+      summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
+    }
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
   }
 }

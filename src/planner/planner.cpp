@@ -113,6 +113,11 @@ Planner::Planner(const PlannerOptions& options) : options_(options) {
   require_positive(options.control_time, "control_time");
   require_positive(options.time_horizon, "time_horizon");
   require_positive(options.time_step, "time_step");
+  if (options.method == Method::avo_paper && options.motion == Motion::held &&
+      options.time_step > options.control_time) {
+    throw Error("PlannerOptions.time_step: found " + std::to_string(options.time_step) +
+                ", must be <= control_time where motion is held");
+  }
   if (options.samples < 0 || options.samples == 1) {
     throw Error("PlannerOptions.samples: found " + std::to_string(options.samples) +
                 ", must be 0 (exact) or >= 2");

@@ -252,12 +252,15 @@ TEST(Metrics, limits_are_the_largest_applied) {
     scene.robots[1].max_speed = 1.0;
     const RunSummary summary = run(scene, 200);
     EXPECT_NEAR(summary.max_acceleration, 1.0, 1e-9);
+    EXPECT_EQ(summary.acceleration_excess, 0.0);
     EXPECT_LE(summary.max_speed, 2.0 + 1e-12);
     EXPECT_GT(summary.max_speed, 1.9);
   }
   Scenario scene = blind({robot_at({0, 0}, {30, 0})});
   scene.method = Method::orca;
-  EXPECT_NEAR(run(scene, 20).max_acceleration, 20.0, 1e-9);  // 2 m/s within one step
+  const RunSummary orca = run(scene, 20);
+  EXPECT_NEAR(orca.max_acceleration, 20.0, 1e-9);  // 2 m/s within one step
+  EXPECT_NEAR(orca.acceleration_excess, 19.0, 1e-9);
 }
 
 TEST(Metrics, infeasible_steps_are_robot_steps_with_an_empty_set) {
