@@ -187,7 +187,7 @@ Caption draw_exchange(const std::string& folder) {
               " of their straight ways, and the spacing of the discs grows as they speed up.",
           comparison.differs +
               "The paper prints no positions, and its robots pass their targets at high speed; "
-              "at the end of this run the faster one still makes " +
+              "ours come to rest there: at the end none is faster than " +
               format("%.2g m/s", final_speed(run)) + "."};
 }
 

@@ -170,6 +170,11 @@ TEST(Options, out_of_range_are_refused_by_name) {
     options.time_step = bad;
     expect_refused(options, "time_step");
   }
+  PlannerOptions coarse;
+  coarse.time_step = 4.1;
+  expect_refused(coarse, "control_time");
+  coarse.motion = Motion::exponential;
+  EXPECT_NO_THROW(Planner{coarse});
   for (const int bad : {-1, 1, -1000}) {
     PlannerOptions options;
     options.samples = bad;
