@@ -172,7 +172,7 @@ TEST(Options, out_of_range_are_refused_by_name) {
   }
   PlannerOptions coarse;
   coarse.time_step = 4.1;
-  expect_refused(coarse, "control_time");
+  expect_refused(coarse, "time_step");
   coarse.motion = Motion::exponential;
   EXPECT_NO_THROW(Planner{coarse});
   for (const int bad : {-1, 1, -1000}) {
