@@ -84,7 +84,7 @@ TEST(Run, is_the_same_for_any_number_of_threads) {
   const auto record = [](const std::string& threads) {
     const std::string csv = path_of("threads.csv");
     EXPECT_EQ(
-        run_avo({"run", "circle-20", "--set", "duration=8", "--threads", threads, "--record", csv})
+        run_avo({"run", "circle-300", "--set", "duration=4", "--threads", threads, "--record", csv})
             .exit_code,
         0);
     return read_file(csv);

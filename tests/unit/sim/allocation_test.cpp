@@ -6,6 +6,7 @@
 #include <new>
 
 #include "avo/simulation.h"
+#include "core/parallel.h"
 #include "unit/sim/scenes.h"
 
 namespace {
@@ -64,7 +65,8 @@ long allocations_when_warm(const Scenario& scene, int threads, int warm_up, int 
 TEST(Allocation, none_per_step_in_a_dense_scene) {
   for (const int threads : {1, 2}) {
     for (const Motion motion : {Motion::held, Motion::exponential}) {
-      const Scenario scene = test::dense_scene(200, motion);
+      const Scenario scene = test::dense_scene(280, motion);
+      ASSERT_GE(scene.robots.size(), kFewestParallel);
       EXPECT_EQ(allocations_when_warm(scene, threads, 60, 60), 0) << threads << " threads";
     }
   }

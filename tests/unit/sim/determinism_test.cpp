@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "core/parallel.h"
 #include "unit/sim/scenes.h"
 
 namespace avo {
@@ -27,7 +28,8 @@ std::vector<std::uint64_t> hashes(const Scenario& scene, int threads, int steps)
 
 TEST(Determinism, P13_any_number_of_threads_gives_the_same_bits) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
-    const Scenario scene = dense_scene(220, motion);
+    const Scenario scene = dense_scene(280, motion);
+    ASSERT_GE(scene.robots.size(), kFewestParallel);
     const std::vector<std::uint64_t> one = hashes(scene, 1, 200);
     for (const int threads : {2, 3, 7, 16}) EXPECT_EQ(hashes(scene, threads, 200), one) << threads;
     // all different: the hash sees the motion
@@ -39,10 +41,11 @@ TEST(Determinism, P13_any_number_of_threads_gives_the_same_bits) {
 
 TEST(Determinism, P13_other_methods_too) {
   for (const Method method : {Method::orca, Method::velocity_obstacle}) {
-    Scenario scene = dense_scene(60, Motion::held);
+    Scenario scene = dense_scene(280, Motion::held);
+    ASSERT_GE(scene.robots.size(), kFewestParallel);
     scene.method = method;
-    scene.max_neighbors = 5;
-    EXPECT_EQ(hashes(scene, 3, 30), hashes(scene, 1, 30));
+    scene.max_neighbors = 3;
+    EXPECT_EQ(hashes(scene, 3, 10), hashes(scene, 1, 10));
   }
 }
 
