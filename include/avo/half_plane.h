@@ -11,6 +11,7 @@ namespace avo {
 enum class PairState {
   free,         ///< nothing within reach collides before τ: no half-plane
   constrained,  ///< n . w >= h
+  unavoidable,  ///< everything within reach collides: h = reach, one point of it
   overlapping,  ///< in contact already: n . w >= h separates within the shortest window in reach
   coincident,   ///< same center, same velocity: no direction can be told, no half-plane
 };
@@ -18,13 +19,15 @@ enum class PairState {
 struct RelativeHalfPlane {
   PairState state = PairState::free;
   HalfPlane plane;  ///< [n, h] n unit, h in m/s; meaningful where state is not free or coincident
+  double excess = 0.0;  ///< m/s, by how much the wall of n asks for more than reach; without bound
+                        ///< as a closing pair comes into contact
 };
 
 /// The half-plane H of Eqs. (15), (16): tangent at the point of the boundary of
 /// hull(D(0, reach) ∩ AVO) nearest to w = 0. reach = δ (a_A + a_B), m/s.
 /// Properties, each tested under its number:
 ///  (1) sound: |w| <= reach and n . w >= h imply |x(t)| >= r_AB on (0, τ];
-///  (2) h <= reach unless every reachable w collides, then h > reach says by how much;
+///  (2) h <= reach; where every reachable w collides h = reach, and excess says by how much more;
 ///  (3) odd: (-p, -v) gives (-n, h), bit for bit;
 ///  (4) turning p and v by 90 degrees turns n, bit for bit; mirroring mirrors n, ties apart;
 ///  (5) ties (p parallel to v) are broken towards the left of p, so that A passes on its right.

@@ -52,6 +52,7 @@ struct Plan {
 struct NeighborPlane {
   int neighbor = 0;  ///< index into the neighbors given
   HalfPlane plane;
+  double excess = 0.0;  ///< m/s, A's share of RelativeHalfPlane::excess
 };
 
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.

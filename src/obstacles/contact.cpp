@@ -2,6 +2,7 @@
 // The wall that takes an overlapping pair apart.
 #include "obstacles/contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace avo {
@@ -33,7 +34,8 @@ RelativeHalfPlane separate(const Pair& pair, double reach, const Horizon& horizo
   const double A = pair.radius - dot(n, pair.position);
   const double B = dot(n, pair.velocity);
   const ResponseAt window = shortest_window(A, B, reach, horizon);
-  return {PairState::overlapping, {n, (A - B * window.time) / window.gain}};
+  const double h = (A - B * window.time) / window.gain;
+  return {PairState::overlapping, {n, std::min(h, reach)}, std::max(0.0, h - reach)};
 }
 
 }  // namespace avo

@@ -137,7 +137,9 @@ RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& hori
       reach};
   const LocalPlane plane = local_half_plane(local, horizon);
   if (plane.free) return {};
-  return {PairState::constrained, {plane.n.x * e_1 + plane.n.y * e_2, plane.h}};
+  const Vec2 n = plane.n.x * e_1 + plane.n.y * e_2;
+  if (plane.h > reach) return {PairState::unavoidable, {n, reach}, plane.h - reach};
+  return {PairState::constrained, {n, plane.h}};
 }
 
 }  // namespace avo

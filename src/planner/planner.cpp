@@ -3,6 +3,7 @@
 // velocity nearest the preferred one.
 #include "avo/planner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -155,7 +156,9 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
     const Neighbor& neighbor = neighbors[k];
     const RelativeHalfPlane relative = relative_half_plane(options_, *horizon_, robot, neighbor);
     if (relative.state == PairState::free) continue;
-    if (relative.state != PairState::constrained) workspace.overlapping = true;
+    if (relative.state == PairState::overlapping || relative.state == PairState::coincident) {
+      workspace.overlapping = true;
+    }
     if (relative.state == PairState::coincident) continue;
 
     const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration);
@@ -164,8 +167,8 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
       // w = v'_A - v_A - δ a_B (§III-B: v'_B = v_B + δ a_B)
       plane.offset += options_.control_time * dot(plane.normal, neighbor.acceleration);
     }
-    if (lens_support_min(plane.normal, allowed) >= plane.offset) continue;
-    workspace.planes.push_back({static_cast<int>(k), plane});
+    if (relative.excess <= 0.0 && lens_support_min(plane.normal, allowed) >= plane.offset) continue;
+    workspace.planes.push_back({static_cast<int>(k), plane, alpha * relative.excess});
   }
 }
 
@@ -201,10 +204,17 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   if (result.state == ProgramState::discs_disjoint) {
     return brake(robot, PlanStatus::braking, result.violation);
   }
-  const PlanStatus status = workspace.overlapping                   ? PlanStatus::overlapping
-                            : result.state == ProgramState::optimal ? PlanStatus::optimal
-                                                                    : PlanStatus::least_unsafe;
-  return finish(robot, result.point, status, result.violation);
+  // a neighbor with which everything within reach collides leaves CA_A empty, whatever the program
+  double worst = result.violation;
+  for (const NeighborPlane& each : workspace.planes) {
+    if (each.excess > 0.0) {
+      worst = std::max(worst, each.excess + std::max(0.0, violation(each.plane, result.point)));
+    }
+  }
+  const PlanStatus status = workspace.overlapping ? PlanStatus::overlapping
+                            : worst > 0.0         ? PlanStatus::least_unsafe
+                                                  : PlanStatus::optimal;
+  return finish(robot, result.point, status, worst);
 }
 
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,

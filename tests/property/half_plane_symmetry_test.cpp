@@ -118,7 +118,7 @@ RC_GTEST_PROP(HalfPlane, P8_robots_in_their_sets_do_not_collide, ()) {
   });
   Random random(seed);
   const RelativeHalfPlane found = half_plane_of(s);
-  RC_PRE(found.state != PairState::constrained || found.plane.offset <= s.reach);
+  RC_PRE(found.state != PairState::unavoidable);
   const double alpha_A = reciprocal_share(share, 1.0 - share);
   const double alpha_B = reciprocal_share(1.0 - share, share);
   RC_ASSERT(std::abs(alpha_A + alpha_B - 1.0) <= 0x1p-52);

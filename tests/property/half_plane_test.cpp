@@ -82,9 +82,14 @@ TEST(HalfPlane, P3_no_reachable_point_of_the_line_collides) {
       collides(test::in_disc(random, s.reach));
       continue;
     }
+    ASSERT_LE(std::abs(found.plane.offset), s.reach) << s;
+    if (found.state == PairState::unavoidable) {
+      EXPECT_EQ(found.plane.offset, s.reach);
+      EXPECT_GT(found.excess, 0.0);
+      continue;
+    }
     ASSERT_EQ(found.state, PairState::constrained) << s;
     const HalfPlane& plane = found.plane;
-    if (std::abs(plane.offset) > s.reach) continue;
     ++constrained;
     const double half = std::sqrt((s.reach - plane.offset) * (s.reach + plane.offset));
     for (const double part : {0.0, -1.0, 1.0, -random.near_zero(), random.uniform(-1.0, 0.0),

@@ -48,6 +48,14 @@ TEST(HalfPlane, contact_at_rest_forbids_closing) {
   EXPECT_NEAR(found.plane.offset, 0.0, kNear);
 }
 
+TEST(HalfPlane, unavoidable_asks_for_all_that_is_in_reach) {
+  const RelativeHalfPlane found = half_plane({{1.1, 0.2}, {-3.0, 0.0}, 1.0}, kReach, kHorizon);
+  ASSERT_EQ(found.state, PairState::unavoidable);
+  EXPECT_EQ(found.plane.offset, kReach);
+  EXPECT_GT(found.excess, 0.0);
+  EXPECT_TRUE(std::isfinite(half_plane({{1.0, 0.0}, {-3.0, 0.0}, 1.0}, kReach, kHorizon).excess));
+}
+
 TEST(HalfPlane, overlap_separates_along_p) {
   const RelativeHalfPlane found = half_plane({{0.9, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
   ASSERT_EQ(found.state, PairState::overlapping);

@@ -67,9 +67,27 @@ TEST(Status, least_unsafe_where_all_come_at_once) {
   ASSERT_EQ(workspace.planes.size(), 3u);
   double worst = 0.0;
   for (const NeighborPlane& each : workspace.planes) {
-    worst = std::max(worst, violation(each.plane, plan.new_velocity));
+    worst = std::max(worst, violation(each.plane, plan.new_velocity) + each.excess);
   }
   EXPECT_NEAR(plan.violation, worst, 1e-12);
+}
+
+// One neighbor, so near and fast that braking comes too late: the half-plane touches what A may
+// choose in one point, which the program finds; CA_A is empty all the same.
+TEST(Status, least_unsafe_where_a_collision_cannot_be_avoided) {
+  const Robot robot = paper_robot({}, {1.5, 0}, {2, 0});
+  const std::vector<Neighbor> neighbors{as_neighbor(paper_robot({1.2, 0.3}, {-1.5, 0}, {}))};
+  const Plan plan = decide({}, robot, neighbors);
+  EXPECT_EQ(plan.status, PlanStatus::least_unsafe);
+  const Planner planner{PlannerOptions{}};
+  PlanWorkspace workspace;
+  planner.collect_half_planes(robot, neighbors, workspace);
+  ASSERT_EQ(workspace.planes.size(), 1u);
+  const NeighborPlane& only = workspace.planes[0];
+  EXPECT_GT(only.excess, 0.0);
+  // h* = reach, of which A's half is δ a_A
+  EXPECT_NEAR(only.plane.offset, dot(only.plane.normal, robot.velocity) + 4.0, 1e-12);
+  EXPECT_GE(plan.violation, only.excess);
 }
 
 TEST(Status, overlapping_separates) {
