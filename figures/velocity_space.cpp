@@ -25,20 +25,18 @@ Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
   return neighbor.velocity + options.control_time * neighbor.acceleration;
 }
 
-void add_obstacles(VelocitySpace& space, const Simulation::Perception& perception,
-                   const PlannerOptions& options) {
-  const Response response = options.method == Method::velocity_obstacle
-                                ? Response::velocity()
-                                : Response::proportional(options.control_time);
-  for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
-    const Neighbor& neighbor = perception.neighbors[i];
-    const Pair pair{perception.robot.position - neighbor.position,
-                    perception.robot.velocity - neighbor.velocity,
-                    perception.robot.radius + neighbor.radius};
-    space.obstacles.push_back({{pair, response, options.time_horizon},
-                               new_velocity_of(neighbor, options),
-                               source_label(perception.source[i])});
-  }
+LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_t i,
+                            const PlannerOptions& options) {
+  const Response response = options.method == Method::avo_paper
+                                ? Response::proportional(options.control_time)
+                                : Response::velocity();
+  const Neighbor& neighbor = perception.neighbors[i];
+  const Pair pair{perception.robot.position - neighbor.position,
+                  perception.robot.velocity - neighbor.velocity,
+                  perception.robot.radius + neighbor.radius};
+  return {{pair, response, options.time_horizon},
+          new_velocity_of(neighbor, options),
+          source_label(perception.source[i])};
 }
 
 // Does the chosen velocity lie on the line? Programs have tolerances; a figure has pixels.
@@ -60,13 +58,18 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
   const Plan plan = movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
                            : planner.plan(robot, perception.neighbors, workspace);
   if (movers) {
-    add_obstacles(space, perception, planner.options());
+    for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
+      space.obstacles.push_back(obstacle_of(perception, i, planner.options()));
+    }
   } else {
     planner.collect_half_planes(robot, perception.neighbors, workspace);
     for (const NeighborPlane& cut : workspace.planes) {
+      const auto i = static_cast<std::size_t>(cut.neighbor);
       space.half_planes.push_back(
-          {cut.plane, source_label(perception.source[static_cast<std::size_t>(cut.neighbor)]),
-           lies_on(cut.plane, plan.new_velocity)});
+          {cut.plane, source_label(perception.source[i]), lies_on(cut.plane, plan.new_velocity)});
+      space.obstacles.push_back(obstacle_of(perception, i, planner.options()));
+      space.obstacles.back().label.clear();  // that of the half-plane
+      space.obstacles.back().forbids = false;
     }
   }
   space.points = {{robot.velocity, "*v*", kBlack, true},

@@ -26,7 +26,8 @@ struct LabeledObstacle {
   Obstacle obstacle;
   Vec2 offset;  ///< [v'_B] m/s
   std::string label;
-  int discs = 0;  ///< that many discs of the family are outlined, at equal steps of time
+  int discs = 0;        ///< that many discs of the family are outlined, at equal steps of time
+  bool forbids = true;  ///< filled; else only outlined, where a half-plane stands for it
 };
 
 struct LabeledPoint {
@@ -47,7 +48,9 @@ struct VelocitySpace {
 };
 
 /// What `robot` saw and chose: the sets of the planner's method and three points (the velocity, the
-/// preferred and the chosen one). Robots are labeled by their index in the fleet, movers o0, o1 …
+/// preferred and the chosen one). Behind half-planes the obstacles are outlined that they stand
+/// for, for others that keep their velocity. Robots are labeled by their index in the fleet, movers
+/// o0, o1 …
 VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner);
 
 /// Boundary of the obstacle, moved by its offset, inside `view`: closed polygons, exact to about

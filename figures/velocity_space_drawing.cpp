@@ -200,10 +200,10 @@ void draw_points(Canvas& canvas, const VelocitySpace& space) {
 void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& space,
                          const FigureOptions& options) {
   canvas.set_view(page, space.view ? *space.view : default_view(space));
-  Polygons outlines;
+  Polygons outlines, explaining;
   for (const LabeledObstacle& labeled : space.obstacles) {
     for (auto& polygon : obstacle_outline(labeled, canvas.view_world())) {
-      outlines.push_back(std::move(polygon));
+      (labeled.forbids ? outlines : explaining).push_back(std::move(polygon));
     }
   }
   {
@@ -211,6 +211,8 @@ void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& s
     canvas.clip_to_view();
     draw_regions(canvas, space, outlines);
     draw_origin(canvas);
+    for (const auto& polygon : explaining) canvas.add_polygon(polygon);
+    canvas.stroke({gray(0.3), 0.5, 1.5});
     draw_lines(canvas, space, outlines);
     draw_points(canvas, space);
   }

@@ -175,7 +175,11 @@ std::string scenario_schema() {
                                            {"robots", list_schema("robot")},
                                            {"groups", list_schema("group")},
                                            {"moving_obstacles", list_schema("moving_obstacle")}}));
-  json["anyOf"] = {{{"required", {"robots"}}}, {{"required", {"groups"}}}};
+  json["properties"]["samples"]["not"] = {{"const", 1}};
+  json["anyOf"] = {
+      {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},
+      {{"required", {"groups"}}, {"properties", {{"groups", {{"minItems", 1}}}}}},
+  };
   json["$defs"] = {{"robot", map_schema(fields<avo::RobotSetup>(),
                                         {{"car", map_schema(fields<avo::CarSetup>())}})},
                    {"group", group_schema()},

@@ -37,7 +37,7 @@ struct ObstacleView {
 
 class Simulation {
  public:
-  /// Throws Error on a bad scenario (see validate). threads = 0: as many as the machine has.
+  /// Throws Error on a bad scenario (see validate) or threads < 0. 0: as many as the machine has.
   explicit Simulation(const Scenario& scenario, int threads = 0);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -47,9 +47,10 @@ class Simulation {
   /// Bit-identical for any number of threads; allocates nothing once warm.
   void step();
 
-  RobotId add_robot(const RobotSetup& setup);  ///< throws Error on bad values
-  void remove_robot(RobotId robot);            ///< throws Error if there is no such robot
-  void set_goal(RobotId robot, Vec2 goal);     ///< throws Error if there is no such robot
+  /// Throws Error on bad values. Overlap with others is accepted; see PairState for what follows.
+  RobotId add_robot(const RobotSetup& setup);
+  void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
+  void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
 
   [[nodiscard]] FleetView fleet() const;
   [[nodiscard]] ObstacleView obstacles() const;

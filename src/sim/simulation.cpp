@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <string_view>
 
+#include "avo/error.h"
 #include "core/parallel.h"
 #include "neighbors/uniform_grid.h"
 #include "robots/motion.h"
@@ -78,11 +81,26 @@ struct Simulation::State {
   // decide
   bool alone() const { return fleet.size() == 1; }
 
+  void check(const RobotSetup& setup, RobotId robot) const;
   Robot robot(std::size_t i) const;
   void sense(std::size_t i, Worker& worker) const;
   void plan(std::size_t i, Worker& worker);
   void move(std::size_t i);
 };
+
+// Throws Error on values out of range, by the name of the robot that they are for.
+void Simulation::State::check(const RobotSetup& setup, RobotId robot) const {
+  Scenario scene = settings;
+  scene.robots = {setup};
+  try {
+    validate(scene);
+  } catch (const Error& error) {
+    const std::string_view what = error.what(), place = "robots.0.";
+    if (!what.starts_with(place)) throw;
+    throw Error("robot " + std::to_string(robot.value) + ": " +
+                std::string(what.substr(place.size())));
+  }
+}
 
 Robot Simulation::State::robot(std::size_t i) const {
   const RobotSetup& setup = fleet.setup[i];
@@ -145,6 +163,9 @@ void Simulation::State::move(std::size_t i) {
 
 Simulation::Simulation(const Scenario& scenario, int threads) {
   validate(scenario);
+  if (threads < 0) {
+    throw Error("threads: found " + std::to_string(threads) + ", must be >= 0 (0: all there are)");
+  }
   state_ = std::make_unique<State>(scenario, threads);
 }
 Simulation::~Simulation() = default;
@@ -165,12 +186,10 @@ void Simulation::step() {
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
-  Scenario probe = state_->settings;
-  probe.robots = {setup};
-  validate(probe);
-  const RobotId robot{state_->next_id++};
+  const RobotId robot{state_->next_id};
+  state_->check(setup, robot);
+  ++state_->next_id;
   state_->fleet.add(robot, setup);
-  state_->reserve();
   state_->index();
   return robot;
 }
@@ -182,10 +201,9 @@ void Simulation::remove_robot(RobotId robot) {
 
 void Simulation::set_goal(RobotId robot, Vec2 goal) {
   const std::size_t i = state_->fleet.index_of(robot);
-  Scenario probe = state_->settings;
-  probe.robots = {state_->fleet.setup[i]};
-  probe.robots[0].goal = goal;
-  validate(probe);
+  RobotSetup setup = state_->fleet.setup[i];
+  setup.goal = goal;
+  state_->check(setup, robot);
   state_->fleet.goal[i] = goal;
 }
 

@@ -42,7 +42,8 @@ TEST(Perception, half_planes_are_those_of_the_planner) {
     if (space.half_planes[i].binding) ++binding;
   }
   EXPECT_GE(binding, 1);  // the preferred velocity is forbidden, so some line is touched
-  EXPECT_TRUE(space.obstacles.empty());
+  ASSERT_EQ(space.obstacles.size(), space.half_planes.size());
+  for (const LabeledObstacle& each : space.obstacles) EXPECT_FALSE(each.forbids);
   ASSERT_EQ(space.points.size(), 3U);
   EXPECT_EQ(space.points[0].at, seen.robot.velocity);
   EXPECT_EQ(space.points[1].at, seen.robot.preferred_velocity);

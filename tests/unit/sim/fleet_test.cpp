@@ -46,6 +46,10 @@ TEST(Fleet, unknown_ids_are_refused_and_change_nothing) {
   EXPECT_EQ(simulation.state_hash(), hash);
 }
 
+TEST(Fleet, a_negative_number_of_threads_is_refused) {
+  EXPECT_THROW(Simulation(dense_scene(2, Motion::held), -1), Error);
+}
+
 TEST(Fleet, bad_robots_and_goals_are_refused_and_change_nothing) {
   Simulation simulation(dense_scene(10, Motion::held), 1);
   const std::uint64_t hash = simulation.state_hash();
@@ -55,7 +59,12 @@ TEST(Fleet, bad_robots_and_goals_are_refused_and_change_nothing) {
   bad = far_robot();
   bad.position.x = std::nan("");
   EXPECT_THROW(simulation.add_robot(bad), Error);
-  EXPECT_THROW(simulation.set_goal({3}, {std::nan(""), 0}), Error);
+  try {
+    simulation.set_goal({3}, {std::nan(""), 0});
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()), "robot 3: goal.0: found nan, must be a finite number");
+  }
   EXPECT_EQ(simulation.state_hash(), hash);
   EXPECT_EQ(simulation.add_robot(far_robot()).value, 10u);
 }
