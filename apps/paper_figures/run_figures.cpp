@@ -128,6 +128,15 @@ double largest_detour(const Run& run, std::size_t robot) {
   return largest;
 }
 
+// Of any robot from the middle, at any time.
+double farthest(std::span<const figures::TrajectoryFrame> frames) {
+  double result = 0.0;
+  for (const auto& frame : frames) {
+    for (const Vec2 p : frame.position) result = std::fmax(result, norm(p));
+  }
+  return result;
+}
+
 // Of the fastest robot, from the last two frames.
 double final_speed(const Run& run) {
   const auto& last = run.frames.back();
@@ -221,7 +230,9 @@ Caption draw_circle(const std::string& folder) {
               " they are " + format("%.1f m", mean_distance(run.frames, times[1])) +
               " from it on average, at the start " +
               format("%.1f m", mean_distance(run.frames, 0.0)) + ".",
-          comparison.differs};
+          comparison.differs + "Before they rest, robots swing past their goals, out to " +
+              format("%.1f m", farthest(run.frames)) +
+              " from the middle: the half-planes of those that have arrived refuse the braking."};
 }
 
 Caption draw_cars(const std::string& folder) {
