@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "avo_io/nearest.h"
+
 namespace avo_io {
 
 /// At most 40 characters of `text` on one line, in quotes, control characters escaped.
@@ -13,10 +15,6 @@ std::string in_quotes(std::string_view text);
 
 /// "a, b, c".
 std::string joined(const std::vector<std::string_view>& words);
-
-/// The word most like `found`, if any is so like it that it may have been meant.
-std::optional<std::string_view> nearest(std::string_view found,
-                                        const std::vector<std::string_view>& words);
 
 /// Does the text look like a number of YAML: [-+] digits [. digits] [e [-+] digits]?
 bool is_number(std::string_view text);

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo: the command line. Reads arguments, calls one verb, turns what goes wrong into exit codes.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "avo/version.h"
 #include "avo_io/errors.h"
+#include "avo_io/nearest.h"
 #include "exit_codes.h"
 #include "terminal.h"
 #include "verbs.h"
@@ -82,13 +86,37 @@ void add_others(CLI::App& app, Action& action) {
   schema->callback([&action] { action = [] { return print_schema(); }; });
 }
 
-void check_verb(CLI::App& app, const std::string& word) {
-  std::string verbs;
-  for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) {
-    if (verb->get_name() == word) return;
-    verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+std::string did_you_mean(std::string_view found, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  const auto meant = avo_io::nearest(found, words);
+  return meant ? ", did you mean " + std::string(*meant) + "?" : "";
+}
+
+// Every word that looks like a long option has to be one of `app`.
+void check_options(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!word.starts_with("--") || word == "--") continue;
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw UsageError(name + ": found no such option" + did_you_mean(name, names));
   }
-  throw UsageError(word + ": found no such verb, verbs are " + verbs);
+}
+
+void check_words(CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) return;
+  if (words[0].starts_with("-")) return check_options(app, {words[0]});
+  std::vector<std::string> verbs;
+  std::string list;
+  for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) {
+    if (verb->get_name() == words[0]) return check_options(*verb, words);
+    verbs.push_back(verb->get_name());
+    list += (list.empty() ? "" : ", ") + verb->get_name();
+  }
+  throw UsageError(words[0] + ": found no such verb, verbs are " + list +
+                   did_you_mean(words[0], verbs));
 }
 
 int parse_and_act(int argc, char** argv) {
@@ -101,7 +129,7 @@ int parse_and_act(int argc, char** argv) {
   add_run(app, action);
   add_explain(app, action);
   add_others(app, action);
-  if (argc > 1 && argv[1][0] != '-') check_verb(app, argv[1]);
+  check_words(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -83,8 +83,14 @@ TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
   }
-  EXPECT_EQ(run_avo({"rnu", "circle-2"}).err,
-            "avo: rnu: found no such verb, verbs are run, explain, scenes, validate, schema\n");
+  EXPECT_EQ(
+      run_avo({"rnu", "circle-2"}).err,
+      "avo: rnu: found no such verb, verbs are run, explain, scenes, validate, schema, did you "
+      "mean run?\n");
+  EXPECT_EQ(run_avo({"--vesrion"}).err,
+            "avo: --vesrion: found no such option, did you mean --version?\n");
+  EXPECT_EQ(run_avo({"run", "circle-2", "--recrod", "x.csv"}).err,
+            "avo: --recrod: found no such option, did you mean --record?\n");
 }
 
 }  // namespace

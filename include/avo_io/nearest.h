@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// "Did you mean": the nearest of the words that are allowed.
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace avo_io {
+
+/// The word most like `found`, if any is so like it that it may have been meant.
+std::optional<std::string_view> nearest(std::string_view found,
+                                        const std::vector<std::string_view>& words);
+
+}  // namespace avo_io
