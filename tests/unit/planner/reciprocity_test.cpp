@@ -71,6 +71,45 @@ TEST(Reciprocity, P8_two_that_both_found_a_velocity_do_not_meet_before_tau) {
   EXPECT_GT(would_meet, 10'000);
 }
 
+// Definition 4: as long as all find a velocity and keep it, nobody meets anybody before τ.
+TEST(Reciprocity, P15_no_collision_before_tau_while_all_are_optimal) {
+  Random random(15);
+  const Planner planner{PlannerOptions{}};
+  PlanWorkspace workspace;
+  int all_optimal = 0, would_meet = 0;
+  for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
+    std::vector<Robot> robots;
+    for (int i = 0; i < 5; ++i) {
+      const Vec2 place = test::in_disc(random, 9.0);
+      robots.push_back(test::paper_robot(place, test::in_disc(random, 1.0), -0.2 * place));
+    }
+    std::vector<Vec2> v_new;
+    for (const Robot& A : robots) {
+      std::vector<Neighbor> others;
+      for (const Robot& B : robots) {
+        if (&B != &A) others.push_back(test::as_neighbor(B));
+      }
+      const Plan plan = planner.plan(A, others, workspace);
+      if (plan.status == PlanStatus::optimal) v_new.push_back(plan.new_velocity);
+    }
+    if (v_new.size() < robots.size()) continue;
+    ++all_optimal;
+    for (std::size_t a = 0; a < robots.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        const Pair pair{robots[a].position - robots[b].position,
+                        robots[a].velocity - robots[b].velocity, 1.0};
+        const Obstacle obstacle{pair, Response::proportional(4.0), 10.0};
+        EXPECT_GE(closest_approach(obstacle, v_new[a] - v_new[b]).distance, 1.0 - 1e-9);
+        if (contains(obstacle, robots[a].preferred_velocity - robots[b].preferred_velocity)) {
+          ++would_meet;
+        }
+      }
+    }
+  }
+  EXPECT_GT(all_optimal, 1'000);
+  EXPECT_GT(would_meet, 1'000);
+}
+
 // Neither robot does more than its part.
 TEST(Reciprocity, P8_is_tight_two_robots_just_pass) {
   const Robot A = test::paper_robot({-3, 0.05}, {1.5, 0}, {2, 0});

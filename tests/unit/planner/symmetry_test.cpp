@@ -149,6 +149,41 @@ TEST(Symmetry, P10_order_of_the_neighbors_changes_rounding_only) {
   }
 }
 
+// Galilean boost: all seen from something that moves. The half-planes move along.
+TEST(Symmetry, P6_a_boost_moves_the_half_planes) {
+  Random random(16);
+  PlanWorkspace still, moving;
+  int planes = 0;
+  for (int k = 0; k < 5'000 && !testing::Test::HasFailure(); ++k) {
+    Crowd crowd = test::random_crowd(random, 0.01);
+    crowd.options.method = Method::avo_paper;
+    crowd.robot.max_speed *= 1e3;  // so that no half-plane is dropped for the sake of the limit
+    const Planner planner(crowd.options);
+    planner.collect_half_planes(crowd.robot, crowd.neighbors, still);
+    const double speed =
+        norm(crowd.robot.velocity) + crowd.options.control_time * crowd.robot.max_acceleration;
+    const Vec2 boost = speed * random.direction();
+    crowd.robot.velocity = crowd.robot.velocity + boost;
+    for (Neighbor& each : crowd.neighbors) each.velocity = each.velocity + boost;
+    planner.collect_half_planes(crowd.robot, crowd.neighbors, moving);
+    for (const NeighborPlane& one : still.planes) {
+      for (const NeighborPlane& other : moving.planes) {
+        if (one.neighbor != other.neighbor) continue;
+        ++planes;
+        const double scale = speed + std::abs(one.plane.offset);
+        // how far the same velocity violates both; n itself is less sharp than its support
+        for (const double side : {-0.5, 0.5}) {
+          const Vec2 v = crowd.robot.velocity - boost +
+                         std::min(0.1 * speed, scale) * side * perpendicular(one.plane.normal);
+          EXPECT_NEAR(violation(one.plane, v), violation(other.plane, v + boost), 1e-5 * scale)
+              << crowd;
+        }
+      }
+    }
+  }
+  EXPECT_GT(planes, 5'000);
+}
+
 // A decision depends on nothing but its arguments: not on what the workspace was used for before.
 TEST(Symmetry, the_workspace_carries_nothing_over) {
   Random random(12);
