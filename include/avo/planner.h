@@ -45,7 +45,7 @@ struct Plan {
   Vec2 new_velocity = {};                   ///< [v'_A] m/s, Eqs. (14), (23)
   Vec2 acceleration = {};                   ///< [a_A] m/s^2 at the start of the step, Eq. (7)
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
-  double violation = 0.0;                   ///< m/s: how far v' lies outside CA_A; 0 if optimal
+  double violation = 0.0;                   ///< m/s: by how much CA_A is missed; 0 if optimal
 };
 
 /// A's half-plane against one neighbor, in v'_A, Eqs. (17)-(20).
