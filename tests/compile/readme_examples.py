@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles and runs every C++ example of README.md, and validates its scene.
+"""Compiles and runs every C++ example of README.md, and validates the scenes of the documents.
 
 usage: readme_examples.py COMPILER PREFIX LIBDIR FOLDER FLAGS [AVO]
 """
@@ -36,8 +36,11 @@ for number, text in enumerate(examples):
     assert run.stdout.strip(), f"example {number} prints nothing"
     print(run.stdout, end="")
 
-scenes = re.findall(r"```yaml\n(.*?)```", readme, re.S)
-assert scenes, "README.md has lost its scene"
+scenes = []
+for name in ("README.md", "docs/scenes.md"):
+    found = re.findall(r"```yaml\n(.*?)```", (root / name).read_text(), re.S)
+    assert found, f"{name} has lost its scenes"
+    scenes += found
 if avo:
     for number, text in enumerate(scenes):
         scene = folder / f"scene_{number}.yaml"
