@@ -119,7 +119,8 @@ void Metrics::State::collect_obstacles(const Simulation& simulation) {
 }
 
 // Smallest distance of the centers over the step. A cubic is exact for held accelerations (also
-// of moving obstacles) and straight lines, and within 1e-7 m for the arc of a car.
+// of moving obstacles) and straight lines. For the arc of a car at the paper's limits it is within
+// 7e-8 m at 2 m/s, 3e-5 m at 0.1 m/s.
 double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
   const bool exponential =
       settings.method == Method::avo_paper && settings.motion == Motion::exponential;
