@@ -153,18 +153,20 @@ Caption draw_half_planes(const std::string& folder) {
   canvas.finish();
   PlanWorkspace workspace;
   const Plan plan = planner_of_figure().plan(robot_of_figure(), neighbors, workspace);
-  return {"6(a)",
-          "fig-06.png",
-          "Several robots that decide",
-          "The configuration of Fig. 4 with robots that all decide and have the same a_max: the " +
-              std::to_string(space.half_planes.size()) +
-              " half-planes that cut into the disc, by the number of the neighbor, and CA_A "
-              "(white), Eq. (22). The linear program goes to " +
-              point(plan.new_velocity) + " m/s (" + to_string(plan.status) + "), Eq. (23).",
-          "CA_A is convex, " + area_of(space) + "; that of Fig. 4 is not, with " +
-              area_of(space_of(neighbors_of_figure(0.0), true)) + ".",
-          "half-planes that the whole disc satisfies are not shown. Fig. 6(b), a drawing of the "
-          "car, is left out."};
+  return {
+      "6(a)",
+      "fig-06.png",
+      "Several robots that decide",
+      "The configuration of Fig. 4 with robots that all decide and have the same a_max: the " +
+          std::to_string(space.half_planes.size()) +
+          " half-planes that cut into the disc, by the number of the neighbor, and CA_A "
+          "(white), Eq. (22); dashed, the obstacles that they stand for. The linear program goes "
+          "to " +
+          point(plan.new_velocity) + " m/s (" + to_string(plan.status) + "), Eq. (23).",
+      "CA_A is convex, " + area_of(space) + "; that of Fig. 4 is not, with " +
+          area_of(space_of(neighbors_of_figure(0.0), true)) + ".",
+      "half-planes that the whole disc satisfies are not shown. Fig. 6(b), a drawing of the "
+      "car, is left out."};
 }
 
 }  // namespace avo::paper

@@ -50,7 +50,7 @@ bool contains(const Obstacle& obstacle, Vec2 u);
 Disc disc(const Obstacle& obstacle, double t);
 
 /// Points where the two tangents from the origin touch `disc`, left q- then right q+, Eq. (26).
-/// Requires the origin outside the disc; otherwise both are NaN-free and equal to its center.
+/// From inside the disc there are none: both are its center then.
 std::pair<Vec2, Vec2> tangent_points(const Disc& disc);
 
 /// Times whose disc lies inside the discs just before them bear no boundary and are left out.

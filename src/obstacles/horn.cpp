@@ -15,6 +15,8 @@ namespace avo {
 namespace {
 
 constexpr int kMaxIterations = 64;
+// |b| turns five times at most (three signs of `tangential`, two cusps): six pieces with a crossing
+// each, three ends of the first disc, two corners of the last.
 constexpr int kMaxPoints = 12;
 constexpr double kTimeTolerance = 1e-7;  // relative; every use is of second order in the time
 

@@ -56,6 +56,35 @@ TEST(HalfPlane, unavoidable_asks_for_all_that_is_in_reach) {
   EXPECT_TRUE(std::isfinite(half_plane({{1.0, 0.0}, {-3.0, 0.0}, 1.0}, kReach, kHorizon).excess));
 }
 
+// Pairs of the horn whose near side was once misread; the offsets are those of a brute force over
+// the hull's support.
+TEST(HalfPlane, horn_that_leaves_the_reach_between_its_cusps) {
+  const Pair pair{{-0.010306563999460804, 1.0254705997826155},
+                  {-0.5884233876357865, -1.0109925795943762},
+                  0.46707335743732381};
+  const RelativeHalfPlane found =
+      half_plane(pair, 2.2854234739959218, {3.0823213790112578, 1.6795238843219775, 0.1});
+  EXPECT_NEAR(found.plane.offset, -0.5871969, 1e-6);  // once -0.58746, by 2.6e-4 optimistic
+}
+
+TEST(HalfPlane, horn_of_a_pair_in_contact_that_moves_across) {
+  const Pair pair{{-2.091457413583115, 1.4828906774869444},
+                  {1.3636619611539846, 1.9061170658831403},
+                  2.5637932763976641};
+  const RelativeHalfPlane found =
+      half_plane(pair, 1.81967170619951, {0.38234431585920686, 9.5336638232234741, 0.1});
+  EXPECT_NEAR(found.plane.offset, -0.031697, 1e-6);  // once -0.238
+}
+
+TEST(HalfPlane, horn_of_a_grazing_pair) {
+  const Pair pair{{-3.1580679342098072, -1.8904893425504006},
+                  {3.5276511073092074, 0.7121981991297015},
+                  1.2281273175645158};
+  const RelativeHalfPlane found =
+      half_plane(pair, 0.4069751041727051, {0.12791741119471656, 3.0439087282391397, 0.1});
+  EXPECT_NEAR(found.plane.offset, 0.0, 1e-6);  // once -0.123
+}
+
 TEST(HalfPlane, overlap_separates_along_p) {
   const RelativeHalfPlane found = half_plane({{0.9, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
   ASSERT_EQ(found.state, PairState::overlapping);
