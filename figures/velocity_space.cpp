@@ -20,16 +20,16 @@ std::string source_label(int source) {
 
 // v'_B of a mover: the velocity it has, or approaches under the acceleration observed (§III-C).
 Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
-  const bool observed = neighbor.max_acceleration == 0.0 && options.method == Method::avo_paper;
+  const bool observed = neighbor.max_acceleration == 0.0 && !adopts_at_once(options.method);
   if (!observed) return neighbor.velocity;
   return neighbor.velocity + options.control_time * neighbor.acceleration;
 }
 
 LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_t i,
                             const PlannerOptions& options) {
-  const Response response = options.method == Method::avo_paper
-                                ? Response::proportional(options.control_time)
-                                : Response::velocity();
+  const Response response = adopts_at_once(options.method)
+                                ? Response::velocity()
+                                : Response::proportional(options.control_time);
   const Neighbor& neighbor = perception.neighbors[i];
   const Pair pair{perception.robot.position - neighbor.position,
                   perception.robot.velocity - neighbor.velocity,

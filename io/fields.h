@@ -91,8 +91,9 @@ struct MembersOf<Group> {
 };
 template <>
 struct MembersOf<avo::Scenario> {
-  using type = MemberOf<avo::Scenario, double, int, std::optional<int>, std::uint64_t, std::string,
-                        avo::Method, avo::Motion>;
+  using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
+                        std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
+                        avo::Motion>;
 };
 template <class T>
 using Member = typename MembersOf<T>::type;
@@ -117,10 +118,16 @@ const std::vector<Field<T>>& fields();
 /// RobotSetup's fields without position and goal, for groups.
 const std::vector<Field<avo::RobotSetup>>& group_robot_fields();
 
-inline constexpr std::array<std::pair<std::string_view, avo::Method>, 3> kMethods{
-    {{"avo_paper", avo::Method::avo_paper},
+inline constexpr std::array<std::pair<std::string_view, avo::Method>, 4> kMethods{
+    {{"avo", avo::Method::avo},
+     {"avo_paper", avo::Method::avo_paper},
      {"velocity_obstacle", avo::Method::velocity_obstacle},
      {"orca", avo::Method::orca}}};
+inline constexpr std::array<std::pair<std::string_view, avo::Certificate>, 4> kCertificates{
+    {{"none", avo::Certificate::none},
+     {"stopping_capsules", avo::Certificate::stopping_capsules},
+     {"braking_trajectories", avo::Certificate::braking_trajectories},
+     {"linear_soft_stop", avo::Certificate::linear_soft_stop}}};
 inline constexpr std::array<std::pair<std::string_view, avo::Motion>, 2> kMotions{
     {{"held", avo::Motion::held}, {"exponential", avo::Motion::exponential}}};
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{

@@ -141,6 +141,10 @@ std::string Reader::name(const YamlNode& node, const std::string& path) const {
 void Reader::set(double& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = number(node, path, rule.range, rule.unit);
 }
+void Reader::set(std::optional<double>& value, const YamlNode& node, const Path& path,
+                 const Rule& rule) const {
+  value = number(node, path, rule.range, rule.unit);
+}
 void Reader::set(int& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = static_cast<int>(whole_number(node, path, rule.range));
 }
@@ -160,6 +164,10 @@ void Reader::set(avo::Vec2& value, const YamlNode& node, const Path& path, const
 }
 void Reader::set(avo::Method& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMethods);
+}
+void Reader::set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
+                 const Rule&) const {
+  value = choice(node, path, kCertificates);
 }
 void Reader::set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMotions);

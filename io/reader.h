@@ -83,6 +83,8 @@ class Reader {
   };
   using Path = std::string;
   void set(double& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<double>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
   void set(int& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(std::optional<int>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
@@ -90,6 +92,8 @@ class Reader {
   void set(std::string& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Method& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
   void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
 
   const Document& document_;

@@ -59,6 +59,9 @@ struct ValueSchema {
 ValueSchema describe(double value, const avo::Range& range) {
   return {number_schema(range), value};
 }
+ValueSchema describe(const std::optional<double>&, const avo::Range& range) {
+  return {number_schema(range), nullptr};
+}
 ValueSchema describe(int value, const avo::Range& range) {
   return {whole_number_schema(range), value};
 }
@@ -79,6 +82,9 @@ ValueSchema describe(avo::Method value, const avo::Range&) {
 }
 ValueSchema describe(avo::Motion value, const avo::Range&) {
   return {names_schema(kMotions), name_of(kMotions, value)};
+}
+ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
+  return {names_schema(kCertificates), nullptr};
 }
 
 template <class T>

@@ -29,6 +29,7 @@ struct Decision {
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
   avo::PlanWorkspace workspace;
+  avo::Detour detour;
   avo::Plan plan;
   avo::Disc acceleration_disc, speed_disc;
 };
@@ -44,10 +45,11 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   decision.goal = simulation.fleet().goal[index];
   decision.method = scenario.method;
   decision.seen = simulation.perceive(index);
-  const auto& [self, neighbors, source, alone] = decision.seen;
+  const auto& [self, neighbors, source, detour, alone] = decision.seen;
+  decision.detour = detour;
   decision.by_half_planes = !alone && scenario.method != avo::Method::velocity_obstacle;
   decision.plan = alone ? planner.plan_among_obstacles(self, neighbors, decision.workspace)
-                        : planner.plan(self, neighbors, decision.workspace);
+                        : planner.plan(self, neighbors, decision.workspace, decision.detour);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, decision.workspace);
   else

@@ -66,8 +66,9 @@ std::string numbers(const RunSummary& summary) {
 }
 
 std::string parameters(const Scenario& scenario) {
-  return "δ = " + format("%g s", scenario.control_time) +
-         ", τ = " + format("%g s", scenario.time_horizon) +
+  const PlannerOptions options = planner_options(scenario);
+  return "δ = " + format("%g s", options.control_time) +
+         ", τ = " + format("%g s", options.time_horizon) +
          ", Δt = " + format("%g s", scenario.time_step);
 }
 

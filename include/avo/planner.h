@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,9 +13,23 @@
 namespace avo {
 
 enum class Method : std::uint8_t {
-  avo_paper,          ///< the paper: acceleration-velocity obstacles, reciprocal half-planes
+  avo,                ///< the paper's half-planes, a certificate, and rules for arriving
+  avo_paper,          ///< the paper alone: acceleration-velocity obstacles, reciprocal half-planes
   velocity_obstacle,  ///< the paper's §III-A: others keep their velocity, v' is adopted at once
   orca,               ///< the limit δ -> 0, δ a_max -> infinity: v' is adopted at once
+};
+
+/// True of the methods without acceleration limit and δ: v' is adopted at once.
+constexpr bool adopts_at_once(Method method) {
+  return method == Method::velocity_obstacle || method == Method::orca;
+}
+
+/// What no decision may break, whatever the half-planes ask for (docs/certificate.md).
+enum class Certificate : std::uint8_t {
+  none,
+  stopping_capsules,     ///< S1: disjoint areas to stop in, whenever
+  braking_trajectories,  ///< S3: disjoint places at every time while braking
+  linear_soft_stop,      ///< S2: one linear constraint a neighbor
 };
 
 /// What happens between two decisions.
@@ -24,19 +39,28 @@ enum class Motion : std::uint8_t {
 };
 
 struct PlannerOptions {
-  Method method = Method::avo_paper;
+  Method method = Method::avo;
   Motion motion = Motion::held;
-  double control_time = 4.0;   ///< [δ] s, > 0, Eq. (7)
-  double time_horizon = 10.0;  ///< [τ] s, > 0, Definition 2
-  double time_step = 0.1;      ///< [Δt] s, > 0, <= control_time where motion is held
-  int samples = 0;             ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
+  double control_time = 0.5;  ///< [δ] s, > 0, Eq. (7)
+  double time_horizon = 2.0;  ///< [τ] s, > 0, Definition 2
+  double time_step = 0.1;     ///< [Δt] s, > 0, <= control_time where motion is held
+  int samples = 0;            ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
+  Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
+  std::optional<int> max_neighbors = {};  ///< the first so many get a half-plane; unset: all
+  /// [d_s] s, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
+  double soft_stop_time = 2.0;
 };
+
+/// What is customary for the method: δ 0.5 s, τ 2 s and braking_trajectories for avo, the paper's
+/// δ 4 s, τ 10 s for the others (§VI-A).
+PlannerOptions default_options(Method method);
 
 enum class PlanStatus : std::uint8_t {
   optimal,        ///< v' lies in CA_A: no collision before τ if all do likewise (Definition 4)
   least_unsafe,   ///< CA_A is empty: v' violates it by as little as the limits allow
-  overlapping,    ///< a neighbor is in contact already; v' separates as fast as the limits allow
-  braking,        ///< |v| exceeds v_max by more than one decision can undo: brakes
+  candidate,      ///< the certificate refused that choice and admitted another one near it
+  braking,        ///< it admitted none but braking, or |v| exceeds v_max by more than a decision
+  overlapping,    ///< in contact already, or braking no longer avoids it; v' separates if it can
   invalid_input,  ///< a number known or sensed is not finite or out of range: brakes
 };
 const char* to_string(PlanStatus status);
@@ -53,6 +77,12 @@ struct NeighborPlane {
   int neighbor = 0;  ///< index into the neighbors given
   HalfPlane plane;
   double excess = 0.0;  ///< m/s, A's share of RelativeHalfPlane::excess
+};
+
+/// What a robot remembers from one decision to the next: how far it has turned off its way, to get
+/// around a jam. Method avo only.
+struct Detour {
+  double angle = 0.0;  ///< rad, to the right
 };
 
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
@@ -86,6 +116,9 @@ class Planner {
   /// method velocity_obstacle treats all of them as in plan_among_obstacles.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace) const noexcept;
+  /// The same by a robot that remembers its detour; it is updated. Pure as well.
+  [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
+                          PlanWorkspace& workspace, Detour& detour) const noexcept;
 
   /// One robot among movers that do not react (§III-C, Eqs. 13-14): v' outside the union of their
   /// obstacles, B's new velocity being v_B + δ a_B with the acceleration that the neighbor gives.
@@ -99,7 +132,8 @@ class Planner {
   /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
   /// radius).
   [[nodiscard]] Disc acceleration_disc(const Robot& robot) const;
-  /// D(0, v_max).
+  /// D(0, v_max); for avo what keeps the speed reached in it: |v + k (v' - v)| <= v_max, k being
+  /// step_rate(). A disc on v' would forbid full braking below the speed δ a_max - v_max.
   [[nodiscard]] Disc speed_disc(const Robot& robot) const;
 
   /// The part of v' - v that one step turns into velocity: Δt/δ (held), 1 - e^{-Δt/δ}
@@ -110,6 +144,8 @@ class Planner {
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
 
  private:
+  Plan plan_certified(const Robot& robot, std::span<const Neighbor> neighbors,
+                      PlanWorkspace& workspace, Detour& detour) const noexcept;
   Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
               double violation) const noexcept;
   Plan brake(const Robot& robot, PlanStatus status, double violation) const noexcept;

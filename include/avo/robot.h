@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a robot knows of itself and senses of the others (paper §IV-D). SI units.
 #pragma once
+#include <limits>
+
 #include "avo/vec.h"
 
 namespace avo {
@@ -13,6 +15,9 @@ struct Robot {
   double radius = 0.5;            ///< [r_A] m, > 0
   double max_acceleration = 1.0;  ///< [a_A^max] m/s^2, > 0
   double max_speed = 2.0;         ///< [v_A^max] m/s, > 0
+  /// m left to where it comes to rest, where it has such a goal; method avo then makes no detours
+  /// on the last of it.
+  double distance_to_goal = std::numeric_limits<double>::infinity();
 };
 
 /// Another robot B as A senses it, or a moving obstacle that does not decide.

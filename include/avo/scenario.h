@@ -41,11 +41,12 @@ struct Scenario {
   std::string name = {};
   double time_step = 0.1;                 ///< [Δt] s, > 0
   double duration = 60.0;                 ///< s, >= time_step
-  double control_time = 4.0;              ///< [δ] s, > 0
-  double time_horizon = 10.0;             ///< [τ] s, > 0
+  std::optional<double> control_time = {};  ///< [δ] s, > 0; unset: default_options(method)
+  std::optional<double> time_horizon = {};  ///< [τ] s, > 0; likewise
   double sensing_radius = 15.0;           ///< m, > 0, between centers
   std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all
-  Method method = Method::avo_paper;
+  Method method = Method::avo;
+  std::optional<Certificate> certificate = {};  ///< unset: default_options(method)
   Motion motion = Motion::held;
   int samples = 0;                ///< 0: exact half-planes; N >= 2: the paper's samples
   double arrival_distance = 0.5;  ///< m, > 0
@@ -57,6 +58,9 @@ struct Scenario {
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be
 /// > 0 m".
 void validate(const Scenario& scenario);
+
+/// The scene's settings, with its method's own for what it leaves unset.
+PlannerOptions planner_options(const Scenario& scenario);
 
 /// Number of the last step that begins no later than `time` >= 0 (s): step k is at k * time_step.
 /// A run of the whole scene takes last_step(scenario, scenario.duration) steps.

@@ -66,6 +66,7 @@ class Simulation {
     Robot robot;
     std::vector<Neighbor> neighbors;
     std::vector<int> source;  ///< index into fleet(), or -1 - k for moving obstacle k
+    Detour detour = {};         ///< what it remembers
     bool alone = false;       ///< planned by plan_among_obstacles (a single robot, §III-C)
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;

@@ -75,7 +75,7 @@ void Metrics::State::remember(const Simulation& simulation) {
 // The robots that were there before the step and are there after it; ids ascend in both.
 void Metrics::State::collect_robots(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
-  const bool at_once = settings.method != Method::avo_paper;
+  const bool at_once = adopts_at_once(settings.method);
   robots.clear();
   std::size_t j = 0;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
@@ -123,10 +123,10 @@ void Metrics::State::collect_obstacles(const Simulation& simulation) {
 // 7e-8 m at 2 m/s, 3e-5 m at 0.1 m/s.
 double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
   const bool exponential =
-      settings.method == Method::avo_paper && settings.motion == Motion::exponential;
+      !adopts_at_once(settings.method) && settings.motion == Motion::exponential;
   if (!exponential || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
   const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};
-  const Obstacle obstacle{pair, Response::proportional(settings.control_time), settings.time_step};
+  const Obstacle obstacle{pair, Response::proportional(planner_options(settings).control_time), settings.time_step};
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
 }
 

@@ -13,7 +13,9 @@
 #include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
+#include "planner/arrival.h"
 #include "planner/braking.h"
+#include "planner/certified.h"
 #include "planner/passive_obstacles.h"
 
 namespace avo {
@@ -57,10 +59,6 @@ bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
   return true;
 }
 
-bool adopts_at_once(Method method) {
-  return method != Method::avo_paper;
-}
-
 // p_AB, v_AB, r_AB
 Pair relative(const Robot& robot, const Neighbor& neighbor) {
   return {robot.position - neighbor.position, robot.velocity - neighbor.velocity,
@@ -89,10 +87,12 @@ const char* to_string(PlanStatus status) {
       return "optimal";
     case PlanStatus::least_unsafe:
       return "least_unsafe";
-    case PlanStatus::overlapping:
-      return "overlapping";
+    case PlanStatus::candidate:
+      return "candidate";
     case PlanStatus::braking:
       return "braking";
+    case PlanStatus::overlapping:
+      return "overlapping";
     case PlanStatus::invalid_input:
       return "invalid_input";
   }
@@ -104,6 +104,7 @@ struct PlanWorkspace::Scratch {
   std::vector<HalfPlane> projected;
   std::vector<PassiveObstacle> obstacles;
   PassiveWorkspace passive;
+  CertifiedWorkspace certified;
 };
 PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
 PlanWorkspace::~PlanWorkspace() = default;
@@ -114,7 +115,7 @@ Planner::Planner(const PlannerOptions& options) : options_(options) {
   require_positive(options.control_time, "control_time");
   require_positive(options.time_horizon, "time_horizon");
   require_positive(options.time_step, "time_step");
-  if (options.method == Method::avo_paper && options.motion == Motion::held &&
+  if (!adopts_at_once(options.method) && options.motion == Motion::held &&
       options.time_step > options.control_time) {
     throw Error("PlannerOptions.time_step: found " + std::to_string(options.time_step) +
                 ", must be <= control_time where motion is held");
@@ -133,7 +134,9 @@ Disc Planner::acceleration_disc(const Robot& robot) const {
 }
 
 Disc Planner::speed_disc(const Robot& robot) const {
-  return {{}, robot.max_speed};
+  if (options_.method != Method::avo) return {{}, robot.max_speed};
+  const double k = step_rate();
+  return {((k - 1.0) / k) * robot.velocity, robot.max_speed / k};
 }
 
 double Planner::step_rate() const {
@@ -152,7 +155,9 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   workspace.planes.clear();
   workspace.overlapping = false;
   const Lens allowed = make_lens(acceleration_disc(robot), speed_disc(robot));
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+  const std::size_t most = options_.max_neighbors ? static_cast<std::size_t>(*options_.max_neighbors)
+                                                  : neighbors.size();
+  for (std::size_t k = 0; k < std::min(neighbors.size(), most); ++k) {
     const Neighbor& neighbor = neighbors[k];
     const RelativeHalfPlane relative = relative_half_plane(options_, *horizon_, robot, neighbor);
     if (relative.state == PairState::free) continue;
@@ -185,8 +190,75 @@ Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) con
                 violation);
 }
 
+PlannerOptions default_options(Method method) {
+  PlannerOptions options;
+  options.method = method;
+  if (method == Method::avo) return options;
+  options.control_time = 4.0;
+  options.time_horizon = 10.0;
+  options.certificate = Certificate::none;
+  return options;
+}
+
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace) const noexcept {
+  Detour detour;
+  return plan(robot, neighbors, workspace, detour);
+}
+
+Plan Planner::plan_certified(const Robot& robot, std::span<const Neighbor> neighbors,
+                             PlanWorkspace& workspace, Detour& detour) const noexcept {
+  if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
+  collect_half_planes(robot, neighbors, workspace);
+  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+  scratch.half_planes.clear();
+  for (const NeighborPlane& each : workspace.planes) scratch.half_planes.push_back(each.plane);
+  const double k = step_rate();
+  const StepLaw law{options_.time_step, step_lag(), k * options_.control_time};
+  CertifiedWorkspace& certified = scratch.certified;
+  if (options_.certificate == Certificate::none) {
+    certified.walls.walls.clear();
+    certified.walls.broken = -1;
+    certified.walls.touched = false;
+    certified.walls.intervals = 1;
+  } else {
+    collect_walls(robot, neighbors, law, certified.walls);
+  }
+  const CertifiedProgram program{robot, law, k, scratch.half_planes, acceleration_disc(robot),
+                                 speed_disc(robot), braking_velocity(robot, options_.control_time, k)};
+  const auto next = [&](Vec2 v_new) { return robot.velocity + k * (v_new - robot.velocity); };
+  const bool near = robot.distance_to_goal < 0.5 * robot.max_speed * robot.max_speed / robot.max_acceleration;
+  const Vec2 preferred = near ? robot.preferred_velocity : keep_right(robot, neighbors);
+  CertifiedChoice choice = choose_certified(program, preferred, certified);
+  const auto blocked = [&](Vec2 chosen, Vec2 wish) {
+    const Vec2 free = nearest_point({}, {}, program.acceleration, program.speed, wish, certified.projected).point;
+    return is_blocked(next(chosen), next(free), wish);
+  };
+  const double dt = options_.time_step;
+  if (near) {
+    detour.angle = 0.0;
+  } else if (blocked(choice.velocity, preferred)) {
+    const Vec2 turned = turned_right(preferred, detour.angle);
+    choice = choose_certified(program, turned, certified);
+    if (blocked(choice.velocity, turned)) detour.angle = std::min(detour.angle + 0.5 * dt, 2.4);
+  } else {
+    detour.angle = std::max(0.0, detour.angle - 1.0 * dt);
+  }
+  double worst = 0.0;
+  for (const NeighborPlane& each : workspace.planes) {
+    worst = std::max(worst, std::max(0.0, each.excess) + std::max(0.0, violation(each.plane, choice.velocity)));
+  }
+  PlanStatus status = choice.chosen == Chosen::candidate ? PlanStatus::candidate
+                      : choice.chosen == Chosen::braking ? PlanStatus::braking
+                      : worst > 0.0                      ? PlanStatus::least_unsafe
+                                                         : PlanStatus::optimal;
+  if (workspace.overlapping || certified.walls.broken >= 0 || certified.walls.touched) status = PlanStatus::overlapping;
+  return finish(robot, choice.velocity, status, worst);
+}
+
+Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
+                   PlanWorkspace& workspace, Detour& detour) const noexcept {
+  if (options_.method == Method::avo) return plan_certified(robot, neighbors, workspace, detour);
   if (options_.method == Method::velocity_obstacle) {
     return plan_among_obstacles(robot, neighbors, workspace);
   }
@@ -220,9 +292,9 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const noexcept {
   if (!all_valid(robot, obstacles)) return brake(robot, PlanStatus::invalid_input, 0.0);
-  const Response response = options_.method == Method::avo_paper
-                                ? Response::proportional(options_.control_time)
-                                : Response::velocity();
+  const Response response = adopts_at_once(options_.method)
+                                ? Response::velocity()
+                                : Response::proportional(options_.control_time);
   bool overlapping = false;
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   scratch.obstacles.clear();

@@ -9,7 +9,7 @@ StepResponse step_response(const Planner& planner) {
   const double rate = planner.step_rate();
   // a step from v to v_1 moves by s v + (Δt - s) v_1, and v_1 = v + rate w
   const double gain = (options.time_step - planner.step_lag()) * rate;
-  const bool at_once = options.method != Method::avo_paper;
+  const bool at_once = adopts_at_once(options.method);
   return {options.time_step, rate, gain, at_once ? options.time_step : options.control_time};
 }
 

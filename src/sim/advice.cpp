@@ -48,8 +48,8 @@ std::string usual_control_time_of(const RobotSetup& robot, std::size_t index) {
 }
 
 void advise_control_time(const Scenario& scenario, std::vector<std::string>& lines) {
-  if (scenario.method != Method::avo_paper) return;  // the others have no δ
-  const double delta = scenario.control_time;
+  if (adopts_at_once(scenario.method)) return;  // the others have no δ
+  const double delta = planner_options(scenario).control_time;
   const auto& robots = scenario.robots;
   // Twice the rule or half of it still behaves like the paper's own figures.
   const Worst shortest =
@@ -86,9 +86,10 @@ void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines)
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
   const Worst slowest =
       worst(scenario.robots, [](const RobotSetup& r) { return r.max_speed / r.max_acceleration; });
-  if (scenario.time_horizon >= slowest.value) return;
+  const double tau = planner_options(scenario).time_horizon;
+  if (tau >= slowest.value) return;
   const RobotSetup& robot = scenario.robots[slowest.robot];
-  lines.push_back("time_horizon " + text(scenario.time_horizon) + " s is shorter than " +
+  lines.push_back("time_horizon " + text(tau) + " s is shorter than " +
                   robot_name(slowest.robot) +
                   " needs to stop, max_speed / max_acceleration = " + text(robot.max_speed) +
                   " / " + text(robot.max_acceleration) + " = " + text(slowest.value) + " s");

@@ -52,6 +52,7 @@ void Fleet::add(RobotId robot, const RobotSetup& robot_setup) {
   next_position.push_back({});
   next_velocity.push_back({});
   next_heading.push_back(0.0);
+  detour.push_back({});
   plan.push_back({});
   applied_acceleration.push_back(0.0);
 }
@@ -66,6 +67,7 @@ void Fleet::remove(std::size_t index) {
   erase_at(next_position, index);
   erase_at(next_velocity, index);
   erase_at(next_heading, index);
+  erase_at(detour, index);
   erase_at(plan, index);
   erase_at(applied_acceleration, index);
 }
@@ -105,6 +107,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(hash, fleet.id[i].value);
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
+    hash = mixed(hash, fleet.detour[i].angle);
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

@@ -16,6 +16,7 @@ struct Fleet {
   std::vector<Vec2> position, next_position;
   std::vector<Vec2> velocity, next_velocity;
   std::vector<double> heading, next_heading;
+  std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
 

@@ -32,7 +32,7 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, V
   const Vec2 way = goal - position;
   const double distance = norm(way);
   const Vec2 direction = distance > 0.0 ? way / distance : Vec2{};
-  if (options.method != Method::avo_paper) {
+  if (adopts_at_once(options.method)) {
     return std::min(setup.preferred_speed, distance / options.time_step) * direction;
   }
 

@@ -2,6 +2,7 @@
 // Which scenes can be simulated at all (the ranges of the paper's constants, §VI-A).
 #include "avo/scenario.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -84,20 +85,21 @@ void check_times(const Scenario& scenario) {
   const double dt = scenario.time_step;
   check("time_step", dt, kPositive, "s");
   check("duration", scenario.duration, kPositive, "s");
-  check("control_time", scenario.control_time, kPositive, "s");
-  check("time_horizon", scenario.time_horizon, kPositive, "s");
+  if (scenario.control_time) check("control_time", *scenario.control_time, kPositive, "s");
+  if (scenario.time_horizon) check("time_horizon", *scenario.time_horizon, kPositive, "s");
+  const PlannerOptions options = planner_options(scenario);
   if (scenario.duration < dt)
     refuse("duration", text(scenario.duration), ">= time_step = " + text(dt) + " s");
   if (scenario.duration / dt > static_cast<double>(kMostSteps))
     refuse("duration", text(scenario.duration),
            "at most " + std::to_string(kMostSteps) + " steps of " + text(dt) + " s");
-  if (dt > scenario.time_horizon)
-    refuse("time_step", text(dt), "<= time_horizon = " + text(scenario.time_horizon) + " s");
+  if (dt > options.time_horizon)
+    refuse("time_step", text(dt), "<= time_horizon = " + text(options.time_horizon) + " s");
   // A held acceleration (v' - v)/δ leaves the fraction q = 1 - Δt/δ of the error: q < 0 overshoots.
-  const bool held = scenario.method == Method::avo_paper && scenario.motion == Motion::held;
-  if (held && dt > scenario.control_time)
+  const bool held = !adopts_at_once(scenario.method) && scenario.motion == Motion::held;
+  if (held && dt > options.control_time)
     refuse("time_step", text(dt),
-           "<= control_time = " + text(scenario.control_time) + " s where motion is held");
+           "<= control_time = " + text(options.control_time) + " s where motion is held");
 }
 
 }  // namespace
@@ -115,6 +117,23 @@ void validate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
+}
+
+PlannerOptions planner_options(const Scenario& scenario) {
+  PlannerOptions options = default_options(scenario.method);
+  options.motion = scenario.motion;
+  options.time_step = scenario.time_step;
+  options.samples = scenario.samples;
+  options.max_neighbors = scenario.max_neighbors;
+  if (scenario.control_time) options.control_time = *scenario.control_time;
+  if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
+  if (scenario.certificate) options.certificate = *scenario.certificate;
+  options.soft_stop_time = scenario.time_step;
+  for (const RobotSetup& robot : scenario.robots) {
+    options.soft_stop_time =
+        std::max(options.soft_stop_time, robot.max_speed / robot.max_acceleration);
+  }
+  return options;
 }
 
 std::int64_t last_step(const Scenario& scenario, double time) {

@@ -18,11 +18,6 @@
 namespace avo {
 namespace {
 
-PlannerOptions planner_options(const Scenario& scenario) {
-  return {scenario.method,       scenario.motion,    scenario.control_time,
-          scenario.time_horizon, scenario.time_step, scenario.samples};
-}
-
 // What one worker needs to plan for one robot after the other without allocating.
 struct Worker {
   PlanWorkspace plan;
@@ -65,8 +60,11 @@ struct Simulation::State {
   }
 
   std::size_t most_neighbors() const {
-    return settings.max_neighbors ? static_cast<std::size_t>(*settings.max_neighbors)
-                                  : std::numeric_limits<std::size_t>::max();
+    const PlannerOptions& options = planner.options();
+    // a certificate needs all of them
+    return options.max_neighbors && options.certificate == Certificate::none
+               ? static_cast<std::size_t>(*options.max_neighbors)
+               : std::numeric_limits<std::size_t>::max();
   }
   void reserve() {
     for (Worker& worker : workers) {
@@ -109,7 +107,8 @@ Robot Simulation::State::robot(std::size_t i) const {
           preferred_velocity(fleet.position[i], fleet.velocity[i], setup, fleet.goal[i], planner),
           setup.radius,
           setup.max_acceleration,
-          setup.max_speed};
+          setup.max_speed,
+          norm(fleet.goal[i] - fleet.position[i])};
 }
 
 // All robots and moving obstacles within the sensing radius, nearest first (robots first and by id
@@ -147,7 +146,7 @@ void Simulation::State::sense(std::size_t i, Worker& worker) const {
 void Simulation::State::plan(std::size_t i, Worker& worker) {
   sense(i, worker);
   fleet.plan[i] = alone() ? planner.plan_among_obstacles(robot(i), worker.neighbors, worker.plan)
-                          : planner.plan(robot(i), worker.neighbors, worker.plan);
+                          : planner.plan(robot(i), worker.neighbors, worker.plan, fleet.detour[i]);
 }
 
 void Simulation::State::move(std::size_t i) {
@@ -241,7 +240,7 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   Worker worker;
   state_->sense(robot, worker);
   return {state_->robot(robot), std::move(worker.neighbors), std::move(worker.source),
-          state_->alone()};
+          state_->fleet.detour[robot], state_->alone()};
 }
 
 const Planner& Simulation::planner() const {
