@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a run was safe.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "avo/simulation.h"
+
+namespace avo::safety {
+
+struct Verdict {
+  std::int64_t overlapping_pairs = 0;
+  std::int64_t moving_contacts = 0;   ///< robots that touched an obstacle while they moved
+  std::int64_t resting_contacts = 0;  ///< robots that an obstacle ran into while they stood
+  std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-rows
+  std::optional<double> least_clearance;                           ///< m
+  std::string first;  ///< the first violation in words, empty where there is none
+
+  [[nodiscard]] bool safe() const {
+    return overlapping_pairs + moving_contacts + acceleration_violations + speed_violations == 0;
+  }
+};
+
+/// Call observe() once before the first step and once after every step.
+class Judge {
+ public:
+  explicit Judge(const Scenario& scenario);
+  ~Judge();
+  void observe(const Simulation& simulation);
+  [[nodiscard]] Verdict verdict() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace avo::safety

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the harness is asked for: parsing, with one line for each mistake.
+#include "options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+namespace avo::safety {
+namespace {
+
+template <class T, std::size_t N>
+using Names = std::array<std::pair<std::string_view, T>, N>;
+
+constexpr Names<Method, 4> kMethods{{{"avo", Method::avo},
+                                     {"avo_paper", Method::avo_paper},
+                                     {"velocity_obstacle", Method::velocity_obstacle},
+                                     {"orca", Method::orca}}};
+constexpr Names<Certificate, 4> kCertificates{
+    {{"none", Certificate::none},
+     {"stopping_capsules", Certificate::stopping_capsules},
+     {"braking_trajectories", Certificate::braking_trajectories},
+     {"linear_soft_stop", Certificate::linear_soft_stop}}};
+constexpr Names<Motion, 2> kMotions{{{"held", Motion::held}, {"exponential", Motion::exponential}}};
+
+template <class T, std::size_t N>
+std::string_view name_of(T value, const Names<T, N>& names) {
+  for (const auto& [name, each] : names) {
+    if (each == value) return name;
+  }
+  return "unknown";
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& found,
+                         const std::string& allowed) {
+  throw UsageError(option + ": found \"" + found + "\", must be " + allowed);
+}
+
+template <class T, std::size_t N>
+T value_of(const std::string& option, const std::string& text, const Names<T, N>& names) {
+  std::string allowed;
+  for (const auto& [name, value] : names) {
+    if (name == text) return value;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+  }
+  refuse(option, text, "one of " + allowed);
+}
+
+double number(const std::string& option, const std::string& text, double min, double max,
+              const std::string& allowed) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  const bool is_number = result.ec == std::errc() && result.ptr == end && std::isfinite(value);
+  if (!is_number || value < min || value > max) refuse(option, text, allowed);
+  return value;
+}
+
+std::int64_t whole(const std::string& option, const std::string& text, std::int64_t min,
+                   std::int64_t max) {
+  std::int64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  const bool is_number = result.ec == std::errc() && result.ptr == end;
+  if (!is_number || value < min || value > max) {
+    refuse(option, text,
+           "a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+  }
+  return value;
+}
+
+double seconds(const std::string& option, const std::string& text) {
+  return number(option, text, 1e-6, 1e6, "a number of seconds from 1e-6 to 1e6");
+}
+
+constexpr std::int64_t kMost = 1000000000;
+
+// True where there is such an option and it took the value.
+bool take(Options& o, const std::string& option, const std::string& text) {
+  if (option == "--row") {
+    o.rows.push_back(text);
+  } else if (option == "--scenes") {
+    o.scenes = static_cast<int>(whole(option, text, 1, 1000000));
+  } else if (option == "--first-seed") {
+    o.first_seed = static_cast<std::uint64_t>(whole(option, text, 0, kMost));
+  } else if (option == "--robot-steps") {
+    o.crush_steps = number(option, text, 1.0, 1e12, "a number from 1 to 1e12");
+  } else if (option == "--threads") {
+    o.threads = static_cast<int>(whole(option, text, 1, 1024));
+  } else if (option == "--json") {
+    o.json = text;
+  } else if (option == "--record") {
+    o.record = text;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// The same of those that change the scenes; they are remembered as they were given.
+bool take_setting(Options& o, const std::string& option, const std::string& text) {
+  if (option == "--method") {
+    o.method = value_of(option, text, kMethods);
+  } else if (option == "--certificate") {
+    o.certificate = value_of(option, text, kCertificates);
+  } else if (option == "--motion") {
+    o.motion = value_of(option, text, kMotions);
+  } else if (option == "--control-time") {
+    o.control_time = seconds(option, text);
+  } else if (option == "--time-horizon") {
+    o.time_horizon = seconds(option, text);
+  } else {
+    return false;
+  }
+  o.settings.push_back(option + " " + text);
+  return true;
+}
+
+}  // namespace
+
+const char* usage() {
+  return R"(avo_bench_safety: safety and arrival over families of scenes.
+
+  --row NAME          only this row, or those whose names begin so; may be repeated
+  --list              names the rows and ends
+  --scenes N          scenes of each row whose scenes differ
+  --first-seed S      seed of the first scene of each row, default 1
+  --robot-steps X     robot-steps of each crush in all its scenes, default 1e7
+  --method NAME       avo, avo_paper, velocity_obstacle, orca
+  --certificate NAME  none, stopping_capsules, braking_trajectories, linear_soft_stop
+  --motion NAME       held, exponential
+  --control-time S    delta, where the row does not name its own
+  --time-horizon S    tau, likewise
+  --threads N         scenes at a time, default: as many as the machine has; results are the same
+  --json FILE         one JSON object a row
+  --record FILE       of a single scene: CSV with time,robot,x,y,vx,vy
+
+Exit status: 0; 1 where anything unsafe happened under a certificate; 2 usage; 3 scene; 4 output.
+)";
+}
+
+Options parse_options(int count, const char* const* arguments) {
+  Options options;
+  options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  for (int i = 1; i < count; ++i) {
+    const std::string option = arguments[i];
+    if (option == "--help" || option == "-h") {
+      options.help = true;
+      continue;
+    }
+    if (option == "--list") {
+      options.list = true;
+      continue;
+    }
+    const std::string text = i + 1 < count ? arguments[++i] : "";
+    if (!take(options, option, text) && !take_setting(options, option, text)) {
+      throw UsageError(option + ": found no such option; see --help");
+    }
+  }
+  return options;
+}
+
+std::string_view to_string(Method method) {
+  return name_of(method, kMethods);
+}
+std::string_view to_string(Certificate certificate) {
+  return name_of(certificate, kCertificates);
+}
+std::string_view to_string(Motion motion) {
+  return name_of(motion, kMotions);
+}
+
+bool is_asked_for(const Options& options, const std::string& row,
+                  const std::vector<std::string>& all_rows) {
+  if (options.rows.empty()) return true;
+  return std::any_of(options.rows.begin(), options.rows.end(), [&](const std::string& asked) {
+    if (asked == row) return true;
+    const bool is_name = std::find(all_rows.begin(), all_rows.end(), asked) != all_rows.end();
+    return !is_name && row.starts_with(asked);
+  });
+}
+
+void apply(const Options& options, Scenario& scenario) {
+  if (options.method) scenario.method = *options.method;
+  if (options.certificate) scenario.certificate = *options.certificate;
+  if (options.motion) scenario.motion = *options.motion;
+  if (options.control_time && !scenario.control_time) scenario.control_time = options.control_time;
+  if (options.time_horizon && !scenario.time_horizon) scenario.time_horizon = options.time_horizon;
+}
+
+}  // namespace avo::safety

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that are whole or not there.
+#include "output.h"
+
+#include <cerrno>
+#include <cinttypes>
+#include <system_error>
+#include <unistd.h>
+
+namespace avo::safety {
+
+Output::Output(const std::string& path)
+    : path_(path), temporary_(path + ".part" + std::to_string(getpid())) {
+  file_ = std::fopen(temporary_.c_str(), "wx");
+  if (file_ == nullptr) fail(errno);
+}
+
+Output::~Output() {
+  if (file_ == nullptr) return;
+  std::fclose(file_);
+  std::remove(temporary_.c_str());
+}
+
+void Output::fail(int reason) {
+  throw OutputError(path_ + ": " + std::generic_category().message(reason));
+}
+
+void Output::write(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(errno);
+}
+
+void Output::commit() {
+  if (std::fflush(file_) != 0) fail(errno);
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+  std::fclose(file_);
+  file_ = nullptr;
+}
+
+Recording::Recording(const std::string& path) : output_(path) {
+  output_.write("time,robot,x,y,vx,vy\n");
+}
+
+void Recording::add(const Simulation& simulation) {
+  const FleetView fleet = simulation.fleet();
+  char row[256];
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    const Vec2 p = fleet.position[i], v = fleet.velocity[i];
+    std::snprintf(row, sizeof row, "%.17g,%" PRIu64 ",%.17g,%.17g,%.17g,%.17g\n", simulation.time(),
+                  fleet.id[i].value, p.x, p.y, v.x, v.y);
+    output_.write(row);
+  }
+}
+
+}  // namespace avo::safety

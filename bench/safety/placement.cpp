@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where robots start and go: circles, blocks, random places.
+#include "placement.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "avo/error.h"
+
+namespace avo::safety {
+namespace {
+
+bool is_clear(std::span<const Vec2> placed, std::span<const double> radii, Vec2 center,
+              double clearance) {
+  const double radius = radii[placed.size()];
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (norm(center - placed[i]) < radius + radii[i] + clearance) return false;
+  }
+  return true;
+}
+
+// As many as find room.
+std::vector<Vec2> try_places(std::span<const double> radii, double side, double clearance,
+                             Random& random) {
+  constexpr int kTries = 20000;  // for one disc
+  std::vector<Vec2> placed;
+  for (int tries = 0; placed.size() < radii.size() && tries < kTries; ++tries) {
+    const Vec2 center = random.in_square(side);
+    if (!is_clear(placed, radii, center, clearance)) continue;
+    placed.push_back(center);
+    tries = 0;
+  }
+  return placed;
+}
+
+}  // namespace
+
+Vec2 circle_point(int k, int n) {
+  // the angle is (octant + rest / n) * 45 degrees; x <= 45 degrees from the nearest axis
+  const std::int64_t eighths = 8 * static_cast<std::int64_t>(k % n);
+  const std::int64_t octant = eighths / n, rest = eighths % n;
+  const bool back = octant % 2 == 1;
+  const double x = kPi / 4.0 * static_cast<double>(back ? n - rest : rest) / n;
+  double sine = 1.0, cosine = 1.0;
+  for (double i = 20.0; i >= 2.0; i -= 2.0) {  // Taylor; what is left out is below 1e-22
+    sine = 1.0 - x * x / (i * (i + 1.0)) * sine;
+    cosine = 1.0 - x * x / (i * (i - 1.0)) * cosine;
+  }
+  Vec2 point{cosine, back ? -x * sine : x * sine};
+  for (std::int64_t i = 0; i < (octant + 1) / 2; ++i) point = perpendicular(point);
+  return point + Vec2{};  // no -0
+}
+
+std::vector<Vec2> block(Vec2 center, int columns, int rows, double spacing) {
+  std::vector<Vec2> points;
+  const Vec2 corner = center - 0.5 * spacing * Vec2{double(columns - 1), double(rows - 1)};
+  for (int k = 0; k < columns * rows; ++k) {
+    const int row = k / columns, column = k % columns;
+    points.push_back(corner + spacing * Vec2{double(column), double(row)});
+  }
+  return points;
+}
+
+std::vector<Vec2> triangular_block(int columns, int rows, double spacing) {
+  std::vector<Vec2> points = block({}, columns, rows, spacing);
+  for (int k = 0; k < columns * rows; ++k) {
+    Vec2& point = points[static_cast<std::size_t>(k)];
+    point.x += (k / columns % 2 == 0 ? -0.25 : 0.25) * spacing;
+    point.y *= std::sqrt(0.75);
+  }
+  return points;
+}
+
+std::vector<Vec2> random_places(std::span<const double> radii, double side, double clearance,
+                                Random& random) {
+  constexpr int kStarts = 200;
+  for (int start = 0; start < kStarts; ++start) {
+    std::vector<Vec2> placed = try_places(radii, side, clearance, random);
+    if (placed.size() == radii.size()) return placed;
+  }
+  throw Error("placement: found no room for " + std::to_string(radii.size()) +
+              " discs, must fit a square of " + std::to_string(side) + " m");
+}
+
+std::vector<Vec2> dealt_anew(std::vector<Vec2> points, Random& random) {
+  for (std::size_t i = points.size() - 1; i > 0; --i) std::swap(points[i], points[random.below(i)]);
+  return points;
+}
+
+}  // namespace avo::safety

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where robots start and go: circles, blocks, random places. Same bits on every machine.
+#pragma once
+#include <cstdint>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "avo/vec.h"
+
+namespace avo::safety {
+
+inline constexpr double kPi = 3.141592653589793;
+
+/// The standard fixes the engine's numbers but not those of its distributions, hence our own.
+class Random {
+ public:
+  /// Streams of one seed are independent for all that scenes need.
+  Random(std::uint64_t seed, std::uint64_t stream) : engine_(seed * 1000003U + stream) {}
+
+  /// Uniform in [min, max).
+  double between(double min, double max) { return min + (max - min) * unit(); }
+  /// Uniform in 0 ... count - 1, count > 0.
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(unit() * static_cast<double>(count));
+  }
+  /// Uniform in the square of this side about the origin.
+  Vec2 in_square(double side) {
+    const double x = between(-0.5 * side, 0.5 * side);
+    return {x, between(-0.5 * side, 0.5 * side)};
+  }
+
+ private:
+  double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+  std::mt19937_64 engine_;
+};
+
+/// Point k of n evenly on the unit circle, from +x counter-clockwise, without the C library's sin.
+Vec2 circle_point(int k, int n);
+
+/// columns x rows points about `center`, row by row from the lower left.
+std::vector<Vec2> block(Vec2 center, int columns, int rows, double spacing);
+
+/// The densest arrangement of equal discs, row by row about the origin.
+std::vector<Vec2> triangular_block(int columns, int rows, double spacing);
+
+/// A point for each radius, uniform in the square of `side`, with `clearance` between any two
+/// discs. Starts anew where one finds no room; throws Error where that goes on.
+std::vector<Vec2> random_places(std::span<const double> radii, double side, double clearance,
+                                Random& random);
+
+/// The points dealt anew so that none stays (one cycle through all). Needs two or more.
+std::vector<Vec2> dealt_anew(std::vector<Vec2> points, Random& random);
+
+}  // namespace avo::safety

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// One scene from its start to its end.
+#include "run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+#include "output.h"
+#include "placement.h"
+
+namespace avo::safety {
+namespace {
+
+// CPU time of this thread, s: what counts where other programs run as well.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Sends all robots to another of the rallying points whenever the time has come.
+void rally(const Scene& scene, Random& random, Simulation& simulation) {
+  if (scene.rallies.empty()) return;
+  const std::int64_t period = last_step(scene.scenario, scene.rally_period);
+  if (simulation.steps() % period != 0) return;
+  const Vec2 goal = scene.rallies[random.below(scene.rallies.size())];
+  const FleetView fleet = simulation.fleet();
+  const std::vector<RobotId> robots(fleet.id.begin(), fleet.id.end());
+  for (const RobotId robot : robots) simulation.set_goal(robot, goal);
+}
+
+void note_arrivals(const Simulation& simulation, double distance, Outcome& outcome) {
+  const FleetView fleet = simulation.fleet();
+  outcome.at_goal_at_end = 0;
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    if (!(norm(fleet.goal[i] - fleet.position[i]) <= distance)) continue;
+    ++outcome.at_goal_at_end;
+    outcome.arrival[i] = std::min(outcome.arrival[i], simulation.time());
+  }
+}
+
+void note_decisions(const Simulation& simulation, Outcome& outcome) {
+  for (const Plan& plan : simulation.fleet().plan) {
+    const auto status = static_cast<std::size_t>(plan.status);
+    ++outcome.decisions[std::min(status, kMostStatuses - 1)];
+  }
+}
+
+bool at_rest(const Simulation& simulation) {
+  constexpr double kSlow = 1e-3;  // m/s
+  const FleetView fleet = simulation.fleet();
+  return std::all_of(fleet.velocity.begin(), fleet.velocity.end(),
+                     [](Vec2 v) { return norm(v) < kSlow; });
+}
+
+// Times steps and remembers the worst second.
+class StepClock {
+ public:
+  StepClock(std::int64_t steps_a_second, double robots)
+      : steps_a_second_(steps_a_second), robots_(robots) {}
+
+  void step(Simulation& simulation) {
+    const double start = thread_seconds();
+    simulation.step();
+    const double taken = thread_seconds() - start;
+    total_ += taken;
+    second_ += taken;
+    if (simulation.steps() % steps_a_second_ != 0) return;
+    worst_ = std::max(worst_, second_ / (robots_ * static_cast<double>(steps_a_second_)));
+    second_ = 0.0;
+  }
+  [[nodiscard]] double total() const { return total_; }
+  [[nodiscard]] double worst() const { return worst_; }
+
+ private:
+  std::int64_t steps_a_second_;
+  double robots_, total_ = 0.0, second_ = 0.0, worst_ = 0.0;
+};
+
+}  // namespace
+
+double densest_disc(const FleetView& fleet) {
+  Vec2 centroid;
+  for (const Vec2 p : fleet.position) centroid = centroid + p;
+  centroid = centroid / static_cast<double>(fleet.position.size());
+  std::vector<std::pair<double, double>> robots;  // reach from the centroid, radius²
+  for (std::size_t i = 0; i < fleet.position.size(); ++i) {
+    const double radius = fleet.setup[i].radius;
+    robots.emplace_back(norm(fleet.position[i] - centroid) + radius, radius * radius);
+  }
+  std::sort(robots.begin(), robots.end());
+  double filled = 0.0, densest = 0.0;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    const auto [reach, radius_squared] = robots[k];
+    filled += radius_squared;
+    if (4 * (k + 1) >= robots.size()) densest = std::max(densest, filled / (reach * reach));
+  }
+  return densest;
+}
+
+Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record) {
+  const Scenario& scenario = scene.scenario;
+  const auto robots = scenario.robots.size();
+  Simulation simulation(scenario, 1);
+  Judge judge(scenario);
+  std::optional<Recording> recording;
+  if (!record.empty()) recording.emplace(record);
+  Outcome outcome;
+  outcome.seed = seed;
+  outcome.planner = simulation.planner().options();
+  outcome.arrival.assign(robots, kNever);
+  outcome.unit = scene.unit;
+  outcome.limit = scene.limit;
+  outcome.share = scene.share;
+  const auto observe = [&] {
+    judge.observe(simulation);
+    if (recording) recording->add(simulation);
+    note_arrivals(simulation, scenario.arrival_distance, outcome);
+  };
+  observe();
+  Random random(seed, 7);
+  const std::int64_t second = std::max<std::int64_t>(1, last_step(scenario, 1.0));
+  StepClock clock(second, static_cast<double>(robots));
+  const std::int64_t steps = last_step(scenario, scenario.duration);
+  while (simulation.steps() < steps) {
+    rally(scene, random, simulation);
+    clock.step(simulation);
+    observe();
+    note_decisions(simulation, outcome);
+    if (!scene.rallies.empty()) {
+      if (simulation.steps() % second == 0) {
+        outcome.density = std::max(outcome.density, densest_disc(simulation.fleet()));
+      }
+    } else if (simulation.all_at_goal() && at_rest(simulation)) {
+      break;
+    }
+  }
+  outcome.robot_steps = simulation.steps() * static_cast<std::int64_t>(robots);
+  outcome.seconds = clock.total();
+  outcome.worst_second = clock.worst();
+  outcome.verdict = judge.verdict();
+  if (recording) recording->commit();
+  return outcome;
+}
+
+}  // namespace avo::safety

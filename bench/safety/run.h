@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// One scene from its start to its end: what it did, what its decisions were and cost.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "families.h"
+#include "judge.h"
+
+namespace avo::safety {
+
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+/// More than there are kinds of PlanStatus.
+inline constexpr std::size_t kMostStatuses = 16;
+
+struct Outcome {
+  std::uint64_t seed = 0;
+  Verdict verdict;
+  PlannerOptions planner;  ///< what the robots planned with
+  std::int64_t robot_steps = 0;
+  std::vector<double> arrival;      ///< s, of each robot: first within arrival_distance; kNever
+  std::int64_t at_goal_at_end = 0;  ///< robots within arrival_distance
+  double unit = 0.0, limit = 0.0, share = 0.0;             ///< see Scene
+  std::array<std::int64_t, kMostStatuses> decisions = {};  ///< robot-steps by PlanStatus
+  double seconds = 0.0;                                    ///< CPU time in Simulation::step
+  double worst_second = 0.0;  ///< CPU s a robot-step over the worst second simulated
+  double density = 0.0;       ///< see densest_disc, the most
+};
+
+/// Largest part of a disc about the robots' centroid that robots fill, of those that hold at least
+/// a quarter of all robots. The densest packing of equal discs has 0.9069.
+double densest_disc(const FleetView& fleet);
+
+/// On one thread. Ends early where all are at rest at their goals. `record`: path of a CSV file, or
+/// empty. Throws Error on a bad scene, std::runtime_error where it cannot write.
+Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record);
+
+}  // namespace avo::safety

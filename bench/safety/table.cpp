@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the outcomes of a row's scenes to a line of the table.
+#include "table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace avo::safety {
+namespace {
+
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
+  char buffer[512];
+  std::va_list values;
+  va_start(values, pattern);
+  std::vsnprintf(buffer, sizeof buffer, pattern, values);
+  va_end(values);
+  return buffer;
+}
+
+double percent(std::int64_t part, std::int64_t all) {
+  return all > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(all) : 0.0;
+}
+
+// Smallest value that at least 99 % are not above.
+double late_quantile(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto rank = static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(values.size())));
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+bool is_late(const Outcome& outcome) {
+  if (outcome.unit == 0.0) return false;
+  const double deadline = outcome.limit * outcome.unit * (1.0 + 1e-9);
+  const auto in_time = std::count_if(outcome.arrival.begin(), outcome.arrival.end(),
+                                     [&](double time) { return time <= deadline; });
+  return static_cast<double>(in_time) < outcome.share * static_cast<double>(outcome.arrival.size());
+}
+
+void add_safety(const Outcome& outcome, RowResult& row) {
+  const Verdict& verdict = outcome.verdict;
+  row.overlapping_pairs += verdict.overlapping_pairs;
+  row.moving_contacts += verdict.moving_contacts;
+  row.resting_contacts += verdict.resting_contacts;
+  row.acceleration_violations += verdict.acceleration_violations;
+  row.speed_violations += verdict.speed_violations;
+  row.unsafe_scenes += verdict.safe() ? 0 : 1;
+  row.certified = row.certified || outcome.planner.certificate != Certificate::none;
+  if (verdict.least_clearance) {
+    row.least_clearance = std::min(row.least_clearance.value_or(kNever), *verdict.least_clearance);
+  }
+}
+
+std::string time_text(double value, int width) {
+  return std::isfinite(value) ? format("%*.1f", width, value) : format("%*s", width, "never");
+}
+
+std::string ratio_text(double value, int width) {
+  return std::isfinite(value) ? format("%*.2f", width, value) : format("%*s", width, "-");
+}
+
+// The rule of three: what 95 % of the time bounds the rate of failures where none was seen.
+std::string bound_text(const RowResult& row) {
+  if (row.unsafe_scenes > 0) {
+    return format("%lld unsafe", static_cast<long long>(row.unsafe_scenes));
+  }
+  if (row.scenes < 3) return "0 unsafe";
+  return format("< %.2g %%", 300.0 / static_cast<double>(row.scenes));
+}
+
+std::string decision_text(const RowResult& row) {
+  std::string text;
+  for (std::size_t k = 0; k < kMostStatuses; ++k) {
+    if (row.decisions[k] == 0) continue;
+    text += (text.empty() ? "" : ", ") + format("%s %.3g %%", to_string(static_cast<PlanStatus>(k)),
+                                                percent(row.decisions[k], row.robot_steps));
+  }
+  return text;
+}
+
+}  // namespace
+
+RowResult summarize(const std::string& name, const std::vector<Outcome>& outcomes) {
+  RowResult row;
+  row.name = name;
+  std::vector<double> arrivals, ratios;
+  double seconds = 0.0;
+  for (const Outcome& outcome : outcomes) {
+    ++row.scenes;
+    row.robots += static_cast<std::int64_t>(outcome.arrival.size());
+    row.robot_steps += outcome.robot_steps;
+    add_safety(outcome, row);
+    row.has_goals = outcome.unit > 0.0;
+    row.limit = outcome.limit;
+    row.at_goal_at_end += outcome.at_goal_at_end;
+    row.late_scenes += is_late(outcome) ? 1 : 0;
+    for (const double time : outcome.arrival) {
+      row.arrived += std::isfinite(time) ? 1 : 0;
+      arrivals.push_back(time);
+      ratios.push_back(time / outcome.unit);
+      row.last = std::max(row.last, time);
+      row.last_ratio = std::max(row.last_ratio, ratios.back());
+    }
+    for (std::size_t k = 0; k < kMostStatuses; ++k) row.decisions[k] += outcome.decisions[k];
+    seconds += outcome.seconds;
+    row.worst_microseconds = std::max(row.worst_microseconds, 1e6 * outcome.worst_second);
+    row.density = std::max(row.density, outcome.density);
+  }
+  row.late = late_quantile(std::move(arrivals));
+  row.late_ratio = late_quantile(std::move(ratios));
+  row.microseconds =
+      1e6 * seconds / static_cast<double>(std::max<std::int64_t>(row.robot_steps, 1));
+  return row;
+}
+
+std::string table_header() {
+  return format("%-18s %6s %7s %9s %6s %6s %10s %8s %7s %7s %6s %6s %6s %6s %5s %6s %6s\n", "row",
+                "scenes", "robots", "steps", "pairs", "a or v", "clear mm", "unsafe", "arrive%",
+                "at end%", "last s", "99% s", "ratio", "99%", "late", "us", "worst");
+}
+
+std::string table_lines(const RowResult& row) {
+  std::string line =
+      format("%-18s %6lld %7lld %9lld %6lld %6lld %10s %8s", row.name.c_str(),
+             static_cast<long long>(row.scenes), static_cast<long long>(row.robots),
+             static_cast<long long>(row.robot_steps), static_cast<long long>(row.overlapping_pairs),
+             static_cast<long long>(row.acceleration_violations + row.speed_violations),
+             row.least_clearance ? format("%.4g", 1e3 * *row.least_clearance).c_str() : "-",
+             bound_text(row).c_str());
+  if (row.has_goals) {
+    line += format(" %7.2f %7.2f", percent(row.arrived, row.robots),
+                   percent(row.at_goal_at_end, row.robots));
+    line += " " + time_text(row.last, 6) + " " + time_text(row.late, 6);
+    line += " " + ratio_text(row.last_ratio, 6) + " " + ratio_text(row.late_ratio, 6);
+    line += format(" %5lld", static_cast<long long>(row.late_scenes));
+  } else {
+    line += format(" %7s %7s %6s %6s %6s %6s %5s", "-", "-", "-", "-", "-", "-", "-");
+  }
+  line += format(" %6.2f %6.2f\n", row.microseconds, row.worst_microseconds);
+  line += "  decisions: " + decision_text(row) + "\n";
+  if (row.density > 0.0) {
+    line +=
+        format("  densest: %.1f %% of a disc about the centroid, %.1f %% of the densest packing\n",
+               100.0 * row.density, 100.0 * row.density / 0.9069);
+  }
+  if (row.moving_contacts + row.resting_contacts > 0) {
+    line += format("  obstacles: touched by %lld robots in motion, %lld at rest\n",
+                   static_cast<long long>(row.moving_contacts),
+                   static_cast<long long>(row.resting_contacts));
+  }
+  return line;
+}
+
+std::string failure_lines(const RowResult& row, const std::vector<Outcome>& outcomes,
+                          const std::string& settings) {
+  constexpr int kNamed = 10;
+  std::string lines;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.verdict.safe() && !is_late(outcome)) continue;
+    lines += format("  seed %llu:", static_cast<unsigned long long>(outcome.seed));
+    if (!outcome.verdict.safe()) lines += " " + outcome.verdict.first + ";";
+    int missing = 0;
+    std::string names;
+    for (std::size_t i = 0; i < outcome.arrival.size() && outcome.unit > 0.0; ++i) {
+      if (std::isfinite(outcome.arrival[i])) continue;
+      if (++missing <= kNamed) names += format(" %zu", i);
+    }
+    if (missing > 0) {
+      lines += format(" %d not arrived:", missing) + names + (missing > kNamed ? " ..." : "") + ";";
+    } else if (is_late(outcome)) {
+      lines += " late;";
+    }
+    lines += " --row " + row.name + " --scenes 1 --first-seed " + std::to_string(outcome.seed) +
+             settings + "\n";
+  }
+  return lines;
+}
+
+}  // namespace avo::safety

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the outcomes of a row's scenes to a line of the table and a line of JSON.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run.h"
+
+namespace avo::safety {
+
+/// Over all scenes of a row. Quantiles are over all robots of all scenes; who never arrives counts
+/// as infinitely late.
+struct RowResult {
+  std::string name;
+  std::int64_t scenes = 0, robots = 0, robot_steps = 0;
+  std::int64_t overlapping_pairs = 0, moving_contacts = 0, resting_contacts = 0;
+  std::int64_t acceleration_violations = 0, speed_violations = 0;
+  std::int64_t unsafe_scenes = 0;
+  bool certified = false;                 ///< robots planned under a certificate
+  std::optional<double> least_clearance;  ///< m
+  bool has_goals = true;
+  std::int64_t arrived = 0, at_goal_at_end = 0;  ///< robots
+  double last = 0.0, late = 0.0;                 ///< s: the last arrival, and the 99 % quantile
+  double last_ratio = 0.0, late_ratio = 0.0;     ///< the same in the scenes' units
+  double limit = 0.0;                            ///< units
+  std::int64_t late_scenes = 0;                  ///< where too few arrived within the limit
+  std::array<std::int64_t, kMostStatuses> decisions = {};
+  double microseconds = 0.0, worst_microseconds = 0.0;  ///< CPU, a robot-step
+  double density = 0.0;
+};
+
+RowResult summarize(const std::string& name, const std::vector<Outcome>& outcomes);
+
+std::string table_header();
+/// The line of the table and what belongs to it.
+std::string table_lines(const RowResult& row);
+/// One line for each scene that failed, with the command that repeats it.
+std::string failure_lines(const RowResult& row, const std::vector<Outcome>& outcomes,
+                          const std::string& settings);
+/// One line.
+std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes);
+
+}  // namespace avo::safety

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the outcomes of a row's scenes to a line of JSON: keys in a fixed order, null where there is
+// nothing.
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
+#include "options.h"
+#include "table.h"
+
+namespace avo::safety {
+namespace {
+
+// One object, member by member. Names and strings here need no escapes.
+class JsonObject {
+ public:
+  JsonObject& add(const char* name, double value) {
+    if (!std::isfinite(value)) return add_raw(name, "null");
+    char buffer[32];  // the shortest form of a double has at most 24 characters
+    return add_raw(name, {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr});
+  }
+  JsonObject& add(const char* name, std::int64_t value) {
+    return add_raw(name, std::to_string(value));
+  }
+  JsonObject& add(const char* name, const std::string& value) {
+    return add_raw(name, "\"" + value + "\"");
+  }
+  JsonObject& add_raw(const char* name, const std::string& json) {
+    members_ += (members_.empty() ? "\"" : ", \"") + std::string(name) + "\": " + json;
+    return *this;
+  }
+  [[nodiscard]] std::string text() const { return "{" + members_ + "}"; }
+
+ private:
+  std::string members_;
+};
+
+template <class Range, class Text>
+std::string json_array(const Range& range, Text text) {
+  std::string json;
+  for (const auto& each : range) json += (json.empty() ? "" : ", ") + text(each);
+  return "[" + json + "]";
+}
+
+std::string planner_json(const PlannerOptions& options) {
+  return JsonObject()
+      .add("method", std::string(to_string(options.method)))
+      .add("certificate", std::string(to_string(options.certificate)))
+      .add("motion", std::string(to_string(options.motion)))
+      .add("control_time", options.control_time)
+      .add("time_horizon", options.time_horizon)
+      .text();
+}
+
+std::string decisions_json(const RowResult& row) {
+  JsonObject object;
+  for (std::size_t k = 0; k < kMostStatuses; ++k) {
+    if (row.decisions[k] > 0) object.add(to_string(static_cast<PlanStatus>(k)), row.decisions[k]);
+  }
+  return object.text();
+}
+
+std::string scene_json(const Outcome& outcome) {
+  double last = 0.0;
+  std::vector<std::int64_t> missing;
+  for (std::size_t i = 0; i < outcome.arrival.size(); ++i) {
+    last = std::max(last, outcome.arrival[i]);
+    if (!std::isfinite(outcome.arrival[i])) missing.push_back(static_cast<std::int64_t>(i));
+  }
+  JsonObject object;
+  object.add("seed", static_cast<std::int64_t>(outcome.seed))
+      .add("overlapping_pairs", outcome.verdict.overlapping_pairs)
+      .add("least_clearance", outcome.verdict.least_clearance.value_or(kNever));
+  if (outcome.unit > 0.0) {
+    object.add("unit", outcome.unit)
+        .add("last_arrival", last)
+        .add_raw("not_arrived",
+                 json_array(missing, [](std::int64_t i) { return std::to_string(i); }));
+  }
+  return object.text();
+}
+
+}  // namespace
+
+std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes) {
+  JsonObject object;
+  object.add("row", row.name)
+      .add_raw("planner", planner_json(outcomes.front().planner))
+      .add("scenes", row.scenes)
+      .add("robots", row.robots)
+      .add("robot_steps", row.robot_steps)
+      .add("overlapping_pairs", row.overlapping_pairs)
+      .add("moving_contacts", row.moving_contacts)
+      .add("resting_contacts", row.resting_contacts)
+      .add("acceleration_violations", row.acceleration_violations)
+      .add("speed_violations", row.speed_violations)
+      .add("unsafe_scenes", row.unsafe_scenes)
+      .add("unsafe_bound_95",
+           row.unsafe_scenes == 0 ? 3.0 / static_cast<double>(row.scenes) : kNever)
+      .add("least_clearance", row.least_clearance.value_or(kNever));
+  if (row.has_goals) {
+    object.add("arrived", row.arrived)
+        .add("at_goal_at_end", row.at_goal_at_end)
+        .add("last_arrival", row.last)
+        .add("arrival_99", row.late)
+        .add("last_ratio", row.last_ratio)
+        .add("ratio_99", row.late_ratio)
+        .add("limit_ratio", row.limit)
+        .add("late_scenes", row.late_scenes);
+  }
+  object.add_raw("decisions", decisions_json(row))
+      .add("microseconds", row.microseconds)
+      .add("worst_second_microseconds", row.worst_microseconds)
+      .add("density", row.density > 0.0 ? row.density : kNever)
+      .add_raw("outcomes", json_array(outcomes, scene_json));
+  return object.text() + "\n";
+}
+
+}  // namespace avo::safety
