@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// A judge of recorded motion that shares no formula with the planner: separation of every pair in
+// continuous time, limits on acceleration and speed, arrival.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "avo/vec.h"
+
+namespace avo {
+
+/// What a recorded robot is held to. Infinite limits are not checked.
+struct CheckedRobot {
+  double radius = 0.5;            ///< m, > 0
+  double max_acceleration = 1.0;  ///< m/s^2, > 0
+  double max_speed = 2.0;         ///< m/s, > 0
+  std::optional<Vec2> goal = {};  ///< m
+  /// m, >= 0: how far the robot may have been from the judged path between two rows. 0 for
+  /// accelerations held from row to row: their path is the cubic.
+  double interpolation_error = 0.0;
+  /// Changes its velocity at once at every row: straight lines are judged instead of cubics.
+  bool straight = false;
+};
+
+/// A disc whose whole motion is known: p + t v + t²/2 a.
+struct CheckedObstacle {
+  Vec2 position = {}, velocity = {}, acceleration = {};  ///< at time 0
+  double radius = 0.5;                                   ///< m, > 0
+};
+
+struct CheckOptions {
+  double relative_tolerance = 1e-9;  ///< of the sum of radii, of a_max, of v_max; in [0, 1)
+  double arrival_distance = 0.5;     ///< m, > 0
+};
+
+/// One row of a recording.
+struct CheckedState {
+  std::int64_t robot = 0;  ///< index into the robots given
+  Vec2 position, velocity;
+};
+
+struct CheckViolation {
+  double time = 0.0;       ///< s; of an acceleration or a jump, where its step began
+  std::int64_t robot = 0;  ///< the lower number of a pair of robots
+  std::optional<std::int64_t> other = {};  ///< of a pair: the other robot, or the obstacle
+  double amount = 0.0;  ///< beyond the limit: m/s^2, m/s, m (of overlap: the most within the step)
+};
+
+struct CheckCount {
+  std::int64_t count = 0;  ///< of pairs, robot-steps or robot-rows
+  std::optional<CheckViolation> first = {};
+  double worst = 0.0;  ///< largest amount
+};
+
+struct CheckReport {
+  std::int64_t robots = 0;      ///< that were ever there
+  std::int64_t rows = 0;        ///< robot-rows
+  std::int64_t steps = 0;       ///< between successive times
+  std::int64_t gaps = 0;        ///< returns of a robot that was missing at some time: not judged
+  double from = 0.0, to = 0.0;  ///< s
+  CheckCount overlaps;          ///< pairs of robots that ever overlapped
+  CheckCount obstacle_contacts_moving;  ///< pairs: the robot moved itself while they overlapped
+  std::int64_t obstacle_contacts_at_rest = 0;  ///< pairs, all others; passive safety allows these
+  CheckCount accelerations;                    ///< robot-steps with |Δv|/Δt > a_max
+  CheckCount speeds;                           ///< robot-rows with |v| > v_max
+  /// Robot-steps with |Δp - Δt (v_0 + v_1)/2| > a_max Δt²/2: positions that do not follow the
+  /// velocities. A motion within a_max stays below half of it, one whose velocity changes at once,
+  /// by a_max Δt at most, just within it.
+  CheckCount jumps;
+  std::optional<double> least_clearance;  ///< m, over all pairs and times; none with fewer than two
+  double largest_acceleration = 0.0;      ///< m/s^2
+  double largest_speed = 0.0;             ///< m/s
+  std::int64_t with_goal = 0;             ///< of the robots given
+  std::int64_t arrived = 0;               ///< in some row within the arrival distance of their goal
+  std::int64_t at_goal_at_end = 0;        ///< in their last row
+  std::optional<double> last_arrival;     ///< s; none unless all arrived
+  std::vector<std::int64_t> not_arrived;  ///< ascending
+
+  /// No overlap, no contact in motion, no limit exceeded.
+  [[nodiscard]] bool safe() const;
+};
+
+/// Feed it the rows of one time after the other. Between two rows a robot is judged on the cubic
+/// with their positions and velocities. Pairs overlap where their distance is less than
+/// (r_A + r_B)(1 - relative_tolerance) - interpolation_error_A - interpolation_error_B.
+class Check {
+ public:
+  /// Throws Error on values out of range.
+  explicit Check(std::vector<CheckedRobot> robots, std::vector<CheckedObstacle> obstacles = {},
+                 const CheckOptions& options = {});
+  ~Check();
+  Check(Check&&) noexcept;
+  Check& operator=(Check&&) noexcept;
+
+  /// One more robot, at any time; returns its index. Throws Error on values out of range.
+  std::int64_t add_robot(const CheckedRobot& robot);
+
+  /// All rows of one time, by ascending robot; times ascend. Throws Error on anything else, and on
+  /// values that are not finite or beyond 1e12; nothing has changed then. A robot may be missing:
+  /// it is judged over the steps at both ends of which it is there. Throws Error where more pairs
+  /// overlap than anyone wants to know (10 million); of no further use then.
+  void add(double time, std::span<const CheckedState> rows);
+  [[nodiscard]] CheckReport report() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace avo

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+// A judge of recorded motion: takes one time after the other and keeps what broke which rule.
+#include "avo/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
+
+#include "avo/error.h"
+#include "check/refuse.h"
+#include "check/step.h"
+#include "check/sweep.h"
+#include "core/ranges.h"
+
+namespace avo {
+namespace {
+
+using judge::Mover;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// Of max_speed (of 1 m/s where there is none): a robot is at rest up to here.
+constexpr double kAtRest = 1e-9;
+constexpr std::size_t kMostPairs = 10'000'000;
+
+// The last that was seen of a robot.
+struct Seen {
+  CheckedState row;
+  std::int64_t at = -1;  // number of the time, -1: never
+  bool arrived = false, at_goal = false;
+};
+
+using Pairs = std::unordered_set<std::uint64_t>;
+
+std::uint64_t key(std::int64_t a, std::int64_t b) {
+  return static_cast<std::uint64_t>(a) << 32U | static_cast<std::uint64_t>(b);
+}
+
+void insert(Pairs& pairs, std::uint64_t pair) {
+  if (pairs.size() >= kMostPairs && !pairs.contains(pair))
+    throw Error("found more than " + std::to_string(kMostPairs) + " overlapping pairs");
+  pairs.insert(pair);
+}
+
+// The earliest, then the lowest: whatever the order in which the pairs of a step are met.
+void note(CheckCount& rule, const CheckViolation& violation) {
+  rule.worst = std::max(rule.worst, violation.amount);
+  const auto place = [](const CheckViolation& v) {
+    return std::tuple(v.time, v.robot, v.other.value_or(-1));
+  };
+  if (!rule.first || place(violation) < place(*rule.first)) rule.first = violation;
+}
+
+}  // namespace
+
+struct Check::State {
+  std::vector<CheckedRobot> robots;
+  std::vector<CheckedObstacle> obstacles;
+  CheckOptions options;
+  CheckReport report;  // as far as it is not derived from the rest
+  std::vector<Seen> seen;
+  std::int64_t times = 0;
+  double last_time = 0.0, last_arrival = 0.0;
+  Pairs overlaps, contacts, moving_contacts;
+
+  // of the present step
+  double duration = 0.0;
+  std::vector<Mover> movers;
+  std::vector<judge::Box> boxes;
+
+  void require_sound(double time, std::span<const CheckedState> rows) const;
+  void judge_row(double time, const CheckedState& row);
+  void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
+                    double time);
+  void judge_arrival(double time, const CheckedState& row);
+  void meet(std::size_t first, std::size_t second);
+  void meet_robots(const Mover& a, const Mover& b);
+  void meet_obstacle(const Mover& robot, const Mover& obstacle);
+  void judge_contact(const Mover& robot, const Mover& obstacle, const judge::RelativePath& path,
+                     double limit, double amount);
+  double overlap_distance(const Mover& a, const Mover& b) const {
+    return (a.radius + b.radius) * (1.0 - options.relative_tolerance) - a.error - b.error;
+  }
+  // No pair farther apart than this tells anything new, m.
+  double reach() const { return std::max(report.least_clearance.value_or(unmet()), 0.0); }
+  double unmet() const { return robots.size() > 1 ? kInfinity : 0.0; }
+};
+
+void Check::State::require_sound(double time, std::span<const CheckedState> rows) const {
+  judge::require_time(time, times > 0 ? std::optional(last_time) : std::nullopt);
+  std::int64_t lowest = 0;
+  for (const CheckedState& row : rows) {
+    const auto count = static_cast<std::int64_t>(robots.size());
+    if (row.robot < lowest || row.robot >= count)
+      throw Error("robot: found " + std::to_string(row.robot) + ", must be " +
+                  std::to_string(lowest) + " to " + std::to_string(count - 1) +
+                  ", each once and ascending");
+    lowest = row.robot + 1;
+    judge::require_sound(row);
+  }
+}
+
+// |Δv| and |Δp - Δt (v_0 + v_1)/2| against what a_max allows in this step. The numbers of a row are
+// rounded: that much is granted besides the tolerance.
+void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& before,
+                                const CheckedState& now, double time) {
+  const Vec2 change = now.velocity - before.velocity, sum = before.velocity + now.velocity;
+  const double step_rounding = kEpsilon * (std::abs(time) + std::abs(last_time));
+  const double speeds = norm(before.velocity) + norm(now.velocity);
+  const double acceleration = norm(change) / duration;
+  report.largest_acceleration = std::max(report.largest_acceleration, acceleration);
+  const double most = robot.max_acceleration * (1.0 + options.relative_tolerance);
+  if (norm(change) > most * (duration + step_rounding) + kEpsilon * speeds) {
+    ++report.accelerations.count;
+    note(report.accelerations, {last_time, now.robot, {}, acceleration - robot.max_acceleration});
+  }
+  const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
+  const double within = 0.5 * most * duration * (duration + 2.0 * step_rounding);
+  const double rounding = kEpsilon * (norm(before.position) + norm(now.position)) +
+                          (step_rounding + 2.0 * kEpsilon * duration) * speeds;
+  if (jump > within + rounding) {
+    ++report.jumps.count;
+    note(report.jumps, {last_time, now.robot, {}, jump - within});
+  }
+}
+
+void Check::State::judge_arrival(double time, const CheckedState& row) {
+  const auto index = static_cast<std::size_t>(row.robot);
+  const std::optional<Vec2>& goal = robots[index].goal;
+  if (!goal) return;
+  Seen& mine = seen[index];
+  mine.at_goal = norm(*goal - row.position) <= options.arrival_distance;
+  if (!mine.at_goal || mine.arrived) return;
+  mine.arrived = true;
+  last_arrival = time;
+}
+
+void Check::State::judge_row(double time, const CheckedState& row) {
+  const auto index = static_cast<std::size_t>(row.robot);
+  const CheckedRobot& robot = robots[index];
+  Seen& mine = seen[index];
+  const double speed = norm(row.velocity);
+  report.largest_speed = std::max(report.largest_speed, speed);
+  if (speed > robot.max_speed * (1.0 + options.relative_tolerance)) {
+    ++report.speeds.count;
+    note(report.speeds, {time, row.robot, {}, speed - robot.max_speed});
+  }
+  judge_arrival(time, row);
+  if (mine.at >= 0 && mine.at == times - 1) {
+    judge_limits(robot, mine.row, row, time);
+    movers.push_back(judge::robot_mover(robot, mine.row, row, duration));
+  } else {
+    if (mine.at >= 0) ++report.gaps;
+    movers.push_back(judge::newcomer(robot, row));
+  }
+  mine.row = row;
+  mine.at = times;
+}
+
+void Check::State::meet_robots(const Mover& a, const Mover& b) {
+  const judge::RelativePath path = judge::relative_path(a, b, duration);
+  const double contact = a.radius + b.radius, limit = overlap_distance(a, b);
+  const std::uint64_t pair = key(a.index, b.index);
+  const double best = report.least_clearance.value_or(kInfinity);
+  const double known = overlaps.contains(pair) ? limit - report.overlaps.worst : limit;
+  if (judge::lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
+  const judge::Instant nearest = judge::nearest_instant(path);
+  report.least_clearance = std::min(best, nearest.distance - contact);
+  if (!(nearest.distance < limit)) return;
+  insert(overlaps, pair);
+  CheckViolation overlap{last_time, a.index, b.index, limit - nearest.distance};
+  report.overlaps.worst = std::max(report.overlaps.worst, overlap.amount);
+  if (report.overlaps.first && report.overlaps.first->time < last_time) return;
+  overlap.time += judge::first_below(path, limit).value_or(nearest.fraction) * duration;
+  note(report.overlaps, overlap);
+}
+
+void Check::State::meet_obstacle(const Mover& robot, const Mover& obstacle) {
+  const judge::RelativePath path = judge::relative_path(robot, obstacle, duration);
+  const double limit = overlap_distance(robot, obstacle);
+  if (judge::lower_bound(path) > limit) return;
+  const judge::Instant nearest = judge::nearest_instant(path);
+  if (nearest.distance < limit)
+    judge_contact(robot, obstacle, path, limit, limit - nearest.distance);
+}
+
+// A robot that moves at all in a step rests at single instants of it only: it is enough to know
+// the first and the last instant of the contact.
+void Check::State::judge_contact(const Mover& robot, const Mover& obstacle,
+                                 const judge::RelativePath& path, double limit, double amount) {
+  const std::uint64_t pair = key(robot.index, obstacle.index);
+  insert(contacts, pair);
+  const double first = judge::first_below(path, limit).value_or(0.0);
+  const double last = judge::last_below(path, limit).value_or(1.0);
+  const double max_speed = robots[static_cast<std::size_t>(robot.index)].max_speed;
+  const double at_rest = kAtRest * (std::isinf(max_speed) ? 1.0 : max_speed);
+  if (!(judge::speed_bound(robot, first, last, duration) > at_rest)) return;
+  insert(moving_contacts, pair);
+  note(report.obstacle_contacts_moving,
+       {last_time + first * duration, robot.index, obstacle.index, amount});
+}
+
+void Check::State::meet(std::size_t first, std::size_t second) {
+  const Mover &a = movers[std::min(first, second)], &b = movers[std::max(first, second)];
+  if (a.obstacle) return;  // robots come first: then both are
+  if (b.obstacle)
+    meet_obstacle(a, b);
+  else
+    meet_robots(a, b);
+}
+
+Check::Check(std::vector<CheckedRobot> robots, std::vector<CheckedObstacle> obstacles,
+             const CheckOptions& options)
+    : state_(std::make_unique<State>()) {
+  judge::require_sound(options);
+  for (std::size_t k = 0; k < obstacles.size(); ++k)
+    judge::require_sound("obstacles." + std::to_string(k), obstacles[k]);
+  state_->options = options;
+  state_->obstacles = std::move(obstacles);
+  for (const CheckedRobot& robot : robots) add_robot(robot);
+}
+Check::~Check() = default;
+Check::Check(Check&&) noexcept = default;
+Check& Check::operator=(Check&&) noexcept = default;
+
+std::int64_t Check::add_robot(const CheckedRobot& robot) {
+  const auto index = static_cast<std::int64_t>(state_->robots.size());
+  if (index >= kMostRobots)
+    throw Error("robots: found more than " + std::to_string(kMostRobots) +
+                ", the most there can be");
+  judge::require_sound("robots." + std::to_string(index), robot);
+  state_->seen.emplace_back();
+  state_->robots.push_back(robot);
+  return index;
+}
+
+void Check::add(double time, std::span<const CheckedState> rows) {
+  State& state = *state_;
+  state.require_sound(time, rows);
+  const bool begins = state.times == 0;
+  state.duration = begins ? 0.0 : time - state.last_time;
+  if (begins) state.last_time = state.report.from = time;
+  state.movers.clear();
+  for (const CheckedState& row : rows) state.judge_row(time, row);
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k)
+    state.movers.push_back(judge::obstacle_mover(state.obstacles[k], static_cast<std::int64_t>(k),
+                                                 state.last_time, time));
+  state.boxes.clear();
+  for (std::size_t i = 0; i < state.movers.size(); ++i)
+    state.boxes.push_back(judge::box_of(state.movers[i], i, state.duration));
+  judge::sweep(
+      state.boxes, [&state] { return state.reach(); },
+      [&state](std::size_t a, std::size_t b) { state.meet(a, b); });
+  state.last_time = state.report.to = time;
+  state.report.rows += static_cast<std::int64_t>(rows.size());
+  state.report.steps = state.times++;
+}
+
+CheckReport Check::report() const {
+  const State& state = *state_;
+  CheckReport report = state.report;
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    const Seen& each = state.seen[i];
+    if (each.at >= 0) ++report.robots;
+    if (!state.robots[i].goal) continue;
+    ++report.with_goal;
+    if (each.arrived) ++report.arrived;
+    if (each.at_goal) ++report.at_goal_at_end;
+    if (!each.arrived) report.not_arrived.push_back(static_cast<std::int64_t>(i));
+  }
+  if (report.with_goal > 0 && report.arrived == report.with_goal)
+    report.last_arrival = state.last_arrival;
+  report.overlaps.count = static_cast<std::int64_t>(state.overlaps.size());
+  report.obstacle_contacts_moving.count = static_cast<std::int64_t>(state.moving_contacts.size());
+  report.obstacle_contacts_at_rest =
+      static_cast<std::int64_t>(state.contacts.size() - state.moving_contacts.size());
+  return report;
+}
+
+bool CheckReport::safe() const {
+  return overlaps.count == 0 && obstacle_contacts_moving.count == 0 && accelerations.count == 0 &&
+         speeds.count == 0 && jumps.count == 0;
+}
+
+}  // namespace avo

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which numbers the judge takes.
+#include "check/refuse.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "avo/error.h"
+#include "core/ranges.h"
+
+namespace avo::judge {
+namespace {
+
+std::string text(double value) {
+  char buffer[32];  // the shortest form of a double has at most 24 characters
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+void require(const std::string& name, double value, const Range& range, const char* unit) {
+  if (range.contains(value)) return;
+  std::string allowed = "<= " + text(range.max);
+  if (!std::isfinite(value))
+    allowed = "a finite number";
+  else if (range.below(value))
+    allowed = (range.open_min ? "> " : ">= ") + text(range.min);
+  throw Error(name + ": found " + text(value) + ", must be " + allowed + unit);
+}
+
+void require(const std::string& name, Vec2 value, const char* unit) {
+  require(name + ".0", value.x, kAnyValue, unit);
+  require(name + ".1", value.y, kAnyValue, unit);
+}
+
+// Infinity: no limit.
+void require_limit(const std::string& name, double value, const char* unit) {
+  if (!(std::isinf(value) && value > 0.0)) require(name, value, kPositive, unit);
+}
+
+}  // namespace
+
+void require_sound(const std::string& place, const CheckedRobot& robot) {
+  require(place + ".radius", robot.radius, kPositive, " m");
+  require_limit(place + ".max_acceleration", robot.max_acceleration, " m/s^2");
+  require_limit(place + ".max_speed", robot.max_speed, " m/s");
+  require(place + ".interpolation_error", robot.interpolation_error, kNotNegative, " m");
+  if (robot.goal) require(place + ".goal", *robot.goal, " m");
+}
+
+void require_sound(const std::string& place, const CheckedObstacle& obstacle) {
+  require(place + ".position", obstacle.position, " m");
+  require(place + ".velocity", obstacle.velocity, " m/s");
+  require(place + ".acceleration", obstacle.acceleration, " m/s^2");
+  require(place + ".radius", obstacle.radius, kPositive, " m");
+}
+
+void require_sound(const CheckOptions& options) {
+  const double tolerance = options.relative_tolerance;
+  if (!(tolerance >= 0.0 && tolerance < 1.0))
+    throw Error("relative_tolerance: found " + text(tolerance) + ", must be >= 0 and < 1");
+  require("arrival_distance", options.arrival_distance, kPositive, " m");
+}
+
+void require_time(double time, std::optional<double> before) {
+  require("time", time, kAnyValue, " s");
+  if (before && !(time > *before))
+    throw Error("time: found " + text(time) + ", must be > " + text(*before) +
+                " s, the time before");
+}
+
+// The common case without a string: every row of a recording passes here.
+void require_sound(const CheckedState& row) {
+  const auto good = [](Vec2 v) { return kAnyValue.contains(v.x) && kAnyValue.contains(v.y); };
+  if (good(row.position) && good(row.velocity)) return;
+  const std::string place = "robot " + std::to_string(row.robot);
+  require(place + ": position", row.position, " m");
+  require(place + ": velocity", row.velocity, " m/s");
+}
+
+}  // namespace avo::judge

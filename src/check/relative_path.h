@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// How near two bodies come over one step, and when, by isolating the roots of d/du |x(u)|².
+#pragma once
+#include <array>
+#include <optional>
+
+#include "avo/vec.h"
+
+namespace avo::judge {
+
+/// One body seen from another over a step: a cubic by its Bézier control points, m. The fraction u
+/// of the step runs from 0 to 1.
+struct RelativePath {
+  std::array<Vec2, 4> control;
+};
+
+struct Instant {
+  double fraction = 0.0;  // of the step
+  double distance = 0.0;  // m
+};
+
+/// Where the two are nearest, the first such instant: to 1e-13 of the path's largest distance.
+Instant nearest_instant(const RelativePath& path);
+
+/// First and last fraction of the step at which the distance is less than `limit` >= 0; none where
+/// it never is.
+std::optional<double> first_below(const RelativePath& path, double limit);
+std::optional<double> last_below(const RelativePath& path, double limit);
+
+/// No point of the path is nearer than this; cheap, and far from sharp.
+double lower_bound(const RelativePath& path);
+
+}  // namespace avo::judge

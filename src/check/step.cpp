@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moves over one step of a recording, and its pairs seen as relative paths.
+#include "check/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace avo::judge {
+namespace {
+
+// Differences first: far from the origin the rows are coarse, their differences are exact.
+RelativePath cubic(Vec2 from, Vec2 from_velocity, Vec2 to, Vec2 to_velocity, double duration) {
+  const double third = duration / 3.0;
+  return {{from, from + third * from_velocity, to - third * to_velocity, to}};
+}
+
+}  // namespace
+
+Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
+                  double duration) {
+  Mover mover{before.position, before.velocity,           now.position, now.velocity,
+              robot.radius,    robot.interpolation_error, now.robot};
+  if (robot.straight)
+    mover.from_velocity = mover.to_velocity = (now.position - before.position) / duration;
+  return mover;
+}
+
+Mover newcomer(const CheckedRobot& robot, const CheckedState& now) {
+  Mover mover{now.position, now.velocity, now.position,
+              now.velocity, robot.radius, robot.interpolation_error,
+              now.robot};
+  mover.newcomer = true;
+  return mover;
+}
+
+Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double from, double to) {
+  const auto position = [&obstacle](double t) {
+    return obstacle.position + t * (obstacle.velocity + (0.5 * t) * obstacle.acceleration);
+  };
+  const auto velocity = [&obstacle](double t) {
+    return obstacle.velocity + t * obstacle.acceleration;
+  };
+  Mover mover{position(from), velocity(from), position(to), velocity(to), obstacle.radius, 0.0,
+              index};
+  mover.obstacle = true;
+  return mover;
+}
+
+RelativePath path_of(const Mover& mover, double duration) {
+  if (mover.newcomer) return {{mover.to, mover.to, mover.to, mover.to}};
+  return cubic(mover.from, mover.from_velocity, mover.to, mover.to_velocity, duration);
+}
+
+RelativePath relative_path(const Mover& a, const Mover& b, double duration) {
+  const Vec2 to = a.to - b.to;
+  if (a.newcomer || b.newcomer) return {{to, to, to, to}};
+  return cubic(a.from - b.from, a.from_velocity - b.from_velocity, to,
+               a.to_velocity - b.to_velocity, duration);
+}
+
+Box box_of(const Mover& mover, std::size_t owner, double duration) {
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  const auto& c = path_of(mover, duration).control;
+  Box box;
+  box.owner = owner;
+  const auto span = [&](std::size_t axis, double Vec2::*of) {
+    const auto [low, high] = std::minmax({c[0].*of, c[1].*of, c[2].*of, c[3].*of});
+    const double reach =
+        mover.radius + kRounding * (mover.radius + std::max(std::abs(low), std::abs(high)));
+    box.low[axis] = low - reach;
+    box.high[axis] = high + reach;
+  };
+  span(0, &Vec2::x);
+  span(1, &Vec2::y);
+  return box;
+}
+
+double speed_bound(const Mover& mover, double from_fraction, double to_fraction, double duration) {
+  if (mover.newcomer) return norm(mover.to_velocity);
+  const double third = duration / 3.0;
+  const Vec2 d0 = third * mover.from_velocity, d2 = third * mover.to_velocity;
+  const Vec2 d1 = (mover.to - mover.from) - (d0 + d2);
+  // the quadratic with control points 3d, blossomed: its control points over the part
+  const auto blossom = [&](double s, double t) {
+    return (1.0 - s) * ((1.0 - t) * d0 + t * d1) + s * ((1.0 - t) * d1 + t * d2);
+  };
+  const double longest = std::max({norm(blossom(from_fraction, from_fraction)),
+                                   norm(blossom(from_fraction, to_fraction)),
+                                   norm(blossom(to_fraction, to_fraction))});
+  return 3.0 * longest / duration;
+}
+
+}  // namespace avo::judge

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moves over one step of a recording, and its pairs seen as relative paths.
+#pragma once
+#include <cstdint>
+
+#include "avo/check.h"
+#include "check/relative_path.h"
+#include "check/sweep.h"
+
+namespace avo::judge {
+
+/// A robot or an obstacle over one step.
+struct Mover {
+  Vec2 from, from_velocity, to, to_velocity;  // m, m/s
+  double radius = 0.0, error = 0.0;           // m
+  std::int64_t index = 0;
+  bool obstacle = false;
+  bool newcomer = false;  // there at the end of the step only
+};
+
+/// The robot from row `before` to row `now`, `duration` s later.
+Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
+                  double duration);
+/// A robot without a row at the start of the step.
+Mover newcomer(const CheckedRobot& robot, const CheckedState& now);
+Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double from, double to);
+
+/// The path of one mover, m.
+RelativePath path_of(const Mover& mover, double duration);
+/// Where one of the two is a newcomer, the end of the step is all there is.
+RelativePath relative_path(const Mover& a, const Mover& b, double duration);
+
+/// Holds the mover's disc at all times of the step.
+Box box_of(const Mover& mover, std::size_t owner, double duration);
+
+/// Largest speed on a part of the path, m/s; at most twice too high.
+double speed_bound(const Mover& mover, double from_fraction, double to_fraction, double duration);
+
+}  // namespace avo::judge

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which pairs of boxes come near each other: sorted along the wider axis, swept once.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace avo::judge {
+
+/// Low and high end along x and y, m.
+struct Box {
+  std::array<double, 2> low, high;
+  std::size_t owner = 0;
+};
+
+/// The axis along which the boxes spread farther.
+inline std::size_t wider_axis(const std::vector<Box>& boxes) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> least{kInfinity, kInfinity}, most{-kInfinity, -kInfinity};
+  for (const Box& box : boxes) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      least[k] = std::min(least[k], box.low[k]);
+      most[k] = std::max(most[k], box.low[k]);
+    }
+  }
+  return most[1] - least[1] > most[0] - least[0] ? 1 : 0;
+}
+
+/// Calls meet(owner, owner) for every pair of boxes less than reach() apart along both axes, for
+/// some pairs twice; reach may shrink between the calls. Sorts the boxes.
+template <typename Reach, typename Meet>
+void sweep(std::vector<Box>& boxes, const Reach& reach, const Meet& meet) {
+  const std::size_t along = wider_axis(boxes), across = 1 - along;
+  std::sort(boxes.begin(), boxes.end(), [along](const Box& a, const Box& b) {
+    return std::pair(a.low[along], a.owner) < std::pair(b.low[along], b.owner);
+  });
+  // neighbors in this order first: they shorten the reach for all others
+  if (!std::isfinite(reach()))
+    for (std::size_t i = 0; i + 1 < boxes.size(); ++i) meet(boxes[i].owner, boxes[i + 1].owner);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& a = boxes[i];
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      const Box& b = boxes[j];
+      if (!(b.low[along] - a.high[along] < reach())) break;
+      if (std::max(b.low[across] - a.high[across], a.low[across] - b.high[across]) < reach())
+        meet(a.owner, b.owner);
+    }
+  }
+}
+
+}  // namespace avo::judge
