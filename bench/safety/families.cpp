@@ -1,180 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The families of scenes. All robots start at rest.
+// The rows of the table.
 #include "families.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-
-#include "placement.h"
 
 namespace avo::safety {
 namespace {
-
-// What all rows share; control_time and time_horizon stay what a scenario has by itself.
-Scenario usual_scenario() {
-  Scenario scenario;
-  scenario.time_step = 0.1;
-  scenario.sensing_radius = 15.0;
-  scenario.max_neighbors = 10;
-  scenario.arrival_distance = 0.5;
-  return scenario;
-}
-
-RobotSetup usual_robot(Vec2 position, Vec2 goal, double preferred_speed) {
-  RobotSetup robot;
-  robot.position = position;
-  robot.goal = goal;
-  robot.radius = 0.5;
-  robot.max_speed = 2.0;
-  robot.max_acceleration = 1.0;
-  robot.preferred_speed = preferred_speed;
-  return robot;
-}
-
-constexpr double kSpeed = 1.5;  // m/s, preferred, of all rows but the circles
-
-void add_group(Scenario& scenario, const std::vector<Vec2>& starts,
-               const std::vector<Vec2>& goals) {
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    scenario.robots.push_back(usual_robot(starts[i], goals[i], kSpeed));
-  }
-}
-
-std::vector<Vec2> moved(std::vector<Vec2> points, Vec2 by) {
-  for (Vec2& point : points) point = point + by;
-  return points;
-}
-
-// 99 % are to arrive within 4.5 times the straight way's time; the aim is 3.
-Scene measured_by_straight_time(Scenario scenario) {
-  Scene scene{std::move(scenario)};
-  scene.unit = straight_time(scene.scenario);
-  scene.limit = 4.5;
-  scene.share = 0.99;
-  scene.scenario.duration = scene.limit * scene.unit;
-  return scene;
-}
-
-struct CircleRow {
-  int robots;
-  double target;  // s
-  std::optional<double> control_time = {}, time_horizon = {};
-  double jitter = 0.0;  // m, of starts and goals along each axis
-};
-
-// Circle-N of the paper's §VI-B.
-Scene circle(const CircleRow& row, std::uint64_t seed) {
-  Scene scene{usual_scenario()};
-  Random random(seed, 1);
-  const double radius = std::max(20.0, 2.25 * row.robots / (2.0 * kPi));
-  for (int k = 0; k < row.robots; ++k) {
-    const Vec2 place = radius * circle_point(k, row.robots);
-    const Vec2 start = place + random.in_square(2.0 * row.jitter);
-    const Vec2 goal = random.in_square(2.0 * row.jitter) - place;
-    scene.scenario.robots.push_back(usual_robot(start, goal, 2.0));
-  }
-  if (row.control_time) scene.scenario.control_time = *row.control_time;
-  if (row.time_horizon) scene.scenario.time_horizon = *row.time_horizon;
-  scene.unit = row.target;
-  scene.scenario.duration = 1.5 * row.target;
-  return scene;
-}
-
-// n robots from and to anywhere in a square of 8 m or of 12 % density.
-Scene random_square(int n, std::uint64_t seed) {
-  Scene scene{usual_scenario()};
-  Random random(seed, 2);
-  const double side = std::max(8.0, std::sqrt(n * kPi * 0.25 / 0.12));
-  const std::vector<double> radii(static_cast<std::size_t>(n), 0.5);
-  const std::vector<Vec2> starts = random_places(radii, side, 0.3, random);
-  add_group(scene.scenario, starts, random_places(radii, side, 0.5, random));
-  scene.unit = scene.scenario.duration = 60.0;
-  return scene;
-}
-
-// Two blocks of 10 x 10, 2 m apart, exchange places; 30 m between the blocks' centers.
-Scene swap_blocks(double jitter, std::uint64_t seed) {
-  Scenario scenario = usual_scenario();
-  Random random(seed, 3);
-  for (const double side : {-1.0, 1.0}) {
-    std::vector<Vec2> starts = block({15.0 * side, 0.0}, 10, 10, 2.0);
-    for (Vec2& start : starts) start = start + random.in_square(2.0 * jitter);
-    add_group(scenario, starts, moved(starts, {-30.0 * side, 0.0}));
-  }
-  return measured_by_straight_time(std::move(scenario));
-}
-
-// Blocks of 4 x 4, 2 m apart, their centers 20 m from the crossing, each to the opposite side.
-Scene crossing_streams() {
-  Scenario scenario = usual_scenario();
-  for (const Vec2 from : {Vec2{-20.0, 0.0}, {20.0, 0.0}, {0.0, 20.0}, {0.0, -20.0}}) {
-    const std::vector<Vec2> starts = block(from, 4, 4, 2.0);
-    add_group(scenario, starts, moved(starts, -2.0 * from));
-  }
-  return measured_by_straight_time(std::move(scenario));
-}
-
-// 10 x 10 robots, 2.5 m apart, to each other's places; nobody keeps his own.
-Scene permutation(std::uint64_t seed) {
-  Scenario scenario = usual_scenario();
-  Random random(seed, 4);
-  const std::vector<Vec2> starts = block({}, 10, 10, 2.5);
-  add_group(scenario, starts, dealt_anew(starts, random));
-  return measured_by_straight_time(std::move(scenario));
-}
-
-// 60 unequal robots, 15 % of the square's area, from and to anywhere in it.
-Scene mixed(std::uint64_t seed) {
-  constexpr std::size_t kRobots = 60;
-  Scenario scenario = usual_scenario();
-  Random random(seed, 5);
-  std::vector<double> radii;
-  double area = 0.0;
-  for (std::size_t i = 0; i < kRobots; ++i) radii.push_back(random.between(0.2, 1.5));
-  std::sort(radii.rbegin(), radii.rend());  // the large ones find room first
-  for (const double radius : radii) area += kPi * radius * radius;
-  const double side = std::sqrt(area / 0.15);
-  const std::vector<Vec2> starts = random_places(radii, side, 0.3, random);
-  const std::vector<Vec2> goals = random_places(radii, side, 0.5, random);
-  for (std::size_t i = 0; i < kRobots; ++i) {
-    RobotSetup robot = usual_robot(starts[i], goals[i], 0.0);
-    robot.radius = radii[i];
-    robot.max_acceleration = random.between(0.3, 3.0);
-    robot.max_speed = random.between(1.0, 2.5);
-    robot.preferred_speed = 0.8 * robot.max_speed;
-    scenario.robots.push_back(robot);
-  }
-  scenario.sensing_radius = std::max(scenario.sensing_radius, stopping_range(scenario));
-  return measured_by_straight_time(std::move(scenario));
-}
-
-// 200 unequal robots, all sent to one point, every 5 s to another of five within 4 m.
-Scene crush(bool packed, double robot_steps, std::uint64_t seed) {
-  constexpr std::size_t kRobots = 200;
-  Scene scene{usual_scenario()};
-  Random random(seed, 6);
-  std::vector<double> radii(kRobots, 0.5);
-  if (!packed) {
-    for (double& radius : radii) radius = random.between(0.3, 0.6);
-    std::sort(radii.rbegin(), radii.rend());
-  }
-  // four fifths of the densest packing: a fifth of the area more for each, 0.118 m between them
-  const std::vector<Vec2> starts =
-      packed ? triangular_block(20, 10, std::sqrt(1.25)) : random_places(radii, 22.0, 0.1, random);
-  for (int k = 0; k < 5; ++k) scene.rallies.push_back(random.in_square(8.0));
-  for (std::size_t i = 0; i < kRobots; ++i) {
-    RobotSetup robot = usual_robot(starts[i], scene.rallies[0], kSpeed);
-    robot.radius = radii[i];
-    robot.max_acceleration = random.between(0.3, 3.0);
-    scene.scenario.robots.push_back(robot);
-  }
-  Scenario& scenario = scene.scenario;
-  scenario.sensing_radius = std::max(scenario.sensing_radius, stopping_range(scenario));
-  scenario.duration = std::max(1.0, std::ceil(robot_steps / double(kRobots))) * scenario.time_step;
-  return scene;
-}
 
 Family circle_family(const std::string& name, const std::string& what, const CircleRow& row) {
   const bool seeded = row.jitter > 0.0;
@@ -199,28 +28,6 @@ void add_circles(std::vector<Family>& all) {
 
 }  // namespace
 
-double straight_time(const Scenario& scenario) {
-  double longest = 0.0;
-  for (const RobotSetup& robot : scenario.robots) {
-    const double d = norm(robot.goal - robot.position), a = robot.max_acceleration;
-    const double v = std::min(robot.preferred_speed, robot.max_speed);
-    longest = std::max(longest, d * a >= v * v ? d / v + v / a : 2.0 * std::sqrt(d / a));
-  }
-  return longest;
-}
-
-double stopping_range(const Scenario& scenario) {
-  double first = 0.0, second = 0.0;
-  for (const RobotSetup& robot : scenario.robots) {
-    const double v = robot.max_speed;
-    const double reach =
-        robot.radius + v * scenario.time_step + 0.5 * v * v / robot.max_acceleration;
-    second = std::max(second, std::min(first, reach));
-    first = std::max(first, reach);
-  }
-  return first + second;
-}
-
 std::vector<Family> families(double crush_steps) {
   std::vector<Family> all;
   add_circles(all);
@@ -236,9 +43,15 @@ std::vector<Family> families(double crush_steps) {
                  [](std::uint64_t) { return crossing_streams(); }});
   all.push_back({"permutation", "10 x 10 robots deal their places anew", 10, true, permutation});
   all.push_back({"mixed", "unequal radii, accelerations, speeds", 20, true, mixed});
+  all.push_back({"doorway", "two blocks of 4 x 4 change sides through a gap", 1, false,
+                 [](std::uint64_t) { return doorway(); }});
+  all.push_back(
+      {"movers", "robots among obstacles that keep their velocity", 20, true, among_movers});
   constexpr int kCrushes = 4;
   for (const bool packed : {false, true}) {
-    all.push_back({packed ? "crush-packed" : "crush", "200 unequal robots sent to one point",
+    all.push_back({packed ? "crush-packed" : "crush",
+                   packed ? "the same from four fifths of the densest packing"
+                          : "200 unequal robots sent to one point",
                    kCrushes, true, [packed, crush_steps](std::uint64_t seed) {
                      return crush(packed, crush_steps / kCrushes, seed);
                    }});

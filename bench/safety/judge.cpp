@@ -1,43 +1,91 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a run was safe: what Metrics saw of it.
+// Whether a run was safe: Check's report on the states after every step.
 #include "judge.h"
 
-#include "avo/metrics.h"
+#include <cstdio>
+#include <vector>
+
+#include "avo/check.h"
 
 namespace avo::safety {
+namespace {
+
+// How far the robot may be from the cubic between two states, m. Held accelerations: not at all.
+// Eqs. (8), (9) have x'''' = w e^{-t/δ}/δ³ with |w| <= δ a_max, and a cubic through positions and
+// velocities errs by at most Δt⁴ |x''''|/384.
+double interpolation_error(const PlannerOptions& options, double max_acceleration) {
+  if (options.motion != Motion::exponential || adopts_at_once(options.method)) return 0.0;
+  const double ratio = options.time_step / options.control_time;
+  return ratio * ratio * options.time_step * options.time_step * max_acceleration / 384.0;
+}
+
+Check make_check(const Scenario& scenario) {
+  const PlannerOptions options = planner_options(scenario);
+  std::vector<CheckedRobot> robots;
+  for (const RobotSetup& setup : scenario.robots) {
+    CheckedRobot robot;
+    robot.radius = setup.radius;
+    robot.max_acceleration = setup.max_acceleration;
+    robot.max_speed = setup.max_speed;
+    robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
+    robot.straight = adopts_at_once(options.method);
+    robots.push_back(robot);
+  }
+  std::vector<CheckedObstacle> obstacles;
+  for (const MovingObstacle& each : scenario.moving_obstacles) {
+    obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
+  }
+  return Check(std::move(robots), std::move(obstacles));
+}
+
+void name_first(const char* what, const CheckCount& count, std::string& text) {
+  if (!count.first) return;
+  const CheckViolation& first = *count.first;
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, "%s%lld %s, first robot %lld", text.empty() ? "" : ", ",
+                static_cast<long long>(count.count), what, static_cast<long long>(first.robot));
+  text += buffer;
+  if (first.other) text += " and " + std::to_string(*first.other);
+  std::snprintf(buffer, sizeof buffer, " at %.4g s by %.2g", first.time, first.amount);
+  text += buffer;
+}
+
+}  // namespace
 
 struct Judge::State {
-  Metrics metrics;
-  std::int64_t accelerations = 0, speeds = 0;
+  Check check;
+  std::vector<CheckedState> rows;
 };
 
-Judge::Judge(const Scenario& scenario) : state_(new State{Metrics(scenario)}) {}
+Judge::Judge(const Scenario& scenario) : state_(new State{make_check(scenario), {}}) {}
 Judge::~Judge() = default;
 
 void Judge::observe(const Simulation& simulation) {
-  state_->metrics.observe(simulation);
-  constexpr double kTolerance = 1.0 + 1e-9;
   const FleetView fleet = simulation.fleet();
+  state_->rows.clear();
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    const RobotSetup& setup = fleet.setup[i];
-    if (fleet.applied_acceleration[i] > kTolerance * setup.max_acceleration) {
-      ++state_->accelerations;
-    }
-    if (norm(fleet.velocity[i]) > kTolerance * setup.max_speed) ++state_->speeds;
+    state_->rows.push_back(
+        {static_cast<std::int64_t>(fleet.id[i].value), fleet.position[i], fleet.velocity[i]});
   }
+  state_->check.add(simulation.time(), state_->rows);
 }
 
 Verdict Judge::verdict() const {
-  const RunSummary summary = state_->metrics.summary();
+  const CheckReport report = state_->check.report();
   Verdict verdict;
-  verdict.overlapping_pairs = summary.collision_pairs;
-  verdict.moving_contacts = summary.obstacle_collisions;
-  verdict.acceleration_violations = state_->accelerations;
-  verdict.speed_violations = state_->speeds;
-  verdict.least_clearance = summary.min_clearance;
-  if (summary.first_collision_time) {
-    verdict.first = "first overlap at " + std::to_string(*summary.first_collision_time) + " s";
-  }
+  verdict.overlapping_pairs = report.overlaps.count;
+  verdict.moving_contacts = report.obstacle_contacts_moving.count;
+  verdict.resting_contacts = report.obstacle_contacts_at_rest;
+  verdict.acceleration_violations = report.accelerations.count;
+  verdict.speed_violations = report.speeds.count;
+  verdict.jumps = report.jumps.count;
+  verdict.least_clearance = report.least_clearance;
+  name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
+  name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
+             verdict.violations);
+  name_first("steps above a_max (m/s^2)", report.accelerations, verdict.violations);
+  name_first("states above v_max (m/s)", report.speeds, verdict.violations);
+  name_first("jumps (m)", report.jumps, verdict.violations);
   return verdict;
 }
 

@@ -14,12 +14,15 @@ struct Verdict {
   std::int64_t overlapping_pairs = 0;
   std::int64_t moving_contacts = 0;   ///< robots that touched an obstacle while they moved
   std::int64_t resting_contacts = 0;  ///< robots that an obstacle ran into while they stood
-  std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-rows
-  std::optional<double> least_clearance;                           ///< m
-  std::string first;  ///< the first violation in words, empty where there is none
+  std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-states
+  std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
+  std::optional<double> least_clearance;  ///< m
+  std::string violations;                 ///< in words, empty where there is none
 
   [[nodiscard]] bool safe() const {
-    return overlapping_pairs + moving_contacts + acceleration_violations + speed_violations == 0;
+    return overlapping_pairs + moving_contacts + acceleration_violations + speed_violations +
+               jumps ==
+           0;
   }
 };
 

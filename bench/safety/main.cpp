@@ -76,7 +76,12 @@ class Harness {
     const std::uint64_t seed = options_.first_seed + job.scene;
     Scene scene = row.family.make(seed);
     apply(options_, scene.scenario);
-    Outcome outcome = run_scene(scene, seed, options_.record);
+    Outcome outcome;
+    try {
+      outcome = run_scene(scene, seed, options_.record);
+    } catch (const Error& error) {
+      throw Error(row.family.name + ": " + error.what());
+    }
     const std::lock_guard lock(mutex_);
     row.outcomes[job.scene] = std::move(outcome);
     --row.missing;

@@ -156,6 +156,7 @@ Options parse_options(int count, const char* const* arguments) {
       continue;
     }
     const std::string text = i + 1 < count ? arguments[++i] : "";
+    if (text.empty()) throw UsageError(option + ": found no value, or no such option; see --help");
     if (!take(options, option, text) && !take_setting(options, option, text)) {
       throw UsageError(option + ": found no such option; see --help");
     }

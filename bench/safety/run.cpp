@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <utility>
 
+#include "density.h"
 #include "output.h"
 #include "placement.h"
 
@@ -81,25 +81,6 @@ class StepClock {
 
 }  // namespace
 
-double densest_disc(const FleetView& fleet) {
-  Vec2 centroid;
-  for (const Vec2 p : fleet.position) centroid = centroid + p;
-  centroid = centroid / static_cast<double>(fleet.position.size());
-  std::vector<std::pair<double, double>> robots;  // reach from the centroid, radius²
-  for (std::size_t i = 0; i < fleet.position.size(); ++i) {
-    const double radius = fleet.setup[i].radius;
-    robots.emplace_back(norm(fleet.position[i] - centroid) + radius, radius * radius);
-  }
-  std::sort(robots.begin(), robots.end());
-  double filled = 0.0, densest = 0.0;
-  for (std::size_t k = 0; k < robots.size(); ++k) {
-    const auto [reach, radius_squared] = robots[k];
-    filled += radius_squared;
-    if (4 * (k + 1) >= robots.size()) densest = std::max(densest, filled / (reach * reach));
-  }
-  return densest;
-}
-
 Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record) {
   const Scenario& scenario = scene.scenario;
   const auto robots = scenario.robots.size();
@@ -124,18 +105,17 @@ Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& rec
   const std::int64_t second = std::max<std::int64_t>(1, last_step(scenario, 1.0));
   StepClock clock(second, static_cast<double>(robots));
   const std::int64_t steps = last_step(scenario, scenario.duration);
+  // once all are at rest at their goals nothing more happens, unless something comes by
+  const bool may_end = scene.rallies.empty() && scenario.moving_obstacles.empty();
   while (simulation.steps() < steps) {
     rally(scene, random, simulation);
     clock.step(simulation);
     observe();
     note_decisions(simulation, outcome);
-    if (!scene.rallies.empty()) {
-      if (simulation.steps() % second == 0) {
-        outcome.density = std::max(outcome.density, densest_disc(simulation.fleet()));
-      }
-    } else if (simulation.all_at_goal() && at_rest(simulation)) {
-      break;
+    if (!scene.rallies.empty() && simulation.steps() % second == 0) {
+      outcome.density = std::max(outcome.density, densest_disc(simulation.fleet()));
     }
+    if (may_end && simulation.all_at_goal() && at_rest(simulation)) break;
   }
   outcome.robot_steps = simulation.steps() * static_cast<std::int64_t>(robots);
   outcome.seconds = clock.total();

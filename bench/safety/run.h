@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "families.h"
 #include "judge.h"
+#include "scenes.h"
 
 namespace avo::safety {
 
@@ -31,12 +31,8 @@ struct Outcome {
   double density = 0.0;       ///< see densest_disc, the most
 };
 
-/// Largest part of a disc about the robots' centroid that robots fill, of those that hold at least
-/// a quarter of all robots. The densest packing of equal discs has 0.9069.
-double densest_disc(const FleetView& fleet);
-
-/// On one thread. Ends early where all are at rest at their goals. `record`: path of a CSV file, or
-/// empty. Throws Error on a bad scene, std::runtime_error where it cannot write.
+/// On one thread. Ends early where all are at rest at their goals for good. `record`: path of a CSV
+/// file, or empty. Throws Error on a bad scene, std::runtime_error where it cannot write.
 Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record);
 
 }  // namespace avo::safety

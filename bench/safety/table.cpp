@@ -7,6 +7,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "density.h"
+
 namespace avo::safety {
 namespace {
 
@@ -47,6 +49,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.resting_contacts += verdict.resting_contacts;
   row.acceleration_violations += verdict.acceleration_violations;
   row.speed_violations += verdict.speed_violations;
+  row.jumps += verdict.jumps;
   row.unsafe_scenes += verdict.safe() ? 0 : 1;
   row.certified = row.certified || outcome.planner.certificate != Certificate::none;
   if (verdict.least_clearance) {
@@ -127,7 +130,7 @@ std::string table_lines(const RowResult& row) {
       format("%-18s %6lld %7lld %9lld %6lld %6lld %10s %8s", row.name.c_str(),
              static_cast<long long>(row.scenes), static_cast<long long>(row.robots),
              static_cast<long long>(row.robot_steps), static_cast<long long>(row.overlapping_pairs),
-             static_cast<long long>(row.acceleration_violations + row.speed_violations),
+             static_cast<long long>(row.acceleration_violations + row.speed_violations + row.jumps),
              row.least_clearance ? format("%.4g", 1e3 * *row.least_clearance).c_str() : "-",
              bound_text(row).c_str());
   if (row.has_goals) {
@@ -144,7 +147,7 @@ std::string table_lines(const RowResult& row) {
   if (row.density > 0.0) {
     line +=
         format("  densest: %.1f %% of a disc about the centroid, %.1f %% of the densest packing\n",
-               100.0 * row.density, 100.0 * row.density / 0.9069);
+               100.0 * row.density, 100.0 * row.density / kDensestPacking);
   }
   if (row.moving_contacts + row.resting_contacts > 0) {
     line += format("  obstacles: touched by %lld robots in motion, %lld at rest\n",
@@ -161,7 +164,7 @@ std::string failure_lines(const RowResult& row, const std::vector<Outcome>& outc
   for (const Outcome& outcome : outcomes) {
     if (outcome.verdict.safe() && !is_late(outcome)) continue;
     lines += format("  seed %llu:", static_cast<unsigned long long>(outcome.seed));
-    if (!outcome.verdict.safe()) lines += " " + outcome.verdict.first + ";";
+    if (!outcome.verdict.safe()) lines += " " + outcome.verdict.violations + ";";
     int missing = 0;
     std::string names;
     for (std::size_t i = 0; i < outcome.arrival.size() && outcome.unit > 0.0; ++i) {

@@ -94,6 +94,7 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
       .add("resting_contacts", row.resting_contacts)
       .add("acceleration_violations", row.acceleration_violations)
       .add("speed_violations", row.speed_violations)
+      .add("jumps", row.jumps)
       .add("unsafe_scenes", row.unsafe_scenes)
       .add("unsafe_bound_95",
            row.unsafe_scenes == 0 ? 3.0 / static_cast<double>(row.scenes) : kNever)
