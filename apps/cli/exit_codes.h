@@ -6,8 +6,9 @@
 namespace avo_cli {
 
 inline constexpr int kDone = 0;
+inline constexpr int kUnsafe = 1;     ///< a recording that breaks a rule
 inline constexpr int kUsage = 2;      ///< the command line is wrong
-inline constexpr int kBadScene = 3;   ///< the scene is wrong
+inline constexpr int kBadScene = 3;   ///< the scene or the recording is wrong
 inline constexpr int kFile = 4;       ///< a file cannot be read or written
 inline constexpr int kResources = 5;  ///< no memory, no threads
 inline constexpr int kOurFault = 6;

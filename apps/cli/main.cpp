@@ -22,8 +22,9 @@ namespace {
 
 using Action = std::function<int()>;
 
-void add_scene(CLI::App& verb, SceneArguments& arguments) {
-  verb.add_option("SCENE", arguments.scene, "name of a built-in scene, or a YAML file")->required();
+constexpr const char* kScene = "name of a built-in scene, or a YAML file";
+
+void add_overrides(CLI::App& verb, SceneArguments& arguments) {
   verb.add_option("--set", arguments.overrides,
                   "changes a value of the scene, e.g. robots.0.radius=0.4; may be repeated")
       ->type_name("KEY=VALUE")
@@ -33,6 +34,11 @@ void add_scene(CLI::App& verb, SceneArguments& arguments) {
           [&arguments](const std::string& seed) { arguments.overrides.push_back("seed=" + seed); },
           "the same as --set seed=N")
       ->type_name("N");
+}
+
+void add_scene(CLI::App& verb, SceneArguments& arguments) {
+  verb.add_option("SCENE", arguments.scene, kScene)->required();
+  add_overrides(verb, arguments);
 }
 
 void add_run(CLI::App& app, Action& action) {
@@ -64,6 +70,28 @@ void add_explain(CLI::App& app, Action& action) {
       ->excludes(json);
   verb->footer("Example: avo explain circle-10 --robot 3 --time 4.2 --figure why.svg");
   verb->callback([&action] { action = [] { return explain(arguments); }; });
+}
+
+void add_check(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("check", "judge recorded motion, whoever made it");
+  static CheckArguments arguments;
+  verb->add_option("RECORDING", arguments.recording, "as avo run --record writes it; - is stdin")
+      ->type_name("FILE.csv")
+      ->required();
+  verb->add_option("--scene", arguments.scene.scene, kScene)->type_name("SCENE");
+  add_overrides(*verb, arguments.scene);
+  verb->add_option("--radius", arguments.radius, "of all robots, where there is no scene")
+      ->type_name("M");
+  verb->add_option("--max-acceleration", arguments.max_acceleration, "likewise; inf: no limit")
+      ->type_name("M/S^2");
+  verb->add_option("--max-speed", arguments.max_speed, "likewise; inf: no limit")->type_name("M/S");
+  verb->add_option("--tolerance", arguments.tolerance, "of distances and limits, 1e-9 of them")
+      ->type_name("FRACTION");
+  verb->add_flag("--require-arrival", arguments.require_arrival,
+                 "a robot that never arrives fails");
+  verb->add_flag("--json", arguments.json, "as JSON");
+  verb->footer("Exit code 0: safe, 1: not. Example: avo check out.csv --scene circle-100");
+  verb->callback([&action] { action = [] { return check(arguments); }; });
 }
 
 void add_others(CLI::App& app, Action& action) {
@@ -128,6 +156,7 @@ int parse_and_act(int argc, char** argv) {
   Action action;
   add_run(app, action);
   add_explain(app, action);
+  add_check(app, action);
   add_others(app, action);
   check_words(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {

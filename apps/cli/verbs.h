@@ -35,6 +35,16 @@ struct ExplainArguments {
 };
 int explain(const ExplainArguments& arguments);
 
+struct CheckArguments {
+  std::string recording;  ///< "-": standard input
+  SceneArguments scene;   ///< empty: the three below
+  std::optional<double> radius, max_acceleration, max_speed;
+  double tolerance = 1e-9;
+  bool json = false;
+  bool require_arrival = false;
+};
+int check(const CheckArguments& arguments);
+
 int list_scenes(const std::string& name, bool json);
 int validate_scene(const SceneArguments& arguments);
 int print_schema();

@@ -23,6 +23,9 @@ struct CheckedRobot {
   double interpolation_error = 0.0;
   /// Changes its velocity at once at every row: straight lines are judged instead of cubics.
   bool straight = false;
+  /// A car that holds its curvature and its change of speed from row to row. Besides
+  /// interpolation_error, what the cubic may be off its arc is reckoned from the rows.
+  bool car = false;
 };
 
 /// A disc whose whole motion is known: p + t v + t²/2 a.
@@ -56,12 +59,14 @@ struct CheckCount {
 };
 
 struct CheckReport {
-  std::int64_t robots = 0;      ///< that were ever there
-  std::int64_t rows = 0;        ///< robot-rows
-  std::int64_t steps = 0;       ///< between successive times
-  std::int64_t gaps = 0;        ///< returns of a robot that was missing at some time: not judged
-  double from = 0.0, to = 0.0;  ///< s
-  CheckCount overlaps;          ///< pairs of robots that ever overlapped
+  std::int64_t robots = 0;       ///< that were ever there
+  std::int64_t rows = 0;         ///< robot-rows
+  std::int64_t steps = 0;        ///< between successive times
+  std::int64_t robot_steps = 0;  ///< of robots that are there at both ends: what is judged
+  std::int64_t gaps = 0;         ///< returns of a robot that was missing at some time: not judged
+  double from = 0.0, to = 0.0;   ///< s
+  double interpolation_error = 0.0;     ///< m, the largest of a robot-step
+  CheckCount overlaps;                  ///< pairs of robots that ever overlapped
   CheckCount obstacle_contacts_moving;  ///< pairs: the robot moved itself while they overlapped
   std::int64_t obstacle_contacts_at_rest = 0;  ///< pairs, all others; passive safety allows these
   CheckCount accelerations;                    ///< robot-steps with |Δv|/Δt > a_max
@@ -85,7 +90,7 @@ struct CheckReport {
 
 /// Feed it the rows of one time after the other. Between two rows a robot is judged on the cubic
 /// with their positions and velocities. Pairs overlap where their distance is less than
-/// (r_A + r_B)(1 - relative_tolerance) - interpolation_error_A - interpolation_error_B.
+/// (r_A + r_B)(1 - relative_tolerance) less the interpolation errors of both.
 class Check {
  public:
   /// Throws Error on values out of range.
@@ -98,10 +103,10 @@ class Check {
   /// One more robot, at any time; returns its index. Throws Error on values out of range.
   std::int64_t add_robot(const CheckedRobot& robot);
 
-  /// All rows of one time, by ascending robot; times ascend. Throws Error on anything else, and on
-  /// values that are not finite or beyond 1e12; nothing has changed then. A robot may be missing:
-  /// it is judged over the steps at both ends of which it is there. Throws Error where more pairs
-  /// overlap than anyone wants to know (10 million); of no further use then.
+  /// All rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error on
+  /// anything else, and on values that are not finite or beyond 1e12; nothing has changed then. A
+  /// robot may be missing: it is judged over the steps at both ends of which it is there. Throws
+  /// Error where more pairs overlap than anyone wants to know (10 million); of no further use then.
   void add(double time, std::span<const CheckedState> rows);
   [[nodiscard]] CheckReport report() const;
 

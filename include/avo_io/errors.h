@@ -19,6 +19,12 @@ class OverrideError : public avo::Error {
   using avo::Error::Error;
 };
 
+/// A recording that cannot be used: "file:line: what, found, allowed".
+class RecordingError : public avo::Error {
+ public:
+  using avo::Error::Error;
+};
+
 /// A file that cannot be read or written: name and reason. broken_pipe: its reader went away.
 class FileError : public avo::Error {
  public:

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run leaves behind: a table of all states, and one object of results.
+// What a run leaves behind: a table of all states, and one object of results; and reading the table
+// again, whoever wrote it.
 #pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "avo/check.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
@@ -19,6 +25,35 @@ class CsvRecording {
 
  private:
   OutputFile file_;
+};
+
+/// All rows of one time, by ascending robot.
+struct RecordedTime {
+  double time = 0.0;  ///< s
+  std::vector<avo::CheckedState> rows;
+};
+
+/// Reads what CsvRecording writes, and its like: columns in any order by the names of the first
+/// line, others ignored; times grouped and ascending, robots of one time in any order. Never holds
+/// more than one time.
+class RecordingReader {
+ public:
+  /// "-" is the standard input. `robots`: numbers have to be lower. Throws FileError, and
+  /// RecordingError where the first line does not name the columns.
+  explicit RecordingReader(const std::string& path, std::optional<std::int64_t> robots = {});
+  ~RecordingReader();
+  RecordingReader(const RecordingReader&) = delete;
+  RecordingReader& operator=(const RecordingReader&) = delete;
+
+  /// The next time; false where there is none. Throws FileError or RecordingError, also where the
+  /// recording ends with less than two times.
+  bool next(RecordedTime& moment);
+  /// "file:line" of the last row of the last time.
+  [[nodiscard]] std::string place() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 /// One JSON object, keys in a fixed order; what there is not is null.

@@ -151,8 +151,10 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   }
   judge_arrival(time, row);
   if (mine.at >= 0 && mine.at == times - 1) {
+    ++report.robot_steps;
     judge_limits(robot, mine.row, row, time);
     movers.push_back(judge::robot_mover(robot, mine.row, row, duration));
+    report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
   } else {
     if (mine.at >= 0) ++report.gaps;
     movers.push_back(judge::newcomer(robot, row));

@@ -11,6 +11,9 @@
 namespace avo::judge {
 namespace {
 
+// Speeds and accelerations of a step stay finite.
+constexpr double kShortestStep = 1e-12;  // s
+
 std::string text(double value) {
   char buffer[32];  // the shortest form of a double has at most 24 characters
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
@@ -62,9 +65,9 @@ void require_sound(const CheckOptions& options) {
 
 void require_time(double time, std::optional<double> before) {
   require("time", time, kAnyValue, " s");
-  if (before && !(time > *before))
-    throw Error("time: found " + text(time) + ", must be > " + text(*before) +
-                " s, the time before");
+  if (before && !(time - *before >= kShortestStep))
+    throw Error("time: found " + text(time) + " s, must be at least " + text(kShortestStep) +
+                " s after the time before, " + text(*before) + " s");
 }
 
 // The common case without a string: every row of a recording passes here.

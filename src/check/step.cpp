@@ -15,12 +15,34 @@ RelativePath cubic(Vec2 from, Vec2 from_velocity, Vec2 to, Vec2 to_velocity, dou
   return {{from, from + third * from_velocity, to - third * to_velocity, to}};
 }
 
+// By how much the cubic may be off the arc of a car, m. With speed v, its change a and curvature κ,
+//   p'''' = (3 a² κ - v⁴ κ³) n - 6 a v² κ² e,   e along the heading, n across,
+// and a cubic through positions and velocities errs by at most Δt⁴ |p''''|/384. At rest there is no
+// heading to tell κ from; but |p''| <= a_max, and ∫|K(u, s)| ds of the interpolation's Peano kernel
+// is at most 1/16, at u = 1/2.
+double arc_error(const CheckedState& before, const CheckedState& now, double max_acceleration,
+                 double duration) {
+  const double any = max_acceleration * duration * duration / 16.0;
+  const double from = norm(before.velocity), to = norm(now.velocity);
+  if (!(from > 0.0 && to > 0.0)) return any;
+  const double turn =
+      std::atan2(cross(before.velocity, now.velocity), dot(before.velocity, now.velocity));
+  const double change = std::abs(to - from) * duration;  // a Δt², m
+  const double top = std::max(from, to);
+  const double rate = std::abs(turn) * top / (0.5 * (from + to));  // v κ Δt, rad
+  const double along = 6.0 * change * rate * rate;
+  const double way = top * duration;
+  const double across = 3.0 * change * change * rate / way + way * rate * rate * rate;
+  return std::min(any, (along + across) / 384.0);
+}
+
 }  // namespace
 
 Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                   double duration) {
   Mover mover{before.position, before.velocity,           now.position, now.velocity,
               robot.radius,    robot.interpolation_error, now.robot};
+  if (robot.car) mover.error += arc_error(before, now, robot.max_acceleration, duration);
   if (robot.straight)
     mover.from_velocity = mover.to_velocity = (now.position - before.position) / duration;
   return mover;

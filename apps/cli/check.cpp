@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo check: judges a recording, whoever made it.
+#include "avo/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "avo_io/recording.h"
+#include "avo_io/scene.h"
+#include "check_report.h"
+#include "exit_codes.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+void require_above_zero(const char* option, double value) {
+  if (!(value > 0.0)) throw UsageError(fmt::format("{}: found {}, must be > 0", option, value));
+}
+
+void check_arguments(const CheckArguments& arguments) {
+  const bool scene = !arguments.scene.scene.empty();
+  const std::pair<const char*, const std::optional<double>&> limits[] = {
+      {"--radius", arguments.radius},
+      {"--max-acceleration", arguments.max_acceleration},
+      {"--max-speed", arguments.max_speed}};
+  for (const auto& [option, value] : limits) {
+    if (scene && value)
+      throw UsageError(fmt::format("{}: found besides --scene, must be one or the other", option));
+    if (!scene && !value)
+      throw UsageError(fmt::format(
+          "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
+          "and --max-speed",
+          option));
+    if (value) require_above_zero(option, *value);
+  }
+  if (!scene && !arguments.scene.overrides.empty())
+    throw UsageError("--set: found without --scene, must be with it");
+  if (!scene && arguments.require_arrival)
+    throw UsageError("--require-arrival: found without --scene, must be with it: goals are there");
+  if (!(arguments.tolerance >= 0.0 && arguments.tolerance < 1.0))
+    throw UsageError(
+        fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
+}
+
+// How far the robot may be from the cubic between two rows, m. Held accelerations: not at all.
+// Exponential motion, Eqs. (8), (9), has |x''''| <= a_max/δ², and a cubic through positions and
+// velocities errs by at most Δt⁴ |x''''|/384.
+double interpolation_error(const avo::PlannerOptions& options, double max_acceleration) {
+  if (options.motion == avo::Motion::held || adopts_at_once(options.method)) return 0.0;
+  const double ratio = options.time_step / options.control_time;
+  return ratio * ratio * options.time_step * options.time_step * max_acceleration / 384.0;
+}
+
+/// Feeds the judge; robots of a recording without scene are known when they first come.
+struct Judge {
+  std::optional<avo::Scenario> scenario;
+  avo::CheckedRobot like;  // all robots, without scene
+  std::unordered_map<std::int64_t, std::int64_t> index_of;
+  avo::Check check;
+  Judgement judgement;
+  std::optional<double> last_time;
+
+  explicit Judge(const CheckArguments& arguments);
+  void number_densely(std::vector<avo::CheckedState>& rows);
+  void add(avo_io::RecordedTime& moment);
+};
+
+std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
+  if (arguments.scene.empty()) return std::nullopt;
+  return avo_io::load_scenario(arguments.scene, arguments.overrides);
+}
+
+avo::Check check_of(const std::optional<avo::Scenario>& scenario, double tolerance) {
+  avo::CheckOptions rules{.relative_tolerance = tolerance};
+  if (!scenario) return avo::Check({}, {}, rules);
+  rules.arrival_distance = scenario->arrival_distance;
+  const avo::PlannerOptions options = planner_options(*scenario);
+  std::vector<avo::CheckedRobot> robots;
+  for (const avo::RobotSetup& robot : scenario->robots)
+    robots.push_back({robot.radius, robot.max_acceleration, robot.max_speed, robot.goal,
+                      robot.car ? 0.0 : interpolation_error(options, robot.max_acceleration),
+                      adopts_at_once(options.method) && !robot.car, robot.car.has_value()});
+  std::vector<avo::CheckedObstacle> obstacles;
+  for (const avo::MovingObstacle& each : scenario->moving_obstacles)
+    obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
+  return avo::Check(std::move(robots), std::move(obstacles), rules);
+}
+
+Judge::Judge(const CheckArguments& arguments)
+    : scenario(scenario_of(arguments.scene)), check(check_of(scenario, arguments.tolerance)) {
+  judgement.recording = arguments.recording;
+  judgement.tolerance = arguments.tolerance;
+  judgement.require_arrival = arguments.require_arrival;
+  if (scenario) {
+    judgement.scene = scenario->name;
+    judgement.time_step = scenario->time_step;
+  } else {
+    like = {*arguments.radius, *arguments.max_acceleration, *arguments.max_speed};
+  }
+}
+
+void Judge::number_densely(std::vector<avo::CheckedState>& rows) {
+  for (avo::CheckedState& row : rows) {
+    const auto [place, is_new] = index_of.try_emplace(row.robot, 0);
+    if (is_new) {
+      place->second = check.add_robot(like);
+      judgement.numbers.push_back(row.robot);
+    }
+    row.robot = place->second;
+  }
+  std::sort(rows.begin(), rows.end(),
+            [](const auto& a, const auto& b) { return a.robot < b.robot; });
+}
+
+void Judge::add(avo_io::RecordedTime& moment) {
+  constexpr double kEven = 1e-6;  // of the scene's step
+  if (!scenario)
+    number_densely(moment.rows);
+  else if (last_time &&
+           std::abs(moment.time - *last_time - scenario->time_step) > kEven * scenario->time_step)
+    ++judgement.uneven_steps;
+  last_time = moment.time;
+  check.add(moment.time, moment.rows);
+}
+
+}  // namespace
+
+int check(const CheckArguments& arguments) {
+  check_arguments(arguments);
+  Judge judge(arguments);
+  std::optional<std::int64_t> robots;
+  if (judge.scenario) robots = static_cast<std::int64_t>(judge.scenario->robots.size());
+  avo_io::RecordingReader reader(arguments.recording, robots);
+  avo_io::RecordedTime moment;
+  while (reader.next(moment)) {
+    try {
+      judge.add(moment);
+    } catch (const avo::Error& error) {
+      throw avo_io::RecordingError(reader.place() + ": " + error.what());
+    }
+  }
+  Judgement& judgement = judge.judgement;
+  judgement.report = judge.check.report();
+  if (judgement.report.robot_steps == 0)
+    throw avo_io::RecordingError(reader.place() +
+                                 ": found no robot at two successive times, must be one or more");
+  if (judgement.uneven_steps > 0)
+    warn(
+        {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "
+                     "between their rows, which may not be the path",
+                     judgement.uneven_steps, judgement.report.steps, *judgement.time_step)});
+  print(arguments.json ? to_json(judgement) : readable(judgement));
+  return judgement.passed() ? kDone : kUnsafe;
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// What avo check says.
+#include "check_report.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "avo/version.h"
+
+namespace avo_cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+std::int64_t number_of(const Judgement& judgement, std::int64_t index) {
+  return judgement.numbers.empty() ? index : judgement.numbers[static_cast<std::size_t>(index)];
+}
+
+enum class Among { robots, obstacles };
+
+/// The violation by the numbers of the recording, the lower one of two robots first.
+avo::CheckViolation by_number(const Judgement& judgement, avo::CheckViolation violation,
+                              Among others) {
+  violation.robot = number_of(judgement, violation.robot);
+  if (!violation.other || others == Among::obstacles) return violation;
+  violation.other = number_of(judgement, *violation.other);
+  if (*violation.other < violation.robot) std::swap(violation.robot, *violation.other);
+  return violation;
+}
+
+Json to_json(const Judgement& judgement, const avo::CheckCount& rule, const char* other,
+             Among others = Among::robots) {
+  Json first;
+  if (rule.first) {
+    const avo::CheckViolation violation = by_number(judgement, *rule.first, others);
+    first["time"] = violation.time;
+    first["robot"] = violation.robot;
+    if (other != nullptr) first[other] = or_null(violation.other);
+    first["amount"] = violation.amount;
+  }
+  return {{"count", rule.count}, {"worst", rule.worst}, {"first", first}};
+}
+
+/// "3 pairs, the first at 1.5 s: robots 0 and 1, by 0.01 m; at most by 0.2 m".
+std::string text_of(const Judgement& judgement, const avo::CheckCount& rule, const char* things,
+                    const char* unit, Among others = Among::robots) {
+  std::string text = fmt::format("{} {}", rule.count, things);
+  if (!rule.first) return text;
+  const avo::CheckViolation first = by_number(judgement, *rule.first, others);
+  text += fmt::format(", the first at {:.6g} s: ", first.time);
+  if (!first.other)
+    text += fmt::format("robot {}", first.robot);
+  else if (others == Among::obstacles)
+    text += fmt::format("robot {} and moving obstacle {}", first.robot, *first.other);
+  else
+    text += fmt::format("robots {} and {}", first.robot, *first.other);
+  text += fmt::format(", by {:.3g} {}", first.amount, unit);
+  if (rule.worst > first.amount) text += fmt::format("; at most by {:.3g} {}", rule.worst, unit);
+  return text;
+}
+
+std::string arrivals(const avo::CheckReport& report) {
+  std::string text = fmt::format("{} of {}", report.arrived, report.with_goal);
+  if (report.last_arrival) text += fmt::format(", the last after {:.1f} s", *report.last_arrival);
+  text += fmt::format("; {} at the end", report.at_goal_at_end);
+  constexpr std::size_t kMostNamed = 10;
+  const auto& missing = report.not_arrived;
+  if (missing.empty()) return text;
+  const auto named = static_cast<std::ptrdiff_t>(std::min(missing.size(), kMostNamed));
+  text += fmt::format("; not robot {}", fmt::join(missing.begin(), missing.begin() + named, ", "));
+  return missing.size() > kMostNamed ? text + ", ..." : text;
+}
+
+}  // namespace
+
+std::string readable(const Judgement& judgement) {
+  const avo::CheckReport& report = judgement.report;
+  std::string text =
+      fmt::format("{}: {} robots, {} steps from {:.6g} s to {:.6g} s: {}\n", judgement.recording,
+                  report.robots, report.steps, report.from, report.to,
+                  !report.safe()       ? "unsafe"
+                  : judgement.passed() ? "safe"
+                                       : "safe, but not all arrived");
+  const auto line = [&text](const char* name, const std::string& value) {
+    text += fmt::format("  {:<18} {}\n", name, value);
+  };
+  line("overlaps", text_of(judgement, report.overlaps, "pairs of robots", "m"));
+  if (judgement.scene)
+    line("moving obstacles",
+         text_of(judgement, report.obstacle_contacts_moving, "hit by a robot in motion", "m",
+                 Among::obstacles) +
+             fmt::format("; {} hit a robot at rest", report.obstacle_contacts_at_rest));
+  line("acceleration",
+       text_of(judgement, report.accelerations, "robot-steps beyond the limit", "m/s^2") +
+           fmt::format("; largest {:.6g} m/s^2", report.largest_acceleration));
+  line("speed", text_of(judgement, report.speeds, "rows beyond the limit", "m/s") +
+                    fmt::format("; largest {:.6g} m/s", report.largest_speed));
+  line("jumps", text_of(judgement, report.jumps, "robot-steps off their velocities", "m"));
+  line("least clearance",
+       report.least_clearance ? fmt::format("{:.3g} m", *report.least_clearance) : "-");
+  if (report.with_goal > 0) line("arrived", arrivals(report));
+  if (report.interpolation_error > 0.0)
+    line("paths known to", fmt::format("{:.3g} m", report.interpolation_error));
+  if (report.gaps > 0)
+    line("gaps", fmt::format("{} in the rows of a robot, not judged", report.gaps));
+  return text;
+}
+
+std::string to_json(const Judgement& judgement) {
+  const avo::CheckReport& report = judgement.report;
+  Json json;
+  json["recording"] = judgement.recording;
+  json["scene"] = or_null(judgement.scene);
+  json["passed"] = judgement.passed();
+  json["safe"] = report.safe();
+  json["robots"] = report.robots;
+  json["rows"] = report.rows;
+  json["steps"] = report.steps;
+  json["robot_steps"] = report.robot_steps;
+  json["gaps"] = report.gaps;
+  json["from"] = report.from;
+  json["to"] = report.to;
+  json["overlaps"] = to_json(judgement, report.overlaps, "other");
+  json["obstacle_contacts_moving"] =
+      to_json(judgement, report.obstacle_contacts_moving, "obstacle", Among::obstacles);
+  json["obstacle_contacts_at_rest"] = report.obstacle_contacts_at_rest;
+  json["accelerations"] = to_json(judgement, report.accelerations, nullptr);
+  json["speeds"] = to_json(judgement, report.speeds, nullptr);
+  json["jumps"] = to_json(judgement, report.jumps, nullptr);
+  json["least_clearance"] = or_null(report.least_clearance);
+  json["largest_acceleration"] = report.largest_acceleration;
+  json["largest_speed"] = report.largest_speed;
+  json["with_goal"] = report.with_goal;
+  json["arrived"] = report.arrived;
+  json["at_goal_at_end"] = report.at_goal_at_end;
+  json["last_arrival"] = or_null(report.last_arrival);
+  json["not_arrived"] = report.not_arrived;
+  json["tolerance"] = judgement.tolerance;
+  json["interpolation_error"] = report.interpolation_error;
+  json["uneven_steps"] = judgement.scene ? Json(judgement.uneven_steps) : Json();
+  json["version"] = avo::kVersion;
+  // names of files need not be UTF-8
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What avo check says.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "avo/check.h"
+
+namespace avo_cli {
+
+struct Judgement {
+  avo::CheckReport report;
+  std::string recording;
+  std::optional<std::string> scene;
+  std::optional<double> time_step;    ///< s, of the scene
+  std::vector<std::int64_t> numbers;  ///< of the robots by index; empty: their indices
+  double tolerance = 0.0;
+  std::int64_t uneven_steps = 0;  ///< not time_step long
+  bool require_arrival = false;
+
+  [[nodiscard]] bool passed() const {
+    return report.safe() && (!require_arrival || report.arrived == report.with_goal);
+  }
+};
+
+/// A short table.
+std::string readable(const Judgement& judgement);
+/// One JSON object, keys in a fixed order; what there is not is null.
+std::string to_json(const Judgement& judgement);
+
+}  // namespace avo_cli

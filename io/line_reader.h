@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines of a file of any length, one after the other.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace avo_io {
+
+class LineReader {
+ public:
+  /// "-" is the standard input. Throws FileError.
+  explicit LineReader(const std::string& path);
+  ~LineReader();
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+  /// The next line without its end (LF or CR LF), valid until the next call; none at the end.
+  /// Throws FileError, and RecordingError for lines longer than any that is meant.
+  std::optional<std::string_view> next();
+  /// Of the line last returned, from 1.
+  [[nodiscard]] std::int64_t number() const { return number_; }
+  /// What messages call the file.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  bool fill();
+
+  std::string name_;
+  int descriptor_ = -1;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0, end_ = 0;  // what is read and not yet returned
+  std::int64_t number_ = 0;
+};
+
+}  // namespace avo_io

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings read again, one time after the other.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <limits>
+#include <string_view>
+#include <system_error>
+
+#include "avo_io/errors.h"
+#include "avo_io/recording.h"
+#include "core/ranges.h"
+#include "line_reader.h"
+#include "words.h"
+
+namespace avo_io {
+namespace {
+
+constexpr std::array<std::string_view, 6> kColumns{"time", "robot", "x", "y", "vx", "vy"};
+enum Column : std::size_t { time_column, robot_column, x_column, y_column, vx_column, vy_column };
+
+/// One line; `line` is its number.
+struct Row {
+  double time = 0.0;
+  avo::CheckedState state;
+  std::int64_t line = 0;
+};
+
+/// Without the blanks around it, and the quotes around that.
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+    text = text.substr(1, text.size() - 2);
+  return text;
+}
+
+void split(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
+  while (true) {
+    const std::size_t comma = line.find(',');
+    fields.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// A number in any range, infinities and NaN too; what is too small for a double is zero.
+std::optional<double> parsed(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    const std::size_t exponent = text.find_first_of("eE");
+    const bool small = exponent != std::string_view::npos && text.substr(exponent + 1)[0] == '-';
+    return small ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+/// A non-negative integer, also one that is written as 3.0.
+std::optional<std::int64_t> robot_number(std::string_view text) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size())
+    return number >= 0 ? std::optional(number) : std::nullopt;
+  const std::optional<double> value = parsed(text);
+  constexpr double kExact = 0x1p53;
+  if (!value || !(*value >= 0.0 && *value < kExact) || std::floor(*value) != *value)
+    return std::nullopt;
+  return static_cast<std::int64_t>(*value);
+}
+
+}  // namespace
+
+struct RecordingReader::State {
+  LineReader lines;
+  std::optional<std::int64_t> robots;
+  std::vector<std::string_view> fields;
+  std::size_t columns = 0;             // in the first line
+  std::array<std::size_t, 6> at = {};  // where kColumns are
+  std::optional<Row> pending;          // the first row of the next time
+  std::vector<Row> group;
+  std::int64_t times = 0, last_line = 0;
+
+  State(const std::string& path, std::optional<std::int64_t> most) : lines(path), robots(most) {}
+
+  [[noreturn]] void refuse(std::int64_t line, const std::string& what) const {
+    throw RecordingError(fmt::format("{}:{}: {}", lines.name(), line, what));
+  }
+  void read_header();
+  std::size_t find_column(std::string_view name) const;
+  double number(Column column) const;
+  std::optional<Row> read_row();
+  void read_group();
+  void sort_group();
+};
+
+// Where the column is in the first line, whose fields these are.
+std::size_t RecordingReader::State::find_column(std::string_view name) const {
+  const auto is_name = [name](std::string_view field) { return field == name; };
+  const auto found = std::find_if(fields.begin(), fields.end(), is_name);
+  const std::string allowed = fmt::format("the first line must name {}", fmt::join(kColumns, ", "));
+  if (found == fields.end()) {
+    std::vector<std::string_view> others;
+    for (const std::string_view field : fields)
+      if (std::find(kColumns.begin(), kColumns.end(), field) == kColumns.end())
+        others.push_back(field);
+    const auto meant = nearest(name, others);
+    refuse(1, fmt::format("found no column \"{}\", {}{}", name, allowed,
+                          meant ? fmt::format("; is {} meant?", in_quotes(*meant)) : ""));
+  }
+  if (std::count_if(fields.begin(), fields.end(), is_name) > 1)
+    refuse(1, fmt::format("found column \"{}\" more than once, {}", name, allowed));
+  return static_cast<std::size_t>(found - fields.begin());
+}
+
+void RecordingReader::State::read_header() {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::optional<std::string_view> line = lines.next();
+  if (!line)
+    refuse(1, fmt::format("found nothing, the first line must name {}", fmt::join(kColumns, ", ")));
+  if (line->starts_with(kByteOrderMark)) line->remove_prefix(kByteOrderMark.size());
+  split(*line, fields);
+  columns = fields.size();
+  for (std::size_t k = 0; k < kColumns.size(); ++k) at[k] = find_column(kColumns[k]);
+}
+
+double RecordingReader::State::number(Column column) const {
+  const std::string_view text = fields[at[column]];
+  const std::optional<double> value = parsed(text);
+  if (value && avo::kAnyValue.contains(*value)) return *value;
+  const bool large = value && !std::isnan(*value) && text.find_first_of("0123456789") < text.size();
+  refuse(lines.number(), fmt::format("{}: found {}, must be {}", kColumns[column], in_quotes(text),
+                                     large ? fmt::format("from -{0:g} to {0:g}", avo::kLargest)
+                                           : "a finite number"));
+}
+
+// None at the end of the file.
+std::optional<Row> RecordingReader::State::read_row() {
+  std::optional<std::string_view> line = lines.next();
+  while (line && line->empty()) line = lines.next();
+  if (!line) return std::nullopt;
+  split(*line, fields);
+  if (fields.size() != columns)
+    refuse(lines.number(), fmt::format("found {} columns, must be {} as in the first line",
+                                       fields.size(), columns));
+  Row row;
+  row.line = lines.number();
+  row.time = number(time_column);
+  const std::string_view name = fields[at[robot_column]];
+  const std::optional<std::int64_t> robot = robot_number(name);
+  if (!robot)
+    refuse(row.line, fmt::format("robot: found {}, must be an integer >= 0", in_quotes(name)));
+  if (robots && *robot >= *robots)
+    refuse(row.line, fmt::format("robot: found {}, must be 0 to {}, the robots of the scene",
+                                 *robot, *robots - 1));
+  row.state = {
+      *robot, {number(x_column), number(y_column)}, {number(vx_column), number(vy_column)}};
+  return row;
+}
+
+// By ascending robot, each once.
+void RecordingReader::State::sort_group() {
+  const auto lower = [](const Row& a, const Row& b) { return a.state.robot < b.state.robot; };
+  if (!std::is_sorted(group.begin(), group.end(), lower))
+    std::stable_sort(group.begin(), group.end(), lower);
+  const auto twice = std::adjacent_find(group.begin(), group.end(), [](const Row& a, const Row& b) {
+    return a.state.robot == b.state.robot;
+  });
+  if (twice == group.end()) return;
+  const Row &first = twice[0], &second = twice[1];
+  refuse(second.line, fmt::format("robot: found {} again at {} s, must be once a time (line {})",
+                                  second.state.robot, second.time, first.line));
+}
+
+void RecordingReader::State::read_group() {
+  group.clear();
+  std::optional<Row> row = pending ? pending : read_row();
+  pending.reset();
+  for (; row; row = read_row()) {
+    if (!group.empty() && row->time != group[0].time) {
+      if (row->time < group[0].time)
+        refuse(row->line, fmt::format("time: found {} s, must be >= {} s, the time before",
+                                      row->time, group[0].time));
+      pending = row;
+      break;
+    }
+    if (static_cast<std::int64_t>(group.size()) >= avo::kMostRobots)
+      refuse(row->line, fmt::format("found more than {} robots at {} s, the most there can be",
+                                    avo::kMostRobots, row->time));
+    group.push_back(*row);
+  }
+  if (group.empty()) return;
+  last_line = group.back().line;
+  sort_group();
+}
+
+RecordingReader::RecordingReader(const std::string& path, std::optional<std::int64_t> robots)
+    : state_(std::make_unique<State>(path, robots)) {
+  state_->read_header();
+}
+RecordingReader::~RecordingReader() = default;
+
+bool RecordingReader::next(RecordedTime& moment) {
+  State& state = *state_;
+  state.read_group();
+  moment.rows.clear();
+  if (state.group.empty()) {
+    if (state.times > 1) return false;
+    state.refuse(state.lines.number(),
+                 fmt::format("found rows of {} time{}, must be of two or more",
+                             state.times == 0 ? "no" : "one", state.times == 0 ? "" : " only"));
+  }
+  moment.time = state.group[0].time;
+  for (const Row& row : state.group) moment.rows.push_back(row.state);
+  ++state.times;
+  return true;
+}
+
+std::string RecordingReader::place() const {
+  return fmt::format("{}:{}", state_->lines.name(), state_->last_line);
+}
+
+}  // namespace avo_io
