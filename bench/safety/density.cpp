@@ -40,6 +40,7 @@ double densest_disc(const FleetView& fleet) {
   double densest = 0.0;
   for (std::size_t k = count / 4; k < count; ++k) {
     const double reach = reaches[k];
+    if (!(reach > 0.0)) continue;
     double covered = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       covered += common_area(distance[i], fleet.setup[i].radius, reach);

@@ -134,9 +134,27 @@ const char* usage() {
   --motion NAME       held, exponential
   --control-time S    delta, where the row does not name its own
   --time-horizon S    tau, likewise
-  --threads N         scenes at a time, default: as many as the machine has; results are the same
+  --threads N         scenes at a time, default: as many as the machine has; times alone depend on it
   --json FILE         one JSON object a row
   --record FILE       of a single scene: CSV with time,robot,x,y,vx,vy
+
+Columns, over all scenes of a row:
+  robots, steps       robots; robot-steps
+  pairs               of robots that ever overlapped, in continuous time
+  a or v              robot-steps above a_max, or whose positions do not follow their velocities;
+                      states above v_max
+  clear mm            least distance of two robots, less their radii
+  unsafe              scenes with any of it, or with an obstacle touched by a robot in motion; where
+                      there are none, the rate that 95 % confidence leaves (three by the scenes)
+  arrive%, at end%    robots that were ever within 0.5 m of their goal; that were at the end
+  last s, 99% s       until all, until 99 % had arrived
+  ratio, 99%          the same by the row's own time: the target of circles (aim 1), 60 s of random
+                      squares and movers (aim 1), of the others the longest straight way's time (aim
+                      3, at most 4.5)
+  late                scenes where too few arrived in time: all by the target or 60 s, or 99 % by 4.5
+                      straight ways
+  us, worst           CPU microseconds of Simulation::step a robot-step: mean, and mean of the worst
+                      second; includes about 0.3 us a step for reading the clock
 
 Exit status: 0; 1 where anything unsafe happened under a certificate; 2 usage; 3 scene; 4 output.
 )";

@@ -70,7 +70,7 @@ std::string bound_text(const RowResult& row) {
   if (row.unsafe_scenes > 0) {
     return format("%lld unsafe", static_cast<long long>(row.unsafe_scenes));
   }
-  if (row.scenes < 3) return "0 unsafe";
+  if (row.scenes <= 3) return "0 unsafe";
   return format("< %.2g %%", 300.0 / static_cast<double>(row.scenes));
 }
 

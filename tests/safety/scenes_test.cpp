@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scenes are what they say: who stands where, how long the straight way takes, how dense it is.
+#include "scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+#include <utility>
+
+#include "avo/simulation.h"
+#include "density.h"
+#include "families.h"
+#include "placement.h"
+
+namespace avo::safety {
+namespace {
+
+double nearest_pair(const std::vector<Vec2>& points) {
+  double nearest = 1e9;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, norm(points[i] - points[j]));
+  }
+  return nearest;
+}
+
+RobotSetup robot_at(Vec2 position, double radius) {
+  RobotSetup robot;
+  robot.position = robot.goal = position;
+  robot.radius = radius;
+  return robot;
+}
+
+TEST(Families, have_names_of_their_own_and_start_clear_and_at_rest) {
+  std::set<std::string> names;
+  for (const Family& family : families(1e4)) {
+    EXPECT_TRUE(names.insert(family.name).second) << family.name;
+    const Scenario scenario = family.make(3).scenario;
+    EXPECT_NO_THROW(validate(scenario)) << family.name;
+    const auto& robots = scenario.robots;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      EXPECT_EQ(robots[i].velocity, Vec2{}) << family.name;
+      for (std::size_t j = 0; j < i; ++j) {
+        const double gap =
+            norm(robots[i].position - robots[j].position) - robots[i].radius - robots[j].radius;
+        EXPECT_GT(gap, 0.09) << family.name << " " << i << " " << j;
+      }
+      for (const MovingObstacle& obstacle : scenario.moving_obstacles) {
+        EXPECT_GT(norm(robots[i].position - obstacle.position), robots[i].radius + obstacle.radius);
+      }
+    }
+  }
+}
+
+TEST(Families, seeds_decide_where_they_say_so) {
+  for (const Family& family : families(1e4)) {
+    const auto start = [&](std::uint64_t seed) {
+      const RobotSetup robot = family.make(seed).scenario.robots[1];
+      return std::pair(robot.position, robot.goal);
+    };
+    EXPECT_TRUE(start(1) == start(1)) << family.name;
+    EXPECT_EQ(start(1) != start(2), family.seeded) << family.name;
+  }
+}
+
+TEST(Families, random_squares_have_the_density_asked_for) {
+  const Scenario scenario = random_square(60, 1).scenario;
+  double extent = 0.0;
+  std::vector<Vec2> starts, goals;
+  for (const RobotSetup& robot : scenario.robots) {
+    extent = std::max({extent, std::abs(robot.position.x), std::abs(robot.position.y)});
+    starts.push_back(robot.position);
+    goals.push_back(robot.goal);
+  }
+  EXPECT_NEAR(extent, 0.5 * std::sqrt(60.0 * kPi * 0.25 / 0.12), 0.5);
+  EXPECT_GE(nearest_pair(starts), 1.3);
+  EXPECT_GE(nearest_pair(goals), 1.5);
+}
+
+TEST(Families, unequal_robots_are_unequal) {
+  for (const Scenario& scenario : {mixed(1).scenario, crush(false, 1e3, 1).scenario}) {
+    const auto [weak, strong] = std::minmax_element(
+        scenario.robots.begin(), scenario.robots.end(),
+        [](const auto& a, const auto& b) { return a.max_acceleration < b.max_acceleration; });
+    EXPECT_LT(weak->max_acceleration, 0.5);
+    EXPECT_GT(strong->max_acceleration, 2.8);
+    const auto [small, large] =
+        std::minmax_element(scenario.robots.begin(), scenario.robots.end(),
+                            [](const auto& a, const auto& b) { return a.radius < b.radius; });
+    EXPECT_GT(large->radius, 1.9 * small->radius);
+  }
+}
+
+TEST(Families, unequal_robots_see_as_far_as_they_need) {
+  double most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const Scenario& scenario : {mixed(seed).scenario, crush(false, 1e3, seed).scenario}) {
+      EXPECT_GE(scenario.sensing_radius, stopping_range(scenario));
+      most = std::max(most, scenario.sensing_radius);
+    }
+  }
+  EXPECT_GT(most, 15.0);  // the others' radius would not do
+}
+
+TEST(Placement, permutations_leave_nobody_in_place) {
+  Random random(1, 1);
+  for (int n = 2; n < 40; ++n) {
+    const std::vector<Vec2> points = block({}, n, 1, 1.0);
+    const std::vector<Vec2> dealt = dealt_anew(points, random);
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_FALSE(points[i] == dealt[i]);
+    EXPECT_EQ(nearest_pair(dealt), 1.0);
+  }
+}
+
+TEST(Placement, circle_points_are_on_the_circle_in_order) {
+  for (const int n : {2, 7, 8, 100, 1000}) {
+    for (int k = 0; k < n; ++k) {
+      const Vec2 point = circle_point(k, n);
+      EXPECT_NEAR(point.x, std::cos(2.0 * kPi * k / n), 1e-15);
+      EXPECT_NEAR(point.y, std::sin(2.0 * kPi * k / n), 1e-15);
+    }
+  }
+}
+
+TEST(StraightTime, is_that_of_the_slowest_from_rest_to_rest) {
+  Scenario scenario;
+  scenario.robots.push_back(usual_robot({}, {30.0, 0.0}, 1.5));
+  EXPECT_DOUBLE_EQ(straight_time(scenario), 21.5);  // 20 s on the way, 1.5 s to start and stop
+  scenario.robots[0].goal = {0.0, 0.25};            // too short for 1.5 m/s
+  EXPECT_DOUBLE_EQ(straight_time(scenario), 1.0);
+}
+
+TEST(StoppingRange, is_of_the_two_that_need_most) {
+  Scenario scenario;
+  for (const double a : {1.0, 4.0, 2.0}) {
+    scenario.robots.push_back(usual_robot({}, {}, 1.5));
+    scenario.robots.back().max_acceleration = a;
+  }
+  EXPECT_DOUBLE_EQ(stopping_range(scenario), (0.5 + 0.2 + 2.0) + (0.5 + 0.2 + 1.0));
+}
+
+TEST(Density, of_the_densest_arrangement_is_that_of_the_densest_packing) {
+  Scenario scenario;
+  for (const Vec2 p : triangular_block(41, 47, 1.0)) scenario.robots.push_back(robot_at(p, 0.5));
+  const double dense = densest_disc(Simulation(scenario, 1).fleet());
+  EXPECT_GT(dense, kDensestPacking - 0.001);
+  EXPECT_LT(dense, kDensestPacking + 0.01);
+}
+
+TEST(Density, counts_parts_of_robots) {
+  // the disc about 0 that reaches the centers of the outer two, r = 1: of each it holds less than
+  // half, and all of the middle one
+  Scenario scenario;
+  for (const double x : {-1.0, 0.0, 1.0}) scenario.robots.push_back(robot_at({x, 0.0}, 0.25));
+  const double c = 0.125, a = std::acos(c), b = std::acos(1.0 - 0.5 * 0.0625);
+  const double lens = 0.0625 * a + b - 0.5 * std::sqrt(0.0625 * (4.0 - 0.0625));
+  const double two = (0.0625 * kPi + 2.0 * lens) / kPi;
+  EXPECT_NEAR(densest_disc(Simulation(scenario, 1).fleet()), two, 1e-12);
+}
+
+TEST(Density, is_that_of_a_quarter_of_the_robots_or_more) {
+  Scenario scenario;
+  for (const double x : {-9.0, -5.0, -2.0, -1.0, 1.0, 2.0, 5.0, 9.0}) {
+    scenario.robots.push_back(robot_at({x, 0.0}, 0.25));
+  }
+  // within 2 m: two and nearly two halves; within 1 m it would be 0.06, within 5 m 0.01
+  EXPECT_NEAR(densest_disc(Simulation(scenario, 1).fleet()), 3.0 * 0.0625 / 4.0, 0.003);
+}
+
+}  // namespace
+}  // namespace avo::safety
