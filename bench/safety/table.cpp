@@ -126,11 +126,12 @@ std::string table_header() {
 }
 
 std::string table_lines(const RowResult& row) {
+  const std::int64_t limits = row.acceleration_violations + row.speed_violations + row.jumps;
   std::string line =
       format("%-18s %6lld %7lld %9lld %6lld %6lld %10s %8s", row.name.c_str(),
              static_cast<long long>(row.scenes), static_cast<long long>(row.robots),
              static_cast<long long>(row.robot_steps), static_cast<long long>(row.overlapping_pairs),
-             static_cast<long long>(row.acceleration_violations + row.speed_violations + row.jumps),
+             static_cast<long long>(limits),
              row.least_clearance ? format("%.4g", 1e3 * *row.least_clearance).c_str() : "-",
              bound_text(row).c_str());
   if (row.has_goals) {
