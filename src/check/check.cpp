@@ -85,6 +85,10 @@ struct Check::State {
   double overlap_distance(const Mover& a, const Mover& b) const {
     return (a.radius + b.radius) * (1.0 - options.relative_tolerance) - a.error - b.error;
   }
+  // The time of a fraction of the present step, for this pair, s.
+  double instant(const Mover& a, const Mover& b, double fraction) const {
+    return last_time + (judge::end_only(a, b) ? 1.0 : fraction) * duration;
+  }
   // No pair farther apart than this tells anything new, m.
   double reach() const { return std::max(report.least_clearance.value_or(unmet()), 0.0); }
   double unmet() const { return robots.size() > 1 ? kInfinity : 0.0; }
@@ -177,7 +181,7 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
   CheckViolation overlap{last_time, a.index, b.index, limit - nearest.distance};
   report.overlaps.worst = std::max(report.overlaps.worst, overlap.amount);
   if (report.overlaps.first && report.overlaps.first->time < last_time) return;
-  overlap.time += judge::first_below(path, limit).value_or(nearest.fraction) * duration;
+  overlap.time = instant(a, b, judge::first_below(path, limit).value_or(nearest.fraction));
   note(report.overlaps, overlap);
 }
 
@@ -203,7 +207,7 @@ void Check::State::judge_contact(const Mover& robot, const Mover& obstacle,
   if (!(judge::speed_bound(robot, first, last, duration) > at_rest)) return;
   insert(moving_contacts, pair);
   note(report.obstacle_contacts_moving,
-       {last_time + first * duration, robot.index, obstacle.index, amount});
+       {instant(robot, obstacle, first), robot.index, obstacle.index, amount});
 }
 
 void Check::State::meet(std::size_t first, std::size_t second) {

@@ -76,7 +76,7 @@ RelativePath path_of(const Mover& mover, double duration) {
 
 RelativePath relative_path(const Mover& a, const Mover& b, double duration) {
   const Vec2 to = a.to - b.to;
-  if (a.newcomer || b.newcomer) return {{to, to, to, to}};
+  if (end_only(a, b)) return {{to, to, to, to}};
   return cubic(a.from - b.from, a.from_velocity - b.from_velocity, to,
                a.to_velocity - b.to_velocity, duration);
 }

@@ -27,7 +27,11 @@ Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double
 
 /// The path of one mover, m.
 RelativePath path_of(const Mover& mover, double duration);
-/// Where one of the two is a newcomer, the end of the step is all there is.
+/// Are the two there at the end of the step only?
+inline bool end_only(const Mover& a, const Mover& b) {
+  return a.newcomer || b.newcomer;
+}
+/// Where it is end_only, all the path is there.
 RelativePath relative_path(const Mover& a, const Mover& b, double duration);
 
 /// Holds the mover's disc at all times of the step.

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Moving obstacles: contacts in motion and at rest.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "unit/check/recordings.h"
+
+namespace avo {
+namespace {
+
+using test::free_robot;
+using test::Moment;
+using test::report_of;
+
+// A robot at rest in the origin at the times 0, 1, ...
+std::vector<Moment> resting(int steps) {
+  std::vector<Moment> recording;
+  for (int k = 0; k <= steps; ++k) recording.push_back({1.0 * k, {{0, {0, 0}, {0, 0}}}});
+  return recording;
+}
+
+TEST(CheckObstacles, a_robot_at_rest_may_be_hit) {
+  const CheckReport report =
+      report_of({free_robot()}, resting(8), {{.position = {-5, 0}, .velocity = {1, 0}}});
+  EXPECT_EQ(report.obstacle_contacts_at_rest, 1);
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 0);
+  EXPECT_TRUE(report.safe());
+  EXPECT_EQ(report.least_clearance, std::nullopt) << "of robots only";
+}
+
+// x = -8 + t²/2 comes within 1 m at t = sqrt(14): in the fourth step, by the clock of the scene.
+TEST(CheckObstacles, a_robot_in_motion_may_not) {
+  std::vector<Moment> recording;
+  for (int k = 2; k <= 6; ++k) recording.push_back({1.0 * k, {{0, {0, 0.001 * k}, {0, 0.001}}}});
+  const CheckReport report =
+      report_of({free_robot()}, recording, {{.position = {-8, 0}, .acceleration = {1, 0}}});
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
+  EXPECT_EQ(report.obstacle_contacts_at_rest, 0);
+  ASSERT_TRUE(report.obstacle_contacts_moving.first.has_value());
+  EXPECT_NEAR(report.obstacle_contacts_moving.first->time, std::sqrt(14.0), 1e-5);
+  EXPECT_EQ(report.obstacle_contacts_moving.first->robot, 0);
+  EXPECT_EQ(report.obstacle_contacts_moving.first->other, 0);
+  EXPECT_FALSE(report.safe());
+}
+
+// It brakes at 1 m/s^2 and rests from 1 s on; the obstacle arrives after that, or a bit before.
+TEST(CheckObstacles, braking_in_time_is_rest) {
+  const std::vector<Moment> recording{
+      {0.0, {{0, {0, 0}, {1, 0}}}}, {1.0, {{0, {0.5, 0}, {0, 0}}}}, {2.0, {{0, {0.5, 0}, {0, 0}}}}};
+  // touches x = 1 at 1 s, or 1e-6 s before
+  const auto hit = [&](double position) {
+    return report_of({free_robot()}, recording,
+                     {{.position = {position, 0}, .velocity = {-10, 0}}});
+  };
+  EXPECT_EQ(hit(11.5 + 1e-5).obstacle_contacts_moving.count, 0);
+  EXPECT_EQ(hit(11.5 + 1e-5).obstacle_contacts_at_rest, 1);
+  EXPECT_EQ(hit(11.5 - 1e-5).obstacle_contacts_moving.count, 1);
+  EXPECT_EQ(hit(11.5 - 1e-5).obstacle_contacts_at_rest, 0);
+}
+
+TEST(CheckObstacles, whoever_starts_while_in_contact_is_in_motion) {
+  const std::vector<Moment> recording{{0.0, {{0, {0, 0}, {0, 0}}}},
+                                      {1.0, {{0, {0, 0}, {0, 0}}}},
+                                      {2.0, {{0, {-0.5, 0}, {-1, 0}}}},
+                                      {3.0, {{0, {-2, 0}, {-2, 0}}}}};
+  const CheckReport report = report_of({free_robot()}, recording, {{.position = {0.9, 0}}});
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
+  EXPECT_EQ(report.obstacle_contacts_at_rest, 0) << "the pair counts once";
+  EXPECT_EQ(report.obstacle_contacts_moving.first->time, 1.0);
+}
+
+TEST(CheckObstacles, rest_is_a_billionth_of_the_speed_limit) {
+  CheckedRobot robot;
+  robot.max_speed = 2.0;
+  const auto creep = [&](double speed) {
+    return report_of({robot},
+                     {{0.0, {{0, {0, 0}, {speed, 0}}}}, {1.0, {{0, {speed, 0}, {speed, 0}}}}},
+                     {{.position = {0.5, 0}}});
+  };
+  EXPECT_EQ(creep(1.9e-9).obstacle_contacts_at_rest, 1);
+  EXPECT_EQ(creep(2.1e-9).obstacle_contacts_moving.count, 1);
+}
+
+// Rows say that it rests, but it moved in between.
+TEST(CheckObstacles, moving_between_rows_is_motion) {
+  const CheckReport report =
+      report_of({free_robot()}, {{0.0, {{0, {0, 0}, {}}}}, {1.0, {{0, {2, 0}, {}}}}},
+                {{.position = {1, 0.5}}});
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
+}
+
+TEST(CheckObstacles, pairs_are_counted_each_once) {
+  std::vector<Moment> recording;
+  for (int k = 0; k <= 3; ++k)
+    recording.push_back({1.0 * k, {{0, {0, 0}, {}}, {1, {10.0 + 0.1 * k, 0}, {0.1, 0}}}});
+  const CheckReport report = report_of({free_robot(), free_robot()}, recording,
+                                       {{.position = {0.5, 0}},
+                                        {.position = {-0.5, 0}},
+                                        {.position = {10.5, 0}},
+                                        {.position = {5, 0}},
+                                        {.position = {5, 0.5}}});
+  EXPECT_EQ(report.obstacle_contacts_at_rest, 2);
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 1) << "obstacles among themselves do not count";
+  EXPECT_EQ(report.obstacle_contacts_moving.first->other, 2);
+  EXPECT_EQ(report.overlaps.count, 0);
+}
+
+TEST(CheckObstacles, exact_contact_and_errors_are_as_for_robots) {
+  EXPECT_EQ(report_of({free_robot()}, resting(2), {{.position = {1, 0}}}).obstacle_contacts_at_rest,
+            0);
+  const std::vector<CheckedObstacle> near{{.position = {0.999, 0}}};
+  EXPECT_EQ(report_of({free_robot()}, resting(2), near).obstacle_contacts_at_rest, 1);
+  CheckedRobot robot = free_robot();
+  robot.interpolation_error = 0.0011;
+  EXPECT_EQ(report_of({robot}, resting(2), near).obstacle_contacts_at_rest, 0);
+}
+
+}  // namespace
+}  // namespace avo

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings of a few lines for the judge.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "avo/check.h"
+#include "avo/error.h"
+
+namespace avo::test {
+
+/// All rows of one time.
+struct Moment {
+  double time = 0.0;
+  std::vector<CheckedState> rows;
+};
+
+inline CheckReport report_of(std::vector<CheckedRobot> robots, const std::vector<Moment>& recording,
+                             std::vector<CheckedObstacle> obstacles = {},
+                             const CheckOptions& options = {}) {
+  Check check(std::move(robots), std::move(obstacles), options);
+  for (const Moment& moment : recording) check.add(moment.time, moment.rows);
+  return check.report();
+}
+
+/// Without limits on acceleration and speed.
+inline CheckedRobot free_robot(double radius = 0.5) {
+  CheckedRobot robot;
+  robot.radius = radius;
+  robot.max_acceleration = robot.max_speed = 1.0 / 0.0;
+  return robot;
+}
+
+/// What Error says; empty where there is none.
+template <typename Action>
+std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace avo::test
