@@ -34,8 +34,9 @@ TEST(Verbs, scenes_are_listed_and_printed) {
   const std::vector<std::string> lines = lines_of(list.out);
   ASSERT_EQ(lines.size(), avo_io::builtin_scenes().size());
   const auto json = nlohmann::json::parse(run_avo({"scenes", "--json"}).out);
-  const std::vector<std::string> names{"cars-100", "circle-N", "moving-obstacle",
-                                       "positions-exchange"};
+  const std::vector<std::string> names{"cars-100",        "circle-N",        "crossing-streams",
+                                       "moving-obstacle", "permutation-100", "positions-exchange",
+                                       "swap-blocks"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_TRUE(lines[i].starts_with(names[i] + " ")) << lines[i];
     EXPECT_EQ(json[i]["name"], names[i]);
