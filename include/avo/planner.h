@@ -41,8 +41,8 @@ enum class Motion : std::uint8_t {
 struct PlannerOptions {
   Method method = Method::avo;
   Motion motion = Motion::held;
-  double control_time = 0.5;  ///< [δ] s, > 0, Eq. (7)
-  double time_horizon = 2.0;  ///< [τ] s, > 0, Definition 2
+  double control_time = 2.0;  ///< [δ] s, > 0, Eq. (7)
+  double time_horizon = 3.0;  ///< [τ] s, > 0, Definition 2
   double time_step = 0.1;     ///< [Δt] s, > 0, <= control_time where motion is held
   int samples = 0;            ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
   Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
@@ -51,7 +51,7 @@ struct PlannerOptions {
   double soft_stop_time = 2.0;
 };
 
-/// What is customary for the method: δ 0.5 s, τ 2 s and braking_trajectories for avo, the paper's
+/// What is customary for the method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's
 /// δ 4 s, τ 10 s for the others (§VI-A).
 PlannerOptions default_options(Method method);
 
@@ -85,6 +85,18 @@ struct Detour {
   double angle = 0.0;  ///< rad, to the right
 };
 
+/// What a neighbor's certificate demands of A on one interval between steps:
+/// normal . q >= offset. For braking_trajectories q = y - x, m: from the point x of A's braking path
+/// to the point y of its path, sufficient for the three Bézier points of the interval; interval 0 is
+/// the step decided upon. For stopping_capsules q is any point of where A would next stop, m; for
+/// linear_soft_stop q = v_A + d_s a_A, m/s; interval is 0.
+struct CertificateWall {
+  int neighbor = 0;  ///< index into the neighbors given
+  int interval = 0;
+  Vec2 normal;  ///< unit, from B to A
+  double offset = 0.0;
+};
+
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
 class PlanWorkspace {
  public:
@@ -95,6 +107,7 @@ class PlanWorkspace {
 
   std::vector<NeighborPlane> planes;  ///< of the last decision, see Planner::collect_half_planes
   bool overlapping = false;           ///< a neighbor of the last decision is in contact already
+  std::vector<CertificateWall> certificate;  ///< of the last Planner::collect_certificate
 
  private:
   friend class Planner;
@@ -129,11 +142,14 @@ class Planner {
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
                            PlanWorkspace& workspace) const;
 
+  /// The walls of the certificate that can refuse anything, into workspace.certificate.
+  void collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
+                           PlanWorkspace& workspace) const;
+
   /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
   /// radius).
   [[nodiscard]] Disc acceleration_disc(const Robot& robot) const;
-  /// D(0, v_max); for avo what keeps the speed reached in it: |v + k (v' - v)| <= v_max, k being
-  /// step_rate(). A disc on v' would forbid full braking below the speed δ a_max - v_max.
+  /// D(0, v_max).
   [[nodiscard]] Disc speed_disc(const Robot& robot) const;
 
   /// The part of v' - v that one step turns into velocity: Δt/δ (held), 1 - e^{-Δt/δ}
@@ -144,10 +160,14 @@ class Planner {
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
 
  private:
-  Plan plan_certified(const Robot& robot, std::span<const Neighbor> neighbors,
-                      PlanWorkspace& workspace, Detour& detour) const noexcept;
+  Plan plan_avo(const Robot& robot, std::span<const Neighbor> neighbors, PlanWorkspace& workspace,
+                Detour& detour) const noexcept;
+  Plan certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
+               double violation, bool overlapping, PlanWorkspace& workspace) const noexcept;
   Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
               double violation) const noexcept;
+  Plan step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
+               double violation) const noexcept;
   Plan brake(const Robot& robot, PlanStatus status, double violation) const noexcept;
 
   PlannerOptions options_;

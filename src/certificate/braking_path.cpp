@@ -9,30 +9,46 @@
 namespace avo {
 
 double braking_steps(double speed, double decrement) {
-  return std::floor(speed / decrement) + 1.0;
+  return speed > 0.0 ? std::floor(speed / decrement) + 1.0 : 0.0;
 }
 
 double stopping_length(double speed, double decrement, const StepLaw& law) {
-  // speed = (k + f) u: k full steps and a last one from f u to rest
+  // speed = (k + f) u: k full steps, and a last one that takes off the rest, f u
   const double k = std::floor(speed / decrement);
-  const double rest = std::max(speed - k * decrement, 0.0);  // f u
+  const double rest = std::max(speed - k * decrement, 0.0);
   return law.time_step * k * (0.5 * (k - 1.0) * decrement + rest) +
          law.lag * (k * decrement + rest);
 }
 
+Vec2 braked(Vec2 velocity, double decrement) {
+  const double speed = norm(velocity);
+  return speed > decrement ? ((speed - decrement) / speed) * velocity : Vec2{};
+}
+
 void BrakingDistances::brake(double speed, double decrement, const StepLaw& law, int intervals) {
-  const auto count = static_cast<std::size_t>(intervals);
+  const auto count = static_cast<std::size_t>(std::max(intervals, 0));
   if (start.size() < count) start.resize(count), middle.resize(count), end.resize(count);
   const double lead = law.time_step - law.lag;
   double distance = 0.0;
   for (std::size_t m = 0; m < count; ++m) {
     start[m] = distance;
     middle[m] = distance + law.lag * speed;
-    const double next = std::max(speed - decrement, 0.0);
-    distance = middle[m] + lead * next;
+    speed = std::max(speed - decrement, 0.0);
+    distance = middle[m] + lead * speed;
     end[m] = distance;
-    speed = next;
   }
+}
+
+void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
+            CandidatePath& path) {
+  const double decrement = braking_decrement(robot.max_acceleration, law);
+  path.next_velocity = next_velocity;
+  path.speed = norm(next_velocity);
+  path.direction = path.speed > 0.0 ? next_velocity / path.speed : Vec2{};
+  path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
+  const bool stays = path.speed == 0.0 && robot.velocity == Vec2{};
+  path.moving = stays ? 0 : 1 + static_cast<int>(braking_steps(path.speed, decrement));
+  path.braking.brake(path.speed, decrement, law, intervals);
 }
 
 }  // namespace avo

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Straight full braking in steps: the motion that every robot can fall back on, known to all.
 #pragma once
-#include <span>
 #include <vector>
 
+#include "avo/robot.h"
 #include "avo/vec.h"
 
 namespace avo {
@@ -17,25 +17,41 @@ struct StepLaw {
 };
 
 /// [u] m/s that one step of full braking takes off.
-inline double braking_decrement(const StepLaw& law, double max_acceleration) {
+inline double braking_decrement(double max_acceleration, const StepLaw& law) {
   return max_acceleration * law.braking_time;
 }
 
-/// Steps that braking from `speed` takes until rest: ⌈speed / u⌉, one more where rounding could
-/// tell otherwise.
+/// Steps that braking from `speed` takes until rest: ⌈speed / u⌉, one more where that is exact.
 double braking_steps(double speed, double decrement);
 
 /// [l] m until rest, by steps of `decrement` and a last one of what is left. Not v²/2a: a robot
-/// that moves in steps needs up to u Δt/8 more. Exact to a few ulp, any speed >= 0.
+/// that moves in steps needs up to u Δt/8 more. Within a few ulp, any speed >= 0.
 double stopping_length(double speed, double decrement, const StepLaw& law);
 
+/// Velocity after one step of full braking, exactly 0 where that ends at rest.
+Vec2 braked(Vec2 velocity, double decrement);
+
 /// Distances along a braking path, by interval between steps: where it begins, its middle Bézier
-/// point, where it ends. All are nondecreasing; at rest all are equal.
+/// point, where it ends. Nondecreasing; all equal once at rest.
 struct BrakingDistances {
   std::vector<double> start, middle, end;  ///< m
 
   /// From `speed` for `intervals` steps. Allocates only while it grows.
   void brake(double speed, double decrement, const StepLaw& law, int intervals);
 };
+
+/// A's path for a candidate: v_1 after one step, then braking. Relative to p_A.
+struct CandidatePath {
+  Vec2 first;          ///< m, end of the first step
+  Vec2 next_velocity;  ///< [v_1] m/s
+  Vec2 direction;      ///< of v_1; 0 at rest
+  double speed = 0.0;  ///< |v_1| m/s
+  int moving = 0;      ///< intervals in which it moves, the first step included
+  BrakingDistances braking;
+};
+
+/// The path, its braking known for the `intervals` after the first step.
+void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
+            CandidatePath& path);
 
 }  // namespace avo

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "avo/geometry.h"
-#include "avo/robot.h"
 #include "certificate/braking_path.h"
+#include "certificate/pair.h"
 
 namespace avo {
 
@@ -16,55 +16,40 @@ namespace avo {
 /// Bézier points y_0, y_1, y_2 of A's path on it, relative to p_A.
 struct TrajectoryWall {
   int neighbor = 0;
-  int interval = 0;               ///< 0: the step to be decided
-  bool only_in_motion = false;    ///< asked only of paths on which A has not come to rest before
-  Vec2 normal;                    ///< unit, from B to A
+  int interval = 0;             ///< 0: the step to be decided
+  bool only_in_motion = false;  ///< asked only of paths on which A still moves then
+  Vec2 normal;                  ///< unit, from B to A
   std::array<double, 3> offset{};  ///< m
+  /// m, <= 0: a path that keeps normal . (y - x) >= bound, x the braking path, keeps the wall.
+  double bound = 0.0;
 };
 
-/// All that the certificate asks of one robot. Scratch memory; allocates only while it grows.
+/// Whose walls are wanted.
+enum class Whom : unsigned char { everyone, movers };
+
+/// Scratch memory; allocates only while it grows.
 struct TrajectoryWalls {
-  std::vector<TrajectoryWall> walls;
-  int intervals = 1;   ///< for which a candidate's path has to be known
-  double slack = 0.0;  ///< m: least distance of braking paths beyond contact; infinite if all far
-  int broken = -1;     ///< a neighbor with which braking collides, or -1
-  bool touched = false;  ///< one that does not decide is in contact: only braking is admitted
+  std::vector<TrajectoryWall> walls;  ///< a neighbor's follow each other
+  int intervals = 0;                  ///< of a candidate's braking that have to be known
   BrakingDistances braking, neighbor_braking;
-};
-
-/// A's path for a candidate: v_1 after one step, then braking. Relative to p_A.
-struct CandidatePath {
-  Vec2 first;      ///< m, end of the first step
-  Vec2 direction;  ///< of v_1; 0 at rest
-  double speed = 0.0;
-  int moving = 0;  ///< intervals until rest
-  BrakingDistances braking;
 };
 
 /// Collects the walls that can refuse a candidate with |v_1 - v| <= u. A neighbor with
 /// max_acceleration 0 does not decide: it is taken to keep its acceleration, A's share is 1, and
-/// only the time counts in which A moves. A pair that collides though both brake is held to the
-/// distance that braking keeps.
-void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, const StepLaw& law,
-                   TrajectoryWalls& walls);
-
-void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
-            CandidatePath& path);
+/// only the time counts in which A moves.
+void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom whom,
+                   const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
 
 /// The wall that the path violates most, or that it is nearest to.
 struct WorstWall {
   double coefficient;  ///< m, >= 0 iff the candidate is admitted; infinite without walls
-  int wall = -1;
+  const TrajectoryWall* wall = nullptr;
   int point = 0;  ///< of the three
 };
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path);
-/// Of walls[first .. last) only.
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, std::size_t first,
-                     std::size_t last);
+WorstWall worst_wall(std::span<const TrajectoryWall> walls, const CandidatePath& path);
 
-/// The wall's half-plane in v_1, as the tangent at the path: where the path violates it, so does
-/// the path's v_1.
-HalfPlane tangent(const TrajectoryWall& wall, int point, const CandidatePath& path,
-                  const Robot& robot, const StepLaw& law);
+/// The wall's half-plane in v_1, tangent at the path: v_1 of a path that violates it lies outside.
+HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const Robot& robot,
+                  const StepLaw& law);
 
 }  // namespace avo

@@ -1,52 +1,84 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keep right in traffic, back out of a jam.
+// Keep right in traffic, back out of a jam. Angles in rad; times and lengths are measured in the
+// robot's own: T = v_max/a_max to reach its speed, L = v_max²/a_max, twice its way to stop.
 #include "planner/arrival.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace avo {
 namespace {
 
-double env(const char* name, double fallback) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : fallback;
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kMostKeepRight = 30.0 * kDegree;
+constexpr double kCongestion = 5.0;        // robots right ahead that make the way fully congested
+constexpr double kSlow = 0.05;             // of v_max: nearly at rest
+constexpr double kMostDetour = 2.4;        // almost back
+constexpr double kTurnOff = 1.0;           // per T
+constexpr double kTurnBack = 2.0;          // per T
+constexpr double kBlocked = 0.5;
+
+double time_to_speed(const Robot& robot) {
+  return robot.max_speed / robot.max_acceleration;
+}
+
+double stopping_distance(const Robot& robot) {
+  return 0.5 * robot.max_speed * time_to_speed(robot);
+}
+
+// How far traffic is looked at.
+double traffic_range(const Robot& robot) {
+  return std::max(4.0 * stopping_distance(robot), 8.0 * robot.radius);
+}
+
+// Robots ahead that close in or are nearly at rest, weighted by how near they are, 0 to 1.
+double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 way) {
+  const double range = traffic_range(robot), slow = kSlow * robot.max_speed;
+  double total = 0.0;
+  for (const Neighbor& neighbor : neighbors) {
+    const Vec2 towards = neighbor.position - robot.position;
+    if (dot(towards, way) <= 0.0 || norm_squared(towards) >= range * range) continue;
+    const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
+    if (!closing && norm_squared(neighbor.velocity) >= slow * slow) continue;
+    total += (1.0 - norm(towards) / range) / kCongestion;
+    if (total >= 1.0) return 1.0;
+  }
+  return total;
 }
 
 }  // namespace
 
 Vec2 turned_right(Vec2 a, double angle) {
-  // t = tan(angle / 2) by a continued fraction; the turn is a rotation whatever t is
-  const double x = 0.5 * angle, x2 = x * x;
-  const double t = x / (1.0 - x2 / (3.0 - x2 / (5.0 - x2 / (7.0 - x2 / 9.0))));
+  // t = tan(angle / 2) by its continued fraction; any t makes a rotation
+  const double x = 0.5 * angle, xx = x * x;
+  const double t = x / (1.0 - xx / (3.0 - xx / (5.0 - xx / (7.0 - xx / 9.0))));
   const double c = (1.0 - t * t) / (1.0 + t * t), s = 2.0 * t / (1.0 + t * t);
   return {c * a.x + s * a.y, c * a.y - s * a.x};
 }
 
 Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors) {
-  static const double range = env("KR_RANGE", 8.0), count = env("KR_COUNT", 3.0),
-                      most = env("KR_ANGLE", 30.0) * 3.14159265358979 / 180;
-  const double speed = norm(robot.preferred_velocity);
-  if (!(speed > 0.0)) return robot.preferred_velocity;
-  const Vec2 way = robot.preferred_velocity / speed;
-  double congestion = 0.0;
-  for (const Neighbor& neighbor : neighbors) {
-    const Vec2 towards = neighbor.position - robot.position;
-    const double distance = norm(towards);
-    if (distance >= range) continue;
-    if (dot(towards, way) <= 0.0) continue;
-    const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
-    const bool slow = norm_squared(neighbor.velocity) < 0.01;
-    if (!closing && !slow) continue;
-    congestion += (1.0 - distance / range) / count;
-    if (congestion >= 1.0) break;
-  }
-  return turned_right(robot.preferred_velocity, most * std::min(congestion, 1.0));
+  const Vec2 wish = robot.preferred_velocity;
+  if (robot.distance_to_goal < stopping_distance(robot)) return wish;
+  const double part = congestion(robot, neighbors, wish);
+  return part > 0.0 ? turned_right(wish, part * kMostKeepRight) : wish;
 }
 
-bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 preferred) {
-  return dot(next_velocity, preferred) < 0.5 * dot(unhindered_next_velocity, preferred);
+bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {
+  const double unhindered = dot(unhindered_next_velocity, wish);
+  return unhindered > 0.0 && dot(next_velocity, wish) < kBlocked * unhindered;
+}
+
+bool may_detour(const Robot& robot) {
+  return robot.distance_to_goal >= robot.radius;
+}
+
+void turn_off(Detour& detour, const Robot& robot, double time_step) {
+  detour.angle =
+      std::min(detour.angle + kTurnOff * time_step / time_to_speed(robot), kMostDetour);
+}
+
+void turn_back(Detour& detour, const Robot& robot, double time_step) {
+  detour.angle = std::max(detour.angle - kTurnBack * time_step / time_to_speed(robot), 0.0);
 }
 
 }  // namespace avo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arriving: keep right in traffic, back out of a jam. Both only turn the preferred velocity, so that
-// safety never depends on them; local, deterministic, the same for every robot.
+// Arriving: keep right in traffic, back out of a jam (docs/arrival.md). All of it only turns the
+// preferred velocity, so that safety never depends on it; local, deterministic, the same for every
+// robot.
 #pragma once
 #include <span>
 
@@ -8,13 +9,21 @@
 
 namespace avo {
 
-/// The preferred velocity turned to the right by how congested the way ahead is.
+/// The preferred velocity turned to the right by how congested the way ahead is; as it is on the last
+/// of the way to the goal.
 Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors);
 
-/// a turned clockwise, by an angle in [0, π); exact rotation by nearly that angle.
+/// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);
 
-/// Whether of the velocity along `preferred` that the limits alone allow, less than half is left.
-bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 preferred);
+/// Whether less than half is left of the velocity along `wish` that the limits alone allow.
+bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);
+
+/// Whether the robot may leave its way at all: not where it has all but arrived.
+bool may_detour(const Robot& robot);
+
+/// Turns off further while the detour is blocked as well, and back once the way is free.
+void turn_off(Detour& detour, const Robot& robot, double time_step);
+void turn_back(Detour& detour, const Robot& robot, double time_step);
 
 }  // namespace avo

@@ -1,81 +1,133 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cutting planes: the walls that a choice violates are added to the program as their tangents there.
-// Whatever comes out is admitted by the certificate's own test, or it is braking.
+// Choosing under a certificate: linear programs propose, the certificate's own test decides.
 #include "planner/certified.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+
+#include "lp/linear_program.h"
 
 namespace avo {
 namespace {
 
+// Each round cuts off the last proposal; more of them find hardly anything nearer.
 constexpr int kRounds = 6;
 constexpr int kBisections = 5;
+// Half-planes are drawn so far on the safe side, of u: a point of them passes the exact test whatever
+// rounding does.
+constexpr double kInside = 0x1p-30;
 
-Vec2 next_velocity(const CertifiedProgram& program, Vec2 v_new) {
-  return program.robot.velocity + program.rate * (v_new - program.robot.velocity);
+// What the proposals are made from.
+struct Proposals {
+  const Robot& robot;
+  const CertificateLaw& law;
+  Disc acceleration;  // of v_1
+  Vec2 wanted;
+  CertifiedWorkspace& workspace;
+};
+
+ProgramResult propose(const Proposals& proposals, double top_speed) {
+  return nearest_point(proposals.workspace.hard, {}, proposals.acceleration, {{}, top_speed},
+                       proposals.wanted, proposals.workspace.projected);
 }
 
-WorstWall judge(const CertifiedProgram& program, Vec2 v_new, CertifiedWorkspace& workspace) {
-  follow(program.robot, next_velocity(program, v_new), program.law, workspace.walls.intervals,
-         workspace.path);
-  return worst_wall(workspace.walls, workspace.path);
+bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
+  return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.walls);
 }
 
-// The worst wall of every neighbor that workspace.path violates, as a half-plane in v'.
-void append_cuts(const CertifiedProgram& program, CertifiedWorkspace& workspace) {
-  const auto& walls = workspace.walls.walls;
-  TrajectoryWalls& all = workspace.walls;
-  for (std::size_t first = 0; first < walls.size();) {
+// For every neighbor that refuses the path asked about last, the tangent of its worst wall.
+void append_cuts(const Proposals& proposals) {
+  const CertificateWalls& walls = proposals.workspace.walls;
+  const std::span<const TrajectoryWall> all = walls.trajectories.walls;
+  for (std::size_t first = 0; first < all.size();) {
     std::size_t last = first;
-    while (last < walls.size() && walls[last].neighbor == walls[first].neighbor) ++last;
-    const WorstWall worst = worst_wall(all, workspace.path, first, last);
-    if (worst.coefficient < 0.0 && worst.wall >= 0) {
-      const HalfPlane next = tangent(walls[static_cast<std::size_t>(worst.wall)], worst.point,
-                                     workspace.path, program.robot, program.law);
-      const double kept = (1.0 - program.rate) * dot(next.normal, program.robot.velocity);
-      workspace.cuts.push_back({next.normal, (next.offset - kept) / program.rate});
+    while (last < all.size() && all[last].neighbor == all[first].neighbor) ++last;
+    const WorstWall worst = worst_wall(all.subspan(first, last - first), walls.path);
+    if (worst.coefficient < 0.0) {
+      HalfPlane cut = tangent(worst, walls.path, proposals.robot, proposals.law.step);
+      cut.offset += kInside * proposals.acceleration.radius;
+      proposals.workspace.hard.push_back(cut);
     }
     first = last;
   }
 }
 
-// The admitted point of the segment from braking towards `choice` that bisection finds.
-CertifiedChoice towards(const CertifiedProgram& program, Vec2 choice,
-                        CertifiedWorkspace& workspace) {
-  CertifiedChoice result{program.braking, Chosen::braking, false};
+// Braking trajectories are not convex in v_1: the walls that a proposal violates are added as their
+// tangents there. At last, the admitted point between the backup and what is wanted that bisection
+// finds.
+CertifiedChoice choose_by_cuts(const Proposals& proposals) {
+  proposals.workspace.hard.clear();
+  const double top_speed = proposals.robot.max_speed;
+  for (int round = 0; round < kRounds; ++round) {
+    const ProgramResult result = propose(proposals, top_speed);
+    if (result.state == ProgramState::discs_disjoint) break;
+    if (is_admitted(proposals, result.point)) {
+      return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};
+    }
+    if (result.state == ProgramState::hard_infeasible) break;
+    append_cuts(proposals);
+  }
+  const Vec2 backup = backup_velocity(proposals.robot, proposals.law);
+  CertifiedChoice choice{backup, Chosen::backup};
+  proposals.workspace.hard.clear();
+  const ProgramResult farthest = propose(proposals, top_speed);
+  if (farthest.state == ProgramState::discs_disjoint) return choice;
   double admitted = 0.0, refused = 1.0;
   for (int i = 0; i < kBisections; ++i) {
     const double part = 0.5 * (admitted + refused);
-    const Vec2 candidate = program.braking + part * (choice - program.braking);
-    if (judge(program, candidate, workspace).coefficient >= 0.0) {
+    const Vec2 candidate = backup + part * (farthest.point - backup);
+    if (is_admitted(proposals, candidate)) {
       admitted = part;
-      result = {candidate, Chosen::candidate, false};
+      choice = {candidate, Chosen::candidate};
     } else {
       refused = part;
     }
   }
-  return result;
+  return choice;
+}
+
+// The other certificates are half-planes in v_1: for stopping capsules up to a speed, the present one
+// and a step more, the present one, or a step less, at which braking satisfies them.
+CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
+  const Robot& robot = proposals.robot;
+  const CertificateLaw& law = proposals.law;
+  CertifiedWorkspace& workspace = proposals.workspace;
+  const bool capsules = law.kind == Certificate::stopping_capsules;
+  const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
+  const std::array<double, 3> limits{speed + u, speed, std::max(speed - u, 0.0)};
+  for (int i = 0; i < (capsules ? 3 : 1); ++i) {
+    const double top_speed =
+        capsules ? std::min(limits[static_cast<std::size_t>(i)], robot.max_speed) : robot.max_speed;
+    workspace.hard.clear();
+    append_half_planes(workspace.walls.capsules, robot, law.step, top_speed, workspace.hard);
+    append_half_planes(workspace.walls.soft_stops, robot.velocity, law.step.time_step,
+                       law.soft_stop_time, workspace.hard);
+    for (HalfPlane& half_plane : workspace.hard) half_plane.offset += kInside * u;
+    for (int round = 0; round < kRounds; ++round) {
+      const ProgramResult result = propose(proposals, top_speed);
+      if (result.state != ProgramState::optimal) break;
+      if (is_admitted(proposals, result.point)) {
+        return {result.point,
+                result.point == proposals.wanted ? Chosen::wanted : Chosen::candidate};
+      }
+      const std::size_t before = workspace.hard.size();
+      append_cuts(proposals);  // of movers
+      if (workspace.hard.size() == before) break;
+    }
+  }
+  return {backup_velocity(robot, law), Chosen::backup};
 }
 
 }  // namespace
 
-CertifiedChoice choose_certified(const CertifiedProgram& program, Vec2 preferred,
+CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace) {
-  workspace.cuts.clear();
-  Vec2 first;
-  for (int round = 0; round < kRounds; ++round) {
-    const ProgramResult result =
-        nearest_point(workspace.cuts, program.soft, program.acceleration, program.speed, preferred,
-                      workspace.projected);
-    if (result.state == ProgramState::discs_disjoint) return {program.braking, Chosen::braking, true};
-    if (round == 0) first = result.point;
-    if (judge(program, result.point, workspace).coefficient >= 0.0) {
-      return {result.point, round == 0 ? Chosen::program : Chosen::candidate, false};
-    }
-    if (result.state == ProgramState::hard_infeasible) break;
-    append_cuts(program, workspace);
-  }
-  return towards(program, first, workspace);
+  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const Proposals proposals{robot, law, {robot.velocity, u}, wanted, workspace};
+  return law.kind == Certificate::none || law.kind == Certificate::braking_trajectories
+             ? choose_by_cuts(proposals)
+             : choose_by_half_planes(proposals);
 }
 
 }  // namespace avo

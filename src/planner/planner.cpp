@@ -13,10 +13,9 @@
 #include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
-#include "planner/arrival.h"
 #include "planner/braking.h"
-#include "planner/certified.h"
 #include "planner/passive_obstacles.h"
+#include "planner/scratch.h"
 
 namespace avo {
 namespace {
@@ -99,13 +98,6 @@ const char* to_string(PlanStatus status) {
   return "unknown";
 }
 
-struct PlanWorkspace::Scratch {
-  std::vector<HalfPlane> half_planes;
-  std::vector<HalfPlane> projected;
-  std::vector<PassiveObstacle> obstacles;
-  PassiveWorkspace passive;
-  CertifiedWorkspace certified;
-};
 PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
 PlanWorkspace::~PlanWorkspace() = default;
 PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
@@ -134,9 +126,7 @@ Disc Planner::acceleration_disc(const Robot& robot) const {
 }
 
 Disc Planner::speed_disc(const Robot& robot) const {
-  if (options_.method != Method::avo) return {{}, robot.max_speed};
-  const double k = step_rate();
-  return {((k - 1.0) / k) * robot.velocity, robot.max_speed / k};
+  return {{}, robot.max_speed};
 }
 
 double Planner::step_rate() const {
@@ -186,6 +176,9 @@ Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
 Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const noexcept {
   if (!can_brake(robot)) return {{}, {}, PlanStatus::invalid_input, 0.0};
   if (adopts_at_once(options_.method)) return finish(robot, {}, status, violation);
+  if (options_.method == Method::avo) {
+    return step_to(robot, backup_velocity(robot, certificate_law(*this)), status, violation);
+  }
   return finish(robot, braking_velocity(robot, options_.control_time, step_rate()), status,
                 violation);
 }
@@ -206,63 +199,13 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   return plan(robot, neighbors, workspace, detour);
 }
 
-Plan Planner::plan_certified(const Robot& robot, std::span<const Neighbor> neighbors,
-                             PlanWorkspace& workspace, Detour& detour) const noexcept {
-  if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
-  collect_half_planes(robot, neighbors, workspace);
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
-  scratch.half_planes.clear();
-  for (const NeighborPlane& each : workspace.planes) scratch.half_planes.push_back(each.plane);
-  const double k = step_rate();
-  const StepLaw law{options_.time_step, step_lag(), k * options_.control_time};
-  CertifiedWorkspace& certified = scratch.certified;
-  if (options_.certificate == Certificate::none) {
-    certified.walls.walls.clear();
-    certified.walls.broken = -1;
-    certified.walls.touched = false;
-    certified.walls.intervals = 1;
-  } else {
-    collect_walls(robot, neighbors, law, certified.walls);
-  }
-  const CertifiedProgram program{robot, law, k, scratch.half_planes, acceleration_disc(robot),
-                                 speed_disc(robot), braking_velocity(robot, options_.control_time, k)};
-  const auto next = [&](Vec2 v_new) { return robot.velocity + k * (v_new - robot.velocity); };
-  const bool near = robot.distance_to_goal < 0.5 * robot.max_speed * robot.max_speed / robot.max_acceleration;
-  const Vec2 preferred = near ? robot.preferred_velocity : keep_right(robot, neighbors);
-  CertifiedChoice choice = choose_certified(program, preferred, certified);
-  const auto blocked = [&](Vec2 chosen, Vec2 wish) {
-    const Vec2 free = nearest_point({}, {}, program.acceleration, program.speed, wish, certified.projected).point;
-    return is_blocked(next(chosen), next(free), wish);
-  };
-  const double dt = options_.time_step;
-  if (near) {
-    detour.angle = 0.0;
-  } else if (blocked(choice.velocity, preferred)) {
-    const Vec2 turned = turned_right(preferred, detour.angle);
-    choice = choose_certified(program, turned, certified);
-    if (blocked(choice.velocity, turned)) detour.angle = std::min(detour.angle + 0.5 * dt, 2.4);
-  } else {
-    detour.angle = std::max(0.0, detour.angle - 1.0 * dt);
-  }
-  double worst = 0.0;
-  for (const NeighborPlane& each : workspace.planes) {
-    worst = std::max(worst, std::max(0.0, each.excess) + std::max(0.0, violation(each.plane, choice.velocity)));
-  }
-  PlanStatus status = choice.chosen == Chosen::candidate ? PlanStatus::candidate
-                      : choice.chosen == Chosen::braking ? PlanStatus::braking
-                      : worst > 0.0                      ? PlanStatus::least_unsafe
-                                                         : PlanStatus::optimal;
-  if (workspace.overlapping || certified.walls.broken >= 0 || certified.walls.touched) status = PlanStatus::overlapping;
-  return finish(robot, choice.velocity, status, worst);
-}
-
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace, Detour& detour) const noexcept {
-  if (options_.method == Method::avo) return plan_certified(robot, neighbors, workspace, detour);
   if (options_.method == Method::velocity_obstacle) {
     return plan_among_obstacles(robot, neighbors, workspace);
   }
   if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
+  if (options_.method == Method::avo) return plan_avo(robot, neighbors, workspace, detour);
 
   collect_half_planes(robot, neighbors, workspace);
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
@@ -313,6 +256,9 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
                              robot.preferred_velocity, scratch.passive);
   if (choice.state == PassiveState::discs_disjoint) {
     return brake(robot, PlanStatus::braking, choice.violation);
+  }
+  if (options_.method == Method::avo) {
+    return certify(robot, obstacles, choice.velocity, choice.violation, overlapping, workspace);
   }
   const PlanStatus status = overlapping                          ? PlanStatus::overlapping
                             : choice.state == PassiveState::free ? PlanStatus::optimal

@@ -18,6 +18,10 @@ MotionStep advance(const MotionState& state, const Plan& plan, const StepRespons
   MotionStep step;
   step.next.position = state.position + response.time_step * state.velocity + response.gain * w;
   step.next.velocity = state.velocity + response.rate * w;
+  // less than the rounding of its making is rest
+  if (norm_squared(step.next.velocity) < 0x1p-100 * norm_squared(state.velocity)) {
+    step.next.velocity = {};
+  }
   step.acceleration = norm(w) / response.control_time;
   return step;
 }

@@ -36,6 +36,13 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, V
     return std::min(setup.preferred_speed, distance / options.time_step) * direction;
   }
 
+  if (options.method == Method::avo) {
+    // it approaches v' as fast as it can, so v' needs no lead
+    const double u = planner.step_rate() * options.control_time * setup.max_acceleration;
+    const double speed = admissible_speed(
+        distance - planner.step_lag() * dot(velocity, direction), u, options.time_step);
+    return std::min(setup.preferred_speed, speed) * direction;
+  }
   // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
   const double change = std::min(options.control_time * setup.max_acceleration, setup.max_speed);
   const double rate = planner.step_rate();

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The three certificates behind one set of functions.
+#include "certificate/certificate.h"
+
+#include <limits>
+
+namespace avo {
+
+void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
+                   const CertificateLaw& law, CertificateWalls& walls) {
+  walls.invariant = {std::numeric_limits<double>::infinity()};
+  walls.trajectories.walls.clear();
+  walls.trajectories.intervals = 0;
+  walls.capsules.clear();
+  walls.soft_stops.clear();
+  switch (law.kind) {
+    case Certificate::none:
+      return;
+    case Certificate::braking_trajectories:
+      return collect_walls(robot, neighbors, Whom::everyone, law.step, walls.trajectories,
+                           walls.invariant);
+    case Certificate::stopping_capsules:
+      collect_walls(robot, neighbors, Whom::movers, law.step, walls.trajectories, walls.invariant);
+      return collect_capsules(robot, neighbors, law.step, walls.capsules, walls.invariant);
+    case Certificate::linear_soft_stop:
+      return collect_soft_stops(robot, neighbors, law.step.time_step, law.soft_stop_time,
+                                walls.soft_stops, walls.invariant);
+  }
+}
+
+bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
+            CertificateWalls& walls) {
+  if (law.kind == Certificate::linear_soft_stop) {
+    return keeps(walls.soft_stops, soft_stop_velocity(robot.velocity, next_velocity,
+                                                      law.step.time_step, law.soft_stop_time));
+  }
+  follow(robot, next_velocity, law.step, walls.trajectories.intervals, walls.path);
+  if (walls.invariant.unknown || (walls.invariant.touched && walls.path.moving > 0)) return false;
+  return worst_wall(walls.trajectories.walls, walls.path).coefficient >= 0.0 &&
+         keeps(walls.capsules, walls.path, robot, law.step);
+}
+
+Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
+  return law.kind == Certificate::linear_soft_stop
+             ? softly_braked(robot.velocity, law.step.time_step, law.soft_stop_time)
+             : braked(robot.velocity, braking_decrement(robot.max_acceleration, law.step));
+}
+
+void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<CertificateWall>& list) {
+  list.clear();
+  for (const TrajectoryWall& wall : walls.trajectories.walls) {
+    list.push_back({wall.neighbor, wall.interval, wall.normal, wall.bound});
+  }
+  for (const CapsuleWall& wall : walls.capsules) {
+    list.push_back({wall.neighbor, 0, wall.normal, wall.offset + dot(wall.normal, position)});
+  }
+  for (const SoftStopWall& wall : walls.soft_stops) {
+    list.push_back({wall.neighbor, 0, wall.half_plane.normal, wall.half_plane.offset});
+  }
+}
+
+}  // namespace avo

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot's certificate for one decision, of any kind: what it must keep to, whatever it wants.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "avo/planner.h"
+#include "certificate/braking_trajectories.h"
+#include "certificate/linear_soft_stop.h"
+#include "certificate/stopping_capsules.h"
+
+namespace avo {
+
+/// What all robots have to agree on.
+struct CertificateLaw {
+  Certificate kind = Certificate::braking_trajectories;
+  StepLaw step;
+  double soft_stop_time = 2.0;  ///< [d_s] s, of linear_soft_stop
+};
+
+/// What the neighbors demand of a robot. Scratch memory; allocates only while it grows.
+struct CertificateWalls {
+  Invariant invariant;
+  TrajectoryWalls trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
+  std::vector<CapsuleWall> capsules;
+  std::vector<SoftStopWall> soft_stops;
+  CandidatePath path;  ///< of the last candidate asked about
+};
+
+void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
+                   const CertificateLaw& law, CertificateWalls& walls);
+
+/// Whether the robot may have the velocity v_1 after this step. True of backup_velocity() wherever
+/// the invariant holds, up to rounding.
+bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
+            CertificateWalls& walls);
+
+/// [v_1] of what is always allowed: full braking, or the soft stop.
+Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law);
+
+/// All walls, for those who want to look at them (see CertificateWall in avo/planner.h).
+void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<CertificateWall>& list);
+
+}  // namespace avo

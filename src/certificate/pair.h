@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two robots that may have to brake for each other: how far each gets, and what rounding costs.
+#pragma once
+#include <algorithm>
+
+#include "avo/robot.h"
+#include "certificate/braking_path.h"
+
+namespace avo {
+
+/// The point of a segment nearest to the origin; odd in (a, b), bit for bit.
+inline Vec2 nearest_on_segment(Vec2 a, Vec2 b) {
+  const Vec2 ab = b - a;
+  const double length_squared = norm_squared(ab);
+  if (!(length_squared > 0.0)) return a;
+  return a + std::clamp(-dot(a, ab) / length_squared, 0.0, 1.0) * ab;
+}
+
+/// A robot that brakes.
+struct Braking {
+  double speed = 0.0;      ///< m/s
+  double decrement = 0.0;  ///< [u] m/s
+  Vec2 direction;          ///< unit, or 0 at rest
+  double length = 0.0;     ///< [l] m until rest
+  double reach = 0.0;      ///< m that no candidate's path leaves
+  double intervals = 0.0;  ///< in which it or one of its candidates may move
+};
+Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law);
+
+/// Pairs whose braking takes more intervals than this are not looked at but braked for.
+inline constexpr double kMostIntervals = 65536.0;
+
+/// Robot A and one neighbor B. Whatever both must agree on is odd in the exchange of the two, bit
+/// for bit.
+struct BrakingPair {
+  Vec2 p;               ///< [p_A - p_B] m
+  double contact;       ///< [r_A + r_B] m
+  double inflated;      ///< m, contact and what covers all rounding (docs/certificate.md)
+  double share;         ///< [β] of the free gap that is A's, 1 against one that does not decide
+  bool decides;         ///< B does
+  Braking a, b;
+};
+BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
+                         const StepLaw& law);
+
+/// Whether no candidates of the two, followed by braking, can bring them into contact.
+bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law);
+
+/// The state of a robot's pairs before it decides.
+struct Invariant {
+  double slack = 0.0;    ///< m, least distance beyond contact while all brake; infinite if all far
+  int broken = -1;       ///< a neighbor with which braking collides, or -1
+  bool touched = false;  ///< one that does not decide is in contact: stay at rest
+  bool unknown = false;  ///< one brakes for longer than kMostIntervals: brake
+};
+
+/// The invariant held by a pair, and the distance that it is held to from now on: contact where it
+/// can be, and where braking cannot keep that, what braking does keep.
+double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant);
+
+}  // namespace avo

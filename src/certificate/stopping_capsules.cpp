@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// S1: separating lines of stopping capsules.
+#include "certificate/stopping_capsules.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace avo {
+namespace {
+
+// The line of largest margin between two segments, as its normal from B's to A's: the direction of
+// the point nearest to the origin of their difference, a parallelogram. Unique even where the
+// segments are parallel.
+Vec2 separating_normal(const std::array<Vec2, 4>& corners) {
+  Vec2 nearest = corners[0];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec2 other = nearest_on_segment(corners[k], corners[(k + 1) % 4]);
+    if (norm_squared(other) < norm_squared(nearest)) nearest = other;
+  }
+  const double length = norm(nearest);
+  return length > 0.0 ? nearest / length : Vec2{};
+}
+
+}  // namespace
+
+void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, const StepLaw& law,
+                      std::vector<CapsuleWall>& walls, Invariant& invariant) {
+  const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    if (!(neighbors[k].max_acceleration > 0.0)) continue;
+    const BrakingPair pair = braking_pair(robot, neighbors[k], a, law);
+    if (cannot_meet(pair, neighbors[k], law)) continue;
+    const Vec2 s_A = pair.a.length * pair.a.direction, s_B = pair.b.length * pair.b.direction;
+    const std::array<Vec2, 4> corners{pair.p, pair.p + s_A, pair.p + (s_A - s_B), pair.p - s_B};
+    const Vec2 n = separating_normal(corners);
+    double distance = dot(n, corners[0]);
+    for (const Vec2 corner : corners) distance = std::min(distance, dot(n, corner));
+    const double held = held_distance(pair, distance, static_cast<int>(k), invariant);
+    // A's capsule begins at n . x = min(0, n . s_A), and may use its share of the gap
+    walls.push_back({static_cast<int>(k), n,
+                     std::min(0.0, dot(n, s_A)) - pair.share * (distance - held)});
+  }
+}
+
+bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const Robot& robot,
+           const StepLaw& law) {
+  const double length =
+      stopping_length(path.speed, braking_decrement(robot.max_acceleration, law), law);
+  const Vec2 end = path.first + length * path.direction;
+  return std::all_of(walls.begin(), walls.end(), [&](const CapsuleWall& wall) {
+    return dot(wall.normal, path.first) >= wall.offset && dot(wall.normal, end) >= wall.offset;
+  });
+}
+
+void append_half_planes(std::span<const CapsuleWall> walls, const Robot& robot, const StepLaw& law,
+                        double top_speed, std::vector<HalfPlane>& half_planes) {
+  const double decrement = braking_decrement(robot.max_acceleration, law);
+  const double lead = law.time_step - law.lag;
+  // l(S)/S, nondecreasing: a slower robot stops earlier than the half-plane counts on
+  const double stopping_time =
+      top_speed > 0.0 ? stopping_length(top_speed, decrement, law) / top_speed : law.lag;
+  for (const CapsuleWall& wall : walls) {
+    // n . (s v + (Δt - s) v_1 + l(S)/S v_1) >= offset, exact for |v_1| = S
+    const double start = law.lag * dot(wall.normal, robot.velocity);
+    const double rest = wall.offset - start;
+    half_planes.push_back({wall.normal, rest / (lead + (rest <= 0.0 ? stopping_time : 0.0))});
+  }
+}
+
+}  // namespace avo

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// S1, stopping capsules: each robot keeps what it needs to stop on its own side of a line that both
+// robots of a pair derive from the capsules in which they would stop now (docs/certificate.md).
+#pragma once
+#include <span>
+#include <vector>
+
+#include "avo/geometry.h"
+#include "certificate/braking_path.h"
+#include "certificate/pair.h"
+
+namespace avo {
+
+/// What one neighbor demands: normal . x >= offset for all of A's next capsule, relative to p_A.
+struct CapsuleWall {
+  int neighbor = 0;
+  Vec2 normal;          ///< unit, from B's capsule to A's
+  double offset = 0.0;  ///< m
+};
+
+/// Appends the walls of the neighbors that decide and whose capsules can come to meet A's.
+void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, const StepLaw& law,
+                      std::vector<CapsuleWall>& walls, Invariant& invariant);
+
+/// Whether the capsule after the candidate's first step, and with it that step, keeps to all walls.
+bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const Robot& robot,
+           const StepLaw& law);
+
+/// The walls as half-planes in v_1, sufficient while |v_1| <= top_speed.
+void append_half_planes(std::span<const CapsuleWall> walls, const Robot& robot, const StepLaw& law,
+                        double top_speed, std::vector<HalfPlane>& half_planes);
+
+}  // namespace avo

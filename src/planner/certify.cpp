@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Method avo: the paper's program says where to (soft), the certificate what may be done (hard), and
+// the rules for arriving which way to wish for.
+#include <algorithm>
+
+#include "core/ranges.h"
+#include "lp/linear_program.h"
+#include "planner/arrival.h"
+#include "planner/scratch.h"
+
+namespace avo {
+
+CertificateLaw certificate_law(const Planner& planner) {
+  const PlannerOptions& options = planner.options();
+  return {options.certificate,
+          {options.time_step, planner.step_lag(), planner.step_rate() * options.control_time},
+          options.soft_stop_time};
+}
+
+Vec2 approach(Vec2 velocity, Vec2 target, double decrement) {
+  const Vec2 change = target - velocity;
+  const double length = norm(change);
+  return length > decrement ? velocity + (decrement / length) * change : target;
+}
+
+namespace {
+
+// One way of choosing: towards the wish as the paper's program allows, or as the limits do.
+struct Choice {
+  CertifiedChoice certified;
+  double violation = 0.0;  // m/s, of the half-planes by what the program chose
+};
+
+// What a decision is made from; the walls of the robot lie in `certified`.
+struct Decision {
+  const Robot& robot;
+  CertificateLaw law;
+  Disc acceleration, speed;  // of v'
+  std::span<const HalfPlane> half_planes;
+  CertifiedWorkspace& certified;
+
+  double decrement() const { return braking_decrement(robot.max_acceleration, law.step); }
+};
+
+// Eq. (23), then the nearest admitted.
+Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
+  const ProgramResult result =
+      nearest_point({}, half_planes, decision.acceleration, decision.speed, wish,
+                    decision.certified.projected);
+  const Vec2 wanted = approach(decision.robot.velocity, result.point, decision.decrement());
+  return {choose_certified(decision.robot, wanted, decision.law, decision.certified),
+          result.violation};
+}
+
+bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
+  return is_blocked(choice.certified.next_velocity,
+                    approach(decision.robot.velocity, wish, decision.decrement()), wish);
+}
+
+// Keep right; where that is blocked, take what the certificate alone admits on a detour.
+Choice choose_and_arrive(const Decision& decision, std::span<const Neighbor> neighbors,
+                         Detour& detour) {
+  const Robot& robot = decision.robot;
+  const double time_step = decision.law.step.time_step;
+  const Vec2 wish = keep_right(robot, neighbors);
+  Choice choice = choose(decision, decision.half_planes, wish);
+  if (!may_detour(robot)) {
+    detour.angle = 0.0;
+    return choice;
+  }
+  const double violation = choice.violation;
+  if (is_blocked(decision, choice, wish)) {
+    const Vec2 turned = turned_right(wish, detour.angle);
+    choice = choose(decision, {}, turned);
+    if (is_blocked(decision, choice, turned)) turn_off(detour, robot, time_step);
+    if (choice.certified.chosen == Chosen::wanted) choice.certified.chosen = Chosen::candidate;
+  } else if (detour.angle > 0.0) {
+    turn_back(detour, robot, time_step);
+    choice = choose(decision, decision.half_planes, turned_right(wish, detour.angle));
+  }
+  choice.violation = violation;
+  return choice;
+}
+
+PlanStatus status_of(const Choice& choice, const Invariant& invariant, bool overlapping) {
+  if (overlapping || invariant.broken >= 0 || invariant.touched) return PlanStatus::overlapping;
+  switch (choice.certified.chosen) {
+    case Chosen::backup:
+      return PlanStatus::braking;
+    case Chosen::candidate:
+      return PlanStatus::candidate;
+    case Chosen::wanted:
+      break;
+  }
+  return choice.violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
+}
+
+}  // namespace
+
+Plan Planner::plan_avo(const Robot& robot, std::span<const Neighbor> neighbors,
+                       PlanWorkspace& workspace, Detour& detour) const noexcept {
+  collect_half_planes(robot, neighbors, workspace);
+  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+  scratch.half_planes.clear();
+  double excess = 0.0;
+  for (const NeighborPlane& each : workspace.planes) {
+    scratch.half_planes.push_back(each.plane);
+    excess = std::max(excess, each.excess);
+  }
+  const Decision decision{robot,
+                          certificate_law(*this),
+                          acceleration_disc(robot),
+                          speed_disc(robot),
+                          scratch.half_planes,
+                          scratch.certified};
+  collect_walls(robot, neighbors, decision.law, scratch.certified.walls);
+  Choice choice = choose_and_arrive(decision, neighbors, detour);
+  choice.violation = std::max(choice.violation, excess);
+  return step_to(robot, choice.certified.next_velocity,
+                 status_of(choice, scratch.certified.walls.invariant, workspace.overlapping),
+                 choice.violation);
+}
+
+Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
+                      double violation, bool overlapping, PlanWorkspace& workspace) const noexcept {
+  CertifiedWorkspace& certified = workspace.scratch_->certified;
+  const CertificateLaw law = certificate_law(*this);
+  collect_walls(robot, neighbors, law, certified.walls);
+  const Vec2 wanted = approach(robot.velocity, target,
+                               braking_decrement(robot.max_acceleration, law.step));
+  const Choice choice{choose_certified(robot, wanted, law, certified), violation};
+  return step_to(robot, choice.certified.next_velocity,
+                 status_of(choice, certified.walls.invariant, overlapping), violation);
+}
+
+void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
+                                  PlanWorkspace& workspace) const {
+  CertificateWalls& walls = workspace.scratch_->certified.walls;
+  collect_walls(robot, neighbors, certificate_law(*this), walls);
+  list_walls(walls, robot.position, workspace.certificate);
+}
+
+Plan Planner::step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
+                      double violation) const noexcept {
+  return finish(robot, robot.velocity + (next_velocity - robot.velocity) / step_rate(), status,
+                violation);
+}
+
+}  // namespace avo
