@@ -38,6 +38,13 @@ enum class Motion : std::uint8_t {
   exponential,  ///< Eqs. (8), (9) exactly
 };
 
+/// Bounds on how far the neighbors are from where, and as fast as, they are sensed.
+struct SensingError {
+  double position = 0.0;  ///< m, >= 0
+  double velocity = 0.0;  ///< m/s, >= 0
+  friend constexpr bool operator==(const SensingError&, const SensingError&) = default;
+};
+
 struct PlannerOptions {
   Method method = Method::avo;
   Motion motion = Motion::held;
@@ -49,6 +56,7 @@ struct PlannerOptions {
   std::optional<int> max_neighbors = {};  ///< the first so many get a half-plane; unset: all
   /// [d_s] s, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
   double soft_stop_time = 2.0;
+  SensingError sensing_error = {};  ///< of braking_trajectories, the same for all
 };
 
 /// What is customary for the method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's

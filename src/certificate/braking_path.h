@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "avo/planner.h"
 #include "avo/robot.h"
 #include "avo/vec.h"
 
@@ -14,6 +15,7 @@ struct StepLaw {
   double time_step = 0.1;     ///< [Δt] s
   double lag = 0.05;          ///< [s] s: Δt/2 (held), s(Δt) (exponential)
   double braking_time = 0.1;  ///< s: Δt (held), δ (1 - e^{-Δt/δ}) (exponential)
+  SensingError sensing_error = {};  ///< the same for all
 };
 
 /// [u] m/s that one step of full braking takes off.

@@ -31,10 +31,26 @@ double wall_distance(Vec2 normal, const Bezier& q) {
   return std::min({dot(normal, q[0]), dot(normal, q[1]), dot(normal, q[2])});
 }
 
-// How far any candidate's path gets from the braking path at the same time: |v_1 - v_1'| <= 2 u,
-// and by no more than that times the time until rest.
-double deviation_of(const Braking& b, const StepLaw& law) {
-  return 2.0 * b.decrement * law.time_step * b.intervals;
+// What the sensing errors of one interval demand (docs/certificate.md, "Sensing errors").
+struct ErrorMargin {
+  double distance = 0.0;  // m, beyond the inflated contact
+  double cone = 0.0;      // most that the normals of the two robots and the true one differ
+};
+
+// moved: |x(t) - q_0| on the interval, m; distance: of the wall.
+ErrorMargin error_margin(const BrakingPair& pair, const StepLaw& law, double m, double distance,
+                         double moved) {
+  const auto& [position, velocity] = law.sensing_error;
+  if (position == 0.0 && velocity == 0.0) return {};
+  const double steps = m + 1.0;
+  const double error = position + velocity * law.time_step *
+                                      std::min(steps, std::max(pair.a.intervals, pair.b.intervals));
+  const double cone = 2.0 * std::sqrt(2.0 * error / (std::max(distance, 0.0) + 2.0 * error));
+  if (!pair.decides) return {3.0 * error, cone};
+  const double deviation =
+      std::max(deviation_after(pair.a, steps, law), deviation_after(pair.b, steps, law));
+  const double both = moved + 2.0 * velocity * law.time_step + deviation;
+  return {2.0 * error + (3.0 * error + cone * both) / std::min(pair.share, 1.0 - pair.share), cone};
 }
 
 // What is seen to accelerate moves on a parabola. Where A's motion is exponential, a path of A's kind
@@ -84,18 +100,24 @@ void append_walls(const BrakingPair& pair, const Neighbor& neighbor, int index, 
   double nearest = kInfinity;  // over the intervals of the invariant
   for (std::size_t m = 0; m < count; ++m) {
     const Bezier q = relative_points(pair, neighbor, law, walls, m);
-    const double beyond = far + (norm(q[1] - q[0]) + norm(q[2] - q[1]));
+    const double moved = norm(q[1] - q[0]) + norm(q[2] - q[1]);
+    const double steps = static_cast<double>(m);
+    const double beyond =
+        far + moved + error_margin(pair, law, steps, pair.contact, moved).distance;
     if (norm_squared(q[0]) > beyond * beyond) continue;
     const Vec2 n = normal_of(q);
     const double distance = wall_distance(n, q);
-    const bool counts = pair.decides || static_cast<double>(m) < moving;
+    const bool counts = pair.decides || steps < moving;
     if (counts) nearest = std::min(nearest, distance);
-    if (distance > far) continue;
-    TrajectoryWall wall{index, static_cast<int>(m), !counts, n, {}, -pair.share * distance};
+    const ErrorMargin margin = error_margin(pair, law, steps, distance, moved);
+    if (distance > far + margin.distance) continue;
+    TrajectoryWall wall{index, static_cast<int>(m), !counts, n, {}, margin.cone, 0.0};
+    wall.bound = pair.share * (margin.distance - distance);
     const std::array<double, 3> along{walls.braking.start[m], walls.braking.middle[m],
                                       walls.braking.end[m]};
     for (std::size_t i = 0; i < 3; ++i) {
-      wall.offset[i] = pair.share * dot(n, q[i]) - along[i] * dot(n, pair.a.direction);
+      wall.offset[i] =
+          pair.share * (dot(n, q[i]) - margin.distance) - along[i] * dot(n, pair.a.direction);
     }
     walls.walls.push_back(wall);
   }
@@ -116,17 +138,19 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom
                    const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
   walls.walls.clear();
   const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
-  const double deviation = deviation_of(a, law);
+  const double deviation = deviation_after(a, a.intervals, law);
+  const bool exact = law.sensing_error == SensingError{};
+  walls.direction = a.direction;
   int known = 0;  // intervals of A's braking
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
     if (whom == Whom::movers && neighbor.max_acceleration > 0.0) continue;
     const BrakingPair pair = braking_pair(robot, neighbor, a, law);
     if (cannot_meet(pair, neighbor, law)) continue;
-    if (!pair.decides && norm_squared(pair.p) < pair.contact * pair.contact) {
+    if (!pair.decides && norm(pair.p) < pair.contact + law.sensing_error.position) {
       invariant.touched = true;
     }
-    if (pair.decides && refuses_nothing(pair, deviation)) continue;
+    if (pair.decides && exact && refuses_nothing(pair, deviation)) continue;
     const double most = std::max(pair.a.intervals, pair.b.intervals);
     if (!(most <= kMostIntervals)) {
       invariant.unknown = true;
@@ -145,12 +169,38 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom
   walls.intervals = std::max(known - 1, 0);
 }
 
-WorstWall worst_wall(std::span<const TrajectoryWall> walls, const CandidatePath& path) {
+namespace {
+
+// Whether the path's point lies in the cone in which it moves away from B, seen from braking.
+bool moves_away(const TrajectoryWalls& walls, const TrajectoryWall& wall, int point,
+                const CandidatePath& path) {
+  const auto pick = [&](const BrakingDistances& braking, int interval) {
+    const auto m = static_cast<std::size_t>(interval);
+    return point == 0 ? braking.start[m] : point == 1 ? braking.middle[m] : braking.end[m];
+  };
+  const Vec2 x = pick(walls.braking, wall.interval) * walls.direction;
+  const Vec2 y = wall.interval == 0
+                     ? path.first
+                     : path.first + pick(path.braking, wall.interval - 1) * path.direction;
+  return dot(wall.normal, y - x) >= wall.cone * norm(y - x);
+}
+
+}  // namespace
+
+WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path) {
+  return worst_wall(walls, path, 0, walls.walls.size());
+}
+
+WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, std::size_t first,
+                     std::size_t last) {
   WorstWall worst{kInfinity, nullptr, 0};
-  for (const TrajectoryWall& wall : walls) {
+  for (std::size_t k = first; k < last; ++k) {
+    const TrajectoryWall& wall = walls.walls[k];
     if (wall.only_in_motion && wall.interval >= path.moving) continue;
     const auto take = [&](double value, int point) {
-      if (value < worst.coefficient) worst = {value, &wall, point};
+      if (!(value < worst.coefficient)) return;
+      if (value < 0.0 && wall.cone > 0.0 && moves_away(walls, wall, point, path)) return;
+      worst = {value, &wall, point};
     };
     const double base = dot(wall.normal, path.first);
     if (wall.interval == 0) {

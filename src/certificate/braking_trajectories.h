@@ -3,6 +3,7 @@
 // both robots of a pair derive from the paths on which they would brake now (docs/certificate.md).
 #pragma once
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct TrajectoryWall {
   bool only_in_motion = false;  ///< asked only of paths on which A still moves then
   Vec2 normal;                  ///< unit, from B to A
   std::array<double, 3> offset{};  ///< m
+  /// With sensing errors: A may also move away, normal . (y_i - x_i) >= cone |y_i - x_i|. 0: it may
+  /// not make use of that.
+  double cone = 0.0;
   /// m, <= 0: a path that keeps normal . (y - x) >= bound, x the braking path, keeps the wall.
   double bound = 0.0;
 };
@@ -31,6 +35,7 @@ enum class Whom : unsigned char { everyone, movers };
 struct TrajectoryWalls {
   std::vector<TrajectoryWall> walls;  ///< a neighbor's follow each other
   int intervals = 0;                  ///< of a candidate's braking that have to be known
+  Vec2 direction;                     ///< of A's braking
   BrakingDistances braking, neighbor_braking;
 };
 
@@ -46,7 +51,10 @@ struct WorstWall {
   const TrajectoryWall* wall = nullptr;
   int point = 0;  ///< of the three
 };
-WorstWall worst_wall(std::span<const TrajectoryWall> walls, const CandidatePath& path);
+WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path);
+/// Of walls.walls[first .. last) only.
+WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, std::size_t first,
+                     std::size_t last);
 
 /// The wall's half-plane in v_1, tangent at the path: v_1 of a path that violates it lies outside.
 HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const Robot& robot,

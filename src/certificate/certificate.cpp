@@ -36,7 +36,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
   }
   follow(robot, next_velocity, law.step, walls.trajectories.intervals, walls.path);
   if (walls.invariant.unknown || (walls.invariant.touched && walls.path.moving > 0)) return false;
-  return worst_wall(walls.trajectories.walls, walls.path).coefficient >= 0.0 &&
+  return worst_wall(walls.trajectories, walls.path).coefficient >= 0.0 &&
          keeps(walls.capsules, walls.path, robot, law.step);
 }
 

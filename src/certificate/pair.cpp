@@ -27,12 +27,18 @@ Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
   result.speed = norm(velocity);
   result.decrement = braking_decrement(max_acceleration, law);
   if (result.speed > 0.0) result.direction = velocity / result.speed;
-  const double top = result.speed + result.decrement;
+  // it may be faster than it looks
+  const double top = result.speed + law.sensing_error.velocity + result.decrement;
   result.length = stopping_length(result.speed, result.decrement, law);
   result.reach = law.lag * result.speed + (law.time_step - law.lag) * top +
                  stopping_length(top, result.decrement, law);
   result.intervals = 1.0 + braking_steps(top, result.decrement);
   return result;
+}
+
+double deviation_after(const Braking& braking, double steps, const StepLaw& law) {
+  // |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times the time
+  return 2.0 * braking.decrement * law.time_step * std::min(steps, braking.intervals);
 }
 
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
@@ -45,6 +51,8 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   pair.a = a;
   if (pair.decides) pair.b = braking_of(neighbor.velocity, neighbor.max_acceleration, law);
   pair.inflated = pair.contact + rounding_margin(robot, neighbor, pair);
+  pair.error = law.sensing_error.position + law.sensing_error.velocity * law.time_step *
+                                                std::max(a.intervals, pair.b.intervals);
   return pair;
 }
 
@@ -54,12 +62,12 @@ bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLa
     const double t = law.time_step * pair.a.intervals;
     reach += t * norm(neighbor.velocity) + 0.5 * t * t * norm(neighbor.acceleration);
   }
-  return norm(pair.p) - reach > pair.inflated;
+  return norm(pair.p) - reach > pair.inflated + 3.0 * pair.error;
 }
 
 double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant) {
   invariant.slack = std::min(invariant.slack, distance - pair.contact);
-  if (!(distance < pair.contact)) return pair.inflated;
+  if (!(distance < pair.contact - pair.error)) return pair.inflated;
   invariant.broken = index;
   return distance;
 }

@@ -27,6 +27,9 @@ struct Braking {
 };
 Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law);
 
+/// How far any candidate's path gets from the braking path `steps` steps from now, m.
+double deviation_after(const Braking& braking, double steps, const StepLaw& law);
+
 /// Pairs whose braking takes more intervals than this are not looked at but braked for.
 inline constexpr double kMostIntervals = 65536.0;
 
@@ -36,6 +39,7 @@ struct BrakingPair {
   Vec2 p;               ///< [p_A - p_B] m
   double contact;       ///< [r_A + r_B] m
   double inflated;      ///< m, contact and what covers all rounding (docs/certificate.md)
+  double error;         ///< [e] m, most that B's path is off from what is sensed, at its end
   double share;         ///< [β] of the free gap that is A's, 1 against one that does not decide
   bool decides;         ///< B does
   Braking a, b;

@@ -39,11 +39,11 @@ bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
 // For every neighbor that refuses the path asked about last, the tangent of its worst wall.
 void append_cuts(const Proposals& proposals) {
   const CertificateWalls& walls = proposals.workspace.walls;
-  const std::span<const TrajectoryWall> all = walls.trajectories.walls;
+  const std::vector<TrajectoryWall>& all = walls.trajectories.walls;
   for (std::size_t first = 0; first < all.size();) {
     std::size_t last = first;
     while (last < all.size() && all[last].neighbor == all[first].neighbor) ++last;
-    const WorstWall worst = worst_wall(all.subspan(first, last - first), walls.path);
+    const WorstWall worst = worst_wall(walls.trajectories, walls.path, first, last);
     if (worst.coefficient < 0.0) {
       HalfPlane cut = tangent(worst, walls.path, proposals.robot, proposals.law.step);
       cut.offset += kInside * proposals.acceleration.radius;

@@ -13,7 +13,8 @@ namespace avo {
 CertificateLaw certificate_law(const Planner& planner) {
   const PlannerOptions& options = planner.options();
   return {options.certificate,
-          {options.time_step, planner.step_lag(), planner.step_rate() * options.control_time},
+          {options.time_step, planner.step_lag(), planner.step_rate() * options.control_time,
+           options.sensing_error},
           options.soft_stop_time};
 }
 
