@@ -91,7 +91,7 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
   std::vector<avo::CheckedObstacle> obstacles;
   for (const avo::MovingObstacle& each : scenario->moving_obstacles)
     obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
-  return avo::Check(std::move(robots), std::move(obstacles), rules);
+  return avo::Check(robots, std::move(obstacles), rules);
 }
 
 Judge::Judge(const CheckArguments& arguments)

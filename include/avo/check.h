@@ -94,8 +94,8 @@ struct CheckReport {
 class Check {
  public:
   /// Throws Error on values out of range.
-  explicit Check(std::vector<CheckedRobot> robots, std::vector<CheckedObstacle> obstacles = {},
-                 const CheckOptions& options = {});
+  explicit Check(const std::vector<CheckedRobot>& robots,
+                 std::vector<CheckedObstacle> obstacles = {}, const CheckOptions& options = {});
   ~Check();
   Check(Check&&) noexcept;
   Check& operator=(Check&&) noexcept;

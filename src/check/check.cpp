@@ -219,7 +219,7 @@ void Check::State::meet(std::size_t first, std::size_t second) {
     meet_robots(a, b);
 }
 
-Check::Check(std::vector<CheckedRobot> robots, std::vector<CheckedObstacle> obstacles,
+Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedObstacle> obstacles,
              const CheckOptions& options)
     : state_(std::make_unique<State>()) {
   judge::require_sound(options);

@@ -140,15 +140,13 @@ Instant nearest_instant(const RelativePath& path) {
 
 std::optional<double> first_below(const RelativePath& path, double limit) {
   std::optional<double> first;
-  double above = 0.0;
   visit_turns(path, [&](const Instant& instant) {
     if (instant.distance < limit) first = instant.fraction;
-    if (!first) above = instant.fraction;
     return !first;
   });
   if (!first || *first == 0.0) return first;
-  // once it has risen it may fall, but it does not come back: one crossing in between
-  double low = above, high = *first;
+  // all minima before this instant are above the limit: one crossing
+  double low = 0.0, high = *first;
   for (int i = 0; i < 60; ++i) {
     const double half = 0.5 * (low + high);
     (norm(point_at(path.control, half)) < limit ? high : low) = half;

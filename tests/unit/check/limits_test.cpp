@@ -143,6 +143,15 @@ TEST(CheckArrivals, are_counted_at_rows) {
   EXPECT_EQ(near.not_arrived, std::vector<std::int64_t>{});
 }
 
+TEST(CheckArrivals, whoever_stays_has_arrived_once) {
+  std::vector<CheckedRobot> robots{free_robot()};
+  robots[0].goal = Vec2{10, 0};
+  std::vector<Moment> recording;
+  for (const double time : {0.0, 1.0, 2.0, 3.0})
+    recording.push_back({time, {{0, {time > 0.5 ? 10.0 : 0.0, 0}, {}}}});
+  EXPECT_EQ(report_of(robots, recording).last_arrival, 1.0);
+}
+
 TEST(CheckArrivals, a_robot_that_is_never_there_has_not_arrived) {
   std::vector<CheckedRobot> robots(2, free_robot());
   robots[0].goal = robots[1].goal = Vec2{};

@@ -55,6 +55,8 @@ TEST(CheckObstacles, braking_in_time_is_rest) {
   };
   EXPECT_EQ(hit(11.5 + 1e-5).obstacle_contacts_moving.count, 0);
   EXPECT_EQ(hit(11.5 + 1e-5).obstacle_contacts_at_rest, 1);
+  // half a nanosecond before, at half a nanometer a second
+  EXPECT_EQ(hit(11.5 - 5e-9).obstacle_contacts_moving.count, 0);
   EXPECT_EQ(hit(11.5 - 1e-5).obstacle_contacts_moving.count, 1);
   EXPECT_EQ(hit(11.5 - 1e-5).obstacle_contacts_at_rest, 0);
 }

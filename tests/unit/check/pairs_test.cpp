@@ -143,6 +143,44 @@ TEST(CheckPairs, the_deepest_overlap_of_all_is_the_worst) {
   EXPECT_NEAR(*report.least_clearance, -1.7, 1e-8);
 }
 
+// Robots 0 and 1 are known to 0.25 m each: what overlaps more is farther apart.
+TEST(CheckPairs, the_worst_overlap_is_not_always_the_least_clearance) {
+  std::vector<CheckedRobot> robots(4, free_robot());
+  robots[0].interpolation_error = robots[1].interpolation_error = 0.25;
+  const auto at = [](double time, double distance) {
+    return Moment{time,
+                  {{0, {0, 0}, {}}, {1, {0.1, 0}, {}}, {2, {9, 0}, {}}, {3, {9, distance}, {}}}};
+  };
+  const CheckReport report = report_of(robots, {at(0, 0.9), at(1, 0.9), at(2, 0.4), at(3, 0.4)});
+  EXPECT_NEAR(report.overlaps.first->amount, 0.4, 1e-8);
+  EXPECT_NEAR(report.overlaps.worst, 0.6, 1e-8);
+  EXPECT_EQ(report.least_clearance, -0.9);
+}
+
+TEST(CheckPairs, the_least_clearance_is_that_of_all_times) {
+  const auto at = [](double time, double distance) {
+    return Moment{time, {{0, {0, 0}, {}}, {1, {0, distance}, {}}}};
+  };
+  EXPECT_EQ(report_of(kTwo, {at(0, 10.0), at(1, 9.5), at(2, 9.75)}).least_clearance, 8.5);
+}
+
+// Two pairs within one step, the one on the right first; whichever way the sweep goes.
+TEST(CheckPairs, the_first_of_a_step_is_the_first) {
+  const std::vector<CheckedRobot> four(4, free_robot());
+  for (const double side : {-1.0, 1.0}) {
+    const auto at = [side](double time, double gap, double other) {
+      return Moment{time,
+                    {{0, {-20 * side, 0}, {}},
+                     {1, {-20 * side, gap}, {}},
+                     {2, {20 * side, 0}, {}},
+                     {3, {20 * side, other}, {}}}};
+    };
+    EXPECT_EQ(report_of(four, {at(0, 2, 2), at(1, 0.9, 0)}).overlaps.first->robot, 2);
+    EXPECT_EQ(report_of(four, {at(0, 2, 2), at(1, 0, 0.9)}).overlaps.first->robot, 0);
+    EXPECT_EQ(report_of(four, {at(0, 0, 0), at(1, 0, 0)}).overlaps.first->robot, 0) << "of equals";
+  }
+}
+
 // The velocity jumps at the row: the straight line stays clear, the cubic swings out.
 TEST(CheckPairs, straight_robots_are_judged_on_lines) {
   const std::vector<Moment> recording{{0.0, {{0, {0, 0}, {0, 4}}, {1, {0, 1.1}, {}}}},

@@ -16,10 +16,11 @@ struct Moment {
   std::vector<CheckedState> rows;
 };
 
-inline CheckReport report_of(std::vector<CheckedRobot> robots, const std::vector<Moment>& recording,
+inline CheckReport report_of(const std::vector<CheckedRobot>& robots,
+                             const std::vector<Moment>& recording,
                              std::vector<CheckedObstacle> obstacles = {},
                              const CheckOptions& options = {}) {
-  Check check(std::move(robots), std::move(obstacles), options);
+  Check check(robots, std::move(obstacles), options);
   for (const Moment& moment : recording) check.add(moment.time, moment.rows);
   return check.report();
 }
