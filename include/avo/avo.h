@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Everything of the library.
 #pragma once
+#include "avo/assumptions.h"
+#include "avo/check.h"
 #include "avo/error.h"
 #include "avo/geometry.h"
 #include "avo/half_plane.h"
