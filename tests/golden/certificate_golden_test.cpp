@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Admission by braking trajectories and stopping lengths against slow references, for both motions.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "certificate/braking_trajectories.h"
+#include "certificate/certificate.h"
+#include "planner/scratch.h"
+
+namespace avo {
+namespace {
+
+using nlohmann::json;
+
+json cases(const std::string& name) {
+  std::ifstream file(std::string(AVO_TEST_DATA) + "/" + name);
+  return json::parse(file).at("cases");
+}
+
+Vec2 vec(const json& row) {
+  return {row.at(0).get<double>(), row.at(1).get<double>()};
+}
+
+Robot robot_of(const json& row) {
+  return {vec(row.at("position")),
+          vec(row.at("velocity")),
+          {},
+          row.at("radius").get<double>(),
+          row.at("max_acceleration").get<double>(),
+          row.at("max_speed").get<double>()};
+}
+
+CertificateLaw law_of(const json& row) {
+  PlannerOptions options;
+  options.time_step = row.at("time_step").get<double>();
+  if (row.contains("control_time")) {
+    options.motion = Motion::exponential;
+    options.control_time = row.at("control_time").get<double>();
+  }
+  return certificate_law(Planner(options));
+}
+
+// What the walls say of a candidate, in the reference's terms: contact not inflated, and with the
+// first two coefficients of the step itself, which no candidate changes.
+double smallest_coefficient(const TrajectoryWalls& walls, const CandidatePath& path,
+                            const Robot& robot, const BrakingPair& pair, const StepLaw& law) {
+  double smallest = worst_wall(walls, path).coefficient;
+  for (const TrajectoryWall& wall : walls.walls) {
+    if (wall.interval > 0) continue;
+    smallest = std::min(
+        {smallest, wall.offset[0], law.lag * dot(wall.normal, robot.velocity) + wall.offset[1]});
+  }
+  return smallest + pair.share * (pair.inflated - pair.contact);
+}
+
+// Largest distance of the candidate's path from the braking path at the same time, m.
+double deviation(const Robot& robot, const CandidatePath& path, const StepLaw& law) {
+  CandidatePath braking;
+  const int intervals = static_cast<int>(path.braking.end.size());
+  follow(robot, braked(robot.velocity, braking_decrement(robot.max_acceleration, law)), law,
+         intervals, braking);
+  double most = norm(path.first - braking.first);
+  for (std::size_t m = 0; m < path.braking.end.size(); ++m) {
+    for (const auto points :
+         {&BrakingDistances::start, &BrakingDistances::middle, &BrakingDistances::end}) {
+      const Vec2 y = path.first + (path.braking.*points)[m] * path.direction;
+      const Vec2 x = braking.first + (braking.braking.*points)[m] * braking.direction;
+      most = std::max(most, norm(y - x));
+    }
+  }
+  return most;
+}
+
+// What the walls are culled by, m.
+double greatest_deviation(const Braking& a, const StepLaw& law) {
+  return deviation_after(a, a.intervals, law);
+}
+
+// Whether full acceleration towards each other for one step, then braking, leaves a gap.
+bool is_out_of_reach(const Robot& a, const Robot& b, const StepLaw& law) {
+  double gap = norm(a.position - b.position) - a.radius - b.radius;
+  for (const Robot* robot : {&a, &b}) {
+    const double u = robot->max_acceleration * law.braking_time, speed = norm(robot->velocity);
+    gap -= law.lag * speed + (law.time_step - law.lag) * (speed + u);
+    for (double next = speed + u; next > 0.0; next -= u) {
+      gap -= law.lag * next + (law.time_step - law.lag) * std::max(next - u, 0.0);
+    }
+  }
+  return gap > 0.0;
+}
+
+// How many of the reference's cases tell what.
+struct Compared {
+  int refused = 0, coefficients = 0;
+};
+
+// Compares every case but those of pairs that cannot come to meet, whatever both do: the rule would
+// refuse some candidates there as well, to no purpose. A coefficient beyond what the candidate
+// could lose belongs to no wall.
+Compared compare(const json& rows) {
+  Compared compared;
+  for (const json& row : rows) {
+    SCOPED_TRACE(row.dump());
+    const CertificateLaw law = law_of(row);
+    const Robot a = robot_of(row.at("a")), b = robot_of(row.at("b"));
+    const std::vector<Neighbor> neighbors{
+        {b.position, b.velocity, b.radius, b.max_acceleration, {}}};
+    CertificateWalls walls;
+    collect_walls(a, neighbors, law, walls);
+    const Vec2 next = a.velocity + law.step.braking_time * vec(row.at("candidate"));
+    const bool admitted = admits(a, next, law, walls);
+    const Braking braking = braking_of(a.velocity, a.max_acceleration, law.step);
+    const BrakingPair pair = braking_pair(a, neighbors[0], braking, law.step);
+    if (is_out_of_reach(a, b, law.step)) {
+      EXPECT_TRUE(admitted);
+      continue;
+    }
+    const double expected = row.at("smallest_coefficient").get<double>();
+    EXPECT_EQ(admitted, row.at("admitted").get<bool>());
+    compared.refused += admitted ? 0 : 1;
+    const double found = smallest_coefficient(walls.trajectories, walls.path, a, pair, law.step);
+    const double tolerance = 1e-9 * std::max(1.0, std::abs(expected));
+    EXPECT_GE(found, expected - tolerance);
+    CandidatePath path;
+    follow(a, next, law.step, 200, path);
+    if (expected < greatest_deviation(braking, law.step) - deviation(a, path, law.step)) {
+      EXPECT_NEAR(found, expected, tolerance);
+      ++compared.coefficients;
+      const double slack = row.at("invariant_slack").get<double>();
+      EXPECT_LE(slack, walls.invariant.slack + 1e-9);
+    }
+  }
+  return compared;
+}
+
+TEST(CertificateGolden, braking_trajectories) {
+  const json rows = cases("braking_trajectories.json");
+  ASSERT_EQ(rows.size(), 400U);
+  const Compared compared = compare(rows);
+  EXPECT_GE(compared.refused, 150);
+  EXPECT_GE(compared.coefficients, 250);
+}
+
+TEST(CertificateGolden, braking_trajectories_of_exponential_motion) {
+  const json rows = cases("braking_trajectories_exponential.json");
+  ASSERT_EQ(rows.size(), 400U);
+  const Compared compared = compare(rows);
+  EXPECT_GE(compared.refused, 150);
+  EXPECT_GE(compared.coefficients, 250);
+}
+
+void compare_lengths(const json& rows) {
+  for (const json& row : rows) {
+    SCOPED_TRACE(row.dump());
+    const StepLaw law = law_of(row).step;
+    const double found =
+        stopping_length(row.at("speed").get<double>(),
+                        braking_decrement(row.at("max_acceleration").get<double>(), law), law);
+    const double expected = row.at("length").get<double>();
+    EXPECT_NEAR(found, expected, 1e-12 * std::max(1.0, expected));
+  }
+}
+
+TEST(CertificateGolden, stopping_lengths) {
+  const json rows = cases("stopping_lengths.json");
+  ASSERT_EQ(rows.size(), 100U);
+  compare_lengths(rows);
+}
+
+TEST(CertificateGolden, stopping_lengths_of_exponential_motion) {
+  const json rows = cases("stopping_lengths_exponential.json");
+  ASSERT_EQ(rows.size(), 100U);
+  compare_lengths(rows);
+}
+
+}  // namespace
+}  // namespace avo
