@@ -13,8 +13,9 @@ ALLOWED = {
     "lp": {"core"},
     "neighbors": {"core"},
     "robots": {"core"},
-    "planner": {"core", "obstacles", "lp"},
-    "sim": {"core", "neighbors", "robots", "planner"},
+    "certificate": {"core", "robots"},
+    "planner": {"core", "obstacles", "lp", "certificate", "robots"},
+    "sim": {"core", "neighbors", "robots", "certificate", "planner"},
     "metrics": {"core", "neighbors"},
 }
 # folder outside src/ -> prefixes of quoted includes that it may use

@@ -39,6 +39,9 @@ void add_overrides(CLI::App& verb, SceneArguments& arguments) {
 void add_scene(CLI::App& verb, SceneArguments& arguments) {
   verb.add_option("SCENE", arguments.scene, kScene)->required();
   add_overrides(verb, arguments);
+  verb.add_flag("--start-at-rest", arguments.start_at_rest, "all robots start with velocity 0");
+  verb.add_flag("--limit-speed", arguments.limit_speed,
+                "lowers max_speed to what the sensing radius allows");
 }
 
 void add_run(CLI::App& app, Action& action) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "assumptions.h"
 #include "avo_io/scene.h"
 #include "exit_codes.h"
 #include "terminal.h"
@@ -12,6 +13,8 @@ namespace avo_cli {
 
 avo::Scenario load(const SceneArguments& arguments) {
   avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides);
+  apply_remedies(arguments, scenario);
+  require_assumptions(arguments.scene, scenario);
   warn(avo::advice(scenario));
   return scenario;
 }

@@ -15,8 +15,11 @@ namespace avo_cli {
 struct SceneArguments {
   std::string scene;
   std::vector<std::string> overrides;  ///< key=value
+  bool start_at_rest = false;
+  bool limit_speed = false;
 };
-/// Loads it and warns of settings that do not fit.
+/// Loads it, changes it as asked and warns of settings that do not fit. Throws avo::Error, one line
+/// for each, where it breaks what its certificate assumes.
 avo::Scenario load(const SceneArguments& arguments);
 
 struct RunArguments {

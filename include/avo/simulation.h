@@ -38,6 +38,9 @@ struct ObstacleView {
 class Simulation {
  public:
   /// Throws Error on a bad scenario (see validate) or threads < 0. 0: as many as the machine has.
+  /// Accepts one that breaks what its certificate assumes (see broken_assumptions): pairs that
+  /// braking does not keep apart are held to the distance that it does keep, so that no overlap grows
+  /// deeper than braking makes it, and their decisions say `overlapping`.
   explicit Simulation(const Scenario& scenario, int threads = 0);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -47,7 +50,7 @@ class Simulation {
   /// Bit-identical for any number of threads; allocates nothing once warm.
   void step();
 
-  /// Throws Error on bad values. Overlap with others is accepted; see PairState for what follows.
+  /// Throws Error on bad values. A start that breaks a certificate's assumptions is accepted, as above.
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot

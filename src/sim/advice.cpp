@@ -95,6 +95,11 @@ void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lin
                   " / " + text(robot.max_acceleration) + " = " + text(slowest.value) + " s");
 }
 
+/// A certificate does not warn of what it assumes: broken_assumptions() tells.
+bool is_certified(const Scenario& scenario) {
+  return planner_options(scenario).certificate != Certificate::none;
+}
+
 /// How far a robot's edge gets from where its center is now, if it decides to brake only a step
 /// later: r + v_max Δt + v_max² / (2 a_max), m.
 double braking_reach(const RobotSetup& robot, double time_step) {
@@ -104,7 +109,7 @@ double braking_reach(const RobotSetup& robot, double time_step) {
 
 void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
   std::vector<RobotSetup> robots = scenario.robots;
-  if (robots.size() < 2) return;
+  if (robots.size() < 2 || is_certified(scenario)) return;
   const auto reach = [&](const RobotSetup& r) { return braking_reach(r, scenario.time_step); };
   const Worst first = worst(robots, reach);
   robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
@@ -126,6 +131,7 @@ void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
     lines.push_back("preferred_speed " + text(scenario.robots[wish.robot].preferred_speed) +
                     " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
                     text(scenario.robots[wish.robot].max_speed) + " m/s");
+  if (is_certified(scenario)) return;
   const Worst start =
       worst(scenario.robots, [](const RobotSetup& r) { return norm(r.velocity) / r.max_speed; });
   if (start.value > 1.0)
@@ -169,6 +175,7 @@ std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
 
 void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) {
   constexpr int kNamed = 3, kCounted = 1000;
+  if (is_certified(scenario)) return;
   const std::vector<StartDisc> discs = sorted_discs(scenario);
   int found = 0;
   for (std::size_t i = 0; i < discs.size() && found < kCounted; ++i) {

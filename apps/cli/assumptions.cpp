@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words for what a certificate assumes.
+#include "assumptions.h"
+
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+
+#include "avo/assumptions.h"
+#include "avo/error.h"
+#include "terminal.h"
+
+namespace avo_cli {
+namespace {
+
+using avo::BrokenAssumptions;
+
+const avo::RobotSetup& setup_of(const avo::Scenario& scenario, int robot) {
+  return scenario.robots[static_cast<std::size_t>(robot)];
+}
+
+std::string name_of(int source) {
+  return source >= 0 ? fmt::format("robot {}", source)
+                     : fmt::format("moving obstacle {}", -1 - source);
+}
+
+// Six digits, rounded so that whoever types them is within the limit: upwards or downwards.
+std::string at_least(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  return fmt::format("{:.6g}", std::ceil(value / unit * (1.0 - 5e-13)) * unit);
+}
+std::string at_most(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  return fmt::format("{:.6g}", std::floor(value / unit) * unit);
+}
+
+std::string further(std::int64_t count, std::size_t named, const char* what) {
+  const std::int64_t rest = count - static_cast<std::int64_t>(named);
+  return fmt::format("{}{} further {}", count >= BrokenAssumptions::kCounted ? "at least " : "",
+                     rest, what);
+}
+
+std::string complaint(const avo::BrokenStart& start, const avo::Scenario& scenario) {
+  const double own = setup_of(scenario, start.robot).radius;
+  const double other =
+      start.other >= 0
+          ? setup_of(scenario, start.other).radius
+          : scenario.moving_obstacles[static_cast<std::size_t>(-1 - start.other)].radius;
+  const std::string pair = name_of(start.robot) + " and " + name_of(start.other);
+  if (start.distance < (1.0 - 1e-9) * (own + other))
+    return fmt::format(
+        "{} overlap at the start: found {:.6g} m between the centers, must be >= {:.6g} + "
+        "{:.6g} = {:.6g} m; move them apart",
+        pair, start.distance, own, other, own + other);
+  return fmt::format(
+      "{} start too fast for their distance: found {:.3g} m of overlap when {} at once, "
+      "must be none; slow down, move apart, or --start-at-rest",
+      pair, start.depth, start.other >= 0 ? "both brake" : name_of(start.robot) + " brakes");
+}
+
+std::string complaint(const avo::FastStart& start, const avo::Scenario& scenario) {
+  return fmt::format(
+      "velocity of {}: found {} m/s at the start, must be <= its max_speed = {} m/s; "
+      "slow down, or --limit-speed or --start-at-rest",
+      name_of(start.robot), start.speed, setup_of(scenario, start.robot).max_speed);
+}
+
+std::string complaint(const avo::SensingNeed& need, const avo::Scenario& scenario) {
+  const double speed = avo::admissible_speed(scenario);
+  return fmt::format(
+      "sensing_radius: found {} m, must be >= {} m for {} and {} to see each other in "
+      "time, {:.6g} + {:.6g} m with one step and braking from their highest speeds; {}",
+      scenario.sensing_radius, at_least(need.range), name_of(need.robot), name_of(need.other),
+      need.robot_part, need.other_part,
+      speed > 0.0 ? fmt::format("sense farther, or lower max_speed to {} m/s "
+                                "(--limit-speed)",
+                                at_most(speed))
+                  : std::string("sense farther, no max_speed is low enough"));
+}
+
+std::vector<std::string> complaints(const avo::Scenario& scenario) {
+  const BrokenAssumptions broken = avo::broken_assumptions(scenario);
+  std::vector<std::string> lines;
+  for (const avo::BrokenStart& start : broken.starts) lines.push_back(complaint(start, scenario));
+  if (broken.start_count > static_cast<std::int64_t>(broken.starts.size()))
+    lines.push_back(further(broken.start_count, broken.starts.size(),
+                            "pairs overlap or start too fast for their distance"));
+  for (const avo::FastStart& start : broken.fast) lines.push_back(complaint(start, scenario));
+  if (broken.fast_count > static_cast<std::int64_t>(broken.fast.size()))
+    lines.push_back(fmt::format("{} further robots start faster than their max_speed",
+                                broken.fast_count - static_cast<std::int64_t>(broken.fast.size())));
+  if (broken.unseen) lines.push_back(complaint(*broken.unseen, scenario));
+  return lines;
+}
+
+}  // namespace
+
+void apply_remedies(const SceneArguments& arguments, avo::Scenario& scenario) {
+  if (arguments.start_at_rest) {
+    const std::int64_t count = avo::start_at_rest(scenario);
+    say(fmt::format("--start-at-rest: {} of {} robots start at rest instead of moving", count,
+                    scenario.robots.size()));
+  }
+  if (!arguments.limit_speed) return;
+  const avo::LimitedSpeeds limited = avo::limit_speed(scenario);
+  std::string text = fmt::format("--limit-speed: max_speed of {} of {} robots lowered",
+                                 limited.robots, scenario.robots.size());
+  if (limited.robots > 0) text += fmt::format(" to {} m/s", limited.limit);
+  if (limited.starts > 0) text += fmt::format(", {} start slower", limited.starts);
+  say(text);
+}
+
+void require_assumptions(const std::string& scene, const avo::Scenario& scenario) {
+  std::string text;
+  for (const std::string& line : complaints(scenario))
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", scene, line);
+  if (!text.empty()) throw avo::Error(text);
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of scenes that break what their certificate assumes, and what is done about it.
+#pragma once
+#include "verbs.h"
+
+namespace avo_cli {
+
+/// --start-at-rest and --limit-speed; tells what they changed.
+void apply_remedies(const SceneArguments& arguments, avo::Scenario& scenario);
+
+/// Throws avo::Error, one line for each thing that is broken.
+void require_assumptions(const std::string& scene, const avo::Scenario& scenario);
+
+}  // namespace avo_cli

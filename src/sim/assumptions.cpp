@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starts that a certificate cannot keep apart. Every pair that can be in reach of each other is put
+// to the certificate itself.
+#include "sim/assumptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "neighbors/uniform_grid.h"
+
+namespace avo {
+namespace {
+
+// A robot or an obstacle at the start.
+struct Starter {
+  Vec2 position;
+  int source = 0;      // robot i, or -1 - k for moving obstacle k
+  Vec2 way;            // m, from where a robot is to where it would stop
+  double reach = 0.0;  // m, radius and the farthest it can get while the robots brake
+};
+
+// Certificate, scene and scratch memory.
+struct Starts {
+  const Scenario& scenario;
+  CertificateLaw law;
+  std::vector<Starter> starters = {};
+  CertificateWalls walls = {};
+  std::vector<BrokenStart> broken = {};
+};
+
+// Of a car only the length counts, see CarSetup.
+Vec2 start_velocity(const RobotSetup& robot) {
+  if (!robot.car) return robot.velocity;
+  return norm(robot.velocity) * Vec2{std::cos(robot.car->heading), std::sin(robot.car->heading)};
+}
+
+double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
+  const double speed = norm(robot.velocity);
+  if (law.kind == Certificate::linear_soft_stop) return law.soft_stop_time;
+  return law.step.time_step *
+         braking_steps(speed, braking_decrement(robot.max_acceleration, law.step));
+}
+
+Vec2 way_of(const RobotSetup& robot, const CertificateLaw& law) {
+  const Vec2 v = start_velocity(robot);
+  if (law.kind == Certificate::linear_soft_stop) {
+    return (law.soft_stop_time - 0.5 * law.step.time_step) * v;
+  }
+  const double speed = norm(v);
+  if (!(speed > 0.0)) return {};
+  const double u = braking_decrement(robot.max_acceleration, law.step);
+  return (stopping_length(speed, u, law.step) / speed) * v;
+}
+
+void collect_starters(Starts& starts) {
+  double longest = 0.0;  // s
+  const std::vector<RobotSetup>& robots = starts.scenario.robots;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const Vec2 way = way_of(robots[i], starts.law);
+    longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
+    starts.starters.push_back(
+        {robots[i].position, static_cast<int>(i), way, robots[i].radius + norm(way)});
+  }
+  const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    const MovingObstacle& each = obstacles[k];
+    const double way = longest * norm(each.velocity) +
+                       0.5 * longest * longest * norm(each.acceleration) +
+                       prediction_error(each, starts.law);
+    starts.starters.push_back({each.position, -1 - static_cast<int>(k), {}, each.radius + way});
+  }
+}
+
+// Whether the line across p keeps the two apart on all of their ways: most pairs of a crowd need no
+// more than that.
+bool are_apart(const Starter& a, const Starter& b, double contact) {
+  const Vec2 p = a.position - b.position;
+  const double distance = norm(p);
+  if (distance >= a.reach + b.reach) return true;
+  if (b.source < 0 || !(distance > 0.0)) return false;
+  return distance + (std::min(0.0, dot(p, a.way)) - std::max(0.0, dot(p, b.way))) / distance >=
+         contact;
+}
+
+void examine(const Starter& a, const Starter& b, Starts& starts) {
+  const auto& [scenario, law, starters, walls, broken] = starts;
+  const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
+  Neighbor neighbor;
+  double margin = 0.0;
+  if (b.source >= 0) {
+    const RobotSetup& other = scenario.robots[static_cast<std::size_t>(b.source)];
+    neighbor = {other.position, start_velocity(other), other.radius, other.max_acceleration, {}};
+  } else {
+    const MovingObstacle& other =
+        scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
+    neighbor = {other.position, other.velocity, other.radius, 0.0, other.acceleration};
+    margin = prediction_error(other, law);
+  }
+  const double contact = own.radius + neighbor.radius;
+  if (are_apart(a, b, contact)) return;
+  Robot robot;
+  robot.position = own.position;
+  robot.velocity = start_velocity(own);
+  robot.radius = own.radius;
+  robot.max_acceleration = own.max_acceleration;
+  robot.max_speed = own.max_speed;
+  collect_walls(robot, std::span(&neighbor, 1), law, starts.walls);
+  const double distance = norm(robot.position - neighbor.position);
+  // beside a robot at rest the slack does not count what may touch it, but that is contact
+  const double depth =
+      std::max(contact - distance, std::min(contact, margin - starts.walls.invariant.slack));
+  if (depth > kStartTolerance * contact) {
+    starts.broken.push_back({a.source, b.source, distance, depth});
+  }
+}
+
+// Pairs with one of a group of starters whose reaches differ by a factor of two at most: those of
+// the group itself, and those with all that reach less far. So one that reaches far costs the
+// others nothing.
+void examine_group(std::size_t first, std::size_t last, Starts& starts) {
+  const std::vector<Starter>& starters = starts.starters;
+  std::vector<Vec2> positions;
+  double reach = 0.0;
+  for (std::size_t j = first; j < last; ++j) {
+    positions.push_back(starters[j].position);
+    reach = std::max(reach, starters[j].reach);
+  }
+  UniformGrid grid;
+  grid.build(positions, 2.0 * reach);
+  std::vector<NeighborHit> hits;
+  for (std::size_t i = 0; i < last; ++i) {
+    grid.gather(starters[i].position, -1, positions.size(), hits);
+    for (const NeighborHit& hit : hits) {
+      const std::size_t j = first + static_cast<std::size_t>(hit.index);
+      if (j <= i) continue;  // itself, or met already
+      const Starter *a = &starters[i], *b = &starters[j];
+      if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
+      if (a->source < 0) continue;
+      examine(*a, *b, starts);
+      if (starts.broken.size() >= BrokenAssumptions::kCounted) return;
+    }
+  }
+}
+
+void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
+                        BrokenAssumptions& result) {
+  Starts starts{scenario, law};
+  collect_starters(starts);
+  std::vector<Starter>& starters = starts.starters;
+  std::stable_sort(starters.begin(), starters.end(), [](const Starter& a, const Starter& b) {
+    return std::ilogb(a.reach) < std::ilogb(b.reach);
+  });
+  for (std::size_t first = 0; first < starters.size();) {
+    std::size_t last = first;
+    while (last < starters.size() &&
+           std::ilogb(starters[last].reach) == std::ilogb(starters[first].reach)) {
+      ++last;
+    }
+    examine_group(first, last, starts);
+    if (starts.broken.size() >= BrokenAssumptions::kCounted) break;
+    first = last;
+  }
+  result.start_count = static_cast<std::int64_t>(starts.broken.size());
+  result.starts.resize(std::min(starts.broken.size(), BrokenAssumptions::kNamed));
+  std::partial_sort_copy(starts.broken.begin(), starts.broken.end(), result.starts.begin(),
+                         result.starts.end(), [](const BrokenStart& a, const BrokenStart& b) {
+                           if (a.depth != b.depth) return a.depth > b.depth;
+                           if (a.robot != b.robot) return a.robot < b.robot;
+                           return a.other < b.other;
+                         });
+}
+
+void find_fast_starts(const Scenario& scenario, BrokenAssumptions& result) {
+  std::vector<FastStart> fast;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const double speed = norm(scenario.robots[i].velocity);
+    if (exceeds(speed, scenario.robots[i].max_speed)) fast.push_back({static_cast<int>(i), speed});
+  }
+  const auto excess = [&](const FastStart& start) {
+    return start.speed - scenario.robots[static_cast<std::size_t>(start.robot)].max_speed;
+  };
+  result.fast_count = static_cast<std::int64_t>(fast.size());
+  result.fast.resize(std::min(fast.size(), BrokenAssumptions::kNamed));
+  std::partial_sort_copy(fast.begin(), fast.end(), result.fast.begin(), result.fast.end(),
+                         [&](const FastStart& a, const FastStart& b) {
+                           const double of_a = excess(a), of_b = excess(b);
+                           return of_a != of_b ? of_a > of_b : a.robot < b.robot;
+                         });
+}
+
+}  // namespace
+
+BrokenAssumptions broken_assumptions(const Scenario& scenario) {
+  BrokenAssumptions result;
+  const CertificateLaw law = certificate_law(scenario);
+  if (law.kind == Certificate::none) return result;
+  find_broken_starts(scenario, law, result);
+  find_fast_starts(scenario, result);
+  const std::optional<SensingNeed> need = sensing_need(scenario);
+  if (!suffices(scenario.sensing_radius, need)) result.unseen = need;
+  return result;
+}
+
+}  // namespace avo

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the two halves of the assumptions share: starts and sensing.
+#pragma once
+#include "avo/assumptions.h"
+#include "certificate/certificate.h"
+
+namespace avo {
+
+/// What the robots of the scene agree on.
+CertificateLaw certificate_law(const Scenario& scenario);
+
+/// m that an obstacle's motion within a step may be off the one that the certificate reckons with:
+/// it moves on a parabola, robots do not where their motion is exponential.
+double prediction_error(const MovingObstacle& obstacle, const CertificateLaw& law);
+
+bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed);
+
+/// What separates a broken start from the rounding of decimal fractions, of the length or speed.
+inline constexpr double kStartTolerance = 1e-9;
+
+inline bool exceeds(double speed, double max_speed) {
+  return speed > (1.0 + kStartTolerance) * max_speed;
+}
+
+}  // namespace avo

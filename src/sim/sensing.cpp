@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far robots have to see for their certificate, and how fast they may be for what they see
+// (docs/certificate.md, "Statement", assumption 3).
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "avo/assumptions.h"
+#include "certificate/certificate.h"
+#include "planner/scratch.h"
+#include "sim/assumptions.h"
+
+namespace avo {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// 5.4 m as a sum of decimal fractions may exceed 5.4 m by its rounding.
+constexpr double kRounding = 1e-12;
+
+// What a robot at its highest speed needs that is unseen until the next step.
+struct Part {
+  int robot = 0;
+  double length = 0.0;   // m, radius and way
+  double seconds = 0.0;  // until rest
+};
+
+Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
+  const RobotSetup& robot = scenario.robots[i];
+  const double v = robot.max_speed, step = law.step.time_step;
+  const int number = static_cast<int>(i);
+  if (law.kind == Certificate::linear_soft_stop) {
+    const double seconds = law.soft_stop_time + 0.5 * step;  // a step, and z = p + (d_s - Δt/2) v
+    return {number, robot.radius + seconds * v, seconds};
+  }
+  const double u = braking_decrement(robot.max_acceleration, law.step);
+  return {number, robot.radius + (step * v + stopping_length(v, u, law.step)),
+          step * (1.0 + braking_steps(v, u))};
+}
+
+double part_of(const MovingObstacle& obstacle, double seconds, double duration,
+               const CertificateLaw& law) {
+  // |v + t a| is largest at one of the ends
+  const double speed =
+      std::max(norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration));
+  return obstacle.radius + seconds * speed + 0.5 * seconds * seconds * norm(obstacle.acceleration) +
+         prediction_error(obstacle, law);
+}
+
+// Whoever needs more time or more length than all others: all that an obstacle can be worst for.
+std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return a.seconds != b.seconds ? a.seconds > b.seconds : a.length > b.length;
+  });
+  std::vector<Part> front;
+  for (const Part& part : parts) {
+    if (front.empty() || part.length > front.back().length) front.push_back(part);
+  }
+  return front;
+}
+
+std::optional<SensingNeed> need(const Scenario& scenario, const CertificateLaw& law) {
+  std::optional<SensingNeed> worst;
+  const auto take = [&](const Part& part, int other, double other_part) {
+    const double range = part.length + other_part;
+    if (!worst || range > worst->range) {
+      worst = SensingNeed{range, part.robot, other, part.length, other_part};
+    }
+  };
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    parts.push_back(part_of(scenario, i, law));
+  }
+  if (parts.size() > 1) {
+    Part first = parts[0], second = parts[1];  // the longest two, in the order of their numbers
+    for (std::size_t i = 2; i < parts.size(); ++i) {
+      Part& shorter = first.length < second.length ? first : second;
+      if (parts[i].length <= shorter.length) continue;
+      if (&shorter == &first) first = second;
+      second = parts[i];
+    }
+    take(first, second.robot, second.length);
+  }
+  if (scenario.moving_obstacles.empty()) return worst;
+  const std::vector<Part> front = worst_for_obstacles(parts);
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
+    for (const Part& part : front) {
+      take(part, -1 - static_cast<int>(k),
+           part_of(scenario.moving_obstacles[k], part.seconds, scenario.duration, law));
+    }
+  }
+  return worst;
+}
+
+double scene_top_speed(const Scenario& scenario) {
+  double top = 0.0;
+  for (const RobotSetup& robot : scenario.robots) top = std::max(top, robot.max_speed);
+  return top;
+}
+
+// The scene with no robot faster than a limit. d_s follows from the speeds, the rest does not.
+class LimitedScene {
+ public:
+  LimitedScene(const Scenario& scenario, CertificateLaw law)
+      : scenario_(scenario), limited_(scenario), law_(law) {}
+
+  bool is_seen(double limit) {
+    for (std::size_t i = 0; i < scenario_.robots.size(); ++i) {
+      limited_.robots[i].max_speed = std::min(scenario_.robots[i].max_speed, limit);
+    }
+    law_.soft_stop_time = planner_options(limited_).soft_stop_time;
+    return suffices(scenario_.sensing_radius, need(limited_, law_));
+  }
+
+ private:
+  const Scenario& scenario_;
+  Scenario limited_;
+  CertificateLaw law_;
+};
+
+}  // namespace
+
+CertificateLaw certificate_law(const Scenario& scenario) {
+  return certificate_law(Planner(planner_options(scenario)));
+}
+
+double prediction_error(const MovingObstacle& obstacle, const CertificateLaw& law) {
+  const double step = law.step.time_step;
+  if (law.step.lag == 0.5 * step) return 0.0;
+  return 0.125 * step * step * norm(obstacle.acceleration);
+}
+
+bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed) {
+  return !needed || sensing_radius >= (1.0 - kRounding) * needed->range;
+}
+
+std::optional<SensingNeed> sensing_need(const Scenario& scenario) {
+  const CertificateLaw law = certificate_law(scenario);
+  if (law.kind == Certificate::none) return {};
+  return need(scenario, law);
+}
+
+double admissible_speed(const Scenario& scenario) {
+  const CertificateLaw law = certificate_law(scenario);
+  if (law.kind == Certificate::none) return kInfinity;
+  LimitedScene scene(scenario, law);
+  const double top = scene_top_speed(scenario);
+  if (scene.is_seen(top)) return kInfinity;
+  const double least = std::numeric_limits<double>::min();
+  if (!scene.is_seen(least)) return 0.0;
+  // positive doubles are in the order of their bits
+  auto seen = std::bit_cast<std::uint64_t>(least), unseen = std::bit_cast<std::uint64_t>(top);
+  while (unseen - seen > 1) {
+    const std::uint64_t middle = seen + (unseen - seen) / 2;
+    (scene.is_seen(std::bit_cast<double>(middle)) ? seen : unseen) = middle;
+  }
+  return std::bit_cast<double>(seen);
+}
+
+std::int64_t start_at_rest(Scenario& scenario) {
+  std::int64_t moved = 0;
+  for (RobotSetup& robot : scenario.robots) {
+    if (!(robot.velocity == Vec2{})) ++moved;
+    robot.velocity = {};
+  }
+  return moved;
+}
+
+LimitedSpeeds limit_speed(Scenario& scenario) {
+  LimitedSpeeds result{0, admissible_speed(scenario), 0};
+  if (planner_options(scenario).certificate == Certificate::none) return result;
+  for (RobotSetup& robot : scenario.robots) {
+    if (result.limit > 0.0 && robot.max_speed > result.limit) {
+      robot.max_speed = result.limit;
+      robot.preferred_speed = std::min(robot.preferred_speed, result.limit);
+      ++result.robots;
+    }
+    const double speed = norm(robot.velocity);
+    if (!exceeds(speed, robot.max_speed)) continue;
+    robot.velocity = (robot.max_speed / speed) * robot.velocity;
+    ++result.starts;
+  }
+  return result;
+}
+
+}  // namespace avo
