@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The certificate's promise by itself: whoever chooses anything that is admitted, never touches
+// another.
+#include <gtest/gtest.h>
+#include <string>
+#include <tuple>
+
+#include "certificate_fleets.h"
+
+namespace avo::test {
+namespace {
+
+constexpr int kFleets = 400;
+constexpr int kSteps = 90;
+
+class Certified : public testing::TestWithParam<std::tuple<Certificate, Motion>> {};
+
+std::string name_of(const testing::TestParamInfo<Certified::ParamType>& info) {
+  const auto [kind, motion] = info.param;
+  const std::string name = kind == Certificate::stopping_capsules      ? "stopping_capsules"
+                           : kind == Certificate::braking_trajectories ? "braking_trajectories"
+                                                                       : "linear_soft_stop";
+  return name + (motion == Motion::held ? "_held" : "_exponential");
+}
+
+// Every robot picks by a whim of its own; all move; the distance within the step is looked at.
+Witness step(Random& random, Fleet& fleet, const CertificateLaw& law, CertificateWalls& walls) {
+  Witness witness;
+  std::vector<TrueStep> steps;
+  for (std::size_t k = 0; k < fleet.robots.size(); ++k) {
+    const Robot& robot = fleet.robots[k];
+    const std::vector<Neighbor> neighbors = others(fleet.robots, k);
+    collect_walls(robot, neighbors, law, walls);
+    const Vec2 backup = backup_velocity(robot, law);
+    // beyond all inflation: 10^-9 of the place, 10^-9 m
+    const double scale = 1e-9 * (1.0 + norm(robot.position));
+    if (walls.invariant.slack > scale && !admits(robot, backup, law, walls)) {
+      witness.backup_refused = true;
+    }
+    const Vec2 next =
+        adverse_velocity(random, robot, static_cast<Whim>(random.below(5)), neighbors, law, walls);
+    steps.push_back({robot.position, robot.velocity, next});
+    const double u = braking_decrement(robot.max_acceleration, law.step);
+    witness.most_change = std::max(witness.most_change, norm(next - robot.velocity) / u);
+    witness.most_speed = std::max(witness.most_speed, norm(next) / robot.max_speed);
+  }
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double contact = fleet.robots[i].radius + fleet.robots[j].radius;
+      witness.least_gap =
+          std::min(witness.least_gap, least_distance(steps[i], steps[j], fleet.options) - contact);
+    }
+  }
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    fleet.robots[k].position = steps[k].at(law.step.time_step, fleet.options);
+    fleet.robots[k].velocity = steps[k].next_velocity;
+  }
+  return witness;
+}
+
+TEST_P(Certified, nobody_touches_whatever_admitted_velocity_all_choose) {
+  const auto [kind, motion] = GetParam();
+  double least_gap = 1.0 / 0.0;
+  CertificateWalls walls;
+  for (int seed = 1; seed <= kFleets; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    Fleet fleet = random_fleet(random, kind, motion);
+    const CertificateLaw law = law_of(fleet.options);
+    for (int k = 0; k < kSteps; ++k) {
+      const Witness witness = step(random, fleet, law, walls);
+      ASSERT_GE(witness.least_gap, 0.0) << "seed " << seed << " step " << k;
+      ASSERT_LE(witness.most_change, 1.0 + 1e-9) << "seed " << seed << " step " << k;
+      ASSERT_LE(witness.most_speed, 1.0 + 1e-9) << "seed " << seed << " step " << k;
+      ASSERT_FALSE(witness.backup_refused) << "seed " << seed << " step " << k;
+      least_gap = std::min(least_gap, witness.least_gap);
+    }
+  }
+  EXPECT_LT(least_gap, 1e-4);  // they did try
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , Certified,
+    testing::Values(std::tuple(Certificate::stopping_capsules, Motion::held),
+                    std::tuple(Certificate::stopping_capsules, Motion::exponential),
+                    std::tuple(Certificate::braking_trajectories, Motion::held),
+                    std::tuple(Certificate::braking_trajectories, Motion::exponential),
+                    std::tuple(Certificate::linear_soft_stop, Motion::held)),
+    name_of);
+
+}  // namespace
+}  // namespace avo::test

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tests of the certificate share: laws, true motion within a step, how near two robots
+// get.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "avo/planner.h"
+#include "avo/response.h"
+#include "certificate/certificate.h"
+#include "planner/scratch.h"
+#include "support/generators.h"
+
+namespace avo::test {
+
+inline PlannerOptions options_of(Certificate kind, Motion motion, double time_step,
+                                 double control_time) {
+  PlannerOptions options;
+  options.certificate = kind;
+  options.motion = motion;
+  options.time_step = time_step;
+  options.control_time = control_time;
+  return options;
+}
+
+inline CertificateLaw law_of(const PlannerOptions& options) {
+  return certificate_law(Planner(options));
+}
+
+/// Δt 0.02 to 0.5 s, δ from Δt to 4 s.
+inline PlannerOptions random_options(Random& random, Certificate kind, Motion motion) {
+  const double time_step = random.log_uniform(0.02, 0.5);
+  return options_of(kind, motion, time_step, random.log_uniform(time_step, 4.0));
+}
+
+inline Neighbor seen(const Robot& robot) {
+  return {robot.position, robot.velocity, robot.radius, robot.max_acceleration, {}};
+}
+
+/// All but one, as it sees them. The certificate asks for no order.
+inline std::vector<Neighbor> others(const std::vector<Robot>& robots, std::size_t self) {
+  std::vector<Neighbor> result;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    if (k != self) result.push_back(seen(robots[k]));
+  }
+  return result;
+}
+
+/// One step from v to v_1 within [0, Δt]: position p + t v + g(t)/E(Δt) (v_1 - v), Eqs. (8), (9),
+/// or with the acceleration held.
+struct TrueStep {
+  Vec2 position, velocity, next_velocity;
+
+  Vec2 at(double t, const PlannerOptions& options) const {
+    const double h = options.time_step;
+    const Response response = Response::proportional(options.control_time);
+    const double part =
+        options.motion == Motion::held ? t * t / (2.0 * h) : response.gain(t) / response.rate(h);
+    return position + t * velocity + part * (next_velocity - velocity);
+  }
+};
+
+/// Real roots within [0, most] of c0 + c1 t + c2 t² + c3 t³, to rounding: between the extrema the
+/// cubic is monotone.
+inline std::vector<double> cubic_roots(const std::array<double, 4>& c, double most) {
+  const auto value = [&](double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); };
+  std::vector<double> bounds{0.0, most}, roots;
+  const double root = 4.0 * c[2] * c[2] - 12.0 * c[3] * c[1];
+  if (c[3] != 0.0 && root > 0.0) {
+    for (const double sign : {-1.0, 1.0}) {
+      const double t = (-2.0 * c[2] + sign * std::sqrt(root)) / (6.0 * c[3]);
+      if (t > 0.0 && t < most) bounds.push_back(t);
+    }
+  } else if (c[3] == 0.0 && c[2] != 0.0) {
+    const double t = -c[1] / (2.0 * c[2]);
+    if (t > 0.0 && t < most) bounds.push_back(t);
+  }
+  std::sort(bounds.begin(), bounds.end());
+  for (std::size_t k = 0; k + 1 < bounds.size(); ++k) {
+    double low = bounds[k], high = bounds[k + 1];
+    if ((value(low) < 0.0) == (value(high) < 0.0)) continue;
+    const bool at_low = value(low) < 0.0;
+    for (int i = 0; i < 80; ++i) {
+      const double t = 0.5 * (low + high);
+      ((value(t) < 0.0) == at_low ? low : high) = t;
+    }
+    roots.push_back(low);
+  }
+  return roots;
+}
+
+/// Least distance of two robots within one step, m: exact (the distance squared is a quartic) where
+/// motion is held, sampled and refined otherwise.
+inline double least_distance(const TrueStep& a, const TrueStep& b, const PlannerOptions& options) {
+  const TrueStep relative{a.position - b.position, a.velocity - b.velocity,
+                          a.next_velocity - b.next_velocity};
+  const double h = options.time_step;
+  const auto distance = [&](double t) { return norm(relative.at(t, options)); };
+  double least = std::min(distance(0.0), distance(h));
+  if (options.motion == Motion::held) {
+    const Vec2 p = relative.position, v = relative.velocity;
+    const Vec2 c = (relative.next_velocity - v) / h;
+    const std::array<double, 4> slope{dot(p, v), dot(v, v) + dot(p, c), 1.5 * dot(v, c),
+                                      0.5 * dot(c, c)};
+    for (const double t : cubic_roots(slope, h)) least = std::min(least, distance(t));
+    return least;
+  }
+  constexpr int kSamples = 32;
+  int nearest = 0;
+  for (int k = 0; k <= kSamples; ++k) {
+    if (distance(h * k / kSamples) < distance(h * nearest / kSamples)) nearest = k;
+  }
+  double low = h * std::max(nearest - 1, 0) / kSamples;
+  double high = h * std::min(nearest + 1, kSamples) / kSamples;
+  for (int i = 0; i < 40; ++i) {
+    const double third = (high - low) / 3.0;
+    if (distance(low + third) < distance(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  return std::min(least, distance(0.5 * (low + high)));
+}
+
+/// Whether all pairs keep the certificate's invariant.
+inline bool invariant_holds(const std::vector<Robot>& robots, const CertificateLaw& law) {
+  CertificateWalls walls;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    collect_walls(robots[k], others(robots, k), law, walls);
+    if (walls.invariant.broken >= 0 || walls.invariant.unknown) return false;
+  }
+  return true;
+}
+
+}  // namespace avo::test
