@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One robot's decision: from what it senses to its new velocity (paper §III-C, §IV-D).
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -112,6 +113,10 @@ class PlanWorkspace {
   ~PlanWorkspace();
   PlanWorkspace(PlanWorkspace&&) noexcept;
   PlanWorkspace& operator=(PlanWorkspace&&) noexcept;
+
+  /// Room for so many neighbors, each of which brakes for so many steps: a crowd that thickens then
+  /// allocates nothing. To plan among obstacles takes more, which comes as it is needed.
+  void reserve(std::size_t neighbors, std::size_t braking_steps);
 
   std::vector<NeighborPlane> planes;  ///< of the last decision, see Planner::collect_half_planes
   bool overlapping = false;           ///< a neighbor of the last decision is in contact already

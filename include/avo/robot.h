@@ -2,10 +2,18 @@
 // What a robot knows of itself and senses of the others (paper §IV-D). SI units.
 #pragma once
 #include <limits>
+#include <optional>
 
 #include "avo/vec.h"
 
 namespace avo {
+
+/// Car-like robot of the paper's §V: the robot's position is the center of its rear axle, its disc
+/// is centered there, and its velocity always points along its heading (it does not reverse).
+struct CarSetup {
+  double wheelbase = 1.0;  ///< [d] m, > 0, between the axles
+  double heading = 0.0;    ///< [θ] rad, counter-clockwise from +x
+};
 
 /// Robot A, the one that decides.
 struct Robot {
@@ -18,6 +26,8 @@ struct Robot {
   /// m left to where it comes to rest, where it has such a goal; method avo then makes no detours
   /// on the last of it.
   double distance_to_goal = std::numeric_limits<double>::infinity();
+  /// With its present heading; a certificate then judges what Eqs. (24), (25) make of a decision.
+  std::optional<CarSetup> car = {};
 };
 
 /// Another robot B as A senses it, or a moving obstacle that does not decide.

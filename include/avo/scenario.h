@@ -11,13 +11,6 @@
 
 namespace avo {
 
-/// Car-like robot of the paper's §V: the robot's position is the center of its rear axle, its disc
-/// is centered there, and its velocity always points along its heading (it does not reverse).
-struct CarSetup {
-  double wheelbase = 1.0;  ///< [d] m, > 0, between the axles
-  double heading = 0.0;    ///< [θ] rad, counter-clockwise from +x
-};
-
 struct RobotSetup {
   Vec2 position = {};                ///< m
   Vec2 velocity = {};                ///< m/s; for a car only its length counts, along the heading
@@ -67,7 +60,7 @@ PlannerOptions planner_options(const Scenario& scenario);
 std::int64_t last_step(const Scenario& scenario, double time);
 
 /// One line for each setting that does not fit the robots (δ, τ, Δt, sensing radius), with the
-/// arithmetic; empty where all is well.
+/// arithmetic; empty where all is well. What a certificate assumes is told by broken_assumptions().
 std::vector<std::string> advice(const Scenario& scenario);
 
 }  // namespace avo

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "robots/motion.h"
+
 namespace avo {
 
 double braking_steps(double speed, double decrement) {
@@ -39,13 +41,30 @@ void BrakingDistances::brake(double speed, double decrement, const StepLaw& law,
   }
 }
 
+Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
+  const double rate = law.braking_time / law.control_time;
+  Plan plan;
+  plan.new_velocity = robot.velocity + (next_velocity - robot.velocity) / rate;
+  plan.acceleration = (plan.new_velocity - robot.velocity) / law.control_time;
+  return plan;
+}
+
 void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
             CandidatePath& path) {
-  const double decrement = braking_decrement(robot.max_acceleration, law);
-  path.next_velocity = next_velocity;
-  path.speed = norm(next_velocity);
-  path.direction = path.speed > 0.0 ? next_velocity / path.speed : Vec2{};
+  path.bend = 0.0;
   path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
+  path.next_velocity = next_velocity;
+  if (robot.car) {
+    const MotionStep step =
+        advance_car({{}, robot.velocity, robot.car->heading}, plan_to(robot, next_velocity, law),
+                    {robot.car->wheelbase, robot.max_acceleration, robot.max_speed}, law.time_step);
+    path.first = step.next.position;
+    path.next_velocity = step.next.velocity;
+    path.bend = step.bend;
+  }
+  const double decrement = braking_decrement(robot.max_acceleration, law);
+  path.speed = norm(path.next_velocity);
+  path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
   const bool stays = path.speed == 0.0 && robot.velocity == Vec2{};
   path.moving = stays ? 0 : 1 + static_cast<int>(braking_steps(path.speed, decrement));
   path.braking.brake(path.speed, decrement, law, intervals);

@@ -16,7 +16,11 @@ struct StepLaw {
   double lag = 0.05;          ///< [s] s: Δt/2 (held), s(Δt) (exponential)
   double braking_time = 0.1;  ///< s: Δt (held), δ (1 - e^{-Δt/δ}) (exponential)
   SensingError sensing_error = {};  ///< the same for all
+  double control_time = 0.1;        ///< [δ] s, Eq. (7)
 };
+
+/// The decision that leads to v_1 in one step: v' and the acceleration of Eq. (7).
+Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law);
 
 /// [u] m/s that one step of full braking takes off.
 inline double braking_decrement(double max_acceleration, const StepLaw& law) {
@@ -49,10 +53,12 @@ struct CandidatePath {
   Vec2 direction;      ///< of v_1; 0 at rest
   double speed = 0.0;  ///< |v_1| m/s
   int moving = 0;      ///< intervals in which it moves, the first step included
+  double bend = 0.0;   ///< m, for a car: what the arc of its first step asks for beyond a parabola
   BrakingDistances braking;
 };
 
-/// The path, its braking known for the `intervals` after the first step.
+/// The path, its braking known for the `intervals` after the first step. A car's path is that of the
+/// velocity that it reaches where v_1 was wanted.
 void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
             CandidatePath& path);
 

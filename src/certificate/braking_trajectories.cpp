@@ -205,7 +205,7 @@ WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, st
     const double base = dot(wall.normal, path.first);
     if (wall.interval == 0) {
       // y_0 and y_1 are those of the braking path, which keeps the wall unless A is at rest
-      take(base + wall.offset[2], 2);
+      take(base - path.bend + wall.offset[2], 2);
       if (wall.only_in_motion) take(wall.offset[0], 0), take(wall.offset[1], 1);
       continue;
     }

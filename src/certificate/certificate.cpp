@@ -2,9 +2,23 @@
 // The three certificates behind one set of functions.
 #include "certificate/certificate.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace avo {
+
+void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
+                   CertificateWalls& walls) {
+  walls.capsules.reserve(neighbors);
+  walls.soft_stops.reserve(neighbors);
+  walls.trajectories.walls.reserve(std::min(neighbors * braking_steps, most_walls));
+  for (BrakingDistances* distances : {&walls.trajectories.braking,
+                                      &walls.trajectories.neighbor_braking, &walls.path.braking}) {
+    for (std::vector<double>* each : {&distances->start, &distances->middle, &distances->end}) {
+      each->reserve(std::min(braking_steps, most_walls));
+    }
+  }
+}
 
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls) {
@@ -41,9 +55,12 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
 }
 
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
-  return law.kind == Certificate::linear_soft_stop
-             ? softly_braked(robot.velocity, law.step.time_step, law.soft_stop_time)
-             : braked(robot.velocity, braking_decrement(robot.max_acceleration, law.step));
+  const double decrement = braking_decrement(robot.max_acceleration, law.step);
+  // faster than v_max the soft stop would ask for more than a_max
+  const bool softly = law.kind == Certificate::linear_soft_stop &&
+                      law.step.time_step / law.soft_stop_time * norm(robot.velocity) <= decrement;
+  return softly ? softly_braked(robot.velocity, law.step.time_step, law.soft_stop_time)
+                : braked(robot.velocity, decrement);
 }
 
 void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<CertificateWall>& list) {

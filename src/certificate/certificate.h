@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One robot's certificate for one decision, of any kind: what it must keep to, whatever it wants.
 #pragma once
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct CertificateWalls {
   std::vector<SoftStopWall> soft_stops;
   CandidatePath path;  ///< of the last candidate asked about
 };
+
+/// Room for the walls of so many neighbors, each of which brakes for so many steps.
+void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
+                   CertificateWalls& walls);
 
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls);

@@ -49,7 +49,8 @@ bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const 
       stopping_length(path.speed, braking_decrement(robot.max_acceleration, law), law);
   const Vec2 end = path.first + length * path.direction;
   return std::all_of(walls.begin(), walls.end(), [&](const CapsuleWall& wall) {
-    return dot(wall.normal, path.first) >= wall.offset && dot(wall.normal, end) >= wall.offset;
+    return dot(wall.normal, path.first) - path.bend >= wall.offset &&
+           dot(wall.normal, end) >= wall.offset;
   });
 }
 

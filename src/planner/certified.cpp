@@ -12,7 +12,7 @@ namespace avo {
 namespace {
 
 // Each round cuts off the last proposal; more of them find hardly anything nearer.
-constexpr int kRounds = 6;
+constexpr auto kRounds = static_cast<int>(kMostCuts);
 constexpr int kBisections = 5;
 // Half-planes are drawn so far on the safe side, of u: a point of them passes the exact test whatever
 // rounding does.

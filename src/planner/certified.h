@@ -19,6 +19,9 @@ struct CertifiedChoice {
   Chosen chosen = Chosen::wanted;
 };
 
+/// A neighbor is cut off by so many half-planes at most.
+inline constexpr std::size_t kMostCuts = 6;
+
 /// Scratch memory; allocates only while it grows.
 struct CertifiedWorkspace {
   CertificateWalls walls;

@@ -14,7 +14,7 @@ CertificateLaw certificate_law(const Planner& planner) {
   const PlannerOptions& options = planner.options();
   return {options.certificate,
           {options.time_step, planner.step_lag(), planner.step_rate() * options.control_time,
-           options.sensing_error},
+           options.sensing_error, options.control_time},
           options.soft_stop_time};
 }
 
@@ -54,8 +54,16 @@ Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, 
 }
 
 bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
-  return is_blocked(choice.certified.next_velocity,
-                    approach(decision.robot.velocity, wish, decision.decrement()), wish);
+  const Vec2 unhindered = approach(decision.robot.velocity, wish, decision.decrement());
+  Vec2 next_velocity = choice.certified.next_velocity;
+  if (decision.robot.car && decision.robot.velocity == Vec2{}) {
+    // it turns before it drives: could it, once it has turned?
+    Robot turned = decision.robot;
+    turned.car.reset();
+    next_velocity =
+        choose_certified(turned, unhindered, decision.law, decision.certified).next_velocity;
+  }
+  return is_blocked(next_velocity, unhindered, wish);
 }
 
 // Keep right; where that is blocked, take what the certificate alone admits on a detour.
@@ -143,8 +151,10 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
 
 Plan Planner::step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
                       double violation) const noexcept {
-  return finish(robot, robot.velocity + (next_velocity - robot.velocity) / step_rate(), status,
-                violation);
+  Plan plan = plan_to(robot, next_velocity, certificate_law(*this).step);
+  plan.status = status;
+  plan.violation = violation;
+  return plan;
 }
 
 }  // namespace avo

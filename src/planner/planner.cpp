@@ -103,6 +103,18 @@ PlanWorkspace::~PlanWorkspace() = default;
 PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
 PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 
+void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
+  constexpr std::size_t kMostWalls = 16384;  // of more, memory grows when it is needed
+  planes.reserve(neighbors);
+  certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
+  scratch_->half_planes.reserve(neighbors);
+  scratch_->projected.reserve(2 * neighbors);
+  CertifiedWorkspace& certified = scratch_->certified;
+  certified.hard.reserve(kMostCuts * neighbors);
+  certified.projected.reserve(2 * kMostCuts * neighbors);
+  reserve_walls(neighbors, braking_steps, kMostWalls, certified.walls);
+}
+
 Planner::Planner(const PlannerOptions& options) : options_(options) {
   require_positive(options.control_time, "control_time");
   require_positive(options.time_horizon, "time_horizon");
@@ -163,7 +175,9 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
       plane.offset += options_.control_time * dot(plane.normal, neighbor.acceleration);
     }
     if (relative.excess <= 0.0 && lens_support_min(plane.normal, allowed) >= plane.offset) continue;
-    workspace.planes.push_back({static_cast<int>(k), plane, alpha * relative.excess});
+    // near contact it has no bound; finite all the same
+    const double excess = std::min(alpha * relative.excess, std::numeric_limits<double>::max());
+    workspace.planes.push_back({static_cast<int>(k), plane, excess});
   }
 }
 

@@ -6,6 +6,7 @@
 // D(0, a_max) that the planner chooses from, so every choice can be turned into controls.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "robots/motion.h"
@@ -36,6 +37,17 @@ Controls controls(Vec2 acceleration, Vec2 heading, double speed, double time_ste
   return result;
 }
 
+// See MotionStep. The acceleration changes by 3 a_lin v κ across the heading and by -v³ κ² along it,
+// J(v) in all, which is convex in time: at most linear between J_0 and J_1. With y = v_0 t + t² z(t),
+// z is an average of the acceleration, and |z(Δt) - z(t)| <= Δt (3 J_0 + J_1)/24.
+double bend(double speed, double next_speed, const Controls& control, double time_step) {
+  const auto jerk = [&](double v) {
+    const double turning = std::abs(v * control.curvature);
+    return turning * (3.0 * std::abs(control.linear) + v * turning);
+  };
+  return time_step * time_step * time_step * (3.0 * jerk(speed) + jerk(next_speed)) / 24.0;
+}
+
 // Eq. (24) with held controls: an arc of the length that the speed covers, which stops at v = 0.
 MotionStep drive(const MotionState& state, double speed, const Controls& control,
                  double time_step) {
@@ -54,18 +66,21 @@ MotionStep drive(const MotionState& state, double speed, const Controls& control
   step.next.heading = wrapped(state.heading + 2.0 * half_turn);
   step.next.velocity = next_speed * Vec2{std::cos(step.next.heading), std::sin(step.next.heading)};
   step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
+  const bool early = speed + control.linear * time_step < -1e-9 * speed;
+  step.bend = early ? std::numeric_limits<double>::infinity()
+                    : bend(speed, next_speed, control, time_step);
   return step;
 }
 
 }  // namespace
 
-MotionStep advance_car(const MotionState& state, const Plan& plan, const RobotSetup& setup,
+MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimits& limits,
                        double time_step) {
   const Vec2 heading{std::cos(state.heading), std::sin(state.heading)};
   const double speed = norm(state.velocity);
   const Controls control = controls(plan.acceleration, heading, speed, time_step);
   const double top = std::max(speed, speed + control.linear * time_step);
-  const double slow = setup.max_acceleration * time_step;
+  const double slow = limits.max_acceleration * time_step;
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn =
       moves ? std::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity)) : 0.0;
@@ -75,7 +90,7 @@ MotionStep advance_car(const MotionState& state, const Plan& plan, const RobotSe
   if (speed > 0.0) return drive(state, speed, {-speed / time_step, 0.0}, time_step);
 
   // the front axle, one wheelbase ahead, moves at v_max at most
-  const double most = setup.max_speed / setup.car->wheelbase * time_step;
+  const double most = limits.max_speed / limits.wheelbase * time_step;
   MotionStep step{state, 0.0};
   step.next.heading = wrapped(state.heading + std::clamp(turn, -most, most));
   return step;

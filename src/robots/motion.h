@@ -15,6 +15,9 @@ struct MotionState {
 struct MotionStep {
   MotionState next;
   double acceleration = 0.0;  // m/s^2, the largest |a| within the step
+  // m: at time t of the step it is within bend t²/Δt² of the parabola with the same ends and the same
+  // velocity at the start; infinite where that is not known
+  double bend = 0.0;
 };
 
 /// What one step of a given motion turns w = v' - v into: v + rate w, p + Δt v + gain w.
@@ -30,7 +33,12 @@ StepResponse step_response(const Planner& planner);
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response);
 
 /// A car-like robot, Eqs. (24), (25), integrated exactly along its arc.
-MotionStep advance_car(const MotionState& state, const Plan& plan, const RobotSetup& setup,
+struct CarLimits {
+  double wheelbase;         // m
+  double max_acceleration;  // m/s^2
+  double max_speed;         // m/s
+};
+MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimits& limits,
                        double time_step);
 
 }  // namespace avo

@@ -69,7 +69,19 @@ struct Simulation::State {
   void reserve() {
     for (Worker& worker : workers) {
       worker.reserve(fleet.size(), obstacles.setup.size(), most_neighbors());
+      worker.plan.reserve(worker.neighbors.capacity(), most_braking_steps());
     }
+  }
+  // of any robot and what it may decide on
+  std::size_t most_braking_steps() const {
+    if (planner.options().certificate == Certificate::none) return 0;
+    constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
+    const double braking_time = planner.step_rate() * planner.options().control_time;
+    double most = 0.0;
+    for (const RobotSetup& setup : fleet.setup) {
+      most = std::max(most, setup.max_speed / (setup.max_acceleration * braking_time));
+    }
+    return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
   }
   void index() {
     robot_grid.build(fleet.position, settings.sensing_radius);
@@ -81,6 +93,7 @@ struct Simulation::State {
 
   void check(const RobotSetup& setup, RobotId robot) const;
   Robot robot(std::size_t i) const;
+  std::optional<CarSetup> car(std::size_t i) const;
   void sense(std::size_t i, Worker& worker) const;
   void plan(std::size_t i, Worker& worker);
   void move(std::size_t i);
@@ -100,6 +113,13 @@ void Simulation::State::check(const RobotSetup& setup, RobotId robot) const {
   }
 }
 
+// With its present heading.
+std::optional<CarSetup> Simulation::State::car(std::size_t i) const {
+  std::optional<CarSetup> car = fleet.setup[i].car;
+  if (car) car->heading = fleet.heading[i];
+  return car;
+}
+
 Robot Simulation::State::robot(std::size_t i) const {
   const RobotSetup& setup = fleet.setup[i];
   return {fleet.position[i],
@@ -108,7 +128,8 @@ Robot Simulation::State::robot(std::size_t i) const {
           setup.radius,
           setup.max_acceleration,
           setup.max_speed,
-          norm(fleet.goal[i] - fleet.position[i])};
+          norm(fleet.goal[i] - fleet.position[i]),
+          car(i)};
 }
 
 // All robots and moving obstacles within the sensing radius, nearest first (robots first and by id
@@ -152,7 +173,10 @@ void Simulation::State::plan(std::size_t i, Worker& worker) {
 void Simulation::State::move(std::size_t i) {
   const MotionState state{fleet.position[i], fleet.velocity[i], fleet.heading[i]};
   const MotionStep step =
-      fleet.setup[i].car ? advance_car(state, fleet.plan[i], fleet.setup[i], settings.time_step)
+      fleet.setup[i].car ? advance_car(state, fleet.plan[i],
+                        {fleet.setup[i].car->wheelbase, fleet.setup[i].max_acceleration,
+                         fleet.setup[i].max_speed},
+                        settings.time_step)
                          : advance(state, fleet.plan[i], response);
   fleet.next_position[i] = step.next.position;
   fleet.next_velocity[i] = step.next.velocity;
