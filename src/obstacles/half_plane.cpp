@@ -75,9 +75,10 @@ double solve_approach(const LocalPair& pair, const Approach& approach, const Hor
     const double excess = (sigma * m + b2) / x - pair.r;
     (excess < 0.0 ? low : high) = sigma;
     const double lag_rate =
-        at.gain * (1.0 - at.rate) / (horizon.control_time() * at.rate * at.rate);
+        at.rate > 0.0 ? at.gain * (1.0 - at.rate) / (horizon.control_time() * at.rate * at.rate)
+                      : 0.5;  // at t = 0
     const double slope = (b2 * (m - sigma) / x2 + sigma * lag_rate) / x;
-    double next = sigma - excess / slope;
+    double next = slope > 0.0 ? sigma - excess / slope : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - sigma) <= 1e-8 * next) break;  // of second order in what follows
     sigma = next;

@@ -26,7 +26,7 @@ Simulation::Perception some_perception() {
 
 TEST(Perception, half_planes_are_those_of_the_planner) {
   const Simulation::Perception seen = some_perception();
-  const Planner planner{PlannerOptions{}};
+  const Planner planner(default_options(Method::avo_paper));
   const VelocitySpace space = velocity_space(seen, planner);
 
   PlanWorkspace workspace;
@@ -60,7 +60,7 @@ TEST(Perception, the_choice_lies_outside_of_the_drawn_obstacles) {
   seen.alone = true;
   for (Neighbor& neighbor : seen.neighbors) neighbor.max_acceleration = 0.0;
   seen.neighbors[0].acceleration = {0.1, -0.2};
-  const Planner planner{PlannerOptions{}};
+  const Planner planner(default_options(Method::avo_paper));
   const VelocitySpace space = velocity_space(seen, planner);
   EXPECT_TRUE(space.half_planes.empty());
   ASSERT_EQ(space.obstacles.size(), 2U);
@@ -79,9 +79,7 @@ TEST(Perception, the_choice_lies_outside_of_the_drawn_obstacles) {
 }
 
 TEST(Perception, velocity_obstacles_are_drawn_as_such) {
-  PlannerOptions options;
-  options.method = Method::velocity_obstacle;
-  const Planner planner(options);
+  const Planner planner(default_options(Method::velocity_obstacle));
   const VelocitySpace space = velocity_space(some_perception(), planner);
   ASSERT_EQ(space.obstacles.size(), 2U);
   EXPECT_EQ(space.obstacles[0].obstacle.response.gain(3.0), 3.0);
@@ -89,9 +87,8 @@ TEST(Perception, velocity_obstacles_are_drawn_as_such) {
 }
 
 TEST(Perception, orca_has_no_acceleration_disc) {
-  PlannerOptions options;
-  options.method = Method::orca;
-  const VelocitySpace space = velocity_space(some_perception(), Planner(options));
+  const Planner planner(default_options(Method::orca));
+  const VelocitySpace space = velocity_space(some_perception(), planner);
   EXPECT_FALSE(space.acceleration_disc);
   EXPECT_TRUE(space.speed_disc);
   EXPECT_FALSE(space.half_planes.empty());

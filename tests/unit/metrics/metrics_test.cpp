@@ -30,6 +30,7 @@ RunSummary run(const Scenario& scene, int steps) {
 // Robots that sense nobody drive into each other.
 Scenario blind(std::vector<RobotSetup> robots) {
   Scenario scene;
+  scene.method = Method::avo_paper;
   scene.sensing_radius = 1e-3;
   scene.control_time = 2.0;
   scene.robots = std::move(robots);
@@ -101,6 +102,7 @@ TEST(Metrics, collision_pairs_are_distinct) {
 
 // The clearance of all pairs, from the equations of motion and samples of each step.
 double slow_clearance(const Scenario& scene, int steps) {
+  const double delta = planner_options(scene).control_time;
   Simulation simulation(scene, 1);
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < steps; ++k) {
@@ -112,10 +114,9 @@ double slow_clearance(const Scenario& scene, int steps) {
     const auto place = [&](std::size_t i, double t) {
       const Vec2 w = after.plan[i].new_velocity - v[i];
       double g = t;  // adopted at once
-      if (scene.method == Method::avo_paper) {
-        g = scene.motion == Motion::held
-                ? t * t / (2.0 * scene.control_time)
-                : static_cast<double>(test::slow_gain(t, scene.control_time));
+      if (!adopts_at_once(scene.method)) {
+        g = scene.motion == Motion::held ? t * t / (2.0 * delta)
+                                         : static_cast<double>(test::slow_gain(t, delta));
       }
       return p[i] + t * v[i] + g * w;
     };
@@ -136,7 +137,7 @@ double slow_clearance(const Scenario& scene, int steps) {
 }
 
 TEST(Metrics, min_clearance_is_that_of_all_pairs) {
-  for (const Method method : {Method::avo_paper, Method::orca}) {
+  for (const Method method : {Method::avo_paper, Method::avo, Method::orca}) {
     for (const Motion motion : {Motion::held, Motion::exponential}) {
       for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         Scenario scene = test::dense_scene(12, motion, seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One robot in a crowd: situations for plan(), dense and degenerate ones on purpose.
 #pragma once
+#include <algorithm>
 #include <ostream>
 #include <vector>
 
@@ -9,8 +10,13 @@
 
 namespace avo::test {
 
+/// The paper's method with its constants: δ 4 s, τ 10 s.
+inline PlannerOptions paper_options() {
+  return default_options(Method::avo_paper);
+}
+
 struct Crowd {
-  PlannerOptions options;
+  PlannerOptions options = paper_options();
   Robot robot;
   std::vector<Neighbor> neighbors;
 };
@@ -89,6 +95,32 @@ inline Crowd random_crowd(Random& random, double least_gap) {
     crowd.neighbors.push_back(random_neighbor(random, A, least_gap));
   }
   return crowd;
+}
+
+inline constexpr Certificate kCertificates[] = {Certificate::none, Certificate::stopping_capsules,
+                                                Certificate::braking_trajectories,
+                                                Certificate::linear_soft_stop};
+
+/// The same crowd by method avo. For linear_soft_stop A stops soon enough, and who does not decide
+/// stands still.
+inline Crowd by_avo(Random& random, Crowd crowd, Certificate certificate) {
+  crowd.options.method = Method::avo;
+  crowd.options.certificate = certificate;
+  Robot& A = crowd.robot;
+  if (random.below(3) > 0) A.distance_to_goal = A.radius * random.log_uniform(0.1, 30.0);
+  if (certificate != Certificate::linear_soft_stop) return crowd;
+  crowd.options.soft_stop_time =
+      std::max(crowd.options.time_step, A.max_speed / A.max_acceleration);
+  for (Neighbor& B : crowd.neighbors) {
+    if (B.max_acceleration == 0.0) B.velocity = B.acceleration = {};
+  }
+  return crowd;
+}
+
+/// By the paper's method, or by avo under each certificate in turn.
+inline Crowd any_crowd(Random& random, int turn, double least_gap) {
+  const Crowd crowd = random_crowd(random, least_gap);
+  return turn % 5 == 0 ? crowd : by_avo(random, crowd, kCertificates[turn % 5 - 1]);
 }
 
 inline Plan plan_of(const Crowd& crowd) {

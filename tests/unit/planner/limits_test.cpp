@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // No decision leaves D(v_A, δ a_max) or D(0, v_max), however crowded (Eqs. 21-23).
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 
@@ -78,6 +79,52 @@ TEST(Limits, P12_hold_for_every_decision_among_movers) {
   EXPECT_GT(seen[PlanStatus::least_unsafe], 50);
 }
 
+// What avo decides on is the velocity after the step: v' only leads there, and may be any.
+void expect_step_within_limits(const Crowd& crowd, const Plan& plan) {
+  const Robot& A = crowd.robot;
+  const double rate = Planner(crowd.options).step_rate();
+  const double u = rate * crowd.options.control_time * A.max_acceleration;
+  const Vec2 change = rate * (plan.new_velocity - A.velocity);
+  EXPECT_LE(norm(plan.acceleration), A.max_acceleration * kRounding) << crowd;
+  EXPECT_LE(norm(change), u * kRounding) << crowd;
+  // from beyond v_max it comes down as fast as it can
+  const double most = std::max(A.max_speed, norm(A.velocity) - u);
+  EXPECT_LE(norm(A.velocity + change), most * kRounding) << crowd;
+  EXPECT_GE(plan.violation, 0.0);
+  if (plan.status == PlanStatus::optimal) {
+    EXPECT_EQ(plan.violation, 0.0) << crowd;
+  } else if (plan.status == PlanStatus::least_unsafe) {
+    EXPECT_GT(plan.violation, 0.0) << crowd;
+  }
+}
+
+TEST(Limits, P12_hold_for_every_decision_of_avo) {
+  Random random(17);
+  for (const Certificate certificate : test::kCertificates) {
+    std::map<PlanStatus, int> seen;
+    for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
+      Crowd crowd = test::by_avo(random, possibly_too_fast(random), certificate);
+      if (k % 2 == 0 && certificate != Certificate::linear_soft_stop) {
+        crowd.options.motion = Motion::exponential;
+      }
+      const Plan plan = test::plan_of(crowd);
+      expect_step_within_limits(crowd, plan);
+      ++seen[plan.status];
+      if (k % 40 > 0) continue;
+      if (crowd.neighbors.size() > 5) crowd.neighbors.resize(5);
+      PlanWorkspace workspace;
+      expect_step_within_limits(
+          crowd,
+          Planner(crowd.options).plan_among_obstacles(crowd.robot, crowd.neighbors, workspace));
+    }
+    EXPECT_GT(seen[PlanStatus::optimal], 1'000);
+    EXPECT_GT(seen[PlanStatus::least_unsafe] + seen[PlanStatus::candidate], 200);
+    EXPECT_GT(seen[PlanStatus::braking], 50);
+    EXPECT_GT(seen[PlanStatus::overlapping], 1'000);
+    EXPECT_EQ(seen[PlanStatus::invalid_input], 0);
+  }
+}
+
 TEST(Limits, orca_and_velocity_obstacle_keep_the_speed_limit) {
   Random random(14);
   for (const Method method : {Method::orca, Method::velocity_obstacle}) {
@@ -96,7 +143,7 @@ TEST(Limits, orca_and_velocity_obstacle_keep_the_speed_limit) {
 
 // The limit is a disc, not a pair of lines or a square: it is reached in every direction.
 TEST(Limits, the_speed_disc_is_round) {
-  PlannerOptions options;
+  PlannerOptions options = test::paper_options();
   options.control_time = 8.0;
   for (int k = 0; k < 64; ++k) {
     const double angle = 0.1 * k;
@@ -112,7 +159,7 @@ TEST(Limits, the_speed_disc_is_round) {
 // fifty took a corner of the discs instead, 0.1 m/s to 2 m/s aside.
 TEST(Limits, at_the_speed_limit_rounding_does_not_turn_the_robot) {
   for (const double delta : {0.1, 4.0}) {
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.control_time = delta;
     const Planner planner(options);
     PlanWorkspace workspace;
@@ -131,7 +178,7 @@ TEST(Limits, at_the_speed_limit_rounding_does_not_turn_the_robot) {
 }
 
 TEST(Limits, the_acceleration_disc_is_round) {
-  PlannerOptions options;
+  PlannerOptions options = test::paper_options();
   options.control_time = 0.5;
   for (int k = 0; k < 64; ++k) {
     const double angle = 0.1 * k;

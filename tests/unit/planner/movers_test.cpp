@@ -25,7 +25,7 @@ double distance_ahead(const PlannerOptions& options, const Robot& A, Vec2 v_new_
 
 // B stands still and pulls out across A's way: only its acceleration gives it away.
 TEST(Movers, observed_acceleration_is_avoided_by_both_ways_of_planning) {
-  const PlannerOptions options;
+  const PlannerOptions options = test::paper_options();
   const Planner planner(options);
   const Robot A = test::paper_robot({}, {1.5, 0}, {1.5, 0});
   const Neighbor seen = mover({7, -1.5}, {}, {0, 0.1});
@@ -48,7 +48,7 @@ TEST(Movers, observed_acceleration_is_avoided_by_both_ways_of_planning) {
 
 // An overlap by a millionth asks for no more than one step can mend, alone or not.
 TEST(Movers, a_hardly_overlapping_one_is_left_gently) {
-  PlannerOptions options;
+  PlannerOptions options = test::paper_options();
   options.control_time = 0.5;
   const Planner planner(options);
   const Robot A = test::paper_robot({}, {}, {});
@@ -64,7 +64,7 @@ TEST(Movers, a_hardly_overlapping_one_is_left_gently) {
 }
 
 TEST(Movers, observed_acceleration_of_those_that_decide_is_not_read) {
-  const Planner planner{PlannerOptions{}};
+  const Planner planner(test::paper_options());
   const Robot A = test::paper_robot({}, {1.5, 0}, {1.5, 0});
   Neighbor B = mover({5, 0.3}, {-1, 0}, {});
   B.max_acceleration = 1.0;

@@ -106,7 +106,7 @@ TEST(Planes, P9_are_shared_by_ability_and_kept_exactly_where_they_cut) {
 // Figures worked out by hand: A of a_max 1 takes a quarter against B of a_max 3, three quarters
 // the other way round, and all of it against a mover.
 TEST(Planes, P9_shares_of_unequal_abilities) {
-  PlannerOptions options;
+  PlannerOptions options = test::paper_options();
   options.control_time = 1.0;
   Robot weak = test::paper_robot({}, {1, 0}, {1, 0});
   Robot strong = test::paper_robot({6, 0.2}, {-1, 0}, {});
@@ -140,7 +140,7 @@ TEST(Planes, P9_the_set_of_A_lies_in_its_acceleration_disc) {
     const double delta = random.log_uniform(0.1, 10.0);
     Robot A = test::paper_robot({}, test::in_disc(random, 2.0), {});
     A.max_acceleration = a_A;
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.control_time = delta;
     const Disc disc = Planner(options).acceleration_disc(A);
     const double alpha = reciprocal_share(a_A, a_B), beta = reciprocal_share(a_B, a_A);
@@ -155,7 +155,7 @@ TEST(Planes, samples_are_used_and_tend_to_the_exact_plane) {
   const Robot A = test::paper_robot({}, {1, 0}, {1, 0});
   const std::vector<Neighbor> others{as_neighbor(test::paper_robot({5, 0.6}, {-1, 0}, {}))};
   const auto offset = [&](int samples) {
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.samples = samples;
     PlanWorkspace workspace;
     Planner(options).collect_half_planes(A, others, workspace);

@@ -12,7 +12,7 @@ using test::Crowd;
 using test::Random;
 
 struct Meeting {
-  PlannerOptions options;
+  PlannerOptions options = test::paper_options();
   Robot A, B;
 };
 
@@ -74,7 +74,7 @@ TEST(Reciprocity, P8_two_that_both_found_a_velocity_do_not_meet_before_tau) {
 // Definition 4: as long as all find a velocity and keep it, nobody meets anybody before τ.
 TEST(Reciprocity, P15_no_collision_before_tau_while_all_are_optimal) {
   Random random(15);
-  const Planner planner{PlannerOptions{}};
+  const Planner planner(test::paper_options());
   PlanWorkspace workspace;
   int all_optimal = 0, would_meet = 0;
   for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
@@ -114,7 +114,7 @@ TEST(Reciprocity, P15_no_collision_before_tau_while_all_are_optimal) {
 TEST(Reciprocity, P8_is_tight_two_robots_just_pass) {
   const Robot A = test::paper_robot({-3, 0.05}, {1.5, 0}, {2, 0});
   const Robot B = test::paper_robot({3, -0.05}, {-1.5, 0}, {-2, 0});
-  const Planner planner{PlannerOptions{}};
+  const Planner planner(test::paper_options());
   PlanWorkspace workspace;
   const Plan of_A = planner.plan(A, std::vector<Neighbor>{test::as_neighbor(B)}, workspace);
   const Plan of_B = planner.plan(B, std::vector<Neighbor>{test::as_neighbor(A)}, workspace);

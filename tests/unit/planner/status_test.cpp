@@ -31,7 +31,7 @@ bool finite(const Plan& plan) {
 
 TEST(Status, optimal_takes_the_preferred_velocity_where_nothing_is_near) {
   const Robot robot = paper_robot({3, 4}, {0.3, -0.1}, {1.1, 0.7});
-  const Plan plan = decide({}, robot, {});
+  const Plan plan = decide(test::paper_options(), robot, {});
   EXPECT_EQ(plan.status, PlanStatus::optimal);
   EXPECT_EQ(plan.new_velocity, robot.preferred_velocity);
   EXPECT_EQ(plan.violation, 0.0);
@@ -44,7 +44,7 @@ TEST(Status, at_rest_among_robots_at_rest_is_finite_and_optimal) {
   for (const Vec2 p : {Vec2{3, 0}, Vec2{-3, 0}, Vec2{0, 3}, Vec2{0, -3}}) {
     neighbors.push_back(as_neighbor(paper_robot(p, {}, {})));
   }
-  const Plan plan = decide({}, paper_robot({}, {}, {}), neighbors);
+  const Plan plan = decide(test::paper_options(), paper_robot({}, {}, {}), neighbors);
   EXPECT_TRUE(finite(plan));
   EXPECT_EQ(plan.status, PlanStatus::optimal);
   EXPECT_EQ(plan.new_velocity, Vec2{});
@@ -56,12 +56,12 @@ TEST(Status, least_unsafe_where_all_come_at_once) {
     neighbors.push_back(as_neighbor(paper_robot(2.0 * n, -2.0 * n, {})));
   }
   const Robot robot = paper_robot({}, {}, {1, 0});
-  const Plan plan = decide({}, robot, neighbors);
+  const Plan plan = decide(test::paper_options(), robot, neighbors);
   EXPECT_EQ(plan.status, PlanStatus::least_unsafe);
   EXPECT_GT(plan.violation, 0.1);
 
   // the violation is that of the worst half-plane
-  const Planner planner{PlannerOptions{}};
+  const Planner planner(test::paper_options());
   PlanWorkspace workspace;
   planner.collect_half_planes(robot, neighbors, workspace);
   ASSERT_EQ(workspace.planes.size(), 3u);
@@ -77,9 +77,9 @@ TEST(Status, least_unsafe_where_all_come_at_once) {
 TEST(Status, least_unsafe_where_a_collision_cannot_be_avoided) {
   const Robot robot = paper_robot({}, {1.5, 0}, {2, 0});
   const std::vector<Neighbor> neighbors{as_neighbor(paper_robot({1.2, 0.3}, {-1.5, 0}, {}))};
-  const Plan plan = decide({}, robot, neighbors);
+  const Plan plan = decide(test::paper_options(), robot, neighbors);
   EXPECT_EQ(plan.status, PlanStatus::least_unsafe);
-  const Planner planner{PlannerOptions{}};
+  const Planner planner(test::paper_options());
   PlanWorkspace workspace;
   planner.collect_half_planes(robot, neighbors, workspace);
   ASSERT_EQ(workspace.planes.size(), 1u);
@@ -94,7 +94,7 @@ TEST(Status, overlapping_separates) {
   const Robot robot = paper_robot({}, {0.5, 0}, {1, 0});
   const Neighbor other = as_neighbor(paper_robot({0.9, 0.1}, {-0.5, 0}, {}));
   for (const double delta : {0.2, 4.0}) {
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.control_time = delta;
     const Plan plan = decide(options, robot, {other});
     EXPECT_EQ(plan.status, PlanStatus::overlapping);
@@ -105,8 +105,7 @@ TEST(Status, overlapping_separates) {
 TEST(Status, overlapping_with_equal_centers_and_velocities_is_finite) {
   const Robot robot = paper_robot({1, 2}, {0.5, 0}, {1, 0});
   for (const Method method : {Method::avo_paper, Method::velocity_obstacle, Method::orca}) {
-    PlannerOptions options;
-    options.method = method;
+    PlannerOptions options = default_options(method);
     const Plan plan = decide(options, robot, {as_neighbor(robot)});
     EXPECT_EQ(plan.status, PlanStatus::overlapping);
     EXPECT_TRUE(finite(plan));
@@ -122,7 +121,7 @@ TEST(Status, overlapping_with_equal_centers_and_velocities_is_finite) {
 // |v| beyond v_max + δ a_max: no velocity keeps both limits.
 TEST(Status, braking_where_the_speed_limit_is_out_of_reach) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.motion = motion;
     options.control_time = 2.0;
     const Robot robot = paper_robot({}, {0, -5}, {0, -2});  // v_max 2, δ a_max 2
@@ -139,14 +138,14 @@ TEST(Status, braking_where_the_speed_limit_is_out_of_reach) {
 // A robot that knows nothing useful of itself: the command is a stop, and a number.
 TEST(Status, invalid_velocity_or_limits_command_rest) {
   Robot robot = paper_robot({}, {kNaN, 1}, {1, 0});
-  const Plan plan = decide({}, robot, {});
+  const Plan plan = decide(test::paper_options(), robot, {});
   EXPECT_EQ(plan.new_velocity, Vec2{});
   EXPECT_EQ(plan.acceleration, Vec2{});
 }
 
 TEST(Status, braking_comes_to_rest_within_the_step_where_it_can) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.motion = motion;
     const Planner planner(options);
     Robot robot = paper_robot({kNaN, 0}, {0.03, 0.04}, {1, 0});
@@ -178,27 +177,27 @@ void expect_refused(const PlannerOptions& options, const std::string& field) {
 
 TEST(Options, out_of_range_are_refused_by_name) {
   for (const double bad : {0.0, -0.0, -1.0, kNaN, kInfinity, -kInfinity}) {
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.control_time = bad;
     expect_refused(options, "control_time");
-    options = {};
+    options = test::paper_options();
     options.time_horizon = bad;
     expect_refused(options, "time_horizon");
-    options = {};
+    options = test::paper_options();
     options.time_step = bad;
     expect_refused(options, "time_step");
   }
-  PlannerOptions coarse;
+  PlannerOptions coarse = test::paper_options();
   coarse.time_step = 4.1;
   expect_refused(coarse, "time_step");
   coarse.motion = Motion::exponential;
   EXPECT_NO_THROW(Planner{coarse});
   for (const int bad : {-1, 1, -1000}) {
-    PlannerOptions options;
+    PlannerOptions options = test::paper_options();
     options.samples = bad;
     expect_refused(options, "samples");
   }
-  PlannerOptions options;
+  PlannerOptions options = test::paper_options();
   options.samples = 2;
   EXPECT_NO_THROW(const Planner planner(options));
 }

@@ -12,7 +12,7 @@ namespace {
 using test::Random;
 
 struct Case {
-  PlannerOptions options;
+  PlannerOptions options = default_options(Method::avo_paper);
   MotionState state;
   Plan plan;
 };
@@ -110,7 +110,7 @@ TEST(Holonomic, P1_held_steps_close_in_on_the_new_velocity) {
 TEST(Holonomic, methods_that_adopt_at_once_move_straight) {
   for (const Method method : {Method::orca, Method::velocity_obstacle}) {
     Case c;
-    c.options.method = method;
+    c.options = default_options(method);
     c.state = {{1, 2}, {2, 0}, 0.0};
     c.plan.new_velocity = {0, -1};
     const MotionStep step = advance(c.state, c.plan, step_response(Planner(c.options)));

@@ -72,6 +72,15 @@ TEST(Allocation, none_per_step_in_a_dense_scene) {
   }
 }
 
+TEST(Allocation, none_per_step_of_avo_under_any_certificate) {
+  for (const test::AvoKind kind : test::kAvoKinds) {
+    const Scenario scene = test::dense_avo_scene(280, kind.motion, kind.certificate);
+    ASSERT_GE(scene.robots.size(), kFewestParallel);
+    EXPECT_EQ(allocations_when_warm(scene, 2, 60, 60), 0)
+        << "certificate " << static_cast<int>(kind.certificate);
+  }
+}
+
 TEST(Allocation, none_per_step_of_orca) {
   Scenario scene = test::dense_scene(200, Motion::held);
   scene.method = Method::orca;
@@ -86,16 +95,18 @@ TEST(Allocation, none_per_step_of_velocity_obstacle) {
 }
 
 TEST(Allocation, none_per_step_of_one_robot_among_movers) {
-  Scenario scene = test::dense_scene(1, Motion::held);
-  scene.robots[0].car.reset();
-  scene.robots[0].goal = {12, 6};
-  scene.sensing_radius = 100;
-  EXPECT_EQ(allocations_when_warm(scene, 1, 30, 60), 0);
+  for (const Method method : {Method::avo_paper, Method::avo}) {
+    Scenario scene = test::dense_scene(1, Motion::held);
+    scene.method = method;
+    scene.robots[0].car.reset();
+    scene.robots[0].goal = {12, 6};
+    scene.sensing_radius = 100;
+    EXPECT_EQ(allocations_when_warm(scene, 1, 30, 60), 0);
+  }
 }
 
 // On board: one planner, one workspace.
-TEST(Allocation, none_per_plan) {
-  Scenario scene = test::dense_scene(100, Motion::held);
+void expect_none_per_plan(const Scenario& scene) {
   const Simulation simulation(scene, 1);
   std::vector<Simulation::Perception> seen;
   for (std::size_t i = 0; i < 100; ++i) seen.push_back(simulation.perceive(i));
@@ -108,10 +119,18 @@ TEST(Allocation, none_per_plan) {
     for (const Simulation::Perception& each : seen) {
       sum += planner.plan(each.robot, each.neighbors, workspace).new_velocity.x;
       sum += planner.plan_among_obstacles(each.robot, each.neighbors, workspace).new_velocity.x;
+      planner.collect_certificate(each.robot, each.neighbors, workspace);
     }
   }
   EXPECT_EQ(allocations - before, 0);
   EXPECT_TRUE(std::isfinite(sum));
+}
+
+TEST(Allocation, none_per_plan) {
+  expect_none_per_plan(test::dense_scene(100, Motion::held));
+  for (const test::AvoKind kind : test::kAvoKinds) {
+    expect_none_per_plan(test::dense_avo_scene(100, kind.motion, kind.certificate));
+  }
 }
 
 }  // namespace

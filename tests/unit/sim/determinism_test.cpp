@@ -13,6 +13,7 @@
 namespace avo {
 namespace {
 
+using test::dense_avo_scene;
 using test::dense_scene;
 using test::Random;
 
@@ -36,6 +37,15 @@ TEST(Determinism, P13_any_number_of_threads_gives_the_same_bits) {
     std::vector<std::uint64_t> sorted = one;
     std::sort(sorted.begin(), sorted.end());
     EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  }
+}
+
+TEST(Determinism, P13_any_number_of_threads_gives_the_same_bits_under_any_certificate) {
+  for (const test::AvoKind kind : test::kAvoKinds) {
+    const Scenario scene = dense_avo_scene(280, kind.motion, kind.certificate);
+    ASSERT_GE(scene.robots.size(), kFewestParallel);
+    const std::vector<std::uint64_t> one = hashes(scene, 1, 60);
+    for (const int threads : {2, 3, 7, 16}) EXPECT_EQ(hashes(scene, threads, 60), one) << threads;
   }
 }
 
@@ -67,8 +77,12 @@ TEST(Determinism, the_hash_sees_every_bit_of_the_state) {
 }
 
 TEST(Determinism, P13_order_of_the_robots_permutes_the_trajectories) {
-  for (const Motion motion : {Motion::held, Motion::exponential}) {
-    const Scenario scene = dense_scene(120, motion, 5);
+  std::vector<Scenario> scenes{dense_scene(120, Motion::held, 5),
+                               dense_scene(120, Motion::exponential, 5)};
+  for (const test::AvoKind kind : test::kAvoKinds) {
+    scenes.push_back(dense_avo_scene(120, kind.motion, kind.certificate, 5));
+  }
+  for (const Scenario& scene : scenes) {
     std::vector<std::size_t> from(scene.robots.size());
     std::iota(from.begin(), from.end(), std::size_t{0});
     Random random(17);
@@ -91,32 +105,47 @@ TEST(Determinism, P13_order_of_the_robots_permutes_the_trajectories) {
 }
 
 // What is planned is what can be asked for: perceive() and the planner give the plan of step().
+void expect_perception_is_planned_with(const Scenario& scene, int steps) {
+  Simulation simulation(scene, 1);
+  int detours = 0;
+  for (int k = 0; k < steps; ++k) {
+    std::vector<Plan> expected;
+    PlanWorkspace workspace;
+    for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
+      const Simulation::Perception seen = simulation.perceive(i);
+      EXPECT_EQ(seen.alone, scene.robots.size() == 1);
+      ASSERT_EQ(seen.source.size(), seen.neighbors.size());
+      if (scene.method != Method::avo) {  // a certificate needs all of them
+        ASSERT_LE(seen.neighbors.size(), 10u);
+      }
+      double last = 0.0;
+      for (const Neighbor& each : seen.neighbors) {  // nearest first
+        EXPECT_GE(norm(each.position - seen.robot.position), last * (1.0 - 1e-15));
+        last = norm(each.position - seen.robot.position);
+        EXPECT_LE(last, 8.0);
+      }
+      const Planner& planner = simulation.planner();
+      Detour detour = seen.detour;
+      detours += detour.angle > 0.0 ? 1 : 0;
+      expected.push_back(seen.alone
+                             ? planner.plan_among_obstacles(seen.robot, seen.neighbors, workspace)
+                             : planner.plan(seen.robot, seen.neighbors, workspace, detour));
+    }
+    simulation.step();
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(simulation.fleet().plan[i].new_velocity, expected[i].new_velocity);
+    }
+  }
+  // what is remembered matters to method avo in a crowd
+  EXPECT_EQ(detours > 0, scene.method == Method::avo && scene.robots.size() > 1);
+}
+
 TEST(Determinism, perception_is_what_the_step_plans_with) {
   for (const int robots : {1, 40}) {
-    Simulation simulation(dense_scene(robots, Motion::held, 3), 1);
-    for (int k = 0; k < 20; ++k) {
-      std::vector<Plan> expected;
-      PlanWorkspace workspace;
-      for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
-        const Simulation::Perception seen = simulation.perceive(i);
-        EXPECT_EQ(seen.alone, robots == 1);
-        ASSERT_EQ(seen.source.size(), seen.neighbors.size());
-        ASSERT_LE(seen.neighbors.size(), 10u);
-        double last = 0.0;
-        for (const Neighbor& each : seen.neighbors) {  // nearest first
-          EXPECT_GE(norm(each.position - seen.robot.position), last * (1.0 - 1e-15));
-          last = norm(each.position - seen.robot.position);
-          EXPECT_LE(last, 8.0);
-        }
-        const Planner& planner = simulation.planner();
-        expected.push_back(seen.alone
-                               ? planner.plan_among_obstacles(seen.robot, seen.neighbors, workspace)
-                               : planner.plan(seen.robot, seen.neighbors, workspace));
-      }
-      simulation.step();
-      for (std::size_t i = 0; i < expected.size(); ++i) {
-        EXPECT_EQ(simulation.fleet().plan[i].new_velocity, expected[i].new_velocity);
-      }
+    expect_perception_is_planned_with(dense_scene(robots, Motion::held, 3), 20);
+    for (const test::AvoKind kind : test::kAvoKinds) {
+      expect_perception_is_planned_with(dense_avo_scene(robots, kind.motion, kind.certificate, 3),
+                                        40);
     }
   }
 }

@@ -10,6 +10,7 @@
 namespace avo {
 namespace {
 
+using test::dense_avo_scene;
 using test::dense_scene;
 using test::robot_at;
 
@@ -71,8 +72,11 @@ TEST(Fleet, bad_robots_and_goals_are_refused_and_change_nothing) {
 
 // In the middle of a run: the others do not notice a robot that is out of sight.
 TEST(Fleet, a_far_robot_changes_no_bit_of_the_others) {
-  for (const Motion motion : {Motion::held, Motion::exponential}) {
-    const Scenario scene = dense_scene(60, motion, 9);
+  for (const Scenario& scene :
+       {dense_scene(60, Motion::held, 9), dense_scene(60, Motion::exponential, 9),
+        dense_avo_scene(60, Motion::held, Certificate::stopping_capsules, 9),
+        dense_avo_scene(60, Motion::held, Certificate::braking_trajectories, 9),
+        dense_avo_scene(60, Motion::held, Certificate::linear_soft_stop, 9)}) {
     Simulation plain(scene, 2), other(scene, 2);
     RobotId far{};
     for (int k = 0; k < 120; ++k) {

@@ -16,11 +16,18 @@ inline RobotSetup robot_at(Vec2 position, Vec2 goal) {
   return setup;
 }
 
+/// A scene of the paper's method: δ 4 s, τ 10 s.
+inline Scenario paper_scene() {
+  Scenario scene;
+  scene.method = Method::avo_paper;
+  return scene;
+}
+
 /// `count` robots of mixed sizes and limits on a jittered lattice 1.6 m wide, every fifth a car,
 /// on their way to random goals in the crowd, and three moving obstacles through it.
 inline Scenario dense_scene(int count, Motion motion, std::uint64_t seed = 1) {
   Random random(seed);
-  Scenario scene;
+  Scenario scene = paper_scene();
   scene.motion = motion;
   scene.control_time = 2.0;
   scene.time_horizon = 5.0;
@@ -48,5 +55,32 @@ inline Scenario dense_scene(int count, Motion motion, std::uint64_t seed = 1) {
                             {{9.9, -2.2}, {0.05, 1.3}, {0.0, -0.05}, 0.6}};
   return scene;
 }
+
+/// The same by method avo: without cars; for linear_soft_stop the obstacles stand still. Some pairs
+/// start too near and too fast to keep apart.
+inline Scenario dense_avo_scene(int count, Motion motion, Certificate certificate,
+                                std::uint64_t seed = 1) {
+  Scenario scene = dense_scene(count, motion, seed);
+  scene.method = Method::avo;
+  scene.certificate = certificate;
+  for (RobotSetup& robot : scene.robots) robot.car.reset();
+  if (certificate == Certificate::linear_soft_stop) {
+    for (MovingObstacle& each : scene.moving_obstacles) each.velocity = each.acceleration = {};
+  }
+  return scene;
+}
+
+/// Motions and certificates that go together.
+struct AvoKind {
+  Motion motion;
+  Certificate certificate;
+};
+inline constexpr AvoKind kAvoKinds[] = {
+    {Motion::held, Certificate::stopping_capsules},
+    {Motion::held, Certificate::braking_trajectories},
+    {Motion::held, Certificate::linear_soft_stop},
+    {Motion::exponential, Certificate::stopping_capsules},
+    {Motion::exponential, Certificate::braking_trajectories},
+};
 
 }  // namespace avo::test
