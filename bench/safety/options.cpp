@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "scenes.h"
+
 namespace avo::safety {
 namespace {
 
@@ -208,6 +210,7 @@ void apply(const Options& options, Scenario& scenario) {
   if (options.motion) scenario.motion = *options.motion;
   if (options.control_time && !scenario.control_time) scenario.control_time = options.control_time;
   if (options.time_horizon && !scenario.time_horizon) scenario.time_horizon = options.time_horizon;
+  see_far_enough(scenario);
 }
 
 }  // namespace avo::safety

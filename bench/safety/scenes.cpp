@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "avo/assumptions.h"
 #include "placement.h"
 
 namespace avo::safety {
@@ -37,16 +38,10 @@ double straight_time(const Scenario& scenario) {
   return longest;
 }
 
-double stopping_range(const Scenario& scenario) {
-  double first = 0.0, second = 0.0;
-  for (const RobotSetup& robot : scenario.robots) {
-    const double v = robot.max_speed;
-    const double reach =
-        robot.radius + v * scenario.time_step + 0.5 * v * v / robot.max_acceleration;
-    second = std::max(second, std::min(first, reach));
-    first = std::max(first, reach);
+void see_far_enough(Scenario& scenario) {
+  if (const std::optional<SensingNeed> need = sensing_need(scenario)) {
+    scenario.sensing_radius = std::max(scenario.sensing_radius, need->range);
   }
-  return first + second;
 }
 
 Scenario usual_scenario() {
@@ -154,7 +149,7 @@ Scene mixed(std::uint64_t seed) {
     robot.preferred_speed = 0.8 * robot.max_speed;
     scenario.robots.push_back(robot);
   }
-  scenario.sensing_radius = std::max(scenario.sensing_radius, stopping_range(scenario));
+  see_far_enough(scenario);
   return measured_by_straight_time(std::move(scenario));
 }
 
@@ -178,7 +173,7 @@ Scene crush(bool packed, double robot_steps, std::uint64_t seed) {
     scene.scenario.robots.push_back(robot);
   }
   Scenario& scenario = scene.scenario;
-  scenario.sensing_radius = std::max(scenario.sensing_radius, stopping_range(scenario));
+  see_far_enough(scenario);
   scenario.duration = std::max(1.0, std::ceil(robot_steps / double(kRobots))) * scenario.time_step;
   return scene;
 }

@@ -31,9 +31,8 @@ Scene measured_by_straight_time(Scenario scenario);
 /// preferred speed, or 2 √(d/a) where the way is too short for it.
 double straight_time(const Scenario& scenario);
 
-/// Two robots that see each other no later than here can both stop: the largest sum of two of
-/// r + v_max Δt + v_max²/(2 a_max), m.
-double stopping_range(const Scenario& scenario);
+/// Widens the sensing radius to what the scene's certificate needs.
+void see_far_enough(Scenario& scenario);
 
 /// Circle-N of the paper's §VI-B.
 struct CircleRow {

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "avo/assumptions.h"
 #include "avo/simulation.h"
 #include "density.h"
 #include "families.h"
@@ -95,7 +96,7 @@ TEST(Families, unequal_robots_see_as_far_as_they_need) {
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const Scenario& scenario : {mixed(seed).scenario, crush(false, 1e3, seed).scenario}) {
-      EXPECT_GE(scenario.sensing_radius, stopping_range(scenario));
+      EXPECT_TRUE(broken_assumptions(scenario).none());
       most = std::max(most, scenario.sensing_radius);
     }
   }
@@ -130,13 +131,13 @@ TEST(StraightTime, is_that_of_the_slowest_from_rest_to_rest) {
   EXPECT_DOUBLE_EQ(straight_time(scenario), 1.0);
 }
 
-TEST(StoppingRange, is_of_the_two_that_need_most) {
-  Scenario scenario;
-  for (const double a : {1.0, 4.0, 2.0}) {
-    scenario.robots.push_back(usual_robot({}, {}, 1.5));
-    scenario.robots.back().max_acceleration = a;
-  }
-  EXPECT_DOUBLE_EQ(stopping_range(scenario), (0.5 + 0.2 + 2.0) + (0.5 + 0.2 + 1.0));
+TEST(SeeFarEnough, widens_for_the_certificate_that_needs_more) {
+  Scenario scenario = mixed(1).scenario;
+  const double for_braking = scenario.sensing_radius;
+  scenario.certificate = Certificate::linear_soft_stop;
+  see_far_enough(scenario);
+  EXPECT_GT(scenario.sensing_radius, 1.5 * for_braking);
+  EXPECT_FALSE(broken_assumptions(scenario).unseen);
 }
 
 TEST(Density, of_the_densest_arrangement_is_that_of_the_densest_packing) {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sample of every family, with every certificate: nobody touches, limits are kept, robots arrive
+// within the targets. scripts/soak runs all of it.
+#include <algorithm>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "families.h"
+#include "run.h"
+#include "scenes.h"
+
+namespace avo::safety {
+namespace {
+
+const Family& family_of(const std::vector<Family>& all, const std::string& name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Family& f) { return f.name == name; });
+  if (found == all.end()) throw std::runtime_error("no family " + name);
+  return *found;
+}
+
+struct Sample {
+  const char* family;
+  int scenes;
+  double
+      arrive;  // share of all robots of the sample, within the families' limits; 0: nobody has to
+};
+
+void PrintTo(const Sample& sample, std::ostream* out) {
+  *out << sample.family;
+}
+
+struct Arrivals {
+  std::int64_t robots = 0, in_time = 0;
+};
+
+// Robot-steps of a crush over all its scenes.
+constexpr double kCrushSteps = 4e5;
+constexpr std::uint64_t kFirstSeed = 1001;
+
+Arrivals run(const Sample& sample, Certificate certificate, Motion motion) {
+  const std::vector<Family> all = families(kCrushSteps);
+  const Family& family = family_of(all, sample.family);
+  Arrivals arrivals;
+  for (int k = 0; k < sample.scenes; ++k) {
+    const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(k);
+    Scene scene = family.make(seed);
+    scene.scenario.certificate = certificate;
+    scene.scenario.motion = motion;
+    see_far_enough(scene.scenario);
+    const Outcome outcome = run_scene(scene, seed, "");
+    EXPECT_TRUE(outcome.verdict.safe())
+        << sample.family << ", seed " << seed << ": " << outcome.verdict.violations;
+    arrivals.robots += static_cast<std::int64_t>(outcome.arrival.size());
+    arrivals.in_time +=
+        std::count_if(outcome.arrival.begin(), outcome.arrival.end(),
+                      [&](double time) { return time <= outcome.limit * outcome.unit; });
+  }
+  return arrivals;
+}
+
+class Targets : public testing::TestWithParam<Sample> {};
+
+TEST_P(Targets, are_reached_without_contact) {
+  const Sample& sample = GetParam();
+  const Arrivals arrivals = run(sample, Certificate::braking_trajectories, Motion::held);
+  EXPECT_GE(static_cast<double>(arrivals.in_time),
+            sample.arrive * static_cast<double>(arrivals.robots))
+      << arrivals.in_time << " of " << arrivals.robots;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Families, Targets,
+    testing::Values(Sample{"circle-10", 1, 1.0}, Sample{"circle-50", 1, 1.0},
+                    Sample{"circle-100", 1, 1.0}, Sample{"circle-250", 1, 1.0},
+                    Sample{"circle-100-d2t6", 1, 1.0}, Sample{"circle-100-d4t10", 1, 1.0},
+                    Sample{"circle-100-jitter", 3, 0.99}, Sample{"random-2", 40, 0.995},
+                    Sample{"random-10", 30, 0.995}, Sample{"random-30", 20, 0.995},
+                    Sample{"random-60", 12, 0.99}, Sample{"swap", 1, 0.99},
+                    Sample{"swap-jitter", 3, 0.98}, Sample{"streams", 1, 0.99},
+                    Sample{"permutation", 4, 0.99}, Sample{"mixed", 6, 0.98},
+                    Sample{"movers", 6, 0.99}, Sample{"crush", 1, 0.0},
+                    Sample{"crush-packed", 1, 0.0}),
+    [](const auto& kind) {
+      std::string name = kind.param.family;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+struct Kind {
+  Certificate certificate;
+  Motion motion;
+};
+
+class EveryCertificate : public testing::TestWithParam<Kind> {};
+
+TEST_P(EveryCertificate, is_safe_and_lets_arrive) {
+  const auto [certificate, motion] = GetParam();
+  for (const Sample& sample : {Sample{"circle-50", 1, 1.0}, Sample{"random-30", 5, 0.99},
+                               Sample{"mixed", 2, 0.9}, Sample{"crush", 1, 0.0}}) {
+    const Arrivals arrivals = run(sample, certificate, motion);
+    EXPECT_GE(static_cast<double>(arrivals.in_time),
+              sample.arrive * static_cast<double>(arrivals.robots))
+        << sample.family << ": " << arrivals.in_time << " of " << arrivals.robots;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryCertificate,
+                         testing::Values(Kind{Certificate::stopping_capsules, Motion::held},
+                                         Kind{Certificate::stopping_capsules, Motion::exponential},
+                                         Kind{Certificate::linear_soft_stop, Motion::held},
+                                         Kind{Certificate::braking_trajectories,
+                                              Motion::exponential}),
+                         [](const auto& kind) {
+                           const bool held = kind.param.motion == Motion::held;
+                           switch (kind.param.certificate) {
+                             case Certificate::stopping_capsules:
+                               return std::string("stopping_capsules") +
+                                      (held ? "_held" : "_exponential");
+                             case Certificate::linear_soft_stop:
+                               return std::string("linear_soft_stop");
+                             default:
+                               return std::string("braking_trajectories_exponential");
+                           }
+                         });
+
+}  // namespace
+}  // namespace avo::safety
