@@ -66,7 +66,9 @@ void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int inte
   path.speed = norm(path.next_velocity);
   path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
   const bool stays = path.speed == 0.0 && robot.velocity == Vec2{};
-  path.moving = stays ? 0 : 1 + static_cast<int>(braking_steps(path.speed, decrement));
+  constexpr double kForEver = 1e9;  // more than any wall's interval
+  const double steps = std::min(braking_steps(path.speed, decrement), kForEver);
+  path.moving = stays ? 0 : 1 + static_cast<int>(steps);
   path.braking.brake(path.speed, decrement, law, intervals);
 }
 

@@ -83,6 +83,7 @@ Bezier relative_points(const BrakingPair& pair, const Neighbor& neighbor, const 
 // p only: then the neighbor can refuse nothing, whatever it does itself.
 bool refuses_nothing(const BrakingPair& pair, double deviation) {
   const double distance = norm(pair.p);
+  if (!(distance > 0.0)) return false;
   const double nearest = distance + (std::min(0.0, pair.a.length * dot(pair.p, pair.a.direction)) -
                                      std::max(0.0, pair.b.length * dot(pair.p, pair.b.direction))) /
                                         distance;
@@ -230,10 +231,11 @@ HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const Robot
                             : worst.point == 1 ? path.braking.middle[m]
                                                : path.braking.end[m];
     const double decrement = braking_decrement(robot.max_acceleration, law);
-    const double steps = std::min(static_cast<double>(m) + 0.5 * worst.point,
-                                  std::floor(path.speed / decrement) + 0.5);
+    // of the step that ends at rest, the lag only
+    const double to_point = worst.point == 0 ? 0.0 : worst.point == 1 ? law.lag : law.time_step;
+    const double to_rest = law.time_step * std::floor(path.speed / decrement) + law.lag;
     across += path.speed > 0.0 ? distance / path.speed : law.lag;
-    along += law.time_step * steps;
+    along += std::min(law.time_step * static_cast<double>(m) + to_point, to_rest);
   }
   const double n_along = dot(wall.normal, path.direction);
   const Vec2 gradient = across * wall.normal + ((along - across) * n_along) * path.direction;

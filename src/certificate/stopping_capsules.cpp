@@ -4,19 +4,31 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace avo {
 namespace {
 
+// To the origin; of two equally near ones the same whichever is asked about first, and if both are
+// negated.
+bool is_nearer(Vec2 a, Vec2 b) {
+  const double of_a = norm_squared(a), of_b = norm_squared(b);
+  if (of_a != of_b) return of_a < of_b;
+  if (std::abs(a.x) != std::abs(b.x)) return std::abs(a.x) > std::abs(b.x);
+  return std::abs(a.y) > std::abs(b.y);
+}
+
 // The line of largest margin between two segments, as its normal from B's to A's: the direction of
 // the point nearest to the origin of their difference, a parallelogram. Unique even where the
-// segments are parallel.
+// segments are parallel. Odd in the exchange of A and B bit for bit: each edge runs from where the
+// robots are to where they stop, and neither the order of the edges nor a tie decides anything.
 Vec2 separating_normal(const std::array<Vec2, 4>& corners) {
+  constexpr std::array<std::array<std::size_t, 2>, 4> kEdges{{{0, 1}, {3, 2}, {0, 3}, {1, 2}}};
   Vec2 nearest = corners[0];
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vec2 other = nearest_on_segment(corners[k], corners[(k + 1) % 4]);
-    if (norm_squared(other) < norm_squared(nearest)) nearest = other;
+  for (const auto& [from, to] : kEdges) {
+    const Vec2 other = nearest_on_segment(corners[from], corners[to]);
+    if (is_nearer(other, nearest)) nearest = other;
   }
   const double length = norm(nearest);
   return length > 0.0 ? nearest / length : Vec2{};
