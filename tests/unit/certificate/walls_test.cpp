@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Braking trajectories: both robots of a pair see the same walls, none that can refuse is left out,
+// and tangents are tangent.
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "situations.h"
+
+namespace avo::test {
+namespace {
+
+constexpr Certificate kS3 = Certificate::braking_trajectories;
+constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
+
+CertificateWalls walls_of(const Robot& self, const Robot& other, const CertificateLaw& law) {
+  CertificateWalls walls;
+  collect_walls(self, std::vector<Neighbor>{seen(other)}, law, walls);
+  return walls;
+}
+
+TEST(Walls, of_a_pair_are_mirror_images_bit_for_bit) {
+  for (const Motion motion : kMotions) {
+    Random random(21);
+    int compared = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const PairSituation s = random_pair(random, kS3, motion);
+      const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
+      const auto& a = of_A.trajectories.walls;
+      const auto& b = of_B.trajectories.walls;
+      if (!a.empty() && !b.empty()) {
+        EXPECT_EQ(of_A.invariant.slack, of_B.invariant.slack);
+      }
+      for (std::size_t j = 0, k = 0; j < a.size() && k < b.size();) {
+        if (a[j].interval != b[k].interval) {
+          (a[j].interval < b[k].interval ? j : k) += 1;  // one of the two has no use for it
+          continue;
+        }
+        ASSERT_EQ(a[j].normal.x, -b[k].normal.x);
+        ASSERT_EQ(a[j].normal.y, -b[k].normal.y);
+        ++compared, ++j, ++k;
+      }
+    }
+    EXPECT_GT(compared, 10000);
+  }
+}
+
+TEST(Walls, shares_of_a_pair_add_up_to_the_gap) {
+  for (const Motion motion : kMotions) {
+    Random random(22);
+    for (int i = 0; i < 1000; ++i) {
+      const PairSituation s = sound_pair(random, kS3, motion);
+      const auto of_A = walls_of(s.a, s.b, s.law).trajectories.walls;
+      const auto of_B = walls_of(s.b, s.a, s.law).trajectories.walls;
+      if (of_A.empty() || of_B.empty() || of_A[0].interval != 0 || of_B[0].interval != 0) continue;
+      // at the start of the step itself both paths begin where the robots are
+      const double gap = dot(of_A[0].normal, s.a.position - s.b.position) - s.a.radius - s.b.radius;
+      EXPECT_NEAR(of_A[0].offset[0] + of_B[0].offset[0], gap, 1e-9);
+    }
+  }
+}
+
+// Smallest coefficient of the rule as docs/certificate.md has it, all walls, nothing left out.
+double plain_coefficient(const PairSituation& s, Vec2 next) {
+  const StepLaw& law = s.law.step;
+  const auto steps = [&](const Robot& robot) {
+    const double u = braking_decrement(robot.max_acceleration, law);
+    return 3 + static_cast<int>((norm(robot.velocity) + u) / u);
+  };
+  const int count = std::max(steps(s.a), steps(s.b));
+  const auto x_A = stepped_braking(s.a, law, count), x_B = stepped_braking(s.b, law, count);
+  const auto y_A = stepped_path(s.a, next, law, count);
+  const double contact = s.a.radius + s.b.radius;
+  const double share = s.a.max_acceleration / (s.a.max_acceleration + s.b.max_acceleration);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < x_A.size(); ++m) {
+    const Points q{x_A[m][0] - x_B[m][0], x_A[m][1] - x_B[m][1], x_A[m][2] - x_B[m][2]};
+    Vec2 nearest = q[0];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 from = q[k], along = q[(k + 1) % 3] - from;
+      const double squared = norm_squared(along);
+      const double part =
+          squared > 0.0 ? std::min(1.0, std::max(0.0, -dot(from, along) / squared)) : 0.0;
+      if (norm(from + part * along) < norm(nearest)) nearest = from + part * along;
+    }
+    const Vec2 n = nearest / norm(nearest);
+    for (std::size_t k = 0; k < 3; ++k) {
+      smallest =
+          std::min(smallest, dot(n, y_A[m][k] - x_A[m][k]) + share * (dot(n, q[k]) - contact));
+    }
+  }
+  return smallest;
+}
+
+TEST(Walls, left_out_could_refuse_nothing) {
+  for (const Motion motion : kMotions) {
+    Random random(23);
+    int refused = 0, admitted = 0;
+    for (int i = 0; i < 2500; ++i) {
+      const PairSituation s = sound_pair(random, kS3, motion);
+      CertificateWalls walls = walls_of(s.a, s.b, s.law);
+      for (int k = 0; k < 8; ++k) {
+        const Vec2 next = random_choice(random, s);
+        const double coefficient = plain_coefficient(s, next);
+        if (std::abs(coefficient) < 1e-9) continue;
+        const bool is_admitted = admits(s.a, next, s.law, walls);
+        if (out_of_reach(s)) {
+          EXPECT_TRUE(is_admitted);
+          continue;
+        }
+        EXPECT_EQ(is_admitted, coefficient > 0.0) << "pair " << i << ": " << coefficient;
+        (is_admitted ? admitted : refused) += 1;
+      }
+    }
+    EXPECT_GT(refused, 500);
+    EXPECT_GT(admitted, 1000);
+  }
+}
+
+// normal . y_i + offset of one wall's point, from the path alone.
+double coefficient_of(const PairSituation& s, const TrajectoryWall& wall, int point, Vec2 next) {
+  const auto path = stepped_path(s.a, next, s.law.step, wall.interval + 1);
+  const auto m = static_cast<std::size_t>(wall.interval), i = static_cast<std::size_t>(point);
+  return dot(wall.normal, path[m][i] - s.a.position) + wall.offset[i];
+}
+
+TEST(Walls, tangent_is_the_derivative) {
+  for (const Motion motion : kMotions) {
+    Random random(24);
+    int compared = 0;
+    while (compared < 1000) {
+      const PairSituation s = sound_pair(random, kS3, motion);
+      CertificateWalls walls = walls_of(s.a, s.b, s.law);
+      const Vec2 next = random_choice(random, s);
+      const double u = braking_decrement(s.a.max_acceleration, s.law.step);
+      const double steps = norm(next) / u;
+      // the braking path has kinks where a step more begins
+      if (admits(s.a, next, s.law, walls) || std::abs(steps - std::round(steps)) < 1e-3) continue;
+      const WorstWall worst = worst_wall(walls.trajectories, walls.path);
+      const double value = coefficient_of(s, *worst.wall, worst.point, next);
+      EXPECT_NEAR(value, worst.coefficient, 1e-11);
+      const double h = 1e-5 * u;
+      const auto slope = [&](Vec2 direction) {
+        return (coefficient_of(s, *worst.wall, worst.point, next + h * direction) -
+                coefficient_of(s, *worst.wall, worst.point, next - h * direction)) /
+               (2.0 * h);
+      };
+      const Vec2 gradient{slope({1.0, 0.0}), slope({0.0, 1.0})};
+      const HalfPlane plane = tangent(worst, walls.path, s.a, s.law.step);
+      EXPECT_LE(norm(plane.normal - gradient / norm(gradient)), 1e-5);
+      EXPECT_NEAR(violation(plane, next) * norm(gradient), -value, 1e-5 * std::abs(value) + 1e-12);
+      EXPECT_GT(violation(plane, next), 0.0);  // what is refused is cut off
+      ++compared;
+    }
+  }
+}
+
+TEST(Walls, bound_is_sufficient_for_the_deviation_from_braking) {
+  Random random(25);
+  for (int i = 0; i < 300; ++i) {
+    const PairSituation s = sound_pair(random, kS3, Motion::held);
+    const CertificateWalls walls = walls_of(s.a, s.b, s.law);
+    const double u = braking_decrement(s.a.max_acceleration, s.law.step);
+    for (const TrajectoryWall& wall : walls.trajectories.walls) {
+      EXPECT_LE(wall.bound, 1e-9);
+      const auto m = static_cast<std::size_t>(wall.interval);
+      const Vec2 next = braked(s.a.velocity, u);
+      const auto x = stepped_path(s.a, next, s.law.step, wall.interval + 1);
+      for (std::size_t k = 0; k < 3; ++k) {
+        // a path that deviates by just the bound along the normal keeps the wall
+        const Vec2 y = x[m][k] - s.a.position + wall.bound * wall.normal;
+        EXPECT_GE(dot(wall.normal, y) + wall.offset[k], -1e-11);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avo::test
