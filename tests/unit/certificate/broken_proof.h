@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// The three certificates written out plainly for held motion, with switches that take one step of
+// the proof away, and a search for robots that then overlap.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "situations.h"
+
+namespace avo::test {
+
+/// What a robot may choose, and what it does if it finds nothing.
+struct Choices {
+  std::function<bool(Vec2)> admits;
+  Vec2 backup;
+};
+/// By robot: from the states of all.
+using Rule = std::function<Choices(const std::vector<Robot>&, std::size_t, const PlannerOptions&)>;
+
+inline double decrement_of(const Robot& robot, const PlannerOptions& options) {
+  return robot.max_acceleration * options.time_step;
+}
+
+inline Vec2 hardest_braked(const Robot& robot, const PlannerOptions& options) {
+  return braked(robot.velocity, decrement_of(robot, options));
+}
+
+/// The others, nearest first, cut to the first `most`.
+inline std::vector<std::size_t> nearest_others(const std::vector<Robot>& robots, std::size_t self,
+                                               std::size_t most) {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    if (k != self) order.push_back(k);
+  }
+  const auto distance = [&](std::size_t k) {
+    return norm(robots[k].position - robots[self].position);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+  order.resize(std::min(order.size(), most));
+  return order;
+}
+
+/// Direction of the nearest point to 0 of the edges of a polygon.
+template <std::size_t N>
+Vec2 direction_of_nearest(const std::array<Vec2, N>& corners) {
+  Vec2 nearest = corners[0];
+  for (std::size_t k = 0; k < N; ++k) {
+    const Vec2 other = nearest_on_segment(corners[k], corners[(k + 1) % N]);
+    if (norm_squared(other) < norm_squared(nearest)) nearest = other;
+  }
+  const double length = norm(nearest);
+  return length > 0.0 ? nearest / length : Vec2{1.0, 0.0};
+}
+
+inline Vec2 turned(Vec2 a, double angle) {
+  return {std::cos(angle) * a.x - std::sin(angle) * a.y,
+          std::sin(angle) * a.x + std::cos(angle) * a.y};
+}
+
+/// rad, between the lines of two robots that differ
+inline constexpr double kTurn = 0.2;
+
+/// S3 with all steps of its proof, unless one is switched off.
+struct TrajectoryRule {
+  bool middle_coefficient = true;  ///< of intervals after the first
+  bool whole_intervals = true;     ///< or the times at their ends only
+  bool until_both_rest = true;     ///< or until A itself would, braking now
+  bool same_number = true;         ///< or until A's candidates rest
+  bool same_normals = true;        ///< or turned by kTurn, for every second robot
+  std::size_t most_neighbors = 1000;
+
+  struct Wall {
+    Vec2 normal;
+    std::size_t interval, point;
+    double offset;  ///< normal . (y - p_A) + offset >= 0
+  };
+
+  int count(const Robot& self, const Robot& other, const PlannerOptions& options) const {
+    const auto until_rest = [&](const Robot& robot, double more) {
+      const double u = decrement_of(robot, options);
+      return 1 + static_cast<int>(std::floor((norm(robot.velocity) + more * u) / u + more));
+    };
+    if (!until_both_rest) return until_rest(self, 0.0);
+    if (!same_number) return until_rest(self, 1.0);
+    return std::max(until_rest(self, 1.0), until_rest(other, 1.0));
+  }
+
+  void append_walls(const Robot& self, const Robot& other, bool second,
+                    const PlannerOptions& options, std::vector<Wall>& walls) const {
+    const StepLaw law = law_of(options).step;
+    const int intervals = count(self, other, options);
+    const auto x_A = stepped_braking(self, law, intervals);
+    const auto x_B = stepped_braking(other, law, intervals);
+    const double contact = self.radius + other.radius;
+    const double share = self.max_acceleration / (self.max_acceleration + other.max_acceleration);
+    for (std::size_t m = 0; m < x_A.size(); ++m) {
+      Points q{};
+      for (std::size_t i = 0; i < 3; ++i) q[i] = x_A[m][i] - x_B[m][i];
+      Vec2 n = whole_intervals ? direction_of_nearest(q) : q[2] / norm(q[2]);
+      if (!same_normals && second) n = turned(n, kTurn);
+      for (std::size_t i = whole_intervals ? (m == 0 ? 2 : 0) : 2; i < 3; ++i) {
+        if (i == 1 && !middle_coefficient) continue;
+        walls.push_back(
+            {n, m, i, share * (dot(n, q[i]) - contact) - dot(n, x_A[m][i] - self.position)});
+      }
+    }
+  }
+
+  Choices operator()(const std::vector<Robot>& robots, std::size_t self,
+                     const PlannerOptions& options) const {
+    std::vector<Wall> walls;
+    for (const std::size_t k : nearest_others(robots, self, most_neighbors)) {
+      append_walls(robots[self], robots[k], self > k, options, walls);
+    }
+    const Robot robot = robots[self];
+    const auto keeps_all = [walls, robot, options](Vec2 next) {
+      std::size_t most = 0;
+      for (const Wall& wall : walls) most = std::max(most, wall.interval);
+      const auto y = stepped_path(robot, next, law_of(options).step, static_cast<int>(most) + 1);
+      return std::all_of(walls.begin(), walls.end(), [&](const Wall& wall) {
+        return dot(wall.normal, y[wall.interval][wall.point] - robot.position) + wall.offset >= 0.0;
+      });
+    };
+    return {keeps_all, hardest_braked(robot, options)};
+  }
+};
+
+/// S1, likewise.
+struct CapsuleRule {
+  bool discrete_length = true;  ///< or v²/2a
+  bool same_lines = true;       ///< or turned by kTurn, for every second robot
+  std::size_t most_neighbors = 1000;
+
+  Vec2 stop(const Robot& robot, Vec2 velocity, const PlannerOptions& options) const {
+    const double speed = norm(velocity), u = decrement_of(robot, options);
+    if (speed == 0.0) return {};
+    const double length = discrete_length ? stopping_length(speed, u, law_of(options).step)
+                                          : 0.5 * speed * speed / robot.max_acceleration;
+    return (length / speed) * velocity;
+  }
+
+  Choices operator()(const std::vector<Robot>& robots, std::size_t self,
+                     const PlannerOptions& options) const {
+    const Robot A = robots[self];
+    std::vector<HalfPlane> lines;  // relative to p_A
+    for (const std::size_t k : nearest_others(robots, self, most_neighbors)) {
+      const Robot& B = robots[k];
+      const Vec2 p = A.position - B.position, s_A = stop(A, A.velocity, options);
+      const Vec2 s_B = stop(B, B.velocity, options);
+      const std::array<Vec2, 4> corners{p, p + s_A, p + (s_A - s_B), p - s_B};
+      Vec2 n = direction_of_nearest(corners);
+      if (!same_lines && self > k) n = turned(n, kTurn);
+      double gap = dot(n, p);
+      for (const Vec2 corner : corners) gap = std::min(gap, dot(n, corner));
+      gap -= A.radius + B.radius;
+      const double share = A.max_acceleration / (A.max_acceleration + B.max_acceleration);
+      lines.push_back({n, std::min(0.0, dot(n, s_A)) - share * gap});
+    }
+    const auto keeps_all = [lines, A, options, rule = *this](Vec2 next) {
+      const Vec2 first = 0.5 * options.time_step * (A.velocity + next);
+      const Vec2 end = first + rule.stop(A, next, options);
+      return std::all_of(lines.begin(), lines.end(), [&](const HalfPlane& line) {
+        return violation(line, first) <= 0.0 && violation(line, end) <= 0.0;
+      });
+    };
+    return {keeps_all, hardest_braked(A, options)};
+  }
+};
+
+/// S2, likewise; its switches are the soft stop times. |a| <= a_max in any case.
+struct SoftStopRule {
+  std::vector<double> time;  ///< [d_s] s, of every robot: what it takes for common
+
+  Choices operator()(const std::vector<Robot>& robots, std::size_t self,
+                     const PlannerOptions& options) const {
+    const Robot A = robots[self];
+    const double d = time[self], h = options.time_step;
+    std::vector<HalfPlane> walls;  // of v + d_s a
+    for (const std::size_t k : nearest_others(robots, self, robots.size())) {
+      const Robot& B = robots[k];
+      const Vec2 p = A.position - B.position, z = p + (d - 0.5 * h) * (A.velocity - B.velocity);
+      const Vec2 n = direction_of_nearest(std::array<Vec2, 2>{p, z});
+      const double share = A.max_acceleration / (A.max_acceleration + B.max_acceleration);
+      walls.push_back({n, -share * (dot(n, z) - A.radius - B.radius) / h});
+    }
+    const auto keeps_all = [walls, A, d, h](Vec2 next) {
+      const Vec2 constrained = A.velocity + (d / h) * (next - A.velocity);
+      return std::all_of(walls.begin(), walls.end(), [&](const HalfPlane& wall) {
+        return violation(wall, constrained) <= 0.0;
+      });
+    };
+    const double speed = norm(A.velocity);
+    const double change = std::min(h * speed / d, A.max_acceleration * h);
+    return {keeps_all, speed > 0.0 ? A.velocity - (change / speed) * A.velocity : Vec2{}};
+  }
+};
+
+/// What is searched: starts, and for how long.
+struct Search {
+  std::function<std::vector<Robot>(Random&, const PlannerOptions&)> start;
+  PlannerOptions options;
+  int trials = 100;
+  int steps = 30;
+};
+
+/// m by which two of the robots overlap at most, in any trial: each pushes at another as hard as
+/// its rule admits; all brake in the end. Negative: the least gap.
+double deepest_overlap(const Rule& rule, const Search& search);
+
+}  // namespace avo::test

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every step of the proofs in docs/certificate.md is needed: without it a directed search finds
+// robots that overlap, and with it the same search finds none. Depths: robots of about 0.5 m.
+#include "broken_proof.h"
+
+#include <gtest/gtest.h>
+#include <string>
+
+namespace avo::test {
+namespace {
+
+// What rounding may cost: the plain rules here are not inflated.
+constexpr double kRounding = 1e-9;
+
+// Expects overlaps of `depth` m at least without the step, none with it.
+void expect_needed(const Rule& broken, const Rule& whole, const Search& search, double depth) {
+  const double found = deepest_overlap(broken, search);
+  testing::Test::RecordProperty("overlap_m", std::to_string(found));
+  std::printf("XX %g\n", found);
+  EXPECT_GE(found, depth);
+  EXPECT_LE(deepest_overlap(whole, search), kRounding);
+}
+
+Robot body(Random& random, double least_a, double most_a, double v_max) {
+  Robot robot;
+  robot.radius = random.uniform(0.3, 0.6);
+  robot.max_acceleration = random.log_uniform(least_a, most_a);
+  robot.max_speed = v_max;
+  robot.velocity = random.below(4) == 0 ? Vec2{} : in_disc(random, v_max);
+  return robot;
+}
+
+// Robots close together whose joint braking avoids contact.
+auto crowd(int count, double least_a, double most_a, double v_max, double extent) {
+  return [=](Random& random, const PlannerOptions& options) {
+    const CertificateLaw law = law_of(options);
+    std::vector<Robot> robots;
+    double side = extent;
+    while (static_cast<int>(robots.size()) < count) {
+      side *= 1.02;
+      Robot robot = body(random, least_a, most_a, v_max);
+      robot.position = in_disc(random, side);
+      const bool clear = std::all_of(robots.begin(), robots.end(), [&](const Robot& other) {
+        return norm(other.position - robot.position) > 1.0001 * (other.radius + robot.radius);
+      });
+      if (!clear) continue;
+      robots.push_back(robot);
+      if (!invariant_holds(robots, law)) robots.pop_back();
+    }
+    return robots;
+  };
+}
+
+Search search_of(Certificate kind, double time_step, int trials, int steps,
+                 std::function<std::vector<Robot>(Random&, const PlannerOptions&)> start) {
+  return {std::move(start), options_of(kind, Motion::held, time_step, 2.0), trials, steps};
+}
+
+constexpr Certificate kS1 = Certificate::stopping_capsules;
+constexpr Certificate kS2 = Certificate::linear_soft_stop;
+constexpr Certificate kS3 = Certificate::braking_trajectories;
+
+TEST(BrokenProof, middle_coefficient) {
+  TrajectoryRule broken;
+  broken.middle_coefficient = false;
+  expect_needed(broken, TrajectoryRule{},
+                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 1e-3);
+}
+
+TEST(BrokenProof, sampled_times) {
+  TrajectoryRule broken;
+  broken.whole_intervals = false;
+  expect_needed(broken, TrajectoryRule{},
+                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 1e-3);
+}
+
+TEST(BrokenProof, own_stop) {
+  TrajectoryRule broken;
+  broken.until_both_rest = false;
+  expect_needed(broken, TrajectoryRule{},
+                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.1);
+}
+
+TEST(BrokenProof, unequal_interval_counts) {
+  TrajectoryRule broken;
+  broken.same_number = false;
+  expect_needed(broken, TrajectoryRule{},
+                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.1);
+}
+
+TEST(BrokenProof, different_normals) {
+  TrajectoryRule broken;
+  broken.same_normals = false;
+  expect_needed(broken, TrajectoryRule{},
+                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 1e-2);
+}
+
+TEST(BrokenProof, capped_neighbors) {
+  TrajectoryRule broken;
+  broken.most_neighbors = 2;
+  expect_needed(broken, TrajectoryRule{}, search_of(kS3, 0.1, 6, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)),
+                0.1);
+}
+
+TEST(BrokenProof, continuous_stopping_length) {
+  CapsuleRule broken;
+  broken.discrete_length = false;
+  expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.4, 300, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)),
+                1e-3);
+}
+
+TEST(BrokenProof, different_lines_of_capsules) {
+  CapsuleRule broken;
+  broken.same_lines = false;
+  expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.1, 200, 30, crowd(2, 0.5, 2.0, 2.0, 2.0)),
+                1e-2);
+}
+
+TEST(BrokenProof, capped_neighbors_of_capsules) {
+  CapsuleRule broken;
+  broken.most_neighbors = 2;
+  expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.1, 20, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)),
+                0.1);
+}
+
+TEST(BrokenProof, soft_stop_shorter_than_a_max_allows) {
+  // v_max/a_max is 2 s
+  expect_needed(SoftStopRule{{1.0, 1.0}}, SoftStopRule{{2.0, 2.0}},
+                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 0.1);
+}
+
+TEST(BrokenProof, soft_stops_of_unequal_duration) {
+  // each at least v_max/a_max
+  expect_needed(SoftStopRule{{2.0, 4.0}}, SoftStopRule{{2.0, 2.0}},
+                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 1e-2);
+}
+
+}  // namespace
+}  // namespace avo::test
