@@ -120,6 +120,26 @@ TEST(Assumptions, a_mover_counts_while_the_robot_brakes) {
   EXPECT_TRUE(accepts(scene));
 }
 
+TEST(Assumptions, a_mover_from_rest_counts_by_its_acceleration) {
+  for (const Motion motion : {Motion::held, Motion::exponential}) {
+    Scenario scene = head_on(20.0, {Certificate::braking_trajectories, motion});
+    scene.robots.pop_back();
+    const CertificateLaw law = certificate_law(scene);
+    const double u = braking_decrement(1.0, law.step);
+    const double seconds = 0.1 * braking_steps(2.0, u);
+    const double meeting = 1.0 + stopping_length(2.0, u, law.step) + 0.5 * seconds * seconds * 0.8;
+    // it moves on a parabola, the robot does not where its motion is exponential: a Δt²/8 at most
+    const double margin = motion == Motion::held ? 0.0 : 0.001;
+    scene.sensing_radius = 1000.0;  // within the duration it gets fast
+    scene.moving_obstacles = {{{meeting + margin + 1e-4, 0.0}, {}, {-0.8, 0.0}, 0.5}};
+    EXPECT_TRUE(accepts(scene));
+    scene.moving_obstacles[0].position.x -= 2e-4;
+    const BrokenAssumptions broken = broken_assumptions(scene);
+    ASSERT_EQ(broken.start_count, 1);
+    EXPECT_NEAR(broken.starts[0].depth, 1e-4, 1e-9);
+  }
+}
+
 TEST(Assumptions, a_car_moves_along_its_heading) {
   Scenario scene = head_on(4.5, {Certificate::braking_trajectories, Motion::held});
   EXPECT_FALSE(accepts(scene));

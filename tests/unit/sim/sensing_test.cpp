@@ -69,6 +69,9 @@ TEST(SensingNeed, one_robot_needs_to_see_nobody_but_obstacles) {
   EXPECT_DOUBLE_EQ(sensing_need(scene)->other_part, 0.4 + 2.2 * 1.6 + 0.05 * 2.2 * 2.2);
   scene.moving_obstacles.pop_back();
   EXPECT_DOUBLE_EQ(sensing_need(scene)->other_part, 0.4 + 2.2);
+  scene.motion = Motion::exponential;  // 0.0975 m/s a step: 21 again; its parabola is 0.8 Δt²/8 off
+  scene.moving_obstacles[0] = {{90.0, 0.0}, {}, {0.8, 0.0}, 0.4};
+  EXPECT_DOUBLE_EQ(sensing_need(scene)->other_part, 0.4 + 2.2 * 8.0 + 0.4 * 2.2 * 2.2 + 0.001);
 }
 
 TEST(SensingNeed, the_worst_of_all_robots_for_every_obstacle) {
