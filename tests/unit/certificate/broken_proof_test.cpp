@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every step of the proofs in docs/certificate.md is needed: without it a directed search finds
-// robots that overlap, and with it the same search finds none. Depths: robots of about 0.5 m.
+// robots that overlap, and with it the same search finds none. Robots of 0.3 to 0.6 m; the depths
+// found are up to twice those demanded.
 #include "broken_proof.h"
 
 #include <gtest/gtest.h>
-#include <string>
 
 namespace avo::test {
 namespace {
@@ -14,10 +14,7 @@ constexpr double kRounding = 1e-9;
 
 // Expects overlaps of `depth` m at least without the step, none with it.
 void expect_needed(const Rule& broken, const Rule& whole, const Search& search, double depth) {
-  const double found = deepest_overlap(broken, search);
-  testing::Test::RecordProperty("overlap_m", std::to_string(found));
-  std::printf("XX %g\n", found);
-  EXPECT_GE(found, depth);
+  EXPECT_GE(deepest_overlap(broken, search), depth);
   EXPECT_LE(deepest_overlap(whole, search), kRounding);
 }
 
@@ -64,75 +61,75 @@ TEST(BrokenProof, middle_coefficient) {
   TrajectoryRule broken;
   broken.middle_coefficient = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 1e-3);
+                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 5e-3);
 }
 
 TEST(BrokenProof, sampled_times) {
   TrajectoryRule broken;
   broken.whole_intervals = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 1e-3);
+                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
 }
 
 TEST(BrokenProof, own_stop) {
   TrajectoryRule broken;
   broken.until_both_rest = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.1);
+                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.3);
 }
 
 TEST(BrokenProof, unequal_interval_counts) {
   TrajectoryRule broken;
   broken.same_number = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.1);
+                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.2);
 }
 
 TEST(BrokenProof, different_normals) {
   TrajectoryRule broken;
   broken.same_normals = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 1e-2);
+                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
 }
 
 TEST(BrokenProof, capped_neighbors) {
   TrajectoryRule broken;
   broken.most_neighbors = 2;
   expect_needed(broken, TrajectoryRule{}, search_of(kS3, 0.1, 6, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)),
-                0.1);
+                0.5);
 }
 
 TEST(BrokenProof, continuous_stopping_length) {
   CapsuleRule broken;
   broken.discrete_length = false;
   expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.4, 300, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)),
-                1e-3);
+                0.05);
 }
 
 TEST(BrokenProof, different_lines_of_capsules) {
   CapsuleRule broken;
   broken.same_lines = false;
   expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.1, 200, 30, crowd(2, 0.5, 2.0, 2.0, 2.0)),
-                1e-2);
+                0.01);
 }
 
 TEST(BrokenProof, capped_neighbors_of_capsules) {
   CapsuleRule broken;
   broken.most_neighbors = 2;
   expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.1, 20, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)),
-                0.1);
+                0.5);
 }
 
 TEST(BrokenProof, soft_stop_shorter_than_a_max_allows) {
   // v_max/a_max is 2 s
   expect_needed(SoftStopRule{{1.0, 1.0}}, SoftStopRule{{2.0, 2.0}},
-                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 0.1);
+                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 0.3);
 }
 
 TEST(BrokenProof, soft_stops_of_unequal_duration) {
   // each at least v_max/a_max
   expect_needed(SoftStopRule{{2.0, 4.0}}, SoftStopRule{{2.0, 2.0}},
-                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 1e-2);
+                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 0.5);
 }
 
 }  // namespace
