@@ -4,32 +4,29 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace avo {
 namespace {
 
-// To the origin; of two equally near ones the same whichever is asked about first, and if both are
-// negated.
-bool is_nearer(Vec2 a, Vec2 b) {
+// To the origin; between two equally near ones, which only rounding tells apart. The same whichever
+// is named first, negated if both are, and turned by 90 degrees if both are.
+Vec2 nearer_of(Vec2 a, Vec2 b) {
   const double of_a = norm_squared(a), of_b = norm_squared(b);
-  if (of_a != of_b) return of_a < of_b;
-  if (std::abs(a.x) != std::abs(b.x)) return std::abs(a.x) > std::abs(b.x);
-  return std::abs(a.y) > std::abs(b.y);
+  if (of_a != of_b) return of_a < of_b ? a : b;
+  return 0.5 * (a + b);
 }
 
 // The line of largest margin between two segments, as its normal from B's to A's: the direction of
 // the point nearest to the origin of their difference, a parallelogram. Unique even where the
 // segments are parallel. Odd in the exchange of A and B bit for bit: each edge runs from where the
-// robots are to where they stop, and neither the order of the edges nor a tie decides anything.
+// robots are to where they stop, and the edges that change places are compared with each other.
 Vec2 separating_normal(const std::array<Vec2, 4>& corners) {
-  constexpr std::array<std::array<std::size_t, 2>, 4> kEdges{{{0, 1}, {3, 2}, {0, 3}, {1, 2}}};
-  Vec2 nearest = corners[0];
-  for (const auto& [from, to] : kEdges) {
-    const Vec2 other = nearest_on_segment(corners[from], corners[to]);
-    if (is_nearer(other, nearest)) nearest = other;
-  }
+  const auto edge = [&](std::size_t from, std::size_t to) {
+    return nearest_on_segment(corners[from], corners[to]);
+  };
+  const Vec2 nearest =
+      nearer_of(nearer_of(edge(0, 1), edge(0, 3)), nearer_of(edge(3, 2), edge(1, 2)));
   const double length = norm(nearest);
   return length > 0.0 ? nearest / length : Vec2{};
 }
@@ -50,8 +47,8 @@ void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, c
     for (const Vec2 corner : corners) distance = std::min(distance, dot(n, corner));
     const double held = held_distance(pair, distance, static_cast<int>(k), invariant);
     // A's capsule begins at n . x = min(0, n . s_A), and may use its share of the gap
-    walls.push_back({static_cast<int>(k), n,
-                     std::min(0.0, dot(n, s_A)) - pair.share * (distance - held)});
+    walls.push_back(
+        {static_cast<int>(k), n, std::min(0.0, dot(n, s_A)) - pair.share * (distance - held)});
   }
 }
 

@@ -17,6 +17,7 @@ using Lines = std::vector<std::string>;
 /// The paper's constants (§VI-A).
 Scenario paper() {
   Scenario scenario;
+  scenario.method = avo::Method::avo_paper;
   for (const double x : {-10.0, 10.0})
     scenario.robots.push_back({.position = {x, 0}, .velocity = {}, .goal = {-x, 0}, .car = {}});
   return scenario;
@@ -121,6 +122,7 @@ TEST(Advice, overlaps_at_the_start_by_name) {
 TEST(Advice, overlaps_are_found_wherever_the_pair_lies) {
   for (const bool upright : {false, true}) {
     Scenario scenario;
+    scenario.method = avo::Method::avo_paper;
     for (int i = 0; i < 300; ++i) {
       const double along = 1.5 * i;
       const avo::Vec2 place = upright ? avo::Vec2{0.0, along} : avo::Vec2{along, 0.0};
@@ -135,6 +137,7 @@ TEST(Advice, overlaps_are_found_wherever_the_pair_lies) {
 
 TEST(Advice, a_heap_of_robots_takes_four_lines_and_little_time) {
   Scenario scenario;
+  scenario.method = avo::Method::avo_paper;
   for (int i = 0; i < 20000; ++i)
     scenario.robots.push_back({.position = {1e-9 * i, 0}, .velocity = {}, .goal = {}, .car = {}});
   const Lines lines = avo::advice(scenario);

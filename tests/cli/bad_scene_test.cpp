@@ -18,7 +18,7 @@ std::string s(const char (&text)[N]) {
 const std::string kGood = "version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n";
 const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, time_horizon, sensing_radius, "
-    "max_neighbors, method, motion, samples, arrival_distance, seed, robots, groups, "
+    "max_neighbors, method, certificate, motion, samples, arrival_distance, seed, robots, groups, "
     "moving_obstacles";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, car";
@@ -140,18 +140,21 @@ const std::vector<BadScene> kBadScenes{
     {"seed_too_large", kGood + s("seed: 18446744073709551616\n"),
      "4:7: seed: found 18446744073709551616, must be < 2^64 = 18446744073709551616"},
     {"method_unknown", kGood + s("method: orka\n"),
-     "4:9: method: found \"orka\", must be one of avo_paper, velocity_obstacle, orca; did you mean "
+     "4:9: method: found \"orka\", must be one of avo, avo_paper, velocity_obstacle, orca; did you "
+     "mean "
      "\"orca\"?"},
     {"method_number", kGood + s("method: 3\n"),
-     "4:9: method: found 3, must be one of avo_paper, velocity_obstacle, orca"},
+     "4:9: method: found 3, must be one of avo, avo_paper, velocity_obstacle, orca"},
     {"motion_unknown", kGood + s("motion: exact\n"),
      "4:9: motion: found \"exact\", must be one of held, exponential"},
     {"name_is_list", kGood + s("name: [a]\n"), "4:7: name: found a list, must be a text"},
     {"name_empty", kGood + s("name: \"\"\n"), "4:7: name: found \"\", must be a text"},
     {"name_escape", kGood + s("name: \"\\e[2J\"\n"),
      "4:7: name: found \"\\x1b[2J\", must have no control characters"},
-    {"time_step_beyond_delta", kGood + s("time_step: 5\n"),
-     "4:12: time_step: found 5, must be <= control_time = 4 s where motion is held"},
+    {"time_step_beyond_delta", kGood + s("time_step: 2.5\n"),
+     "4:12: time_step: found 2.5, must be <= control_time = 2 s where motion is held"},
+    {"time_step_beyond_delta_of_the_paper", kGood + s("method: avo_paper\ntime_step: 5\n"),
+     "5:12: time_step: found 5, must be <= control_time = 4 s where motion is held"},
     {"time_step_beyond_tau", kGood + s("time_horizon: 0.05\n"),
      "1:1: time_step: found 0.1, must be <= time_horizon = 0.05 s"},
     {"duration_below_step", kGood + s("duration: 0.05\n"),

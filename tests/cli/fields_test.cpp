@@ -72,6 +72,11 @@ int check_ranges(const Scenario& scenario, T& target, const std::string& path) {
       if constexpr (std::is_same_v<Pointer, double T::*>) {
         check_ends(scenario, target, field, member, target.*member, name);
         ++checked;
+      } else if constexpr (std::is_same_v<Pointer, std::optional<double> T::*>) {
+        (target.*member).emplace(field.range.max);
+        check_ends(scenario, target, field, member, *(target.*member), name);
+        (target.*member).reset();
+        ++checked;
       } else if constexpr (std::is_same_v<Pointer, avo::Vec2 T::*>) {
         check_ends(scenario, target, field, member, (target.*member).x, name + ".0");
         check_ends(scenario, target, field, member, (target.*member).y, name + ".1");
@@ -151,11 +156,12 @@ TEST(Fields, every_default_is_that_of_the_struct) {
       avo_io::parse_scenario("version: 1\nduration: 60\n" + kRobots, "a.yaml");
   EXPECT_EQ(scenario.name, "a");
   EXPECT_EQ(scenario.time_step, defaults.time_step);
-  EXPECT_EQ(scenario.control_time, 4.0);
-  EXPECT_EQ(scenario.time_horizon, 10.0);
+  EXPECT_EQ(scenario.control_time, std::nullopt);
+  EXPECT_EQ(scenario.time_horizon, std::nullopt);
   EXPECT_EQ(scenario.sensing_radius, 15.0);
   EXPECT_EQ(scenario.max_neighbors, std::nullopt);
-  EXPECT_EQ(scenario.method, avo::Method::avo_paper);
+  EXPECT_EQ(scenario.method, avo::Method::avo);
+  EXPECT_EQ(scenario.certificate, std::nullopt);
   EXPECT_EQ(scenario.motion, avo::Motion::held);
   EXPECT_EQ(scenario.samples, 0);
   EXPECT_EQ(scenario.arrival_distance, 0.5);
@@ -262,7 +268,8 @@ TEST(Fields, schema_has_every_field_with_range_and_default) {
   EXPECT_EQ(schema["additionalProperties"], false);
   EXPECT_EQ(schema["properties"].size(), avo_io::fields<Scenario>().size());
   EXPECT_EQ(schema["properties"]["control_time"]["exclusiveMinimum"], 0.0);
-  EXPECT_EQ(schema["properties"]["control_time"]["default"], 4.0);
+  EXPECT_FALSE(schema["properties"]["control_time"].contains("default")) << "that of the method";
+  EXPECT_EQ(schema["properties"]["sensing_radius"]["default"], 15.0);
   EXPECT_EQ(schema["properties"]["version"]["const"], 1);
   EXPECT_FALSE(schema["properties"]["duration"].contains("default"));
   EXPECT_EQ(schema["required"], nlohmann::json({"version"}));
