@@ -112,7 +112,9 @@ void append_walls(const BrakingPair& pair, const Neighbor& neighbor, int index, 
     if (counts) nearest = std::min(nearest, distance);
     const ErrorMargin margin = error_margin(pair, law, steps, distance, moved);
     if (distance > far + margin.distance) continue;
-    TrajectoryWall wall{index, static_cast<int>(m), !counts, n, {}, margin.cone, 0.0};
+    // the invariant says nothing of intervals at rest: to move away is not enough there
+    const double cone = counts ? margin.cone : 0.0;
+    TrajectoryWall wall{index, static_cast<int>(m), !counts, n, {}, cone, 0.0};
     wall.bound = pair.share * (margin.distance - distance);
     const std::array<double, 3> along{walls.braking.start[m], walls.braking.middle[m],
                                       walls.braking.end[m]};

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots that sense each other wrongly, each of which chooses the worst that its certificate
+// admits.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "avo/check.h"
+#include "certificate/certificate.h"
+#include "support/generators.h"
+
+namespace avo::test {
+
+/// A robot, or a mover that keeps its acceleration.
+struct Body {
+  Robot robot;
+  bool decides = true;
+  Vec2 acceleration = {};  // m/s^2, of a mover
+};
+
+/// What is declared to the certificate, and how wrong sensing is.
+struct Senses {
+  SensingError declared, actual;
+};
+
+inline CertificateLaw held_law(SensingError declared) {
+  CertificateLaw law;
+  law.step.sensing_error = declared;
+  return law;
+}
+
+inline Vec2 unit(Vec2 a) {
+  const double length = norm(a);
+  return length > 0.0 ? a / length : Vec2{1.0, 0.0};
+}
+
+/// How a neighbor in direction n (unit) is displaced, as a part of the bound: 0 farther, 1 nearer,
+/// 2 and 3 to the sides, 4 anywhere on the rim, 5 anywhere, 6 not at all.
+inline constexpr int kShapes = 7;
+inline Vec2 error_of(int shape, Vec2 n, Random& random) {
+  switch (shape) {
+    case 0:
+      return n;
+    case 1:
+      return -n;
+    case 2:
+      return perpendicular(n);
+    case 3:
+      return -perpendicular(n);
+    case 4:
+      return random.direction();
+    case 5:
+      return in_disc(random, 1.0);
+    default:
+      return {};
+  }
+}
+
+/// The others as `self` senses them; the shapes of the errors of position and velocity.
+inline std::vector<Neighbor> sensed(const std::vector<Body>& bodies, std::size_t self,
+                                    SensingError error, int of_position, int of_velocity,
+                                    Random& random) {
+  std::vector<Neighbor> neighbors;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (k == self) continue;
+    const Robot& other = bodies[k].robot;
+    const Vec2 n = unit(other.position - bodies[self].robot.position);
+    const Vec2 p = other.position + error.position * error_of(of_position, n, random);
+    const Vec2 v = other.velocity + error.velocity * error_of(of_velocity, n, random);
+    neighbors.push_back({p, v, other.radius, bodies[k].decides ? other.max_acceleration : 0.0,
+                         bodies[k].acceleration});
+  }
+  return neighbors;
+}
+
+/// Least distance beyond contact, at the ends of the steps, if `self` takes v_1 and then brakes
+/// while the others brake, or keep their acceleration.
+inline double clearance_after(const std::vector<Body>& bodies, std::size_t self, Vec2 v_1,
+                              const StepLaw& law) {
+  const Robot& robot = bodies[self].robot;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (k == self) continue;
+    const Robot& other = bodies[k].robot;
+    Vec2 v = robot.velocity, next = v_1, p = robot.position;
+    Vec2 w = other.velocity, q = other.position;
+    for (int m = 0;
+         m < 100 && (norm_squared(v) > 0.0 || norm_squared(next) > 0.0 || norm_squared(w) > 0.0);
+         ++m) {
+      p = p + (0.5 * law.time_step) * (v + next);
+      v = next;
+      next = braked(v, braking_decrement(robot.max_acceleration, law));
+      const Vec2 w_1 = bodies[k].decides ? braked(w, braking_decrement(other.max_acceleration, law))
+                                         : w + law.time_step * bodies[k].acceleration;
+      q = q + (0.5 * law.time_step) * (w + w_1);
+      w = w_1;
+      least = std::min(least, norm(p - q) - robot.radius - other.radius);
+      if (!bodies[k].decides && v == Vec2{} && next == Vec2{}) break;
+    }
+  }
+  return least;
+}
+
+/// The farthest admitted velocity from braking towards `wanted`.
+inline Vec2 farthest_admitted(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
+                              CertificateWalls& walls) {
+  if (admits(robot, wanted, law, walls)) return wanted;
+  const Vec2 backup = backup_velocity(robot, law);
+  double good = 0.0, bad = 1.0;
+  for (int i = 0; i < 12; ++i) {
+    const double part = 0.5 * (good + bad);
+    (admits(robot, backup + part * (wanted - backup), law, walls) ? good : bad) = part;
+  }
+  return backup + good * (wanted - backup);
+}
+
+/// Of what `self` is allowed under some errors within the bound: what leaves the least clearance.
+/// One time in `calm` (> 0) it takes anything admitted.
+inline Vec2 worst_choice(const std::vector<Body>& bodies, std::size_t self, const Senses& senses,
+                         int calm, Random& random, CertificateWalls& walls) {
+  const Robot& robot = bodies[self].robot;
+  const CertificateLaw law = held_law(senses.declared);
+  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const bool anything = random.below(calm) == 0;
+  Vec2 worst = backup_velocity(robot, law);
+  double least = clearance_after(bodies, self, worst, law.step);
+  for (int draw = 0; draw < (anything ? 1 : 4); ++draw) {
+    const int of_position = random.below(kShapes);
+    const int of_velocity = random.below(2) == 0 ? of_position : random.below(kShapes);
+    const auto neighbors = sensed(bodies, self, senses.actual, of_position, of_velocity, random);
+    collect_walls(robot, neighbors, law, walls);
+    for (int i = 0; i < (anything ? 1 : 5); ++i) {
+      Vec2 change = random.below(2) == 0 ? u * random.direction() : in_disc(random, u);
+      const Neighbor& other =
+          neighbors[static_cast<std::size_t>(random.below(static_cast<int>(neighbors.size())))];
+      const Vec2 towards = unit(other.position - robot.position);
+      if (i == 1) change = u * towards;
+      if (i == 2) change = u * unit(other.position - robot.position - robot.velocity);
+      if (i == 3) change = u * unit(change + (3.0 * u) * towards);
+      Vec2 wanted = robot.velocity + change;
+      if (norm(wanted) > robot.max_speed) wanted = (robot.max_speed / norm(wanted)) * wanted;
+      const Vec2 chosen = farthest_admitted(robot, wanted, law, walls);
+      const double clearance = clearance_after(bodies, self, chosen, law.step);
+      if (anything || clearance < least) worst = chosen, least = clearance;
+    }
+  }
+  return worst;
+}
+
+/// Moves all bodies by one step, deciding bodies to their new velocities.
+inline void move(std::vector<Body>& bodies, const std::vector<Vec2>& next, double time_step) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    Robot& robot = bodies[k].robot;
+    const Vec2 v_1 =
+        bodies[k].decides ? next[k] : robot.velocity + time_step * bodies[k].acceleration;
+    robot.position = robot.position + (0.5 * time_step) * (robot.velocity + v_1);
+    robot.velocity = v_1;
+  }
+}
+
+inline Check judge_of(const std::vector<Body>& bodies) {
+  std::vector<CheckedRobot> robots;
+  std::vector<CheckedObstacle> obstacles;
+  for (const Body& body : bodies) {
+    const Robot& robot = body.robot;
+    if (body.decides) {
+      robots.push_back({robot.radius, robot.max_acceleration, robot.max_speed, {}, 0.0});
+    } else {
+      obstacles.push_back({robot.position, robot.velocity, body.acceleration, robot.radius});
+    }
+  }
+  return Check(robots, obstacles);
+}
+
+/// Deciding bodies come first.
+inline void show(Check& check, double time, const std::vector<Body>& bodies) {
+  std::vector<CheckedState> rows;
+  for (std::size_t k = 0; k < bodies.size() && bodies[k].decides; ++k) {
+    rows.push_back(
+        {static_cast<std::int64_t>(k), bodies[k].robot.position, bodies[k].robot.velocity});
+  }
+  check.add(time, rows);
+}
+
+/// All decide at the same times, each by worst_choice; judged on the true motion.
+inline CheckReport run_adversary(std::vector<Body> bodies, const Senses& senses, int steps,
+                                 int calm, Random& random) {
+  const StepLaw law = held_law(senses.declared).step;
+  Check check = judge_of(bodies);
+  CertificateWalls walls;
+  show(check, 0.0, bodies);
+  std::vector<Vec2> next(bodies.size());
+  for (int step = 1; step <= steps; ++step) {
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      if (bodies[k].decides) next[k] = worst_choice(bodies, k, senses, calm, random, walls);
+    }
+    move(bodies, next, law.time_step);
+    show(check, step * law.time_step, bodies);
+  }
+  return check.report();
+}
+
+}  // namespace avo::test
