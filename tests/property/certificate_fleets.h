@@ -67,12 +67,12 @@ inline Fleet random_fleet(Random& random, Certificate kind, Motion motion) {
 
 /// The admitted velocity farthest from the backup towards `wish`, by bisection.
 inline Vec2 farthest_admitted(const Robot& robot, Vec2 wish, const CertificateLaw& law,
-                              CertificateWalls& walls) {
+                              CertificateWalls& walls, int bisections = 12) {
   if (admits(robot, wish, law, walls)) return wish;
   const Vec2 backup = backup_velocity(robot, law);
   Vec2 best = backup;
   double low = 0.0, high = 1.0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < bisections; ++i) {
     const double part = 0.5 * (low + high);
     const Vec2 candidate = backup + part * (wish - backup);
     if (admits(robot, candidate, law, walls)) {

@@ -78,6 +78,49 @@ TEST_P(Certified, nobody_touches_whatever_admitted_velocity_all_choose) {
   EXPECT_LT(least_gap, 1e-4);  // they did try
 }
 
+// Two robots at rest, 10^7 m off: a position is rounded by 10^-9 m there.
+Fleet far_pair(Random& random, Certificate kind, Motion motion) {
+  Fleet fleet;
+  fleet.options = random_options(random, kind, motion);
+  const Vec2 place = 1e7 * random.direction();
+  fleet.robots = {random_robot(random, fleet.options), random_robot(random, fleet.options)};
+  const double apart = fleet.robots[0].radius + fleet.robots[1].radius + random.uniform(0.01, 0.5);
+  fleet.robots[0].position = place;
+  fleet.robots[1].position = place + apart * random.direction();
+  return fleet;
+}
+
+TEST_P(Certified, rounding_is_covered_by_the_margin) {
+  const auto [kind, motion] = GetParam();
+  CertificateWalls walls;
+  for (int seed = 1; seed <= 60; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    Fleet fleet = far_pair(random, kind, motion);
+    const CertificateLaw law = law_of(fleet.options);
+    for (int k = 0; k < 150; ++k) {
+      std::vector<TrueStep> steps;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Robot &robot = fleet.robots[i], &other = fleet.robots[1 - i];
+        collect_walls(robot, others(fleet.robots, i), law, walls);
+        const Vec2 towards = other.position - robot.position;
+        const double u = braking_decrement(robot.max_acceleration, law.step);
+        const Vec2 push = within_speed(robot, (u / norm(towards)) * towards);
+        // to the last bit that is admitted, and now and then nothing but braking
+        const Vec2 next = random.below(10) == 0 ? backup_velocity(robot, law)
+                                                : farthest_admitted(robot, push, law, walls, 60);
+        steps.push_back({robot.position, robot.velocity, next});
+      }
+      const double contact = fleet.robots[0].radius + fleet.robots[1].radius;
+      ASSERT_GE(least_distance(steps[0], steps[1], fleet.options), contact)
+          << "seed " << seed << " step " << k;
+      for (std::size_t i = 0; i < 2; ++i) {
+        fleet.robots[i].position = steps[i].at(law.step.time_step, fleet.options);
+        fleet.robots[i].velocity = steps[i].next_velocity;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     , Certified,
     testing::Values(std::tuple(Certificate::stopping_capsules, Motion::held),
