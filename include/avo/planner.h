@@ -46,6 +46,11 @@ struct SensingError {
   friend constexpr bool operator==(const SensingError&, const SensingError&) = default;
 };
 
+/// As in scene files.
+const char* to_string(Method method);
+const char* to_string(Certificate certificate);
+const char* to_string(Motion motion);
+
 struct PlannerOptions {
   Method method = Method::avo;
   Motion motion = Motion::held;
@@ -54,8 +59,9 @@ struct PlannerOptions {
   double time_step = 0.1;     ///< [Δt] s, > 0, <= control_time where motion is held
   int samples = 0;            ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
   Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
-  std::optional<int> max_neighbors = {};  ///< the first so many get a half-plane; unset: all
-  /// [d_s] s, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
+  /// >= 1: the first so many get a half-plane; unset: all. A certificate covers all in any case.
+  std::optional<int> max_neighbors = {};
+  /// [d_s] s, > 0, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
   double soft_stop_time = 2.0;
   SensingError sensing_error = {};  ///< of braking_trajectories, the same for all
 };
@@ -88,10 +94,11 @@ struct NeighborPlane {
   double excess = 0.0;  ///< m/s, A's share of RelativeHalfPlane::excess
 };
 
-/// What a robot remembers from one decision to the next: how far it has turned off its way, to get
-/// around a jam. Method avo only.
+/// What a robot remembers from one decision to the next, to get around a jam and to come to rest.
+/// Method avo only.
 struct Detour {
-  double angle = 0.0;  ///< rad, to the right
+  double angle = 0.0;    ///< rad, how far it has turned off its way, to the right
+  double yielded = 0.0;  ///< 0 to 1: gives way, to no longer gives way to those that stay beside it
 };
 
 /// What a neighbor's certificate demands of A on one interval between steps:

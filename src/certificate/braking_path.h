@@ -12,9 +12,9 @@ namespace avo {
 /// What the certificates need to know of one step: from v to v_1 it moves by s v + (Δt - s) v_1,
 /// inside the triangle of its ends and p + s v, and takes off u = a_max · braking_time at most.
 struct StepLaw {
-  double time_step = 0.1;     ///< [Δt] s
-  double lag = 0.05;          ///< [s] s: Δt/2 (held), s(Δt) (exponential)
-  double braking_time = 0.1;  ///< s: Δt (held), δ (1 - e^{-Δt/δ}) (exponential)
+  double time_step = 0.1;           ///< [Δt] s
+  double lag = 0.05;                ///< [s] s: Δt/2 (held), s(Δt) (exponential)
+  double braking_time = 0.1;        ///< s: Δt (held), δ (1 - e^{-Δt/δ}) (exponential)
   SensingError sensing_error = {};  ///< the same for all
   double control_time = 0.1;        ///< [δ] s, Eq. (7)
 };
@@ -57,8 +57,8 @@ struct CandidatePath {
   BrakingDistances braking;
 };
 
-/// The path, its braking known for the `intervals` after the first step. A car's path is that of the
-/// velocity that it reaches where v_1 was wanted.
+/// The path, its braking known for the `intervals` after the first step. A car's path is that of
+/// the velocity that it reaches where v_1 was wanted.
 void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
             CandidatePath& path);
 

@@ -53,14 +53,15 @@ ErrorMargin error_margin(const BrakingPair& pair, const StepLaw& law, double m, 
   return {2.0 * error + (3.0 * error + cone * both) / std::min(pair.share, 1.0 - pair.share), cone};
 }
 
-// What is seen to accelerate moves on a parabola. Where A's motion is exponential, a path of A's kind
-// between the same ends, leaving with the same velocity, is less than a Δt²/8 away from it.
+// What is seen to accelerate moves on a parabola. Where A's motion is exponential, a path of A's
+// kind between the same ends, leaving with the same velocity, is less than a Δt²/8 away from it.
 double parabola_error(const Neighbor& neighbor, const StepLaw& law) {
   if (neighbor.max_acceleration > 0.0 || law.lag == 0.5 * law.time_step) return 0.0;
   return 0.125 * law.time_step * law.time_step * norm(neighbor.acceleration);
 }
 
-// A's braking path less B's: its braking path, or that with the acceleration that it is seen to keep.
+// A's braking path less B's: its braking path, or that with the acceleration that it is seen to
+// keep.
 Bezier relative_points(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law,
                        const TrajectoryWalls& walls, std::size_t m) {
   const BrakingDistances& own = walls.braking;
@@ -79,8 +80,8 @@ Bezier relative_points(const BrakingPair& pair, const Neighbor& neighbor, const 
           pair.p + (own.end[m] * d_A - (x + h * v + (0.5 * h * h) * a))};
 }
 
-// Whether A's share of the free gap exceeds all that a candidate of A's can deviate, looked at along
-// p only: then the neighbor can refuse nothing, whatever it does itself.
+// Whether A's share of the free gap exceeds all that a candidate of A's can deviate, looked at
+// along p only: then the neighbor can refuse nothing, whatever it does itself.
 bool refuses_nothing(const BrakingPair& pair, double deviation) {
   const double distance = norm(pair.p);
   if (!(distance > 0.0)) return false;

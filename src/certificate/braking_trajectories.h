@@ -17,9 +17,9 @@ namespace avo {
 /// Bézier points y_0, y_1, y_2 of A's path on it, relative to p_A.
 struct TrajectoryWall {
   int neighbor = 0;
-  int interval = 0;             ///< 0: the step to be decided
-  bool only_in_motion = false;  ///< asked only of paths on which A still moves then
-  Vec2 normal;                  ///< unit, from B to A
+  int interval = 0;                ///< 0: the step to be decided
+  bool only_in_motion = false;     ///< asked only of paths on which A still moves then
+  Vec2 normal;                     ///< unit, from B to A
   std::array<double, 3> offset{};  ///< m
   /// With sensing errors: A may also move away, normal . (y_i - x_i) >= cone |y_i - x_i|. 0: it may
   /// not make use of that.

@@ -12,8 +12,8 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
   walls.capsules.reserve(neighbors);
   walls.soft_stops.reserve(neighbors);
   walls.trajectories.walls.reserve(std::min(neighbors * braking_steps, most_walls));
-  for (BrakingDistances* distances : {&walls.trajectories.braking,
-                                      &walls.trajectories.neighbor_braking, &walls.path.braking}) {
+  for (BrakingDistances* distances :
+       {&walls.trajectories.braking, &walls.trajectories.neighbor_braking, &walls.path.braking}) {
     for (std::vector<double>* each : {&distances->start, &distances->middle, &distances->end}) {
       each->reserve(std::min(braking_steps, most_walls));
     }

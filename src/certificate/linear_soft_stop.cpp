@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// S2: z = p + (d_s - Δt/2) v obeys z' = z + Δt (v + d_s a), so that a constraint on v + d_s a keeps it
-// on its side.
+// S2: z = p + (d_s - Δt/2) v obeys z' = z + Δt (v + d_s a), so that a constraint on v + d_s a keeps
+// it on its side.
 #include "certificate/linear_soft_stop.h"
 
 #include <algorithm>
@@ -59,6 +59,7 @@ void append_half_planes(std::span<const SoftStopWall> walls, Vec2 velocity, doub
   const double ratio = soft_stop_time / time_step;
   for (const SoftStopWall& wall : walls) {
     const auto& [n, offset] = wall.half_plane;
+    if (n == Vec2{}) continue;  // equal centers: no direction
     half_planes.push_back({n, (offset + (ratio - 1.0) * dot(n, velocity)) / ratio});
   }
 }

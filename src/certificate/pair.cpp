@@ -9,12 +9,12 @@
 namespace avo {
 namespace {
 
-// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake such errors add up,
-// for at most so many steps; a decision shrinks what has added up by a share. docs/certificate.md,
-// "Rounding"; four times what is derived there.
+// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake such errors add
+// up, for at most so many steps; a decision shrinks what has added up by a share.
+// docs/certificate.md, "Rounding"; four times what is derived there.
 double rounding_margin(const Robot& robot, const Neighbor& neighbor, const BrakingPair& pair) {
-  const double lengths = pair.contact + pair.a.reach + pair.b.reach + norm(robot.position) +
-                         norm(neighbor.position);
+  const double lengths =
+      pair.contact + pair.a.reach + pair.b.reach + norm(robot.position) + norm(neighbor.position);
   const double steps = 1.0 + std::max(pair.a.intervals, pair.b.intervals);
   const double shrinks = pair.decides ? std::min(pair.share, 1.0 - pair.share) : 1.0;
   return 0x1p-48 * lengths * steps / shrinks;
@@ -51,8 +51,8 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   pair.a = a;
   if (pair.decides) pair.b = braking_of(neighbor.velocity, neighbor.max_acceleration, law);
   pair.inflated = pair.contact + rounding_margin(robot, neighbor, pair);
-  pair.error = law.sensing_error.position + law.sensing_error.velocity * law.time_step *
-                                                std::max(a.intervals, pair.b.intervals);
+  pair.error = law.sensing_error.position +
+               law.sensing_error.velocity * law.time_step * std::max(a.intervals, pair.b.intervals);
   return pair;
 }
 

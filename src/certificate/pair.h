@@ -36,12 +36,12 @@ inline constexpr double kMostIntervals = 65536.0;
 /// Robot A and one neighbor B. Whatever both must agree on is odd in the exchange of the two, bit
 /// for bit.
 struct BrakingPair {
-  Vec2 p;               ///< [p_A - p_B] m
-  double contact;       ///< [r_A + r_B] m
-  double inflated;      ///< m, contact and what covers all rounding (docs/certificate.md)
-  double error;         ///< [e] m, most that B's path is off from what is sensed, at its end
-  double share;         ///< [β] of the free gap that is A's, 1 against one that does not decide
-  bool decides;         ///< B does
+  Vec2 p;           ///< [p_A - p_B] m
+  double contact;   ///< [r_A + r_B] m
+  double inflated;  ///< m, contact and what covers all rounding (docs/certificate.md)
+  double error;     ///< [e] m, most that B's path is off from what is sensed, at its end
+  double share;     ///< [β] of the free gap that is A's, 1 against one that does not decide
+  bool decides;     ///< B does
   Braking a, b;
 };
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,

@@ -71,6 +71,7 @@ void append_half_planes(std::span<const CapsuleWall> walls, const Robot& robot, 
   const double stopping_time =
       top_speed > 0.0 ? stopping_length(top_speed, decrement, law) / top_speed : law.lag;
   for (const CapsuleWall& wall : walls) {
+    if (wall.normal == Vec2{}) continue;  // equal centers: no direction
     // n . (s v + (Δt - s) v_1 + l(S)/S v_1) >= offset, exact for |v_1| = S
     const double start = law.lag * dot(wall.normal, robot.velocity);
     const double rest = wall.offset - start;

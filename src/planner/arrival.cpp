@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keep right in traffic, back out of a jam. Angles in rad; times and lengths are measured in the
-// robot's own: T = v_max/a_max to reach its speed, L = v_max²/a_max, twice its way to stop.
+// Keep right in traffic, give way, back out of a jam. Angles in rad; times and lengths are measured
+// in the robot's own: T = v_max/a_max to reach its speed, L = v_max²/a_max, twice its way to stop.
 #include "planner/arrival.h"
 
 #include <algorithm>
@@ -11,12 +11,18 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kMostKeepRight = 30.0 * kDegree;
-constexpr double kCongestion = 5.0;        // robots right ahead that make the way fully congested
-constexpr double kSlow = 0.05;             // of v_max: nearly at rest
-constexpr double kMostDetour = 2.4;        // almost back
-constexpr double kTurnOff = 1.0;           // per T
-constexpr double kTurnBack = 2.0;          // per T
-constexpr double kBlocked = 0.5;
+constexpr double kCongestion = 5.0;  // robots right ahead that make the way fully congested
+constexpr double kSlow = 0.05;       // of v_max: nearly at rest
+constexpr double kRoom = 0.25;       // of r_A + r_B: the clearance that is nearly contact
+constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
+constexpr double kLeastWeight = 0.3;  // of giving way on the way
+constexpr double kPush = 2.0;         // v_max, in contact
+constexpr double kYields = 5.0;       // T for which it gives way near its goal
+constexpr double kRecovers = 1.25;    // T after which it would again
+constexpr double kMostDetour = 2.4;   // almost back
+constexpr double kTurnOff = 1.0;      // per T
+constexpr double kTurnBack = 2.0;     // per T
+constexpr double kBlocked = 0.5;      // of the velocity that the limits alone allow
 
 double time_to_speed(const Robot& robot) {
   return robot.max_speed / robot.max_acceleration;
@@ -63,6 +69,28 @@ Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors) {
   return part > 0.0 ? turned_right(wish, part * kMostKeepRight) : wish;
 }
 
+Vec2 give_way(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
+              Detour& detour) {
+  Vec2 push;
+  for (const Neighbor& neighbor : neighbors) {
+    const Vec2 away = robot.position - neighbor.position;
+    const double contact = robot.radius + neighbor.radius, room = kRoom * contact;
+    const double reach = contact + room;
+    const double distance_squared = norm_squared(away);
+    if (distance_squared >= reach * reach || !(distance_squared > 0.0)) continue;
+    const double distance = std::sqrt(distance_squared);
+    const double nearness = std::min((reach - distance) / room, 1.0);
+    const double weight = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
+    push = push + (weight * nearness / distance) * away;
+  }
+  const double elapsed = time_step / time_to_speed(robot);
+  const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;
+  detour.yielded = near_goal && push != Vec2{}
+                       ? std::min(detour.yielded + elapsed / kYields, 1.0)
+                       : std::max(detour.yielded - elapsed / kRecovers, 0.0);
+  return (kPush * robot.max_speed * (1.0 - detour.yielded)) * push;
+}
+
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {
   const double unhindered = dot(unhindered_next_velocity, wish);
   return unhindered > 0.0 && dot(next_velocity, wish) < kBlocked * unhindered;
@@ -73,8 +101,7 @@ bool may_detour(const Robot& robot) {
 }
 
 void turn_off(Detour& detour, const Robot& robot, double time_step) {
-  detour.angle =
-      std::min(detour.angle + kTurnOff * time_step / time_to_speed(robot), kMostDetour);
+  detour.angle = std::min(detour.angle + kTurnOff * time_step / time_to_speed(robot), kMostDetour);
 }
 
 void turn_back(Detour& detour, const Robot& robot, double time_step) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arriving: keep right in traffic, back out of a jam (docs/arrival.md). All of it only turns the
-// preferred velocity, so that safety never depends on it; local, deterministic, the same for every
-// robot.
+// Arriving: keep right in traffic, give way, back out of a jam (docs/arrival.md). All of it only
+// turns the preferred velocity, so that safety never depends on it; local, deterministic, the same
+// for every robot.
 #pragma once
 #include <span>
 
@@ -9,9 +9,14 @@
 
 namespace avo {
 
-/// The preferred velocity turned to the right by how congested the way ahead is; as it is on the last
-/// of the way to the goal.
+/// The preferred velocity turned to the right by how congested the way ahead is; as it is on the
+/// last of the way to the goal.
 Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors);
+
+/// [m/s] to add to the wish: away from those that are nearly in contact, most of all where the
+/// robot has all but arrived. It does so for a while: who stays beside it has come to rest as well.
+Vec2 give_way(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
+              Detour& detour);
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);

@@ -14,8 +14,8 @@ namespace {
 // Each round cuts off the last proposal; more of them find hardly anything nearer.
 constexpr auto kRounds = static_cast<int>(kMostCuts);
 constexpr int kBisections = 5;
-// Half-planes are drawn so far on the safe side, of u: a point of them passes the exact test whatever
-// rounding does.
+// Half-planes are drawn so far on the safe side, of u: a point of them passes the exact test
+// whatever rounding does.
 constexpr double kInside = 0x1p-30;
 
 // What the proposals are made from.
@@ -87,8 +87,8 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   return choice;
 }
 
-// The other certificates are half-planes in v_1: for stopping capsules up to a speed, the present one
-// and a step more, the present one, or a step less, at which braking satisfies them.
+// The other certificates are half-planes in v_1: for stopping capsules up to a speed, the present
+// one and a step more, the present one, or a step less, at which braking satisfies them.
 CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const Robot& robot = proposals.robot;
   const CertificateLaw& law = proposals.law;

@@ -28,8 +28,8 @@ struct CertifiedWorkspace {
   std::vector<HalfPlane> hard, projected;
 };
 
-/// Nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear programs tell;
-/// always admitted, or the backup. workspace.walls are the robot's.
+/// Nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear programs
+/// tell; always admitted, or the backup. workspace.walls are the robot's.
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace);
 

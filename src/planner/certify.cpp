@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Method avo: the paper's program says where to (soft), the certificate what may be done (hard), and
-// the rules for arriving which way to wish for.
+// Method avo: the paper's program says where to (soft), the certificate what may be done (hard),
+// and the rules for arriving which way to wish for.
 #include <algorithm>
 
 #include "core/ranges.h"
@@ -45,9 +45,8 @@ struct Decision {
 
 // Eq. (23), then the nearest admitted.
 Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
-  const ProgramResult result =
-      nearest_point({}, half_planes, decision.acceleration, decision.speed, wish,
-                    decision.certified.projected);
+  const ProgramResult result = nearest_point({}, half_planes, decision.acceleration, decision.speed,
+                                             wish, decision.certified.projected);
   const Vec2 wanted = approach(decision.robot.velocity, result.point, decision.decrement());
   return {choose_certified(decision.robot, wanted, decision.law, decision.certified),
           result.violation};
@@ -66,12 +65,13 @@ bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
   return is_blocked(next_velocity, unhindered, wish);
 }
 
-// Keep right; where that is blocked, take what the certificate alone admits on a detour.
+// Keep right and give way; where that is blocked, take what the certificate alone admits on a
+// detour.
 Choice choose_and_arrive(const Decision& decision, std::span<const Neighbor> neighbors,
                          Detour& detour) {
   const Robot& robot = decision.robot;
   const double time_step = decision.law.step.time_step;
-  const Vec2 wish = keep_right(robot, neighbors);
+  const Vec2 wish = keep_right(robot, neighbors) + give_way(robot, neighbors, time_step, detour);
   Choice choice = choose(decision, decision.half_planes, wish);
   if (!may_detour(robot)) {
     detour.angle = 0.0;
@@ -135,8 +135,8 @@ Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, V
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const CertificateLaw law = certificate_law(*this);
   collect_walls(robot, neighbors, law, certified.walls);
-  const Vec2 wanted = approach(robot.velocity, target,
-                               braking_decrement(robot.max_acceleration, law.step));
+  const Vec2 wanted =
+      approach(robot.velocity, target, braking_decrement(robot.max_acceleration, law.step));
   const Choice choice{choose_certified(robot, wanted, law, certified), violation};
   return step_to(robot, choice.certified.next_velocity,
                  status_of(choice, certified.walls.invariant, overlapping), violation);

@@ -6,25 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
-#include "avo/error.h"
 #include "avo/half_plane.h"
 #include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
 #include "planner/braking.h"
+#include "planner/options.h"
 #include "planner/passive_obstacles.h"
 #include "planner/scratch.h"
 
 namespace avo {
 namespace {
-
-void require_positive(double value, const char* name) {
-  if (std::isfinite(value) && value > 0.0) return;
-  throw Error(std::string("PlannerOptions.") + name + ": found " + std::to_string(value) +
-              ", must be > 0 s");
-}
 
 // Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
 constexpr Range kSize{1e-60, kLargest, false};
@@ -116,18 +109,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
 }
 
 Planner::Planner(const PlannerOptions& options) : options_(options) {
-  require_positive(options.control_time, "control_time");
-  require_positive(options.time_horizon, "time_horizon");
-  require_positive(options.time_step, "time_step");
-  if (!adopts_at_once(options.method) && options.motion == Motion::held &&
-      options.time_step > options.control_time) {
-    throw Error("PlannerOptions.time_step: found " + std::to_string(options.time_step) +
-                ", must be <= control_time where motion is held");
-  }
-  if (options.samples < 0 || options.samples == 1) {
-    throw Error("PlannerOptions.samples: found " + std::to_string(options.samples) +
-                ", must be 0 (exact) or >= 2");
-  }
+  validate(options);
   horizon_ = std::make_shared<const Horizon>(options.control_time, options.time_horizon,
                                              options.time_step);
 }
@@ -157,8 +139,8 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   workspace.planes.clear();
   workspace.overlapping = false;
   const Lens allowed = make_lens(acceleration_disc(robot), speed_disc(robot));
-  const std::size_t most = options_.max_neighbors ? static_cast<std::size_t>(*options_.max_neighbors)
-                                                  : neighbors.size();
+  const std::size_t most =
+      options_.max_neighbors ? static_cast<std::size_t>(*options_.max_neighbors) : neighbors.size();
   for (std::size_t k = 0; k < std::min(neighbors.size(), most); ++k) {
     const Neighbor& neighbor = neighbors[k];
     const RelativeHalfPlane relative = relative_half_plane(options_, *horizon_, robot, neighbor);
@@ -195,16 +177,6 @@ Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) con
   }
   return finish(robot, braking_velocity(robot, options_.control_time, step_rate()), status,
                 violation);
-}
-
-PlannerOptions default_options(Method method) {
-  PlannerOptions options;
-  options.method = method;
-  if (method == Method::avo) return options;
-  options.control_time = 4.0;
-  options.time_horizon = 10.0;
-  options.certificate = Certificate::none;
-  return options;
 }
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,

@@ -107,7 +107,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(hash, fleet.id[i].value);
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
-    hash = mixed(hash, fleet.detour[i].angle);
+    hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

@@ -37,10 +37,12 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, V
   }
 
   if (options.method == Method::avo) {
+    // nearer than rounding can tell: there
+    if (distance <= 0x1p-46 * (norm(position) + norm(goal))) return {};
     // it approaches v' as fast as it can, so v' needs no lead
     const double u = planner.step_rate() * options.control_time * setup.max_acceleration;
-    const double speed = admissible_speed(
-        distance - planner.step_lag() * dot(velocity, direction), u, options.time_step);
+    const double speed = admissible_speed(distance - planner.step_lag() * dot(velocity, direction),
+                                          u, options.time_step);
     return std::min(setup.preferred_speed, speed) * direction;
   }
   // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside

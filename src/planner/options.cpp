@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of a planner: what is customary, what is possible, and what they are called.
+#include "planner/options.h"
+
+#include <cmath>
+#include <string>
+
+#include "avo/error.h"
+
+namespace avo {
+namespace {
+
+[[noreturn]] void refuse(const char* name, const std::string& found, const std::string& allowed) {
+  throw Error(std::string("PlannerOptions.") + name + ": found " + found + ", must be " + allowed);
+}
+
+void require_positive(double value, const char* name) {
+  if (!(std::isfinite(value) && value > 0.0)) refuse(name, std::to_string(value), "> 0 s");
+}
+
+void validate_certificate(const PlannerOptions& options) {
+  const std::string certificate = to_string(options.certificate);
+  if (options.certificate != Certificate::none && options.method != Method::avo) {
+    refuse("certificate", certificate,
+           std::string("none with method ") + to_string(options.method));
+  }
+  require_positive(options.soft_stop_time, "soft_stop_time");
+  if (options.certificate != Certificate::linear_soft_stop) return;
+  if (options.motion != Motion::held) {
+    refuse("motion", to_string(options.motion), "held with certificate " + certificate);
+  }
+  if (options.soft_stop_time < options.time_step) {
+    refuse("soft_stop_time", std::to_string(options.soft_stop_time),
+           ">= time_step = " + std::to_string(options.time_step) + " s");
+  }
+}
+
+}  // namespace
+
+const char* to_string(Method method) {
+  switch (method) {
+    case Method::avo:
+      return "avo";
+    case Method::avo_paper:
+      return "avo_paper";
+    case Method::velocity_obstacle:
+      return "velocity_obstacle";
+    case Method::orca:
+      return "orca";
+  }
+  return "unknown";
+}
+
+const char* to_string(Certificate certificate) {
+  switch (certificate) {
+    case Certificate::none:
+      return "none";
+    case Certificate::stopping_capsules:
+      return "stopping_capsules";
+    case Certificate::braking_trajectories:
+      return "braking_trajectories";
+    case Certificate::linear_soft_stop:
+      return "linear_soft_stop";
+  }
+  return "unknown";
+}
+
+const char* to_string(Motion motion) {
+  return motion == Motion::held ? "held" : "exponential";
+}
+
+PlannerOptions default_options(Method method) {
+  PlannerOptions options;
+  options.method = method;
+  if (method == Method::avo) return options;
+  options.control_time = 4.0;
+  options.time_horizon = 10.0;
+  options.certificate = Certificate::none;
+  return options;
+}
+
+void validate(const PlannerOptions& options) {
+  require_positive(options.control_time, "control_time");
+  require_positive(options.time_horizon, "time_horizon");
+  require_positive(options.time_step, "time_step");
+  if (!adopts_at_once(options.method) && options.motion == Motion::held &&
+      options.time_step > options.control_time) {
+    refuse("time_step", std::to_string(options.time_step), "<= control_time where motion is held");
+  }
+  if (options.samples < 0 || options.samples == 1) {
+    refuse("samples", std::to_string(options.samples), "0 (exact) or >= 2");
+  }
+  if (options.max_neighbors && *options.max_neighbors < 1) {
+    refuse("max_neighbors", std::to_string(*options.max_neighbors), ">= 1");
+  }
+  validate_certificate(options);
+}
+
+}  // namespace avo
