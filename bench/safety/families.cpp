@@ -56,6 +56,7 @@ std::vector<Family> families(double crush_steps) {
                      return crush(packed, crush_steps / kCrushes, seed);
                    }});
   }
+  add_sensing(all);
   return all;
 }
 

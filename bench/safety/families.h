@@ -21,5 +21,7 @@ struct Family {
 /// All rows, in the order of the table. `crush_steps` is what each crush lasts in all its scenes,
 /// in robot-steps.
 std::vector<Family> families(double crush_steps);
+/// Appends the rows in which robots sense each other wrongly, late or not at all.
+void add_sensing(std::vector<Family>& all);
 
 }  // namespace avo::safety

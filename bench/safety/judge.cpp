@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "avo/check.h"
-
 namespace avo::safety {
 namespace {
 
@@ -68,6 +66,10 @@ void Judge::observe(const Simulation& simulation) {
         {static_cast<std::int64_t>(fleet.id[i].value), fleet.position[i], fleet.velocity[i]});
   }
   state_->check.add(simulation.time(), state_->rows);
+}
+
+void Judge::observe(double time, std::span<const CheckedState> rows) {
+  state_->check.add(time, rows);
 }
 
 Verdict Judge::verdict() const {

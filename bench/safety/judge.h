@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "avo/check.h"
 #include "avo/simulation.h"
 
 namespace avo::safety {
@@ -32,6 +34,7 @@ class Judge {
   explicit Judge(const Scenario& scenario);
   ~Judge();
   void observe(const Simulation& simulation);
+  void observe(double time, std::span<const CheckedState> rows);
   [[nodiscard]] Verdict verdict() const;
 
  private:

@@ -6,6 +6,7 @@
 #include <cinttypes>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace avo::safety {
 
@@ -43,11 +44,20 @@ Recording::Recording(const std::string& path) : output_(path) {
 
 void Recording::add(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
-  char row[256];
+  std::vector<CheckedState> rows;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    const Vec2 p = fleet.position[i], v = fleet.velocity[i];
-    std::snprintf(row, sizeof row, "%.17g,%" PRIu64 ",%.17g,%.17g,%.17g,%.17g\n", simulation.time(),
-                  fleet.id[i].value, p.x, p.y, v.x, v.y);
+    rows.push_back(
+        {static_cast<std::int64_t>(fleet.id[i].value), fleet.position[i], fleet.velocity[i]});
+  }
+  add(simulation.time(), rows);
+}
+
+void Recording::add(double time, std::span<const CheckedState> rows) {
+  char row[256];
+  for (const CheckedState& each : rows) {
+    const Vec2 p = each.position, v = each.velocity;
+    std::snprintf(row, sizeof row, "%.17g,%" PRId64 ",%.17g,%.17g,%.17g,%.17g\n", time, each.robot,
+                  p.x, p.y, v.x, v.y);
     output_.write(row);
   }
 }

@@ -2,9 +2,11 @@
 // Files that are whole or not there.
 #pragma once
 #include <cstdio>
+#include <span>
 #include <stdexcept>
 #include <string>
 
+#include "avo/check.h"
 #include "avo/simulation.h"
 
 namespace avo::safety {
@@ -34,6 +36,7 @@ class Recording {
  public:
   explicit Recording(const std::string& path);
   void add(const Simulation& simulation);
+  void add(double time, std::span<const CheckedState> rows);
   void commit() { output_.commit(); }
 
  private:

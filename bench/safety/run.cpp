@@ -11,14 +11,14 @@
 #include "placement.h"
 
 namespace avo::safety {
-namespace {
 
-// CPU time of this thread, s: what counts where other programs run as well.
 double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+namespace {
 
 // Sends all robots to another of the rallying points whenever the time has come.
 void rally(const Scene& scene, Random& random, Simulation& simulation) {
@@ -79,29 +79,22 @@ class StepClock {
   double robots_, total_ = 0.0, second_ = 0.0, worst_ = 0.0;
 };
 
-}  // namespace
-
-Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record) {
+// Every robot knows all others exactly.
+void run_simulation(const Scene& scene, const std::string& record, Outcome& outcome) {
   const Scenario& scenario = scene.scenario;
   const auto robots = scenario.robots.size();
   Simulation simulation(scenario, 1);
   Judge judge(scenario);
   std::optional<Recording> recording;
   if (!record.empty()) recording.emplace(record);
-  Outcome outcome;
-  outcome.seed = seed;
   outcome.planner = simulation.planner().options();
-  outcome.arrival.assign(robots, kNever);
-  outcome.unit = scene.unit;
-  outcome.limit = scene.limit;
-  outcome.share = scene.share;
   const auto observe = [&] {
     judge.observe(simulation);
     if (recording) recording->add(simulation);
     note_arrivals(simulation, scenario.arrival_distance, outcome);
   };
   observe();
-  Random random(seed, 7);
+  Random random(outcome.seed, 7);
   const std::int64_t second = std::max<std::int64_t>(1, last_step(scenario, 1.0));
   StepClock clock(second, static_cast<double>(robots));
   const std::int64_t steps = last_step(scenario, scenario.duration);
@@ -122,6 +115,22 @@ Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& rec
   outcome.worst_second = clock.worst();
   outcome.verdict = judge.verdict();
   if (recording) recording->commit();
+}
+
+}  // namespace
+
+Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record) {
+  Outcome outcome;
+  outcome.seed = seed;
+  outcome.arrival.assign(scene.scenario.robots.size(), kNever);
+  outcome.unit = scene.unit;
+  outcome.limit = scene.limit;
+  outcome.share = scene.share;
+  if (scene.sensing) {
+    run_sensing(scene, record, outcome);
+  } else {
+    run_simulation(scene, record, outcome);
+  }
   return outcome;
 }
 

@@ -21,6 +21,7 @@ struct Outcome {
   std::uint64_t seed = 0;
   Verdict verdict;
   PlannerOptions planner;  ///< what the robots planned with
+  bool promised = true;    ///< whether their certificate, if any, covers how they sense
   std::int64_t robot_steps = 0;
   std::vector<double> arrival;      ///< s, of each robot: first within arrival_distance; kNever
   std::int64_t at_goal_at_end = 0;  ///< robots within arrival_distance
@@ -33,6 +34,14 @@ struct Outcome {
 
 /// On one thread. Ends early where all are at rest at their goals for good. `record`: path of a CSV
 /// file, or empty. Throws Error on a bad scene, std::runtime_error where it cannot write.
+/// A scene with Scene::sensing goes its own way, see run_sensing.
 Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record);
+
+/// The scene in a loop around Planner::plan: every robot knows itself exactly and the others as
+/// scene.sensing tells. Fills in all of an outcome that the planner and the run have to do with.
+void run_sensing(const Scene& scene, const std::string& record, Outcome& outcome);
+
+/// CPU time of this thread, s: what counts where other programs run as well.
+double thread_seconds();
 
 }  // namespace avo::safety

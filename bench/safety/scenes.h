@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avo/scenario.h"
+#include "sensing.h"
 
 namespace avo::safety {
 
@@ -16,6 +17,8 @@ struct Scene {
   double share = 1.0;  ///< of the robots that have to
   std::vector<Vec2> rallies = {};  ///< all robots are sent to one of them, then to another
   double rally_period = 5.0;       ///< s
+  /// Unset: all know each other exactly, as Simulation has it.
+  std::optional<Sensing> sensing = {};
 };
 
 inline constexpr double kSpeed = 1.5;  ///< m/s, preferred, of all robots but those of circles

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that sense each other wrongly or late: how, and the scenes that it is measured over.
+// Robots that sense each other wrongly, late, or not at all.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "avo/planner.h"
+#include "placement.h"
 
 namespace avo::safety {
 
-struct Scene;
-struct Outcome;
-struct Family;
-
-/// How a sensed state differs from the true one. Of position and velocity alike.
+/// How a sensed state differs from the true one. Position and velocity alike.
 enum class ErrorShape : std::uint8_t {
   uniform,  ///< anywhere in the disc of the bound, anew for every observer, neighbor and step
   rim,      ///< on its rim, likewise
-  farther,  ///< on its rim, so that the neighbor looks farther away and as if it went away
+  farther,  ///< on its rim: the neighbor looks farther away, and as if it went away
   bias,     ///< on its rim, the same for all neighbors and steps of an observer
   flips,    ///< on its rim, farther away in one step, nearer in the next
 };
@@ -26,15 +25,29 @@ struct Sensing {
   SensingError error = {};     ///< largest that happens
   SensingError declared = {};  ///< what the robots plan with
   ErrorShape shape = ErrorShape::uniform;
-  bool delayed = false;  ///< states are one step old, carried on at constant velocity
-  double missed = 0.0;   ///< part of the neighbors that are missed in a step, each anew
+  bool delayed = false;   ///< states are one step old, carried on at constant velocity
+  double missed = 0.0;    ///< part of the neighbors that is missed in a step, each anew
+  bool promised = false;  ///< the certificate covers all of it
 };
 
-/// The rows: every kind of sensing in random squares, jittered circles and crushes.
-std::vector<Family> sensing_families();
+/// What the observers see, one after the other, step by step.
+class Senses {
+ public:
+  Senses(const Sensing& sensing, std::size_t robots, double time_step, std::uint64_t seed);
 
-/// The scene of a robots' loop around Planner::plan: every robot knows itself exactly and the others
-/// as its sensing tells. Ends as run_scene does. Throws Error on a bad scene.
-Outcome run_sensing(const Scene& scene, std::uint64_t seed, const std::string& record);
+  /// What `observer` sees of all others, nearest first. `before`: one step ago.
+  void observe(std::size_t observer, std::span<const Robot> robots, std::span<const Robot> before,
+               std::int64_t step, std::vector<Neighbor>& neighbors);
+
+ private:
+  // Of position or velocity, as a part of the bound; `away` leads to the neighbor.
+  Vec2 error(std::size_t observer, Vec2 away, std::int64_t step);
+  Vec2 in_unit_disc();
+
+  Sensing sensing_;
+  double time_step_;
+  Random random_;
+  std::vector<Vec2> bias_;
+};
 
 }  // namespace avo::safety

@@ -51,7 +51,8 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.speed_violations += verdict.speed_violations;
   row.jumps += verdict.jumps;
   row.unsafe_scenes += verdict.safe() ? 0 : 1;
-  row.certified = row.certified || outcome.planner.certificate != Certificate::none;
+  row.certified =
+      row.certified || (outcome.promised && outcome.planner.certificate != Certificate::none);
   if (verdict.least_clearance) {
     row.least_clearance = std::min(row.least_clearance.value_or(kNever), *verdict.least_clearance);
   }

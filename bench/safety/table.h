@@ -17,7 +17,7 @@ struct RowResult {
   std::int64_t overlapping_pairs = 0, moving_contacts = 0, resting_contacts = 0;
   std::int64_t acceleration_violations = 0, speed_violations = 0, jumps = 0;
   std::int64_t unsafe_scenes = 0;
-  bool certified = false;                 ///< robots planned under a certificate
+  bool certified = false;                 ///< a certificate rules out what is unsafe
   std::optional<double> least_clearance;  ///< m
   bool has_goals = true;
   std::int64_t arrived = 0, at_goal_at_end = 0;  ///< robots

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows with wrong sensing: a random square, a jittered circle and a crush each.
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "families.h"
+#include "placement.h"
+
+namespace avo::safety {
+namespace {
+
+constexpr double kClearance = 0.3;  // m between robots at the start
+
+Scene square_of_30(std::uint64_t seed) {
+  return random_square(30, seed);
+}
+
+// Small enough that all meet within seconds.
+Scene circle_of_20(std::uint64_t seed) {
+  constexpr int kRobots = 20;
+  constexpr double kRadius = 8.0, kJitter = 0.2;
+  Scene scene{usual_scenario()};
+  Random random(seed, 9);
+  for (int k = 0; k < kRobots; ++k) {
+    const Vec2 place = kRadius * circle_point(k, kRobots);
+    const Vec2 start = place + random.in_square(2.0 * kJitter);
+    scene.scenario.robots.push_back(
+        usual_robot(start, random.in_square(2.0 * kJitter) - place, kSpeed));
+  }
+  scene.unit = scene.scenario.duration = 60.0;
+  return scene;
+}
+
+// Unequal robots, all sent to one point, then to another.
+Scene crush_of_40(std::uint64_t seed) {
+  Scene scene{usual_scenario()};
+  Random random(seed, 10);
+  std::vector<double> radii(40);
+  for (double& radius : radii) radius = random.between(0.3, 0.6);
+  std::sort(radii.rbegin(), radii.rend());
+  for (int k = 0; k < 5; ++k) scene.rallies.push_back(random.in_square(6.0));
+  for (const Vec2 start : random_places(radii, 11.0, kClearance, random)) {
+    RobotSetup robot = usual_robot(start, scene.rallies[0], kSpeed);
+    robot.radius = radii[scene.scenario.robots.size()];
+    robot.max_acceleration = random.between(0.7, 1.4);
+    scene.scenario.robots.push_back(robot);
+  }
+  scene.scenario.duration = 60.0;
+  return scene;
+}
+
+struct Case {
+  std::string name, what;
+  Sensing sensing;
+};
+
+Sensing wrong(SensingError error, SensingError declared) {
+  Sensing sensing;
+  sensing.error = error;
+  sensing.declared = declared;
+  sensing.promised = error == declared;
+  return sensing;
+}
+
+std::vector<Case> cases() {
+  Sensing late;
+  late.delayed = late.promised = true;
+  Sensing blind;
+  blind.missed = 0.05;
+  return {
+      {"sensing-p1", "1 cm off, declared", wrong({0.01, 0.0}, {0.01, 0.0})},
+      {"sensing-p5v5", "5 cm and 5 cm/s off, declared", wrong({0.05, 0.05}, {0.05, 0.05})},
+      {"delay-1", "one step old, declared", late},
+      {"sensing-undeclared-1", "1 cm off", wrong({0.01, 0.0}, {})},
+      {"sensing-undeclared-3", "3 cm off", wrong({0.03, 0.0}, {})},
+      {"sensing-undeclared-10", "10 cm off", wrong({0.1, 0.0}, {})},
+      {"sensing-beyond-p1", "3 cm off, 1 cm declared", wrong({0.03, 0.0}, {0.01, 0.0})},
+      {"sensing-beyond-p5v5", "15 cm and 15 cm/s off, a third declared",
+       wrong({0.15, 0.15}, {0.05, 0.05})},
+      {"dropped-5%", "each neighbor missed in one step of twenty", blind},
+  };
+}
+
+// States d = Δt old, carried on at constant velocity: a_max d and a_max d²/2 at most.
+SensingError error_of_delay(const Scenario& scenario) {
+  double most = 0.0;
+  for (const RobotSetup& robot : scenario.robots) most = std::max(most, robot.max_acceleration);
+  const double d = scenario.time_step;
+  return {0.5 * most * d * d, most * d};
+}
+
+}  // namespace
+
+void add_sensing(std::vector<Family>& all) {
+  struct Kind {
+    std::string name, what;
+    Scene (*make)(std::uint64_t seed);
+  };
+  const Kind kinds[] = {{"random", "30 robots in a square", square_of_30},
+                        {"circle", "20 robots on a circle", circle_of_20},
+                        {"crush", "40 robots sent to one point", crush_of_40}};
+  constexpr int kScenes = 20;
+  for (const Case& each : cases()) {
+    const bool shaped = !(each.sensing.error == SensingError{});
+    for (const Kind& kind : kinds) {
+      all.push_back({each.name + "-" + kind.name, each.what + ": " + kind.what,
+                     shaped ? kScenes * kErrorShapes : kScenes, true,
+                     [sensing = each.sensing, make = kind.make](std::uint64_t seed) {
+                       Scene scene = make(seed);
+                       scene.sensing = sensing;
+                       scene.sensing->shape = static_cast<ErrorShape>(seed % kErrorShapes);
+                       if (sensing.delayed) {
+                         scene.sensing->declared = error_of_delay(scene.scenario);
+                       }
+                       return scene;
+                     }});
+    }
+  }
+}
+
+}  // namespace avo::safety
