@@ -54,9 +54,10 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
   space.speed_disc = planner.speed_disc(robot);
 
   PlanWorkspace workspace;
+  Detour detour = perception.detour;
   const bool movers = perception.alone || planner.options().method == Method::velocity_obstacle;
   const Plan plan = movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
-                           : planner.plan(robot, perception.neighbors, workspace);
+                           : planner.plan(robot, perception.neighbors, workspace, detour);
   if (movers) {
     for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
       space.obstacles.push_back(obstacle_of(perception, i, planner.options()));

@@ -19,6 +19,26 @@ Json or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json to_json(const avo::Decisions& decisions) {
+  return {{"optimal", decisions.optimal},         {"least_unsafe", decisions.least_unsafe},
+          {"candidate", decisions.candidate},     {"braking", decisions.braking},
+          {"overlapping", decisions.overlapping}, {"invalid_input", decisions.invalid_input}};
+}
+
+/// Robot I, or moving obstacle K as "moving_obstacles.K".
+Json name_of(std::int64_t source) {
+  if (source >= 0) return source;
+  return fmt::format("moving_obstacles.{}", -1 - source);
+}
+
+Json to_json(const avo::NotArrived& robot) {
+  Json held_by = Json::array();
+  for (const std::int64_t each : robot.held_by) held_by.push_back(name_of(each));
+  return {{"robot", robot.robot},   {"distance", robot.distance},
+          {"speed", robot.speed},   {"status", avo::to_string(robot.status)},
+          {"detour", robot.detour}, {"held_by", held_by}};
+}
+
 }  // namespace
 
 CsvRecording::CsvRecording(const std::string& path) : file_(path) {
@@ -53,6 +73,11 @@ std::string to_json(const avo::RunSummary& summary) {
   json["mean_arrival"] = or_null(summary.mean_arrival);
   json["last_arrival"] = or_null(summary.last_arrival);
   json["infeasible_steps"] = summary.infeasible_steps;
+  json["decisions"] = to_json(summary.decisions);
+  json["not_arrived_count"] = summary.robots - summary.arrived;
+  json["not_arrived"] = Json::array();
+  for (const avo::NotArrived& each : summary.not_arrived)
+    json["not_arrived"].push_back(to_json(each));
   json["step_milliseconds_median"] = or_null(summary.step_milliseconds_median);
   json["seed"] = summary.seed;
   json["version"] = avo::kVersion;

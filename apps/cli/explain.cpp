@@ -2,7 +2,9 @@
 // avo explain: why a robot chooses the velocity that it chooses (paper Figs. 3 to 6).
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "avo/simulation.h"
@@ -29,7 +31,7 @@ struct Decision {
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
   avo::PlanWorkspace workspace;
-  avo::Detour detour;
+  avo::Certificate certificate{};
   avo::Plan plan;
   avo::Disc acceleration_disc, speed_disc;
 };
@@ -46,14 +48,17 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   decision.method = scenario.method;
   decision.seen = simulation.perceive(index);
   const auto& [self, neighbors, source, detour, alone] = decision.seen;
-  decision.detour = detour;
+  avo::Detour next_detour = detour;
   decision.by_half_planes = !alone && scenario.method != avo::Method::velocity_obstacle;
   decision.plan = alone ? planner.plan_among_obstacles(self, neighbors, decision.workspace)
-                        : planner.plan(self, neighbors, decision.workspace, decision.detour);
+                        : planner.plan(self, neighbors, decision.workspace, next_detour);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, decision.workspace);
   else
     decision.workspace.planes.clear();
+  decision.certificate = planner.options().certificate;
+  if (decision.method == avo::Method::avo)
+    planner.collect_certificate(self, neighbors, decision.workspace);
   decision.acceleration_disc = planner.acceleration_disc(self);
   decision.speed_disc = planner.speed_disc(self);
   return decision;
@@ -72,6 +77,17 @@ Json to_json(Vec2 v) {
 Json to_json(const avo::Disc& disc) {
   if (!std::isfinite(disc.radius)) return nullptr;  // no limit
   return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
+}
+
+Json walls_of(const Decision& decision) {
+  Json walls = Json::array();
+  for (const avo::CertificateWall& wall : decision.workspace.certificate)
+    walls.push_back(
+        {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(wall.neighbor)])},
+         {"interval", wall.interval},
+         {"normal", to_json(wall.normal)},
+         {"offset", wall.offset}});
+  return walls;
 }
 
 Json to_json(const Decision& decision) {
@@ -93,25 +109,32 @@ Json to_json(const Decision& decision) {
                          {"max_acceleration", neighbor.max_acceleration}});
   }
   const avo::Robot& self = seen.robot;
-  return {{"scene", decision.scene},
-          {"robot", decision.robot},
-          {"time", decision.time},
-          {"position", to_json(self.position)},
-          {"velocity", to_json(self.velocity)},
-          {"goal", to_json(decision.goal)},
-          {"radius", self.radius},
-          {"max_speed", self.max_speed},
-          {"max_acceleration", self.max_acceleration},
-          {"obstacles", obstacles},
-          {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
-          {"half_planes", half_planes},
-          {"acceleration_disc", to_json(decision.acceleration_disc)},
-          {"speed_disc", to_json(decision.speed_disc)},
-          {"preferred_velocity", to_json(self.preferred_velocity)},
-          {"new_velocity", to_json(decision.plan.new_velocity)},
-          {"acceleration", to_json(decision.plan.acceleration)},
-          {"status", avo::to_string(decision.plan.status)},
-          {"violation", decision.plan.violation}};
+  Json json{{"scene", decision.scene},
+            {"robot", decision.robot},
+            {"time", decision.time},
+            {"position", to_json(self.position)},
+            {"velocity", to_json(self.velocity)},
+            {"goal", to_json(decision.goal)},
+            {"radius", self.radius},
+            {"max_speed", self.max_speed},
+            {"max_acceleration", self.max_acceleration},
+            {"obstacles", obstacles},
+            {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
+            {"half_planes", half_planes}};
+  if (decision.method == avo::Method::avo) {
+    json["certificate_kind"] = avo::to_string(decision.certificate);
+    json["certificate"] = walls_of(decision);
+    json["detour"] = seen.detour.angle;
+  }
+  const Json rest{{"acceleration_disc", to_json(decision.acceleration_disc)},
+                  {"speed_disc", to_json(decision.speed_disc)},
+                  {"preferred_velocity", to_json(self.preferred_velocity)},
+                  {"new_velocity", to_json(decision.plan.new_velocity)},
+                  {"acceleration", to_json(decision.plan.acceleration)},
+                  {"status", avo::to_string(decision.plan.status)},
+                  {"violation", decision.plan.violation}};
+  json.update(rest);
+  return json;
 }
 
 std::string text(Vec2 v) {
@@ -121,6 +144,31 @@ std::string text(Vec2 v) {
 std::string text_of(int source) {
   return source >= 0 ? fmt::format("robot {}", source)
                      : fmt::format("moving obstacle {}", -1 - source);
+}
+
+/// How many walls there are, and the first one of each of the nearest neighbors.
+void append_certificate(const Decision& decision,
+                        const std::function<void(const char*, const std::string&)>& line) {
+  constexpr int kNamed = 3;
+  const auto& walls = decision.workspace.certificate;
+  std::set<int> neighbors;
+  for (const avo::CertificateWall& wall : walls) neighbors.insert(wall.neighbor);
+  line("certificate",
+       fmt::format("{}, {} walls of {} neighbors", avo::to_string(decision.certificate),
+                   walls.size(), neighbors.size()));
+  const bool soft_stop = decision.certificate == avo::Certificate::linear_soft_stop;
+  int named = 0, last = -1;
+  for (const avo::CertificateWall& wall : walls) {
+    if (named == kNamed) break;
+    if (wall.neighbor == last) continue;
+    last = wall.neighbor;
+    ++named;
+    line("wall", fmt::format("{} . q >= {:.6g} {} on step {}, of {}", text(wall.normal),
+                             wall.offset, soft_stop ? "m/s" : "m", wall.interval,
+                             text_of(decision.seen.source[static_cast<std::size_t>(last)])));
+  }
+  if (decision.seen.detour.angle > 0.0)
+    line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
 }
 
 std::string readable(const Decision& decision) {
@@ -143,6 +191,7 @@ std::string readable(const Decision& decision) {
     line("half-plane",
          fmt::format("{} . v' >= {:.6g} m/s, of {}", text(each.plane.normal), each.plane.offset,
                      text_of(decision.seen.source[static_cast<std::size_t>(each.neighbor)])));
+  if (decision.method == avo::Method::avo) append_certificate(decision, line);
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
   line("new velocity", text(decision.plan.new_velocity) + " m/s");
   line("acceleration", text(decision.plan.acceleration) + " m/s^2");

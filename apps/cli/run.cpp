@@ -103,6 +103,42 @@ std::string collisions(const avo::RunSummary& results) {
   return text + fmt::format("; {} with moving obstacles", results.obstacle_collisions);
 }
 
+std::string decisions(const avo::RunSummary& results) {
+  const avo::Decisions& d = results.decisions;
+  std::string text = fmt::format("{} optimal", d.optimal);
+  const auto add = [&](std::int64_t count, avo::PlanStatus status) {
+    if (count > 0) text += fmt::format(", {} {}", count, avo::to_string(status));
+  };
+  add(d.least_unsafe, avo::PlanStatus::least_unsafe);
+  add(d.candidate, avo::PlanStatus::candidate);
+  add(d.braking, avo::PlanStatus::braking);
+  add(d.overlapping, avo::PlanStatus::overlapping);
+  add(d.invalid_input, avo::PlanStatus::invalid_input);
+  return text;
+}
+
+/// Who has not arrived and is held or at rest; empty if nobody.
+std::string stuck(const avo::RunSummary& results) {
+  constexpr int kNamed = 5;
+  constexpr double kAtRest = 1e-3;  // m/s
+  std::string text;
+  std::int64_t named = 0;
+  for (const avo::NotArrived& each : results.not_arrived) {
+    if (named == kNamed) break;
+    if (each.held_by.empty() && each.speed > kAtRest) continue;
+    std::string held_by;
+    for (const std::int64_t other : each.held_by)
+      held_by += (held_by.empty() ? "" : ", ") +
+                 (other >= 0 ? std::to_string(other) : fmt::format("obstacle {}", -1 - other));
+    text += fmt::format("{}robot {}, {:.1f} m to go, {}", named > 0 ? "; " : "", each.robot,
+                        each.distance, held_by.empty() ? "at rest" : "held by " + held_by);
+    ++named;
+  }
+  const std::int64_t others = results.robots - results.arrived - named;
+  if (named > 0 && others > 0) text += fmt::format("; {} more have not arrived", others);
+  return text;
+}
+
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {
   const auto number = [](const std::optional<double>& value, const char* unit) {
     return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
@@ -122,6 +158,8 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
          fmt::format("max_acceleration, by up to {:.6g} m/s^2", results.acceleration_excess));
   line("no safe choice", fmt::format("{} of {} robot-steps", results.infeasible_steps,
                                      results.robots * results.steps));
+  line("decisions", decisions(results));
+  if (const std::string who = stuck(results); !who.empty()) line("stuck", who);
   line("time of a step", number(results.step_milliseconds_median, "ms (median)"));
   return text;
 }

@@ -158,7 +158,7 @@ Columns, over all scenes of a row:
   us, worst           CPU microseconds of Simulation::step a robot-step: mean, and mean of the worst
                       second; includes about 0.3 us a step for reading the clock
 
-Exit status: 0; 1 where anything unsafe happened under a certificate; 2 usage; 3 scene; 4 output.
+Exit status: 0; 1 where anything happened that a certificate rules out; 2 usage; 3 scene; 4 output.
 )";
 }
 
@@ -182,16 +182,6 @@ Options parse_options(int count, const char* const* arguments) {
     }
   }
   return options;
-}
-
-std::string_view to_string(Method method) {
-  return name_of(method, kMethods);
-}
-std::string_view to_string(Certificate certificate) {
-  return name_of(certificate, kCertificates);
-}
-std::string_view to_string(Motion motion) {
-  return name_of(motion, kMotions);
 }
 
 bool is_asked_for(const Options& options, const std::string& row,

@@ -36,10 +36,6 @@ Options parse_options(int count, const char* const* arguments);
 
 const char* usage();
 
-std::string_view to_string(Method method);
-std::string_view to_string(Certificate certificate);
-std::string_view to_string(Motion motion);
-
 /// A row is asked for by its name, or by the beginning of its name where no row has it as its name.
 bool is_asked_for(const Options& options, const std::string& row,
                   const std::vector<std::string>& all_rows);

@@ -5,10 +5,33 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "avo/simulation.h"
 
 namespace avo {
+
+/// Robot-steps by how they were decided, see PlanStatus.
+struct Decisions {
+  std::int64_t optimal = 0;
+  std::int64_t least_unsafe = 0;
+  std::int64_t candidate = 0;
+  std::int64_t braking = 0;
+  std::int64_t overlapping = 0;
+  std::int64_t invalid_input = 0;
+};
+
+/// A robot that was never within arrival_distance, as it is at the end of the run.
+struct NotArrived {
+  std::uint64_t robot = 0;                  ///< RobotId
+  double distance = 0.0;                    ///< m, to its goal
+  double speed = 0.0;                       ///< m/s
+  PlanStatus status = PlanStatus::optimal;  ///< of its last decision
+  double detour = 0.0;                      ///< rad, see Detour
+  /// Nearest first: who is no more than 0.1 of both radii from touching it, by RobotId, or -1 - k
+  /// for moving obstacle k. Five at most.
+  std::vector<std::int64_t> held_by;
+};
 
 struct RunSummary {
   std::string scene;
@@ -25,6 +48,8 @@ struct RunSummary {
   std::optional<double> mean_arrival;          ///< s, over those that arrived
   std::optional<double> last_arrival;          ///< s, only if all arrived
   std::int64_t infeasible_steps = 0;           ///< robot-steps whose set CA_A was empty
+  Decisions decisions;                         ///< of all robot-steps
+  std::vector<NotArrived> not_arrived;         ///< of those still there, by id; 100 at most
   std::optional<double> step_milliseconds_median;
   std::uint64_t seed = 0;
 };

@@ -25,6 +25,7 @@ struct FleetView {
   std::span<const double> heading;    ///< rad; of cars, 0 for others
   std::span<const Vec2> goal;         ///< m
   std::span<const RobotSetup> setup;  ///< the constant part (radius, limits, car)
+  std::span<const Detour> detour;     ///< what each remembers; method avo only
   std::span<const Plan> plan;         ///< of the last step; value-initialized before the first
   std::span<const double> applied_acceleration;  ///< m/s^2, the largest |a| within the last step
 };

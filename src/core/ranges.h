@@ -33,5 +33,7 @@ inline constexpr Range kSamples{0.0, 10000.0, false};
 /// Refused before anything is allocated.
 inline constexpr std::int64_t kMostRobots = 1'000'000;
 inline constexpr std::int64_t kMostSteps = 100'000'000;
+/// With a certificate: braking from max_speed is looked at step by step.
+inline constexpr std::int64_t kMostBrakingSteps = 65'000;
 
 }  // namespace avo

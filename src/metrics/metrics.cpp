@@ -11,14 +11,16 @@
 #include <vector>
 
 #include "avo/velocity_obstacle.h"
+#include "metrics/not_arrived.h"
 #include "metrics/separation.h"
 #include "neighbors/uniform_grid.h"
 
 namespace avo {
 namespace {
 
-constexpr double kContact = 1e-9;    // of the sum of radii: less overlap than that is rounding
-constexpr double kRounding = 1e-12;  // of a limit: less excess than that is rounding
+constexpr double kContact = 1e-9;         // of the sum of radii: less overlap than that is rounding
+constexpr std::size_t kMostListed = 100;  // of those that have not arrived
+constexpr double kRounding = 1e-12;       // of a limit: less excess than that is rounding
 
 // A robot or a moving obstacle over one step.
 struct Body {
@@ -29,6 +31,24 @@ struct Body {
   bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
   StepPath path;
 };
+
+std::int64_t& count_of(Decisions& decisions, PlanStatus status) {
+  switch (status) {
+    case PlanStatus::optimal:
+      return decisions.optimal;
+    case PlanStatus::least_unsafe:
+      return decisions.least_unsafe;
+    case PlanStatus::candidate:
+      return decisions.candidate;
+    case PlanStatus::braking:
+      return decisions.braking;
+    case PlanStatus::overlapping:
+      return decisions.overlapping;
+    case PlanStatus::invalid_input:
+      break;
+  }
+  return decisions.invalid_input;
+}
 
 }  // namespace
 
@@ -41,9 +61,7 @@ struct Metrics::State {
 
   bool started = false;
   double last_time = 0.0;
-  std::vector<RobotId> last_id;
-  std::vector<Vec2> last_position, last_velocity;
-  std::vector<Vec2> last_obstacle_position, last_obstacle_velocity;
+  LastSeen last;
 
   std::vector<Body> robots, obstacles;
   std::vector<Vec2> positions;
@@ -62,14 +80,8 @@ struct Metrics::State {
 };
 
 void Metrics::State::remember(const Simulation& simulation) {
-  const FleetView fleet = simulation.fleet();
   last_time = simulation.time();
-  last_id.assign(fleet.id.begin(), fleet.id.end());
-  last_position.assign(fleet.position.begin(), fleet.position.end());
-  last_velocity.assign(fleet.velocity.begin(), fleet.velocity.end());
-  const ObstacleView obstacle = simulation.obstacles();
-  last_obstacle_position.assign(obstacle.position.begin(), obstacle.position.end());
-  last_obstacle_velocity.assign(obstacle.velocity.begin(), obstacle.velocity.end());
+  last.look_at(simulation);
 }
 
 // The robots that were there before the step and are there after it; ids ascend in both.
@@ -79,13 +91,13 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
   robots.clear();
   std::size_t j = 0;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    while (j < last_id.size() && last_id[j].value < fleet.id[i].value) ++j;
-    if (j == last_id.size() || !(last_id[j] == fleet.id[i])) continue;
+    while (j < last.id.size() && last.id[j].value < fleet.id[i].value) ++j;
+    if (j == last.id.size() || !(last.id[j] == fleet.id[i])) continue;
     Body body;
     body.name = fleet.id[i].value;
     body.radius = fleet.setup[i].radius;
-    body.position = last_position[j];
-    body.velocity = last_velocity[j];
+    body.position = last.position[j];
+    body.velocity = last.velocity[j];
     body.w = fleet.plan[i].new_velocity - body.velocity;
     body.exact = !fleet.setup[i].car;
     if (!started) {
@@ -104,12 +116,12 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
 void Metrics::State::collect_obstacles(const Simulation& simulation) {
   const ObstacleView now = simulation.obstacles();
   obstacles.clear();
-  for (std::size_t k = 0; k < now.setup.size() && k < last_obstacle_position.size(); ++k) {
+  for (std::size_t k = 0; k < now.setup.size() && k < last.obstacle_position.size(); ++k) {
     Body body;
     body.name = k;
     body.radius = now.setup[k].radius;
-    body.position = last_obstacle_position[k];
-    body.velocity = last_obstacle_velocity[k];
+    body.position = last.obstacle_position[k];
+    body.velocity = last.obstacle_velocity[k];
     body.exact = started && now.setup[k].acceleration == Vec2{};
     body.path = hermite_path(body.position, body.velocity, now.position[k], now.velocity[k],
                              settings.time_step);
@@ -126,7 +138,8 @@ double Metrics::State::distance(const Body& a, const Body& b, double cutoff) con
       !adopts_at_once(settings.method) && settings.motion == Motion::exponential;
   if (!exponential || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
   const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};
-  const Obstacle obstacle{pair, Response::proportional(planner_options(settings).control_time), settings.time_step};
+  const Obstacle obstacle{pair, Response::proportional(planner_options(settings).control_time),
+                          settings.time_step};
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
 }
 
@@ -205,6 +218,7 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
     }
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
+    ++count_of(summary.decisions, fleet.plan[i].status);
   }
 }
 
@@ -258,6 +272,11 @@ RunSummary Metrics::summary() const {
   if (summary.arrived > 0 && summary.arrived == summary.robots) summary.last_arrival = last;
   summary.collision_pairs = static_cast<std::int64_t>(state_->collided.size());
   summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
+  for (std::size_t i = 0; i < state_->last.id.size(); ++i) {
+    if (summary.not_arrived.size() == kMostListed) break;
+    if (state_->arrival.at(state_->last.id[i].value)) continue;
+    summary.not_arrived.push_back(state_->last.describe(i));
+  }
   std::vector<double> times = state_->step_milliseconds;
   if (!times.empty()) {
     const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);

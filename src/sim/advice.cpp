@@ -48,7 +48,8 @@ std::string usual_control_time_of(const RobotSetup& robot, std::size_t index) {
 }
 
 void advise_control_time(const Scenario& scenario, std::vector<std::string>& lines) {
-  if (adopts_at_once(scenario.method)) return;  // the others have no δ
+  // avo approaches v' as fast as it can, the others at once
+  if (scenario.method != Method::avo_paper) return;
   const double delta = planner_options(scenario).control_time;
   const auto& robots = scenario.robots;
   // Twice the rule or half of it still behaves like the paper's own figures.

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "avo/error.h"
+#include "avo/response.h"
 #include "core/ranges.h"
 
 namespace avo {
@@ -102,6 +103,52 @@ void check_times(const Scenario& scenario) {
            "<= control_time = " + text(options.control_time) + " s where motion is held");
 }
 
+void check_at_rest(std::size_t k, std::string_view field, Vec2 value) {
+  if (value == Vec2{}) return;
+  refuse(text(Place{"moving_obstacles", k, field}),
+         "[" + text(value.x) + ", " + text(value.y) + "]",
+         "[0, 0] with certificate linear_soft_stop");
+}
+
+void check_soft_stop(const Scenario& scenario) {
+  const std::string with = " with certificate linear_soft_stop";
+  if (scenario.motion != Motion::held) refuse("motion", to_string(scenario.motion), "held" + with);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    if (scenario.robots[i].car)  // it brakes fully, and drives no straight line to rest
+      refuse(text(Place{"robots", i, "car"}), "a car-like robot", "none" + with);
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
+    check_at_rest(k, "velocity", scenario.moving_obstacles[k].velocity);
+    check_at_rest(k, "acceleration", scenario.moving_obstacles[k].acceleration);
+  }
+}
+
+// Braking lasts for so many steps only as can be looked at one by one.
+void check_braking(const Scenario& scenario, const PlannerOptions& options) {
+  const double steps = static_cast<double>(kMostBrakingSteps);
+  const double longest =
+      options.motion == Motion::held
+          ? steps * options.time_step
+          : steps * Response::proportional(options.control_time).rate(options.time_step) *
+                options.control_time;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    if (robot.max_speed <= longest * robot.max_acceleration) continue;
+    refuse(text(Place{"robots", i, "max_speed"}), text(robot.max_speed),
+           "<= " + text(longest * robot.max_acceleration) + " m/s, " +
+               std::to_string(kMostBrakingSteps) + " steps of braking, with a certificate");
+  }
+}
+
+void check_certificate(const Scenario& scenario) {
+  const PlannerOptions options = planner_options(scenario);
+  if (options.certificate == Certificate::none) return;
+  if (scenario.method != Method::avo)
+    refuse("certificate", to_string(options.certificate),
+           std::string("none with method ") + to_string(scenario.method));
+  if (options.certificate == Certificate::linear_soft_stop) check_soft_stop(scenario);
+  check_braking(scenario, options);
+}
+
 }  // namespace
 
 void validate(const Scenario& scenario) {
@@ -117,6 +164,7 @@ void validate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
+  check_certificate(scenario);
 }
 
 PlannerOptions planner_options(const Scenario& scenario) {
@@ -128,7 +176,9 @@ PlannerOptions planner_options(const Scenario& scenario) {
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
   if (scenario.certificate) options.certificate = *scenario.certificate;
-  options.soft_stop_time = scenario.time_step;
+  // who comes later has to stop as soon: see Simulation::add_robot
+  if (!scenario.robots.empty()) options.soft_stop_time = 0.0;
+  options.soft_stop_time = std::max(options.soft_stop_time, scenario.time_step);
   for (const RobotSetup& robot : scenario.robots) {
     options.soft_stop_time =
         std::max(options.soft_stop_time, robot.max_speed / robot.max_acceleration);

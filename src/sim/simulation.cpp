@@ -103,8 +103,16 @@ struct Simulation::State {
 void Simulation::State::check(const RobotSetup& setup, RobotId robot) const {
   Scenario scene = settings;
   scene.robots = {setup};
+  const PlannerOptions& options = planner.options();
   try {
     validate(scene);
+    // the others count on it to stop as soon as they do
+    if (options.certificate == Certificate::linear_soft_stop &&
+        setup.max_speed / setup.max_acceleration > options.soft_stop_time) {
+      throw Error("robots.0.max_speed: found " + std::to_string(setup.max_speed) +
+                  ", must be <= max_acceleration * " + std::to_string(options.soft_stop_time) +
+                  " s with certificate linear_soft_stop");
+    }
   } catch (const Error& error) {
     const std::string_view what = error.what(), place = "robots.0.";
     if (!what.starts_with(place)) throw;
@@ -174,9 +182,9 @@ void Simulation::State::move(std::size_t i) {
   const MotionState state{fleet.position[i], fleet.velocity[i], fleet.heading[i]};
   const MotionStep step =
       fleet.setup[i].car ? advance_car(state, fleet.plan[i],
-                        {fleet.setup[i].car->wheelbase, fleet.setup[i].max_acceleration,
-                         fleet.setup[i].max_speed},
-                        settings.time_step)
+                                       {fleet.setup[i].car->wheelbase,
+                                        fleet.setup[i].max_acceleration, fleet.setup[i].max_speed},
+                                       settings.time_step)
                          : advance(state, fleet.plan[i], response);
   fleet.next_position[i] = step.next.position;
   fleet.next_velocity[i] = step.next.velocity;
@@ -232,7 +240,9 @@ void Simulation::set_goal(RobotId robot, Vec2 goal) {
 
 FleetView Simulation::fleet() const {
   const Fleet& f = state_->fleet;
-  return {f.id, f.position, f.velocity, f.heading, f.goal, f.setup, f.plan, f.applied_acceleration};
+  return {f.id,      f.position, f.velocity,
+          f.heading, f.goal,     f.setup,
+          f.detour,  f.plan,     f.applied_acceleration};
 }
 
 ObstacleView Simulation::obstacles() const {

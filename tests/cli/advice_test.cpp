@@ -65,6 +65,17 @@ TEST(Advice, time_step_of_more_than_half_of_control_time) {
                   "coarse"});
 }
 
+TEST(Advice, control_time_is_nothing_to_a_method_that_approaches_as_fast_as_it_can) {
+  Scenario scenario = paper();
+  scenario.method = avo::Method::avo;
+  for (const double delta : {0.1, 1.5, 9.0}) {
+    scenario.control_time = delta;
+    EXPECT_EQ(avo::advice(scenario), Lines{});
+  }
+  scenario.control_time.reset();
+  EXPECT_EQ(avo::advice(scenario), Lines{});
+}
+
 TEST(Advice, time_step_in_which_a_robot_passes_its_own_radius) {
   Scenario scenario = paper();
   scenario.robots[1].radius = 0.15;

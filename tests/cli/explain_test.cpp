@@ -98,6 +98,59 @@ TEST(Explain, a_robot_alone_avoids_the_union_of_obstacles) {
   EXPECT_EQ(json["violation"], 0.0);
 }
 
+/// circle-10 by method avo, in the thick of it.
+const Strings kAvo{"circle-10", "--set",          "method=avo", "--set", "control_time=2",
+                   "--set",     "time_horizon=3", "--time",     "10"};
+
+TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
+  for (const char* kind :
+       {"none", "stopping_capsules", "braking_trajectories", "linear_soft_stop"}) {
+    Strings arguments = kAvo;
+    arguments.insert(arguments.end(),
+                     {"--robot", "3", "--set", std::string("certificate=") + kind});
+    const Json json = explained(arguments);
+    avo::Simulation simulation = simulated(
+        avo_io::load_scenario("circle-10", {"method=avo", "control_time=2", "time_horizon=3",
+                                            std::string("certificate=") + kind}),
+        100);
+    const auto seen = simulation.perceive(3);
+    avo::PlanWorkspace workspace;
+    simulation.planner().collect_certificate(seen.robot, seen.neighbors, workspace);
+    EXPECT_EQ(workspace.certificate.empty(), std::string(kind) == "none");
+    EXPECT_EQ(json["certificate_kind"], kind);
+    EXPECT_EQ(json["detour"], seen.detour.angle);
+    ASSERT_EQ(json["certificate"].size(), workspace.certificate.size());
+    for (std::size_t k = 0; k < workspace.certificate.size(); ++k) {
+      const avo::CertificateWall& expected = workspace.certificate[k];
+      const Json& wall = json["certificate"][k];
+      EXPECT_EQ(wall["neighbor"], seen.source[static_cast<std::size_t>(expected.neighbor)]);
+      EXPECT_EQ(wall["interval"], expected.interval);
+      EXPECT_EQ(point(wall["normal"]), expected.normal);
+      EXPECT_EQ(wall["offset"], expected.offset);
+    }
+    simulation.step();
+    EXPECT_EQ(point(json["new_velocity"]), simulation.fleet().plan[3].new_velocity)
+        << "with the detour that it remembers";
+  }
+}
+
+TEST(Explain, other_methods_have_no_certificate) {
+  const Json json = explained({"circle-10", "--robot", "3", "--time", "8"});
+  for (const char* key : {"certificate_kind", "certificate", "detour"})
+    EXPECT_FALSE(json.contains(key)) << key;
+}
+
+TEST(Explain, names_the_first_walls_of_the_nearest) {
+  Strings arguments{"explain"};
+  arguments.insert(arguments.end(), kAvo.begin(), kAvo.end());
+  arguments.insert(arguments.end(), {"--robot", "3"});
+  const ProcessResult result = run_avo(arguments);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.out.find("  certificate         braking_trajectories, "), std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("  wall                ("), std::string::npos) << result.out;
+}
+
 TEST(Explain, orca_has_no_acceleration_disc) {
   const Json json = explained({"circle-10", "--robot", "0", "--set", "method=orca"});
   EXPECT_TRUE(json["acceleration_disc"].is_null());

@@ -40,6 +40,9 @@ const Strings kSummaryKeys{"scene",
                            "mean_arrival",
                            "last_arrival",
                            "infeasible_steps",
+                           "decisions",
+                           "not_arrived_count",
+                           "not_arrived",
                            "step_milliseconds_median",
                            "seed",
                            "version"};
@@ -127,6 +130,12 @@ TEST(Run, summary_has_all_keys_and_the_numbers_of_the_library) {
   EXPECT_EQ(json["mean_arrival"], *expected.mean_arrival);
   EXPECT_EQ(json["last_arrival"], *expected.last_arrival);
   EXPECT_EQ(json["infeasible_steps"], expected.infeasible_steps);
+  EXPECT_EQ(keys_of(json["decisions"]), (Strings{"optimal", "least_unsafe", "candidate", "braking",
+                                                 "overlapping", "invalid_input"}));
+  EXPECT_EQ(json["decisions"]["optimal"], expected.decisions.optimal);
+  EXPECT_EQ(json["decisions"]["least_unsafe"], expected.decisions.least_unsafe);
+  EXPECT_EQ(json["not_arrived_count"], 0);
+  EXPECT_EQ(json["not_arrived"], Json::array());
   EXPECT_GT(json["step_milliseconds_median"], 0.0);
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["version"], avo::kVersion);
@@ -140,6 +149,43 @@ TEST(Run, summary_says_null_where_there_is_nothing) {
   for (const char* key : {"first_collision_time", "min_clearance", "mean_arrival", "last_arrival"})
     EXPECT_TRUE(json[key].is_null()) << key;
   EXPECT_EQ(json["arrived"], 0);
+}
+
+/// An obstacle stands where robot 0 wants to go.
+const std::string kNoRoom =
+    "version: 1\nduration: 20\nrobots:\n"
+    "  - {position: [0, 0], goal: [5, 0]}\n"
+    "  - {position: [0, 9], goal: [0, 9]}\n"
+    "moving_obstacles:\n  - {position: [5, 0]}\n";
+
+TEST(Run, tells_who_has_not_arrived_and_who_is_in_the_way) {
+  write_file(path_of("no-room.yaml"), kNoRoom);
+  const ProcessResult result =
+      run_avo({"run", path_of("no-room.yaml"), "--summary", path_of("out.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(read_file(path_of("out.json")));
+  EXPECT_EQ(json["arrived"], 1);
+  EXPECT_EQ(json["not_arrived_count"], 1);
+  ASSERT_EQ(json["not_arrived"].size(), 1U);
+  const Json& robot = json["not_arrived"][0];
+  EXPECT_EQ(keys_of(robot), (Strings{"robot", "distance", "speed", "status", "detour", "held_by"}));
+  EXPECT_EQ(robot["robot"], 0);
+  EXPECT_GE(robot["distance"], 1.0) << "both radii";
+  EXPECT_LE(robot["distance"], 1.1);
+  EXPECT_EQ(robot["held_by"], Json::array({"moving_obstacles.0"}));
+  std::int64_t decisions = 0;
+  for (const auto& [status, count] : json["decisions"].items())
+    decisions += count.get<std::int64_t>();
+  EXPECT_EQ(decisions, 2 * 200);
+  EXPECT_NE(result.out.find("  decisions          "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  stuck              robot 0, 1.0 m to go, held by obstacle 0\n"),
+            std::string::npos)
+      << result.out;
+}
+
+TEST(Run, nobody_is_stuck_where_all_arrive) {
+  const ProcessResult result = run_avo({"run", "positions-exchange"});
+  EXPECT_EQ(result.out.find("stuck"), std::string::npos) << result.out;
 }
 
 TEST(Run, collisions_are_counted_and_are_no_failure) {

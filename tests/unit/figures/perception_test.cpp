@@ -55,6 +55,20 @@ TEST(Perception, half_planes_are_those_of_the_planner) {
   EXPECT_EQ(space.speed_disc->radius, 2.0);
 }
 
+TEST(Perception, the_choice_of_avo_is_that_with_the_detour_that_is_remembered) {
+  Simulation::Perception seen = some_perception();
+  seen.neighbors[0].position = {1.6, 0.1};  // in the way, and stays there
+  seen.neighbors[0].velocity = {};
+  seen.robot.velocity = {};
+  seen.detour.angle = 1.0;
+  const Planner planner{PlannerOptions{}};
+  PlanWorkspace workspace;
+  Detour detour = seen.detour;
+  const Plan plan = planner.plan(seen.robot, seen.neighbors, workspace, detour);
+  EXPECT_NE(plan.new_velocity, planner.plan(seen.robot, seen.neighbors, workspace).new_velocity);
+  EXPECT_EQ(velocity_space(seen, planner).points[2].at, plan.new_velocity);
+}
+
 TEST(Perception, the_choice_lies_outside_of_the_drawn_obstacles) {
   Simulation::Perception seen = some_perception();
   seen.alone = true;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "support/brute_force.h"
@@ -277,6 +278,52 @@ TEST(Metrics, infeasible_steps_are_robot_steps_with_an_empty_set) {
   }
   EXPECT_GT(infeasible, 100);
   EXPECT_EQ(metrics.summary().infeasible_steps, infeasible);
+}
+
+TEST(Metrics, decisions_are_counted_by_status) {
+  Scenario scene = test::dense_avo_scene(60, Motion::held, Certificate::braking_trajectories, 3);
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
+  std::map<PlanStatus, std::int64_t> expected;
+  for (int k = 0; k < 50; ++k) {
+    simulation.step();
+    metrics.observe(simulation);
+    for (const Plan& plan : simulation.fleet().plan) ++expected[plan.status];
+  }
+  const Decisions found = metrics.summary().decisions;
+  EXPECT_EQ(found.optimal, expected[PlanStatus::optimal]);
+  EXPECT_EQ(found.least_unsafe, expected[PlanStatus::least_unsafe]);
+  EXPECT_EQ(found.candidate, expected[PlanStatus::candidate]);
+  EXPECT_EQ(found.braking, expected[PlanStatus::braking]);
+  EXPECT_EQ(found.overlapping, expected[PlanStatus::overlapping]);
+  EXPECT_EQ(found.invalid_input, 0);
+  EXPECT_GT(found.candidate, 100);
+  EXPECT_GT(found.overlapping, 0);
+}
+
+TEST(Metrics, who_has_not_arrived_is_told_with_those_that_touch_it) {
+  Scenario scene =
+      blind({robot_at({0, 0}, {9, 0}), robot_at({20, 0}, {20.4, 0}), robot_at({-1.05, 0}, {-9, 0}),
+             robot_at({0, 1.11}, {0, 9}), robot_at({0.5, -0.95}, {0.5, -0.95})});
+  scene.moving_obstacles = {{{9, 9}, {}, {}, 0.5}, {{0.9, 0.9}, {}, {}, 0.7}};
+  RunSummary summary = run(scene, 0);
+  ASSERT_EQ(summary.not_arrived.size(), 3u);  // without robots 1 and 4
+  const NotArrived& first = summary.not_arrived[0];
+  EXPECT_EQ(first.robot, 0u);
+  EXPECT_EQ(first.distance, 9.0);
+  EXPECT_EQ(first.speed, 0.0);
+  EXPECT_EQ(first.detour, 0.0);
+  // 0.073 of 1.2 m from the obstacle, 0.05 and 0.073 of 1 m from robots; robot 3 is too far
+  EXPECT_EQ(first.held_by, (std::vector<std::int64_t>{2, 4, -2}));
+  EXPECT_EQ(summary.not_arrived[1].robot, 2u);
+  EXPECT_EQ(summary.not_arrived[2].robot, 3u);
+  scene.robots.assign(130, robot_at({0, 0}, {9, 0}));
+  for (std::size_t i = 0; i < 130; ++i) scene.robots[i].position.y = 3.0 * static_cast<double>(i);
+  summary = run(scene, 3);
+  EXPECT_EQ(summary.not_arrived.size(), 100u);
+  EXPECT_EQ(summary.robots - summary.arrived, 130);
+  EXPECT_GT(summary.not_arrived[99].speed, 0.0);
 }
 
 TEST(Metrics, step_time_is_the_median) {

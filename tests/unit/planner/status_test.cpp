@@ -159,6 +159,7 @@ TEST(Status, braking_comes_to_rest_within_the_step_where_it_can) {
 TEST(Status, names) {
   EXPECT_STREQ(to_string(PlanStatus::optimal), "optimal");
   EXPECT_STREQ(to_string(PlanStatus::least_unsafe), "least_unsafe");
+  EXPECT_STREQ(to_string(PlanStatus::candidate), "candidate");
   EXPECT_STREQ(to_string(PlanStatus::overlapping), "overlapping");
   EXPECT_STREQ(to_string(PlanStatus::braking), "braking");
   EXPECT_STREQ(to_string(PlanStatus::invalid_input), "invalid_input");
@@ -200,6 +201,46 @@ TEST(Options, out_of_range_are_refused_by_name) {
   PlannerOptions options = test::paper_options();
   options.samples = 2;
   EXPECT_NO_THROW(const Planner planner(options));
+}
+
+std::string refusal(const PlannerOptions& options) {
+  try {
+    const Planner planner(options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Options, that_do_not_go_together_are_refused_by_name) {
+  PlannerOptions options;
+  for (const Method method : {Method::avo_paper, Method::velocity_obstacle, Method::orca}) {
+    options = default_options(method);
+    EXPECT_EQ(refusal(options), "");
+    options.certificate = Certificate::stopping_capsules;
+    EXPECT_EQ(refusal(options), std::string("PlannerOptions.certificate: found stopping_capsules, "
+                                            "must be none with method ") +
+                                    to_string(method));
+  }
+  options = {};
+  options.max_neighbors = 0;
+  EXPECT_EQ(refusal(options), "PlannerOptions.max_neighbors: found 0, must be >= 1");
+  options = {};
+  options.soft_stop_time = 0.0;
+  EXPECT_EQ(refusal(options), "PlannerOptions.soft_stop_time: found 0.000000, must be > 0 s");
+  options = {};
+  options.certificate = Certificate::linear_soft_stop;
+  EXPECT_EQ(refusal(options), "");
+  options.motion = Motion::exponential;
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.motion: found exponential, must be held with "
+            "certificate linear_soft_stop");
+  options.motion = Motion::held;
+  options.soft_stop_time = 0.0625;
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.soft_stop_time: found 0.062500, must be >= time_step = 0.100000 s");
+  options.certificate = Certificate::braking_trajectories;
+  EXPECT_EQ(refusal(options), "");
 }
 
 }  // namespace

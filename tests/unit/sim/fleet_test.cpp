@@ -2,6 +2,7 @@
 // Robots come and go between steps under ids that never change.
 #include <gtest/gtest.h>
 #include <string>
+#include <vector>
 
 #include "avo/error.h"
 #include "avo/simulation.h"
@@ -68,6 +69,44 @@ TEST(Fleet, bad_robots_and_goals_are_refused_and_change_nothing) {
   }
   EXPECT_EQ(simulation.state_hash(), hash);
   EXPECT_EQ(simulation.add_robot(far_robot()).value, 10u);
+}
+
+// The others count on it that all stop within the same time.
+TEST(Fleet, under_a_soft_stop_nobody_is_added_who_stops_later) {
+  Scenario scene;
+  scene.certificate = Certificate::linear_soft_stop;
+  scene.robots = {robot_at({0, 0}, {0, 0})};  // 2 m/s, 1 m/s^2
+  Simulation simulation(scene, 1);
+  RobotSetup slow = far_robot();
+  slow.max_acceleration = 0.5;
+  try {
+    simulation.add_robot(slow);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "robot 1: max_speed: found 2.000000, must be <= max_acceleration * 2.000000 s with "
+              "certificate linear_soft_stop");
+  }
+  slow.max_speed = 1.0;
+  EXPECT_EQ(simulation.add_robot(slow).value, 1u);
+  scene.certificate = Certificate::braking_trajectories;
+  slow.max_speed = 2.0;
+  EXPECT_EQ(Simulation(scene, 1).add_robot(slow).value, 1u);
+}
+
+TEST(Fleet, detours_are_shown_and_stay_with_their_robots) {
+  Simulation simulation(dense_avo_scene(40, Motion::held, Certificate::braking_trajectories, 3), 1);
+  for (int k = 0; k < 40; ++k) simulation.step();
+  const std::vector<Detour> before(simulation.fleet().detour.begin(),
+                                   simulation.fleet().detour.end());
+  ASSERT_EQ(before.size(), 40u);
+  std::size_t turned = 0;
+  while (turned < 40 && before[turned].angle == 0.0) ++turned;
+  ASSERT_LT(turned, 40u) << "a crowd in which nobody is blocked";
+  simulation.remove_robot({turned == 0 ? std::uint64_t{39} : std::uint64_t{0}});
+  const std::size_t now = turned == 0 ? 0 : turned - 1;
+  EXPECT_EQ(simulation.fleet().detour[now].angle, before[turned].angle);
+  EXPECT_EQ(simulation.perceive(now).detour.angle, before[turned].angle);
 }
 
 // In the middle of a run: the others do not notice a robot that is out of sight.
