@@ -74,6 +74,19 @@ TEST(Check, circle_100_of_the_paper_alone_is_not) {
   for (const char* limit : {"accelerations", "speeds", "jumps"}) EXPECT_EQ(json[limit]["count"], 0);
 }
 
+// Velocities change at once: the paths are straight lines, the accelerations beyond all limits.
+TEST(Check, judges_orca_on_straight_lines) {
+  const Strings scene{"circle-100", "--set", "method=orca", "--set", "duration=30"};
+  const Recorded circle = record(scene);
+  Strings arguments{"check", circle.csv, "--json", "--scene"};
+  arguments.insert(arguments.end(), scene.begin(), scene.end());
+  const Json json = Json::parse(run_avo(arguments).out);
+  EXPECT_GT(json["overlaps"]["count"], 0);
+  EXPECT_EQ(json["overlaps"]["count"], circle.summary["collision_pairs"]);
+  EXPECT_NEAR(json["overlaps"]["first"]["time"], circle.summary["first_collision_time"], 1e-9);
+  EXPECT_GT(json["accelerations"]["count"], 0);
+}
+
 TEST(Check, cars_and_exponential_motion_are_known_to_an_error) {
   const Recorded motion = record({"circle-6", "--set", "motion=exponential", "--set",
                                   "control_time=0.5", "--set", "duration=8"});
@@ -177,8 +190,9 @@ TEST(Check, takes_recordings_in_any_dress) {
       "\n5e-1,0,.125,0,\"0.5\",0\n0.5,7,3.,0,0,0\n"
       "15e-1,0,1.125,0,1.5,0\n1.5,7,0.3e+1,0,0,0"};
   for (const std::string& text : others) EXPECT_EQ(verdict(text), expected) << text;
-  // numbers of robots
+  // large numbers, the larger one first; times before 0
   const Json far = verdict(kHeader +
+                           "-1,9223372036854775807,0,0,0,0\n"
                            "0,9223372036854775807,0,0,0,0\n0,5000000000,0.25,0,0,0\n"
                            "1,5000000000,0.25,0,0,0\n1,9223372036854775807,0,0,0,0\n");
   EXPECT_EQ(far["overlaps"]["first"]["robot"], 5000000000);
