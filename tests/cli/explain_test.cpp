@@ -16,6 +16,8 @@ namespace {
 using Json = nlohmann::json;
 using Strings = std::vector<std::string>;
 
+const std::string kPaper = "method=avo_paper";
+
 Json explained(const Strings& arguments) {
   Strings all{"explain", "--json"};
   all.insert(all.end(), arguments.begin(), arguments.end());
@@ -51,8 +53,8 @@ TEST(Explain, tells_the_decision_that_the_next_step_takes) {
 }
 
 TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
-  const Json json = explained({"circle-10", "--robot", "0", "--time", "6"});
-  const avo::Simulation simulation = simulated(avo_io::load_scenario("circle-10"), 60);
+  const Json json = explained({"circle-10", "--robot", "0", "--time", "6", "--set", kPaper});
+  const avo::Simulation simulation = simulated(avo_io::load_scenario("circle-10", {kPaper}), 60);
   const auto perception = simulation.perceive(0);
   avo::PlanWorkspace workspace;
   simulation.planner().collect_half_planes(perception.robot, perception.neighbors, workspace);
@@ -70,14 +72,14 @@ TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
     EXPECT_GE(dot(point(plane["normal"]), chosen), plane["offset"].get<double>() - 1e-9);
   }
   EXPECT_EQ(json["obstacles"].size(), perception.neighbors.size());
-  EXPECT_EQ(json["acceleration_disc"]["radius"], 4.0);
+  EXPECT_EQ(json["acceleration_disc"]["radius"], 4.0) << "delta max_acceleration";
   EXPECT_EQ(point(json["acceleration_disc"]["center"]), perception.robot.velocity);
   EXPECT_EQ(json["speed_disc"]["radius"], 2.0);
   EXPECT_EQ(json["rule"], "half_planes");
 }
 
 TEST(Explain, names_moving_obstacles) {
-  const Json json = explained({"positions-exchange", "--robot", "1", "--set",
+  const Json json = explained({"positions-exchange", "--robot", "1", "--set", kPaper, "--set",
                                "moving_obstacles=[{position: [30, 0]}, {position: [7, 0.5], "
                                "velocity: [1, 0]}]"});
   ASSERT_EQ(json["half_planes"].size(), 1U) << "the other robot is too far away";
@@ -135,7 +137,7 @@ TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
 }
 
 TEST(Explain, other_methods_have_no_certificate) {
-  const Json json = explained({"circle-10", "--robot", "3", "--time", "8"});
+  const Json json = explained({"circle-10", "--robot", "3", "--time", "8", "--set", kPaper});
   for (const char* key : {"certificate_kind", "certificate", "detour"})
     EXPECT_FALSE(json.contains(key)) << key;
 }
@@ -167,7 +169,8 @@ TEST(Explain, draws_velocity_space) {
 }
 
 TEST(Explain, speaks_without_json) {
-  const ProcessResult result = run_avo({"explain", "circle-10", "--robot", "3", "--time", "6"});
+  const ProcessResult result =
+      run_avo({"explain", "circle-10", "--robot", "3", "--time", "6", "--set", kPaper});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(result.out.starts_with("circle-10, robot 3 at 6 s\n")) << result.out;
   for (const char* word : {"half-plane", "preferred velocity", "new velocity", "status"})

@@ -192,7 +192,7 @@ TEST(Run, collisions_are_counted_and_are_no_failure) {
   const std::string path = path_of("out.json");
   const ProcessResult result =
       run_avo({"run", "positions-exchange", "--summary", path, "--set", "duration=1", "--set",
-               "robots.1.position=[-9.5, 0]", "--set",
+               "method=avo_paper", "--set", "robots.1.position=[-9.5, 0]", "--set",
                "moving_obstacles=[{position: [-10, -0.5], radius: 0.5}]"});
   EXPECT_EQ(result.exit_code, 0);
   const Json json = Json::parse(read_file(path));
@@ -238,8 +238,8 @@ TEST(Run, writes_to_the_standard_output_on_demand) {
 }
 
 TEST(Run, warns_in_one_line_and_goes_on) {
-  const ProcessResult result =
-      run_avo({"run", "moving-obstacle", "--set", "control_time=1", "--set", "duration=1"});
+  const ProcessResult result = run_avo({"run", "moving-obstacle", "--set", "method=avo_paper",
+                                        "--set", "control_time=1", "--set", "duration=1"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(lines_of(result.err).size(), 1U);
   EXPECT_TRUE(result.err.starts_with("warning: control_time 1 s is less than half of"));

@@ -100,7 +100,7 @@ TEST(Set, is_refused_by_name) {
   EXPECT_EQ(refusal({"robots.0.goal=[1"}),
             "--set robots.0.goal=[1: found a list as a key or one that is not closed, keys must be "
             "words such as time_step");
-  EXPECT_EQ(refusal({"time_step=5"}),
+  EXPECT_EQ(refusal({"control_time=4", "time_step=5", "time_horizon=10"}),
             "--set time_step=5: time_step: found 5, must be <= control_time = 4 s where motion is "
             "held");
   EXPECT_EQ(refusal({"robots.1.position=[-10, 0]"}),

@@ -62,7 +62,8 @@ TEST(Verbs, validate_says_what_there_is_and_warns) {
   EXPECT_EQ(good.exit_code, 0);
   EXPECT_EQ(good.out, "circle-12: valid: 12 robots, 0 moving obstacles, 1000 steps of 0.1 s\n");
   EXPECT_EQ(good.err, "");
-  const ProcessResult odd = run_avo({"validate", "circle-12", "--set", "sensing_radius=2"});
+  const ProcessResult odd =
+      run_avo({"validate", "circle-12", "--set", "sensing_radius=2", "--set", "method=avo_paper"});
   EXPECT_EQ(odd.exit_code, 0);
   EXPECT_TRUE(odd.err.starts_with("warning: sensing_radius 2 m is less than"));
 }

@@ -122,6 +122,7 @@ Scenario braking_scene(Random& random, Motion motion) {
   b.position = b.goal = {-100.0, 100.0};
   b.velocity = {-1.0, 1.0};
   b.max_acceleration = 1e-9;
+  b.max_speed = 1e-9;  // it is faster, and brakes for longer than is looked at
   scene.robots = {a, b};
   return scene;
 }

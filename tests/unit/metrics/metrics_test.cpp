@@ -314,8 +314,8 @@ TEST(Metrics, who_has_not_arrived_is_told_with_those_that_touch_it) {
   EXPECT_EQ(first.distance, 9.0);
   EXPECT_EQ(first.speed, 0.0);
   EXPECT_EQ(first.detour, 0.0);
-  // 0.073 of 1.2 m from the obstacle, 0.05 and 0.073 of 1 m from robots; robot 3 is too far
-  EXPECT_EQ(first.held_by, (std::vector<std::int64_t>{2, 4, -2}));
+  // 0.05 m beyond contact with a robot, 0.0728 m with an obstacle, 0.0735 m; robot 3 is too far
+  EXPECT_EQ(first.held_by, (std::vector<std::int64_t>{2, -2, 4}));
   EXPECT_EQ(summary.not_arrived[1].robot, 2u);
   EXPECT_EQ(summary.not_arrived[2].robot, 3u);
   scene.robots.assign(130, robot_at({0, 0}, {9, 0}));
