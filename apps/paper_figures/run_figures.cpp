@@ -23,7 +23,7 @@ struct Run {
 };
 
 Run run_scene(const std::string& name) {
-  Run run{avo_io::load_scenario(name), {}, {}};
+  Run run{avo_io::load_scenario(name, {"method=avo_paper"}), {}, {}};
   Simulation simulation(run.scenario);
   Metrics metrics(run.scenario);
   figures::TrajectoryRecorder recorder;

@@ -21,7 +21,7 @@ struct PaperRun {
 };
 
 PaperRun run(const std::string& name, const std::string& motion) {
-  PaperRun result{avo_io::load_scenario(name, {"motion=" + motion}), {}, 0.0};
+  PaperRun result{avo_io::load_scenario(name, {"method=avo_paper", "motion=" + motion}), {}, 0.0};
   const Scenario& scene = result.scene;
   Simulation simulation(scene, 2);
   Metrics metrics(scene);
@@ -44,8 +44,8 @@ PaperRun run(const std::string& name, const std::string& motion) {
 }
 
 void expect_paper_constants(const Scenario& scene) {
-  EXPECT_EQ(scene.control_time, 4.0);
-  EXPECT_EQ(scene.time_horizon, 10.0);
+  EXPECT_EQ(planner_options(scene).control_time, 4.0);
+  EXPECT_EQ(planner_options(scene).time_horizon, 10.0);
   EXPECT_EQ(scene.method, Method::avo_paper);
   for (const RobotSetup& robot : scene.robots) {
     EXPECT_EQ(robot.max_acceleration, 1.0);
