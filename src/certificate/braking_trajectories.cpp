@@ -34,23 +34,27 @@ double wall_distance(Vec2 normal, const Bezier& q) {
 // What the sensing errors of one interval demand (docs/certificate.md, "Sensing errors").
 struct ErrorMargin {
   double distance = 0.0;  // m, beyond the inflated contact
-  double cone = 0.0;      // most that the normals of the two robots and the true one differ
+  double cone = 0.0;      // most that the normal differs from that of the true paths
+  double factor = 1.0;    // of what a path deviates, that a wall has to give room for
 };
+
+// Of the path of one that is seen moving for `time`, m.
+double error_at(const StepLaw& law, double time) {
+  return law.sensing_error.position + law.sensing_error.velocity * time;
+}
 
 // moved: |x(t) - q_0| on the interval, m; distance: of the wall.
 ErrorMargin error_margin(const BrakingPair& pair, const StepLaw& law, double m, double distance,
                          double moved) {
   const auto& [position, velocity] = law.sensing_error;
   if (position == 0.0 && velocity == 0.0) return {};
-  const double steps = m + 1.0;
-  const double error = position + velocity * law.time_step *
-                                      std::min(steps, std::max(pair.a.intervals, pair.b.intervals));
-  const double cone = 2.0 * std::sqrt(2.0 * error / (std::max(distance, 0.0) + 2.0 * error));
-  if (!pair.decides) return {3.0 * error, cone};
-  const double deviation =
-      std::max(deviation_after(pair.a, steps, law), deviation_after(pair.b, steps, law));
-  const double both = moved + 2.0 * velocity * law.time_step + deviation;
-  return {2.0 * error + (3.0 * error + cone * both) / std::min(pair.share, 1.0 - pair.share), cone};
+  const double one_step = velocity * law.time_step;
+  const double steps = pair.decides ? std::min(m + 1.0, pair.b.intervals) : m + 1.0;
+  const double error = error_at(law, law.time_step * steps);
+  if (!(distance > error)) return {error + 2.0 * (moved + one_step), 2.0, 3.0};
+  const double cone = std::min(2.0 * std::sqrt(error / (distance + error)),
+                               (moved + error) / std::sqrt(distance * (distance - error)));
+  return {error + cone * (moved + one_step), cone, 1.0 + cone};
 }
 
 // What is seen to accelerate moves on a parabola. Where A's motion is exponential, a path of A's
@@ -91,37 +95,53 @@ bool refuses_nothing(const BrakingPair& pair, double deviation) {
   return pair.share * (nearest - pair.inflated) > deviation;
 }
 
+double pick(const BrakingDistances& braking, int interval, int point) {
+  const auto m = static_cast<std::size_t>(interval);
+  return point == 0 ? braking.start[m] : point == 1 ? braking.middle[m] : braking.end[m];
+}
+
+// Where braking is seen to leave less than the margin, A may not lose more of it.
+void allow_braking(const TrajectoryWalls& walls, TrajectoryWall& wall) {
+  for (int i = 0; i < 3; ++i) {
+    double& offset = wall.offset[static_cast<std::size_t>(i)];
+    offset = std::max(offset,
+                      -pick(walls.braking, wall.interval, i) * dot(wall.normal, walls.direction));
+  }
+}
+
 void append_walls(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
                   double deviation, TrajectoryWalls& walls, Invariant& invariant) {
   const auto count = static_cast<std::size_t>(
       pair.decides ? std::max(pair.a.intervals, pair.b.intervals) : pair.a.intervals);
   const double moving = braking_steps(pair.a.speed, pair.a.decrement);
   const double inflation = parabola_error(neighbor, law);
-  const double far = pair.inflated + inflation + deviation / pair.share;
+  const double inflated = pair.inflated + inflation, room = deviation / pair.share;
   const std::size_t first = walls.walls.size();
   double nearest = kInfinity;  // over the intervals of the invariant
   for (std::size_t m = 0; m < count; ++m) {
     const Bezier q = relative_points(pair, neighbor, law, walls, m);
     const double moved = norm(q[1] - q[0]) + norm(q[2] - q[1]);
     const double steps = static_cast<double>(m);
-    const double beyond =
-        far + moved + error_margin(pair, law, steps, pair.contact, moved).distance;
+    const ErrorMargin most = error_margin(pair, law, steps, pair.contact, moved);
+    const double beyond = inflated + moved + most.distance + most.factor * room;
     if (norm_squared(q[0]) > beyond * beyond) continue;
     const Vec2 n = normal_of(q);
     const double distance = wall_distance(n, q);
     const bool counts = pair.decides || steps < moving;
     if (counts) nearest = std::min(nearest, distance);
-    const ErrorMargin margin = error_margin(pair, law, steps, distance, moved);
-    if (distance > far + margin.distance) continue;
-    // the invariant says nothing of intervals at rest: to move away is not enough there
-    const double cone = counts ? margin.cone : 0.0;
-    TrajectoryWall wall{index, static_cast<int>(m), !counts, n, {}, cone, 0.0};
+    ErrorMargin margin = error_margin(pair, law, steps, distance, moved);
+    if (distance > inflated + margin.distance + margin.factor * room) continue;
+    // the invariant says nothing of intervals at rest: all three points stay clear along n there
+    if (!counts) margin = {};
+    TrajectoryWall wall{index, static_cast<int>(m), !counts, n, {}, margin.cone, 0.0};
     wall.bound = pair.share * (margin.distance - distance);
+    const std::array<double, 3> times{0.0, law.lag, law.time_step};
     const std::array<double, 3> along{walls.braking.start[m], walls.braking.middle[m],
                                       walls.braking.end[m]};
     for (std::size_t i = 0; i < 3; ++i) {
       wall.offset[i] =
           pair.share * (dot(n, q[i]) - margin.distance) - along[i] * dot(n, pair.a.direction);
+      if (!counts) wall.offset[i] -= error_at(law, steps * law.time_step + times[i]);
     }
     walls.walls.push_back(wall);
   }
@@ -130,6 +150,7 @@ void append_walls(const BrakingPair& pair, const Neighbor& neighbor, int index, 
     TrajectoryWall& wall = walls.walls[k];
     for (double& offset : wall.offset) offset -= pair.share * held;
     wall.bound += pair.share * held;
+    if (wall.cone > 0.0) allow_braking(walls, wall);
     // Where A starts cannot be inflated: at rest beside what does not decide it could never leave.
     if (!wall.only_in_motion || wall.interval > 0) continue;
     for (std::size_t i = 0; i < 2; ++i) wall.offset[i] += held - inflation - pair.contact;
@@ -175,18 +196,12 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom
 
 namespace {
 
-// Whether the path's point lies in the cone in which it moves away from B, seen from braking.
-bool moves_away(const TrajectoryWalls& walls, const TrajectoryWall& wall, int point,
-                const CandidatePath& path) {
-  const auto pick = [&](const BrakingDistances& braking, int interval) {
-    const auto m = static_cast<std::size_t>(interval);
-    return point == 0 ? braking.start[m] : point == 1 ? braking.middle[m] : braking.end[m];
-  };
-  const Vec2 x = pick(walls.braking, wall.interval) * walls.direction;
-  const Vec2 y = wall.interval == 0
-                     ? path.first
-                     : path.first + pick(path.braking, wall.interval - 1) * path.direction;
-  return dot(wall.normal, y - x) >= wall.cone * norm(y - x);
+// From the point of A's braking path to that of the path.
+Vec2 deviation_of(const TrajectoryWalls& walls, const TrajectoryWall& wall, int point,
+                  const CandidatePath& path) {
+  const Vec2 x = pick(walls.braking, wall.interval, point) * walls.direction;
+  if (wall.interval == 0) return path.first - x;
+  return path.first + pick(path.braking, wall.interval - 1, point) * path.direction - x;
 }
 
 }  // namespace
@@ -197,14 +212,19 @@ WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path) {
 
 WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, std::size_t first,
                      std::size_t last) {
-  WorstWall worst{kInfinity, nullptr, 0};
+  WorstWall worst{kInfinity, nullptr, 0, {}};
   for (std::size_t k = first; k < last; ++k) {
     const TrajectoryWall& wall = walls.walls[k];
     if (wall.only_in_motion && wall.interval >= path.moving) continue;
     const auto take = [&](double value, int point) {
-      if (!(value < worst.coefficient)) return;
-      if (value < 0.0 && wall.cone > 0.0 && moves_away(walls, wall, point, path)) return;
-      worst = {value, &wall, point};
+      Vec2 lean;
+      if (wall.cone > 0.0) {
+        const Vec2 deviation = deviation_of(walls, wall, point, path);
+        const double length = norm(deviation);
+        value -= wall.cone * length;
+        if (length > 0.0) lean = (wall.cone / length) * deviation;
+      }
+      if (value < worst.coefficient) worst = {value, &wall, point, lean};
     };
     const double base = dot(wall.normal, path.first);
     if (wall.interval == 0) {
@@ -240,9 +260,11 @@ HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const Robot
     across += path.speed > 0.0 ? distance / path.speed : law.lag;
     along += std::min(law.time_step * static_cast<double>(m) + to_point, to_rest);
   }
-  const double n_along = dot(wall.normal, path.direction);
-  const Vec2 gradient = across * wall.normal + ((along - across) * n_along) * path.direction;
+  const Vec2 normal = wall.normal - worst.lean;
+  const double n_along = dot(normal, path.direction);
+  const Vec2 gradient = across * normal + ((along - across) * n_along) * path.direction;
   const double length = norm(gradient);
+  if (!(length > 0.0)) return {wall.normal, dot(wall.normal, path.next_velocity)};
   return {gradient / length, (dot(gradient, path.next_velocity) - worst.coefficient) / length};
 }
 

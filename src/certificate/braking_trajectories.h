@@ -21,8 +21,8 @@ struct TrajectoryWall {
   bool only_in_motion = false;     ///< asked only of paths on which A still moves then
   Vec2 normal;                     ///< unit, from B to A
   std::array<double, 3> offset{};  ///< m
-  /// With sensing errors: A may also move away, normal . (y_i - x_i) >= cone |y_i - x_i|. 0: it may
-  /// not make use of that.
+  /// With sensing errors the normal is off by so much: cone |y_i - x_i| is asked for besides, x
+  /// being A's braking path.
   double cone = 0.0;
   /// m, <= 0: a path that keeps normal . (y - x) >= bound, x the braking path, keeps the wall.
   double bound = 0.0;
@@ -49,7 +49,8 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom
 struct WorstWall {
   double coefficient;  ///< m, >= 0 iff the candidate is admitted; infinite without walls
   const TrajectoryWall* wall = nullptr;
-  int point = 0;  ///< of the three
+  int point = 0;   ///< of the three
+  Vec2 lean = {};  ///< what a cone takes off the normal there
 };
 WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path);
 /// Of walls.walls[first .. last) only.

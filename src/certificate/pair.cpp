@@ -52,7 +52,7 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   if (pair.decides) pair.b = braking_of(neighbor.velocity, neighbor.max_acceleration, law);
   pair.inflated = pair.contact + rounding_margin(robot, neighbor, pair);
   pair.error = law.sensing_error.position +
-               law.sensing_error.velocity * law.time_step * std::max(a.intervals, pair.b.intervals);
+               law.sensing_error.velocity * law.time_step * (pair.decides ? pair.b : a).intervals;
   return pair;
 }
 
@@ -62,7 +62,7 @@ bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLa
     const double t = law.time_step * pair.a.intervals;
     reach += t * norm(neighbor.velocity) + 0.5 * t * t * norm(neighbor.acceleration);
   }
-  return norm(pair.p) - reach > pair.inflated + 3.0 * pair.error;
+  return norm(pair.p) - reach > pair.inflated + pair.error;
 }
 
 double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant) {
