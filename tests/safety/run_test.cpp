@@ -94,7 +94,7 @@ TEST(Judge, tells_contacts_in_motion_from_those_at_rest) {
   Scene scene{usual_scenario()};
   scene.scenario.robots = {usual_robot({}, {}, 1.5)};
   scene.scenario.robots[0].max_acceleration = 1e-12;  // it stays where it is
-  scene.scenario.certificate = Certificate::none;
+  scene.scenario.robots[0].max_speed = 1e-9;
   scene.scenario.robots[0].max_speed = 1e-9;
   scene.scenario.moving_obstacles = {{{1.05, 0.0}, {-1.0, 0.0}, {}, 0.5}};
   scene.scenario.duration = 0.2;
