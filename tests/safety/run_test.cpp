@@ -94,8 +94,7 @@ TEST(Judge, tells_contacts_in_motion_from_those_at_rest) {
   Scene scene{usual_scenario()};
   scene.scenario.robots = {usual_robot({}, {}, 1.5)};
   scene.scenario.robots[0].max_acceleration = 1e-12;  // it stays where it is
-  scene.scenario.robots[0].max_speed = 1e-9;
-  scene.scenario.robots[0].max_speed = 1e-9;
+  scene.scenario.certificate = Certificate::none;
   scene.scenario.moving_obstacles = {{{1.05, 0.0}, {-1.0, 0.0}, {}, 0.5}};
   scene.scenario.duration = 0.2;
   Verdict verdict = run_scene(scene, 1, "").verdict;
@@ -105,7 +104,6 @@ TEST(Judge, tells_contacts_in_motion_from_those_at_rest) {
 
   scene.scenario.robots[0].velocity = {1.0, 0.0};  // too late to stop
   scene.scenario.robots[0].max_acceleration = 1.0;
-  scene.scenario.robots[0].max_speed = 2.0;
   scene.scenario.moving_obstacles[0].velocity = {};
   verdict = run_scene(scene, 1, "").verdict;
   EXPECT_EQ(verdict.resting_contacts, 0);
