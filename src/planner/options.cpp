@@ -18,6 +18,19 @@ void require_positive(double value, const char* name) {
   if (!(std::isfinite(value) && value > 0.0)) refuse(name, std::to_string(value), "> 0 s");
 }
 
+void validate_sensing_error(const PlannerOptions& options) {
+  const auto require = [](double value, const char* name, const char* unit) {
+    if (!(std::isfinite(value) && value >= 0.0)) refuse(name, std::to_string(value), unit);
+  };
+  require(options.sensing_error.position, "sensing_error.position", ">= 0 m");
+  require(options.sensing_error.velocity, "sensing_error.velocity", ">= 0 m/s");
+  if (options.sensing_error != SensingError{} &&
+      options.certificate != Certificate::braking_trajectories) {
+    refuse("sensing_error", "one",
+           std::string("none with certificate ") + to_string(options.certificate));
+  }
+}
+
 void validate_certificate(const PlannerOptions& options) {
   const std::string certificate = to_string(options.certificate);
   if (options.certificate != Certificate::none && options.method != Method::avo) {
@@ -25,6 +38,7 @@ void validate_certificate(const PlannerOptions& options) {
            std::string("none with method ") + to_string(options.method));
   }
   require_positive(options.soft_stop_time, "soft_stop_time");
+  validate_sensing_error(options);
   if (options.certificate != Certificate::linear_soft_stop) return;
   if (options.motion != Motion::held) {
     refuse("motion", to_string(options.motion), "held with certificate " + certificate);

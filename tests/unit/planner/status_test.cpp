@@ -226,6 +226,18 @@ TEST(Options, that_do_not_go_together_are_refused_by_name) {
   options.max_neighbors = 0;
   EXPECT_EQ(refusal(options), "PlannerOptions.max_neighbors: found 0, must be >= 1");
   options = {};
+  options.sensing_error = {.position = -0.01, .velocity = 0.0};
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.sensing_error.position: found -0.010000, must be >= 0 m");
+  options.sensing_error = {.position = 0.0, .velocity = std::nan("")};
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.sensing_error.velocity: found nan, must be >= 0 m/s");
+  options.certificate = Certificate::stopping_capsules;
+  options.sensing_error = {.position = 0.01, .velocity = 0.0};
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.sensing_error: found one, must be none with certificate "
+            "stopping_capsules");
+  options = {};
   options.soft_stop_time = 0.0;
   EXPECT_EQ(refusal(options), "PlannerOptions.soft_stop_time: found 0.000000, must be > 0 s");
   options = {};
