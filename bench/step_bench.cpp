@@ -15,8 +15,9 @@ namespace avo {
 namespace {
 
 // The paper's Circle-N (§VI-B): everyone's goal is opposite; ten nearest neighbors.
-Scenario circle(int count) {
+Scenario circle(int count, Method method) {
   Scenario scene;
+  scene.method = method;
   scene.max_neighbors = 10;
   const double radius = std::max(20.0, 2.25 * count / (2.0 * std::numbers::pi));
   for (int k = 0; k < count; ++k) {
@@ -29,6 +30,11 @@ Scenario circle(int count) {
   return scene;
 }
 
+// 0: the paper alone, δ 4, τ 10; 1: avo, with its certificate.
+Method method_of(std::int64_t number) {
+  return number == 0 ? Method::avo_paper : Method::avo;
+}
+
 // What the robots of Circle-N see after `seconds`.
 std::vector<Simulation::Perception> crowd(int count, double seconds, Simulation& simulation) {
   while (simulation.time() < seconds) simulation.step();
@@ -39,16 +45,18 @@ std::vector<Simulation::Perception> crowd(int count, double seconds, Simulation&
   return seen;
 }
 
-// One decision with ten neighbors: in Circle-1000 on the way (20 s) and amid the crowd (170 s).
-void plan_10_neighbors(benchmark::State& state) {
-  Simulation simulation(circle(1000), 1);
+// One decision: in Circle-1000 on the way (20 s) and amid the crowd (170 s). Ten neighbors get a
+// half-plane; a certificate looks at all within the sensing radius.
+void plan(benchmark::State& state) {
+  Simulation simulation(circle(1000, method_of(state.range(1))), 1);
   const std::vector<Simulation::Perception> seen =
       crowd(1000, static_cast<double>(state.range(0)), simulation);
   const Planner& planner = simulation.planner();
   PlanWorkspace workspace;
   std::size_t i = 0, least_unsafe = 0, decisions = 0;
   for (auto _ : state) {
-    const Plan plan = planner.plan(seen[i].robot, seen[i].neighbors, workspace);
+    Detour detour = seen[i].detour;
+    const Plan plan = planner.plan(seen[i].robot, seen[i].neighbors, workspace, detour);
     benchmark::DoNotOptimize(plan);
     least_unsafe += plan.violation > 0.0 ? 1 : 0;
     ++decisions;
@@ -56,20 +64,23 @@ void plan_10_neighbors(benchmark::State& state) {
   }
   state.counters["infeasible"] = static_cast<double>(least_unsafe) / static_cast<double>(decisions);
 }
-BENCHMARK(plan_10_neighbors)->ArgName("s")->Arg(20)->Arg(170)->Unit(benchmark::kMicrosecond);
+BENCHMARK(plan)
+    ->ArgNames({"s", "avo"})
+    ->ArgsProduct({{20, 170}, {0, 1}})
+    ->Unit(benchmark::kMicrosecond);
 
 // The steps from `seconds` on, one thread; the scene moves on with them.
 void step_of_circle(benchmark::State& state) {
   const auto count = static_cast<int>(state.range(0));
   const auto seconds = static_cast<double>(state.range(1));
-  Simulation simulation(circle(count), 1);
+  Simulation simulation(circle(count, method_of(state.range(2))), 1);
   while (simulation.time() < seconds) simulation.step();
   for (auto _ : state) simulation.step();
 }
 BENCHMARK(step_of_circle)
-    ->ArgNames({"robots", "s"})
-    ->ArgsProduct({{100}, {0, 10, 18, 30}})
-    ->ArgsProduct({{1000}, {0, 60, 120, 180}})
+    ->ArgNames({"robots", "s", "avo"})
+    ->ArgsProduct({{100}, {0, 10, 18, 30}, {0, 1}})
+    ->ArgsProduct({{1000}, {0, 60, 120, 180}, {0, 1}})
     ->Iterations(30)
     ->Unit(benchmark::kMillisecond);
 
@@ -81,7 +92,7 @@ double quantile(const std::vector<double>& sorted, double part) {
 // the straight way takes. The median is the figure to compare; CPU time is what counts where other
 // programs run as well.
 void crossing_of_circle(benchmark::State& state) {
-  const Scenario scene = circle(static_cast<int>(state.range(0)));
+  const Scenario scene = circle(static_cast<int>(state.range(0)), method_of(state.range(1)));
   const double straight = 2.0 * norm(scene.robots[0].goal) / scene.robots[0].preferred_speed;
   std::vector<double> wall, cpu;  // ms
   for (auto _ : state) {
@@ -107,9 +118,8 @@ void crossing_of_circle(benchmark::State& state) {
   state.counters["max_cpu_ms"] = cpu.back();
 }
 BENCHMARK(crossing_of_circle)
-    ->ArgName("robots")
-    ->Arg(100)
-    ->Arg(1000)
+    ->ArgNames({"robots", "avo"})
+    ->ArgsProduct({{100, 1000}, {0, 1}})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
