@@ -91,9 +91,9 @@ struct MembersOf<Group> {
 };
 template <>
 struct MembersOf<avo::Scenario> {
-  using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
-                        std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
-                        avo::Motion>;
+  using type =
+      MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>, std::uint64_t,
+               std::string, avo::Method, std::optional<avo::Certificate>, avo::Motion>;
 };
 template <class T>
 using Member = typename MembersOf<T>::type;

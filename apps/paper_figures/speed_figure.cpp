@@ -19,7 +19,8 @@ struct StepTime {
 // Processor time, which does not count what else the machine does, of all steps on one thread until
 // everybody could be on the other side, with a reserve of 30 %.
 StepTime measure(int robots) {
-  const Scenario scenario = avo_io::load_scenario("circle-" + std::to_string(robots), {"method=avo_paper"});
+  const Scenario scenario =
+      avo_io::load_scenario("circle-" + std::to_string(robots), {"method=avo_paper"});
   const RobotSetup& one = scenario.robots.front();
   const double crossing = 1.3 * norm(one.goal - one.position) / one.preferred_speed;
   Simulation simulation(scenario, 1);

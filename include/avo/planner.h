@@ -102,10 +102,10 @@ struct Detour {
 };
 
 /// What a neighbor's certificate demands of A on one interval between steps:
-/// normal . q >= offset. For braking_trajectories q = y - x, m: from the point x of A's braking path
-/// to the point y of its path, sufficient for the three Bézier points of the interval; interval 0 is
-/// the step decided upon. For stopping_capsules q is any point of where A would next stop, m; for
-/// linear_soft_stop q = v_A + d_s a_A, m/s; interval is 0.
+/// normal . q >= offset. For braking_trajectories q = y - x, m: from the point x of A's braking
+/// path to the point y of its path, sufficient for the three Bézier points of the interval;
+/// interval 0 is the step decided upon. For stopping_capsules q is any point of where A would next
+/// stop, m; for linear_soft_stop q = v_A + d_s a_A, m/s; interval is 0.
 struct CertificateWall {
   int neighbor = 0;  ///< index into the neighbors given
   int interval = 0;

@@ -32,12 +32,12 @@ struct MovingObstacle {
 
 struct Scenario {
   std::string name = {};
-  double time_step = 0.1;                 ///< [Δt] s, > 0
-  double duration = 60.0;                 ///< s, >= time_step
+  double time_step = 0.1;                   ///< [Δt] s, > 0
+  double duration = 60.0;                   ///< s, >= time_step
   std::optional<double> control_time = {};  ///< [δ] s, > 0; unset: default_options(method)
   std::optional<double> time_horizon = {};  ///< [τ] s, > 0; likewise
-  double sensing_radius = 15.0;           ///< m, > 0, between centers
-  std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all
+  double sensing_radius = 15.0;             ///< m, > 0, between centers
+  std::optional<int> max_neighbors = {};    ///< nearest neighbors that get a half-plane; unset: all
   Method method = Method::avo;
   std::optional<Certificate> certificate = {};  ///< unset: default_options(method)
   Motion motion = Motion::held;

@@ -40,8 +40,8 @@ class Simulation {
  public:
   /// Throws Error on a bad scenario (see validate) or threads < 0. 0: as many as the machine has.
   /// Accepts one that breaks what its certificate assumes (see broken_assumptions): pairs that
-  /// braking does not keep apart are held to the distance that it does keep, so that no overlap grows
-  /// deeper than braking makes it, and their decisions say `overlapping`.
+  /// braking does not keep apart are held to the distance that it does keep, so that no overlap
+  /// grows deeper than braking makes it, and their decisions say `overlapping`.
   explicit Simulation(const Scenario& scenario, int threads = 0);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -51,7 +51,8 @@ class Simulation {
   /// Bit-identical for any number of threads; allocates nothing once warm.
   void step();
 
-  /// Throws Error on bad values. A start that breaks a certificate's assumptions is accepted, as above.
+  /// Throws Error on bad values. A start that breaks a certificate's assumptions is accepted, as
+  /// above.
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
@@ -70,7 +71,7 @@ class Simulation {
     Robot robot;
     std::vector<Neighbor> neighbors;
     std::vector<int> source;  ///< index into fleet(), or -1 - k for moving obstacle k
-    Detour detour = {};         ///< what it remembers
+    Detour detour = {};       ///< what it remembers
     bool alone = false;       ///< planned by plan_among_obstacles (a single robot, §III-C)
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;

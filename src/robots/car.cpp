@@ -37,9 +37,9 @@ Controls controls(Vec2 acceleration, Vec2 heading, double speed, double time_ste
   return result;
 }
 
-// See MotionStep. The acceleration changes by 3 a_lin v κ across the heading and by -v³ κ² along it,
-// J(v) in all, which is convex in time: at most linear between J_0 and J_1. With y = v_0 t + t² z(t),
-// z is an average of the acceleration, and |z(Δt) - z(t)| <= Δt (3 J_0 + J_1)/24.
+// See MotionStep. The acceleration changes by 3 a_lin v κ across the heading and by -v³ κ² along
+// it, J(v) in all, which is convex in time: at most linear between J_0 and J_1. With y = v_0 t + t²
+// z(t), z is an average of the acceleration, and |z(Δt) - z(t)| <= Δt (3 J_0 + J_1)/24.
 double bend(double speed, double next_speed, const Controls& control, double time_step) {
   const auto jerk = [&](double v) {
     const double turning = std::abs(v * control.curvature);
@@ -67,8 +67,8 @@ MotionStep drive(const MotionState& state, double speed, const Controls& control
   step.next.velocity = next_speed * Vec2{std::cos(step.next.heading), std::sin(step.next.heading)};
   step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
   const bool early = speed + control.linear * time_step < -1e-9 * speed;
-  step.bend = early ? std::numeric_limits<double>::infinity()
-                    : bend(speed, next_speed, control, time_step);
+  step.bend =
+      early ? std::numeric_limits<double>::infinity() : bend(speed, next_speed, control, time_step);
   return step;
 }
 

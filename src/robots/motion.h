@@ -15,8 +15,8 @@ struct MotionState {
 struct MotionStep {
   MotionState next;
   double acceleration = 0.0;  // m/s^2, the largest |a| within the step
-  // m: at time t of the step it is within bend t²/Δt² of the parabola with the same ends and the same
-  // velocity at the start; infinite where that is not known
+  // m: at time t of the step it is within bend t²/Δt² of the parabola with the same ends and the
+  // same velocity at the start; infinite where that is not known
   double bend = 0.0;
 };
 

@@ -90,8 +90,7 @@ void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lin
   const double tau = planner_options(scenario).time_horizon;
   if (tau >= slowest.value) return;
   const RobotSetup& robot = scenario.robots[slowest.robot];
-  lines.push_back("time_horizon " + text(tau) + " s is shorter than " +
-                  robot_name(slowest.robot) +
+  lines.push_back("time_horizon " + text(tau) + " s is shorter than " + robot_name(slowest.robot) +
                   " needs to stop, max_speed / max_acceleration = " + text(robot.max_speed) +
                   " / " + text(robot.max_acceleration) + " = " + text(slowest.value) + " s");
 }
