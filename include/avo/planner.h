@@ -98,7 +98,7 @@ struct NeighborPlane {
 /// Method avo only.
 struct Detour {
   double angle = 0.0;    ///< rad, how far it has turned off its way, to the right
-  double yielded = 0.0;  ///< 0 to 1: gives way, to no longer gives way to those that stay beside it
+  double yielded = 0.0;  ///< near its goal: 0 gives way, 1 no longer, 2 stays where it is
 };
 
 /// What a neighbor's certificate demands of A on one interval between steps:

@@ -51,8 +51,8 @@ class Simulation {
   /// Bit-identical for any number of threads; allocates nothing once warm.
   void step();
 
-  /// Throws Error on bad values. A start that breaks a certificate's assumptions is accepted, as
-  /// above.
+  /// Throws Error on bad values, and under a certificate on a robot that would have to be seen from
+  /// farther away than the sensing radius. A start that breaks the invariant is accepted, as above.
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot

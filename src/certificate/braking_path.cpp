@@ -14,6 +14,13 @@ double braking_steps(double speed, double decrement) {
   return speed > 0.0 ? std::floor(speed / decrement) + 1.0 : 0.0;
 }
 
+double braking_steps_at_least(double speed, double decrement) {
+  const double steps = speed / decrement;
+  // of each of the subtractions that lead to it
+  const double rounding = 0x1p-30 + 0x1p-51 * steps * steps;
+  return std::max(std::ceil(steps - rounding), 0.0);
+}
+
 double stopping_length(double speed, double decrement, const StepLaw& law) {
   // speed = (k + f) u: k full steps, and a last one that takes off the rest, f u
   const double k = std::floor(speed / decrement);

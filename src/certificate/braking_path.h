@@ -30,6 +30,10 @@ inline double braking_decrement(double max_acceleration, const StepLaw& law) {
 /// Steps that braking from `speed` takes until rest: ⌈speed / u⌉, one more where that is exact.
 double braking_steps(double speed, double decrement);
 
+/// The same without that step: a speed that rounding leaves above a whole number of u is that
+/// number. What is left over moves a robot by less than 1e-9 u Δt.
+double braking_steps_at_least(double speed, double decrement);
+
 /// [l] m until rest, by steps of `decrement` and a last one of what is left. Not v²/2a: a robot
 /// that moves in steps needs up to u Δt/8 more. Within a few ulp, any speed >= 0.
 double stopping_length(double speed, double decrement, const StepLaw& law);

@@ -113,7 +113,7 @@ void append_walls(const BrakingPair& pair, const Neighbor& neighbor, int index, 
                   double deviation, TrajectoryWalls& walls, Invariant& invariant) {
   const auto count = static_cast<std::size_t>(
       pair.decides ? std::max(pair.a.intervals, pair.b.intervals) : pair.a.intervals);
-  const double moving = braking_steps(pair.a.speed, pair.a.decrement);
+  const double moving = braking_steps_at_least(pair.a.speed, pair.a.decrement);
   const double inflation = parabola_error(neighbor, law);
   const double inflated = pair.inflated + inflation, room = deviation / pair.share;
   const std::size_t first = walls.walls.size();
@@ -146,6 +146,7 @@ void append_walls(const BrakingPair& pair, const Neighbor& neighbor, int index, 
     walls.walls.push_back(wall);
   }
   const double held = held_distance(pair, nearest, index, invariant) + inflation;
+  if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
   for (std::size_t k = first; k < walls.walls.size(); ++k) {
     TrajectoryWall& wall = walls.walls[k];
     for (double& offset : wall.offset) offset -= pair.share * held;
@@ -224,6 +225,7 @@ WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, st
         value -= wall.cone * length;
         if (length > 0.0) lean = (wall.cone / length) * deviation;
       }
+      if (std::isnan(value)) value = -kInfinity;  // nothing that is not known is admitted
       if (value < worst.coefficient) worst = {value, &wall, point, lean};
     };
     const double base = dot(wall.normal, path.first);

@@ -172,16 +172,23 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
   const double contact = a.radius + b.radius, limit = overlap_distance(a, b);
   const std::uint64_t pair = key(a.index, b.index);
   const double best = report.least_clearance.value_or(kInfinity);
-  const double known = overlaps.contains(pair) ? limit - report.overlaps.worst : limit;
+  // the rows themselves are not interpolated
+  const double at_rows = std::min(norm(path.control.front()), norm(path.control.back()));
+  const double row_limit = contact * (1.0 - options.relative_tolerance);
+  const double known = overlaps.contains(pair) ? row_limit - report.overlaps.worst : row_limit;
   if (judge::lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
   const judge::Instant nearest = judge::nearest_instant(path);
   report.least_clearance = std::min(best, nearest.distance - contact);
-  if (!(nearest.distance < limit)) return;
+  const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
+  if (!(depth > 0.0)) return;
   insert(overlaps, pair);
-  CheckViolation overlap{last_time, a.index, b.index, limit - nearest.distance};
+  CheckViolation overlap{last_time, a.index, b.index, depth};
   report.overlaps.worst = std::max(report.overlaps.worst, overlap.amount);
   if (report.overlaps.first && report.overlaps.first->time < last_time) return;
-  overlap.time = instant(a, b, judge::first_below(path, limit).value_or(nearest.fraction));
+  const double first_row = norm(path.control.front()) < row_limit ? 0.0 : 1.0;
+  const double instant_seen = at_rows < row_limit ? first_row : nearest.fraction;
+  overlap.time =
+      instant(a, b, std::min(judge::first_below(path, limit).value_or(instant_seen), instant_seen));
   note(report.overlaps, overlap);
 }
 

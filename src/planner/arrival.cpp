@@ -15,14 +15,16 @@ constexpr double kCongestion = 5.0;  // robots right ahead that make the way ful
 constexpr double kSlow = 0.05;       // of v_max: nearly at rest
 constexpr double kRoom = 0.25;       // of r_A + r_B: the clearance that is nearly contact
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
-constexpr double kLeastWeight = 0.3;  // of giving way on the way
-constexpr double kPush = 2.0;         // v_max, in contact
-constexpr double kYields = 5.0;       // T for which it gives way near its goal
-constexpr double kRecovers = 1.25;    // T after which it would again
-constexpr double kMostDetour = 2.4;   // almost back
-constexpr double kTurnOff = 1.0;      // per T
-constexpr double kTurnBack = 2.0;     // per T
-constexpr double kBlocked = 0.5;      // of the velocity that the limits alone allow
+constexpr double kLeastWeight = 0.3;     // of giving way on the way
+constexpr double kPush = 2.0;            // v_max, in contact
+constexpr double kSettled = 2.0;         // times kYields until it stays where it is
+constexpr double kSettleDistance = 0.25;  // radii, from the goal
+constexpr double kYields = 5.0;          // T for which it gives way near its goal
+constexpr double kRecovers = 1.25;       // T after which it would again
+constexpr double kMostDetour = 2.4;      // almost back
+constexpr double kTurnOff = 1.0;         // per T
+constexpr double kTurnBack = 2.0;        // per T
+constexpr double kBlocked = 0.5;         // of the velocity that the limits alone allow
 
 double time_to_speed(const Robot& robot) {
   return robot.max_speed / robot.max_acceleration;
@@ -86,9 +88,18 @@ Vec2 give_way(const Robot& robot, std::span<const Neighbor> neighbors, double ti
   const double elapsed = time_step / time_to_speed(robot);
   const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;
   detour.yielded = near_goal && push != Vec2{}
-                       ? std::min(detour.yielded + elapsed / kYields, 1.0)
+                       ? std::min(detour.yielded + elapsed / kYields, kSettled)
                        : std::max(detour.yielded - elapsed / kRecovers, 0.0);
-  return (kPush * robot.max_speed * (1.0 - detour.yielded)) * push;
+  return (kPush * robot.max_speed * std::max(1.0 - detour.yielded, 0.0)) * push;
+}
+
+bool is_sound(const Detour& detour) {
+  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.yielded >= 0.0 &&
+         detour.yielded <= kSettled;
+}
+
+bool has_settled(const Robot& robot, const Detour& detour) {
+  return detour.yielded >= kSettled && robot.distance_to_goal < kSettleDistance * robot.radius;
 }
 
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {

@@ -18,6 +18,12 @@ Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors);
 Vec2 give_way(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
               Detour& detour);
 
+/// Whether it is something that a robot can remember.
+bool is_sound(const Detour& detour);
+
+/// Whether the robot has been beside others for so long, and so near its goal, that it stays there.
+bool has_settled(const Robot& robot, const Detour& detour);
+
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);
 

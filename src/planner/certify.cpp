@@ -71,7 +71,8 @@ Choice choose_and_arrive(const Decision& decision, std::span<const Neighbor> nei
                          Detour& detour) {
   const Robot& robot = decision.robot;
   const double time_step = decision.law.step.time_step;
-  const Vec2 wish = keep_right(robot, neighbors) + give_way(robot, neighbors, time_step, detour);
+  const Vec2 push = give_way(robot, neighbors, time_step, detour);
+  const Vec2 wish = has_settled(robot, detour) ? Vec2{} : keep_right(robot, neighbors) + push;
   Choice choice = choose(decision, decision.half_planes, wish);
   if (!may_detour(robot)) {
     detour.angle = 0.0;
@@ -134,7 +135,14 @@ Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, V
                       double violation, bool overlapping, PlanWorkspace& workspace) const noexcept {
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const CertificateLaw law = certificate_law(*this);
-  collect_walls(robot, neighbors, law, certified.walls);
+  // none of them decides, whatever it could do
+  std::vector<Neighbor>& movers = workspace.scratch_->movers;
+  movers.assign(neighbors.begin(), neighbors.end());
+  for (Neighbor& mover : movers) {
+    if (mover.max_acceleration > 0.0) mover.acceleration = {};
+    mover.max_acceleration = 0.0;
+  }
+  collect_walls(robot, movers, law, certified.walls);
   const Vec2 wanted =
       approach(robot.velocity, target, braking_decrement(robot.max_acceleration, law.step));
   const Choice choice{choose_certified(robot, wanted, law, certified), violation};

@@ -11,6 +11,7 @@
 #include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
+#include "planner/arrival.h"
 #include "planner/braking.h"
 #include "planner/options.h"
 #include "planner/passive_obstacles.h"
@@ -34,7 +35,9 @@ bool can_brake(const Robot& robot) {
 
 bool is_valid(const Robot& robot) {
   return can_brake(robot) && is_valid(robot.position) && is_valid(robot.preferred_velocity) &&
-         kSize.contains(robot.radius);
+         kSize.contains(robot.radius) && robot.distance_to_goal >= 0.0 &&
+         (!robot.car ||
+          (kAnyValue.contains(robot.car->heading) && kSize.contains(robot.car->wheelbase)));
 }
 
 bool is_valid(const Neighbor& neighbor) {
@@ -49,6 +52,13 @@ bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
     if (!is_valid(neighbor)) return false;
   }
   return true;
+}
+
+// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under
+// these.
+bool can_follow(const Robot& robot, const PlannerOptions& options) {
+  return !robot.car || options.certificate == Certificate::none ||
+         (options.motion == Motion::held && options.certificate != Certificate::linear_soft_stop);
 }
 
 // p_AB, v_AB, r_AB
@@ -190,8 +200,13 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   if (options_.method == Method::velocity_obstacle) {
     return plan_among_obstacles(robot, neighbors, workspace);
   }
-  if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
-  if (options_.method == Method::avo) return plan_avo(robot, neighbors, workspace, detour);
+  if (!all_valid(robot, neighbors) || !can_follow(robot, options_)) {
+    return brake(robot, PlanStatus::invalid_input, 0.0);
+  }
+  if (options_.method == Method::avo) {
+    if (!is_sound(detour)) detour = {};
+    return plan_avo(robot, neighbors, workspace, detour);
+  }
 
   collect_half_planes(robot, neighbors, workspace);
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
@@ -220,7 +235,9 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const noexcept {
-  if (!all_valid(robot, obstacles)) return brake(robot, PlanStatus::invalid_input, 0.0);
+  if (!all_valid(robot, obstacles) || !can_follow(robot, options_)) {
+    return brake(robot, PlanStatus::invalid_input, 0.0);
+  }
   const Response response = adopts_at_once(options_.method)
                                 ? Response::velocity()
                                 : Response::proportional(options_.control_time);

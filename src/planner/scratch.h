@@ -19,6 +19,7 @@ struct PlanWorkspace::Scratch {
   std::vector<HalfPlane> half_planes;
   std::vector<HalfPlane> projected;
   std::vector<PassiveObstacle> obstacles;
+  std::vector<Neighbor> movers;
   PassiveWorkspace passive;
   CertifiedWorkspace certified;
 };

@@ -142,6 +142,11 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
 void check_certificate(const Scenario& scenario) {
   const PlannerOptions options = planner_options(scenario);
   if (options.certificate == Certificate::none) return;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    if (scenario.robots[i].car && options.motion != Motion::held)
+      refuse(text(Place{"robots", i, "car"}), "a car-like robot",
+             "none with a certificate where motion is exponential");
+  }
   if (scenario.method != Method::avo)
     refuse("certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(scenario.method));

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "avo/assumptions.h"
 #include "avo/error.h"
 #include "core/parallel.h"
 #include "neighbors/uniform_grid.h"
@@ -92,6 +93,7 @@ struct Simulation::State {
   bool alone() const { return fleet.size() == 1; }
 
   void check(const RobotSetup& setup, RobotId robot) const;
+  void check_sensing(const RobotSetup& setup, RobotId robot) const;
   Robot robot(std::size_t i) const;
   std::optional<CarSetup> car(std::size_t i) const;
   void sense(std::size_t i, Worker& worker) const;
@@ -126,6 +128,22 @@ std::optional<CarSetup> Simulation::State::car(std::size_t i) const {
   std::optional<CarSetup> car = fleet.setup[i].car;
   if (car) car->heading = fleet.heading[i];
   return car;
+}
+
+// Throws Error if nobody would see this one in time, or it others.
+void Simulation::State::check_sensing(const RobotSetup& setup, RobotId robot) const {
+  Scenario scene = settings;
+  scene.moving_obstacles = obstacles.setup;
+  scene.robots = fleet.setup;
+  const auto before = sensing_need(scene);
+  scene.robots.push_back(setup);
+  const auto need = sensing_need(scene);
+  if (!need || need->range <= scene.sensing_radius * (1.0 + 1e-9)) return;
+  if (before && need->range <= before->range) return;  // that was so without it
+  throw Error("robot " + std::to_string(robot.value) + ": found a max_speed of " +
+              std::to_string(setup.max_speed) + " m/s, has to be seen from " +
+              std::to_string(need->range) + " m, sensing_radius is " +
+              std::to_string(scene.sensing_radius) + " m");
 }
 
 Robot Simulation::State::robot(std::size_t i) const {
@@ -219,6 +237,7 @@ void Simulation::step() {
 RobotId Simulation::add_robot(const RobotSetup& setup) {
   const RobotId robot{state_->next_id};
   state_->check(setup, robot);
+  state_->check_sensing(setup, robot);
   ++state_->next_id;
   state_->fleet.add(robot, setup);
   state_->index();
