@@ -71,6 +71,7 @@ struct PlannerOptions {
 PlannerOptions default_options(Method method);
 
 enum class PlanStatus : std::uint8_t {
+  /// Of method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
   optimal,        ///< v' lies in CA_A: no collision before τ if all do likewise (Definition 4)
   least_unsafe,   ///< CA_A is empty: v' violates it by as little as the limits allow
   candidate,      ///< the certificate refused that choice and admitted another one near it
@@ -81,7 +82,10 @@ enum class PlanStatus : std::uint8_t {
 const char* to_string(PlanStatus status);
 
 struct Plan {
-  Vec2 new_velocity = {};                   ///< [v'_A] m/s, Eqs. (14), (23)
+  /// [v'_A] m/s, Eqs. (14), (23). Of method avo, which approaches its target as fast as it may: the
+  /// command that leads to the next velocity by Eq. (7); it may lie beyond v_max, which that does
+  /// not.
+  Vec2 new_velocity = {};
   Vec2 acceleration = {};                   ///< [a_A] m/s^2 at the start of the step, Eq. (7)
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
   double violation = 0.0;                   ///< m/s: by how much CA_A is missed; 0 if optimal
