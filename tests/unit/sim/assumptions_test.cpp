@@ -100,9 +100,9 @@ TEST(Assumptions, depth_is_never_more_than_contact) {
 
 TEST(Assumptions, a_mover_counts_while_the_robot_brakes) {
   Scenario scene = head_on(20.0, {Certificate::braking_trajectories, Motion::held});
-  scene.robots.pop_back();  // at 2 m/s towards +x; it counts on 21 steps of braking
+  scene.robots.pop_back();  // at 2 m/s towards +x, 20 steps of braking and 2 m
   const Vec2 own = scene.robots[0].position;
-  scene.moving_obstacles = {{own + Vec2{1.0 + 2.0 + 2.1, 0.0}, {-1.0, 0.0}, {}, 0.5}};
+  scene.moving_obstacles = {{own + Vec2{1.0 + 2.0 + 2.0, 0.0}, {-1.0, 0.0}, {}, 0.5}};
   EXPECT_TRUE(accepts(scene));
   scene.moving_obstacles[0].position.x -= 1e-3;
   const BrokenAssumptions broken = broken_assumptions(scene);
@@ -126,7 +126,7 @@ TEST(Assumptions, a_mover_from_rest_counts_by_its_acceleration) {
     scene.robots.pop_back();
     const CertificateLaw law = certificate_law(scene);
     const double u = braking_decrement(1.0, law.step);
-    const double seconds = 0.1 * braking_steps(2.0, u);
+    const double seconds = 0.1 * braking_steps_at_least(2.0, u);
     const double meeting = 1.0 + stopping_length(2.0, u, law.step) + 0.5 * seconds * seconds * 0.8;
     // it moves on a parabola, the robot does not where its motion is exponential: a Δt²/8 at most
     const double margin = motion == Motion::held ? 0.0 : 0.001;

@@ -119,7 +119,9 @@ TEST(Fleet, a_far_robot_changes_no_bit_of_the_others) {
     Simulation plain(scene, 2), other(scene, 2);
     RobotId far{};
     for (int k = 0; k < 120; ++k) {
-      if (k == 30) far = other.add_robot(far_robot());
+      RobotSetup slow = far_robot();  // seen early enough under every certificate
+      slow.max_speed = slow.preferred_speed = 0.1;
+      if (k == 30) far = other.add_robot(slow);
       if (k == 80) other.remove_robot(far);
       plain.step();
       other.step();
