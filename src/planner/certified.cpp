@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "lp/linear_program.h"
@@ -44,7 +45,7 @@ void append_cuts(const Proposals& proposals) {
     std::size_t last = first;
     while (last < all.size() && all[last].neighbor == all[first].neighbor) ++last;
     const WorstWall worst = worst_wall(walls.trajectories, walls.path, first, last);
-    if (worst.coefficient < 0.0) {
+    if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient)) {
       HalfPlane cut = tangent(worst, walls.path, proposals.robot, proposals.law.step);
       cut.offset += kInside * proposals.acceleration.radius;
       proposals.workspace.hard.push_back(cut);
