@@ -111,8 +111,7 @@ void allow_braking(const TrajectoryWalls& walls, TrajectoryWall& wall) {
 
 void append_walls(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
                   double deviation, TrajectoryWalls& walls, Invariant& invariant) {
-  const auto count = static_cast<std::size_t>(
-      pair.decides ? std::max(pair.a.intervals, pair.b.intervals) : pair.a.intervals);
+  const auto count = static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals));
   const double moving = braking_steps_at_least(pair.a.speed, pair.a.decrement);
   const double inflation = parabola_error(neighbor, law);
   const double inflated = pair.inflated + inflation, room = deviation / pair.share;
