@@ -12,6 +12,7 @@
 #include "avo/error.h"
 #include "core/parallel.h"
 #include "neighbors/uniform_grid.h"
+#include "planner/tile.h"
 #include "robots/motion.h"
 #include "sim/fleet.h"
 #include "sim/goals.h"
@@ -19,11 +20,16 @@
 namespace avo {
 namespace {
 
-// What one worker needs to plan for one robot after the other without allocating.
+// Robots of a tile: with ten neighbors each, what is planned at a time stays in the cache.
+constexpr std::size_t kTileRobots = 64;
+
+// What one worker needs to plan for one tile after the other without allocating, and its sums.
 struct Worker {
   PlanWorkspace plan;
+  Tile tile;
+  StageClock clock;
+  std::int64_t pairs = 0, infeasible = 0;
   std::vector<NeighborHit> robots, obstacles;
-  std::vector<Neighbor> neighbors;
   std::vector<int> source;
 
   // Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
@@ -31,8 +37,9 @@ struct Worker {
     constexpr std::size_t kMostAhead = 4096;  // of more, memory grows when it is needed
     robots.reserve(std::min(all_robots, kMostAhead));
     obstacles.reserve(std::min(all_obstacles, kMostAhead));
-    neighbors.reserve(std::min({all_robots + all_obstacles, most, kMostAhead}));
-    source.reserve(neighbors.capacity());
+    const std::size_t seen = std::min({all_robots + all_obstacles, most, kMostAhead});
+    tile.reserve(kTileRobots, kTileRobots * seen);
+    source.reserve(seen);
   }
 };
 
@@ -48,6 +55,7 @@ struct Simulation::State {
   std::vector<Worker> workers;
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
+  std::int64_t robot_steps = 0;  // measured
 
   State(const Scenario& scenario, int threads)
       : settings(scenario), planner(planner_options(scenario)), response(step_response(planner)) {
@@ -70,7 +78,7 @@ struct Simulation::State {
   void reserve() {
     for (Worker& worker : workers) {
       worker.reserve(fleet.size(), obstacles.setup.size(), most_neighbors());
-      worker.plan.reserve(worker.neighbors.capacity(), most_braking_steps());
+      worker.plan.reserve(worker.source.capacity(), most_braking_steps());
     }
   }
   // of any robot and what it may decide on
@@ -97,7 +105,8 @@ struct Simulation::State {
   Robot robot(std::size_t i) const;
   std::optional<CarSetup> car(std::size_t i) const;
   void sense(std::size_t i, Worker& worker) const;
-  void plan(std::size_t i, Worker& worker);
+  void plan(Worker& worker) const;
+  void plan_and_move(std::size_t first, std::size_t last, Worker& worker);
   void move(std::size_t i);
 };
 
@@ -164,25 +173,25 @@ void Simulation::State::sense(std::size_t i, Worker& worker) const {
   const std::size_t most = most_neighbors();
   robot_grid.gather(fleet.position[i], static_cast<int>(i), most, worker.robots);
   obstacle_grid.gather(fleet.position[i], -1, most, worker.obstacles);
-  worker.neighbors.clear();
+  std::vector<Neighbor>& neighbors = worker.tile.neighbors;
   worker.source.clear();
   auto robot = worker.robots.begin();
   auto obstacle = worker.obstacles.begin();
-  while (worker.neighbors.size() < most) {
+  while (worker.source.size() < most) {
     const bool more_robots = robot != worker.robots.end();
     const bool more_obstacles = obstacle != worker.obstacles.end();
     if (!more_robots && !more_obstacles) break;
     if (more_robots && (!more_obstacles || robot->distance_squared <= obstacle->distance_squared)) {
       const auto j = static_cast<std::size_t>(robot->index);
       const RobotSetup& setup = fleet.setup[j];
-      worker.neighbors.push_back(
+      neighbors.push_back(
           {fleet.position[j], fleet.velocity[j], setup.radius, setup.max_acceleration, {}});
       worker.source.push_back(robot->index);
       ++robot;
     } else {
       const auto k = static_cast<std::size_t>(obstacle->index);
       const MovingObstacle& setup = obstacles.setup[k];
-      worker.neighbors.push_back(
+      neighbors.push_back(
           {obstacles.position[k], obstacles.velocity[k], setup.radius, 0.0, setup.acceleration});
       worker.source.push_back(-1 - obstacle->index);
       ++obstacle;
@@ -190,10 +199,38 @@ void Simulation::State::sense(std::size_t i, Worker& worker) const {
   }
 }
 
-void Simulation::State::plan(std::size_t i, Worker& worker) {
-  sense(i, worker);
-  fleet.plan[i] = alone() ? planner.plan_among_obstacles(robot(i), worker.neighbors, worker.plan)
-                          : planner.plan(robot(i), worker.neighbors, worker.plan, fleet.detour[i]);
+void Simulation::State::plan(Worker& worker) const {
+  Tile& tile = worker.tile;
+  if (alone()) {
+    tile.plans = {planner.plan_among_obstacles(tile.robots[0], tile.neighbors, worker.plan)};
+    worker.clock.lap(Stage::program);
+  } else {
+    plan_tile(planner, tile, worker.plan, worker.clock);
+  }
+  if (!worker.clock.is_on()) return;
+  const auto& cap = planner.options().max_neighbors;
+  for (std::size_t k = 0; k < tile.size(); ++k) {
+    const auto seen = static_cast<std::int64_t>(tile.neighbors_of(k).size());
+    worker.pairs += cap ? std::min<std::int64_t>(seen, *cap) : seen;
+    worker.infeasible += tile.plans[k].violation > 0.0 ? 1 : 0;
+  }
+}
+
+void Simulation::State::plan_and_move(std::size_t first, std::size_t last, Worker& worker) {
+  worker.clock.start();
+  worker.tile.clear();
+  for (std::size_t i = first; i < last; ++i) {
+    sense(i, worker);
+    worker.tile.add(robot(i), fleet.detour[i]);
+  }
+  worker.clock.lap(Stage::search);
+  plan(worker);
+  for (std::size_t i = first; i < last; ++i) {
+    fleet.plan[i] = worker.tile.plans[i - first];
+    fleet.detour[i] = worker.tile.detours[i - first];
+    move(i);
+  }
+  worker.clock.lap(Stage::motion);
 }
 
 void Simulation::State::move(std::size_t i) {
@@ -223,15 +260,20 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
   State& state = *state_;
-  parallel_for(state.fleet.size(), static_cast<int>(state.workers.size()),
-               [&](std::size_t i, std::size_t worker) {
-                 state.plan(i, state.workers[worker]);
-                 state.move(i);
+  const std::size_t robots = state.fleet.size();
+  parallel_for((robots + kTileRobots - 1) / kTileRobots,
+               robots < kFewestParallel ? 1 : state.workers.size(),
+               [&](std::size_t tile, std::size_t worker) {
+                 state.plan_and_move(tile * kTileRobots, std::min((tile + 1) * kTileRobots, robots),
+                                     state.workers[worker]);
                });
+  state.workers[0].clock.start();
   state.fleet.swap_generations();
   state.obstacles.advance(state.settings.time_step);
   ++state.steps;
+  if (state.workers[0].clock.is_on()) state.robot_steps += static_cast<std::int64_t>(robots);
   state.index();
+  state.workers[0].clock.lap(Stage::index);
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
@@ -292,12 +334,34 @@ std::uint64_t Simulation::state_hash() const {
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   Worker worker;
   state_->sense(robot, worker);
-  return {state_->robot(robot), std::move(worker.neighbors), std::move(worker.source),
+  return {state_->robot(robot), std::move(worker.tile.neighbors), std::move(worker.source),
           state_->fleet.detour[robot], state_->alone()};
 }
 
 const Planner& Simulation::planner() const {
   return state_->planner;
+}
+
+void Simulation::measure(bool on) {
+  for (Worker& worker : state_->workers) {
+    worker.clock.measure(on);
+    worker.pairs = worker.infeasible = 0;
+  }
+  state_->robot_steps = 0;
+}
+
+StepProfile Simulation::profile() const {
+  StepProfile profile{state_->robot_steps, 0, 0, {}};
+  for (std::size_t k = 0; k < kStageNames.size(); ++k) {
+    double sum = 0.0;
+    for (const Worker& worker : state_->workers) sum += worker.clock.nanoseconds(k);
+    profile.stages.push_back({kStageNames[k], sum});
+  }
+  for (const Worker& worker : state_->workers) {
+    profile.pairs += worker.pairs;
+    profile.infeasible += worker.infeasible;
+  }
+  return profile;
 }
 
 }  // namespace avo

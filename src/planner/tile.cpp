@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/tile.h"
+
+namespace avo {
+
+void Tile::clear() {
+  robots.clear();
+  neighbors.clear();
+  first.assign(1, 0);
+  detours.clear();
+  plans.clear();
+}
+
+void Tile::add(const Robot& robot, const Detour& detour) {
+  robots.push_back(robot);
+  first.push_back(neighbors.size());
+  detours.push_back(detour);
+}
+
+std::span<const Neighbor> Tile::neighbors_of(std::size_t i) const {
+  return std::span(neighbors).subspan(first[i], first[i + 1] - first[i]);
+}
+
+void Tile::reserve(std::size_t most_robots, std::size_t most_neighbors) {
+  robots.reserve(most_robots);
+  neighbors.reserve(most_neighbors);
+  first.reserve(most_robots + 1);
+  detours.reserve(most_robots);
+  plans.reserve(most_robots);
+}
+
+void plan_tile(const Planner& planner, Tile& tile, PlanWorkspace& workspace, StageClock& clock) {
+  tile.plans.resize(tile.size());
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    tile.plans[i] = planner.plan(tile.robots[i], tile.neighbors_of(i), workspace, tile.detours[i]);
+  }
+  clock.lap(Stage::program);
+}
+
+}  // namespace avo
