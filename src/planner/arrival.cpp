@@ -15,16 +15,16 @@ constexpr double kCongestion = 5.0;  // robots right ahead that make the way ful
 constexpr double kSlow = 0.05;       // of v_max: nearly at rest
 constexpr double kRoom = 0.25;       // of r_A + r_B: the clearance that is nearly contact
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
-constexpr double kLeastWeight = 0.3;     // of giving way on the way
-constexpr double kPush = 2.0;            // v_max, in contact
-constexpr double kSettled = 2.0;         // times kYields until it stays where it is
+constexpr double kLeastWeight = 0.3;      // of giving way on the way
+constexpr double kPush = 2.0;             // v_max, in contact
+constexpr double kSettled = 2.0;          // times kYields until it stays where it is
 constexpr double kSettleDistance = 0.25;  // radii, from the goal
-constexpr double kYields = 5.0;          // T for which it gives way near its goal
-constexpr double kRecovers = 1.25;       // T after which it would again
-constexpr double kMostDetour = 2.4;      // almost back
-constexpr double kTurnOff = 1.0;         // per T
-constexpr double kTurnBack = 2.0;        // per T
-constexpr double kBlocked = 0.5;         // of the velocity that the limits alone allow
+constexpr double kYields = 5.0;           // T for which it gives way near its goal
+constexpr double kRecovers = 1.25;        // T after which it would again
+constexpr double kMostDetour = 2.4;       // almost back
+constexpr double kTurnOff = 1.0;          // per T
+constexpr double kTurnBack = 2.0;         // per T
+constexpr double kBlocked = 0.5;          // of the velocity that the limits alone allow
 
 double time_to_speed(const Robot& robot) {
   return robot.max_speed / robot.max_acceleration;
@@ -55,6 +55,10 @@ double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 
 }
 
 }  // namespace
+
+double arrival_range(const Robot& robot, double largest_radius) {
+  return std::max(traffic_range(robot), (1.0 + kRoom) * (robot.radius + largest_radius));
+}
 
 Vec2 turned_right(Vec2 a, double angle) {
   // t = tan(angle / 2) by its continued fraction; any t makes a rotation
