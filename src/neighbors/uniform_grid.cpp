@@ -75,6 +75,10 @@ SortedPart UniformGrid::build_part(std::span<const std::uint32_t> keys,
   return sorted;
 }
 
+void UniformGrid::forget_order() {
+  std::iota(sort_.order.begin(), sort_.order.end(), 0U);
+}
+
 std::size_t UniformGrid::collect(const NeighborQuery& query, double radius,
                                  std::vector<NeighborHit>& buffer) const {
   // a distance within the radius as computed exceeds it by less than 4 ulp, or underflows

@@ -60,8 +60,11 @@ class UniformGrid {
   std::span<const NeighborHit> find(const NeighborQuery& query,
                                     std::vector<NeighborHit>& buffer) const;
 
-  /// Indices of the points given, by place.
+  /// Which of the points given is at each place.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return sort_.order; }
+  /// Once whoever gave the points has put them in that order.
+  void forget_order();
+  [[nodiscard]] Vec2 position(std::size_t place) const { return {x_[place], y_[place]}; }
 
  private:
   std::size_t collect(const NeighborQuery& query, double radius,

@@ -26,27 +26,27 @@ Vec2 limited(Vec2 a, double length) {
 
 }  // namespace
 
-Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, Vec2 goal,
+Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
                         const Planner& planner) {
   const PlannerOptions& options = planner.options();
   const Vec2 way = goal - position;
   const double distance = norm(way);
   const Vec2 direction = distance > 0.0 ? way / distance : Vec2{};
   if (adopts_at_once(options.method)) {
-    return std::min(setup.preferred_speed, distance / options.time_step) * direction;
+    return std::min(robot.preferred_speed, distance / options.time_step) * direction;
   }
 
   if (options.method == Method::avo) {
     // nearer than rounding can tell: there
     if (distance <= 0x1p-46 * (norm(position) + norm(goal))) return {};
     // it approaches v' as fast as it can, so v' needs no lead
-    const double u = planner.step_rate() * options.control_time * setup.max_acceleration;
+    const double u = planner.step_rate() * options.control_time * robot.max_acceleration;
     const double speed = admissible_speed(distance - planner.step_lag() * dot(velocity, direction),
                                           u, options.time_step);
-    return std::min(setup.preferred_speed, speed) * direction;
+    return std::min(robot.preferred_speed, speed) * direction;
   }
   // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
-  const double change = std::min(options.control_time * setup.max_acceleration, setup.max_speed);
+  const double change = std::min(options.control_time * robot.max_acceleration, robot.max_speed);
   const double rate = planner.step_rate();
   const double along = dot(velocity, direction);
   // 2 distance/δ: among parked robots less than the full deceleration is left, and a robot that
@@ -54,13 +54,13 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, V
   const double speed = std::min(
       admissible_speed(distance - planner.step_lag() * along, rate * change, options.time_step),
       2.0 * distance / options.control_time);
-  if (speed >= setup.preferred_speed) return setup.preferred_speed * direction;
+  if (speed >= robot.preferred_speed) return robot.preferred_speed * direction;
 
   const Vec2 wanted =
-      limited((speed * direction - velocity) / rate, options.control_time * setup.max_acceleration);
+      limited((speed * direction - velocity) / rate, options.control_time * robot.max_acceleration);
   const Vec2 v_new = velocity + wanted;
   if (speed < along) return v_new;
-  return limited(v_new, std::min(setup.preferred_speed, std::max(speed, norm(velocity))));
+  return limited(v_new, std::min(robot.preferred_speed, std::max(speed, norm(velocity))));
 }
 
 }  // namespace avo
