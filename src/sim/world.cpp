@@ -245,8 +245,8 @@ World::World(const Scenario& scenario, int threads)
   fleet.reserve(scenario.robots.size());
   for (const RobotSetup& setup : scenario.robots) fleet.add({next_id++}, setup);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
-  settings.robots = {};
-  settings.moving_obstacles = {};
+  settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
+  settings.moving_obstacles = std::vector<MovingObstacle>();
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
