@@ -45,8 +45,7 @@ Kind kind_of(const Pair& pair, const Horizon& horizon) {
 }
 
 template <typename Number>
-void half_planes_of(benchmark::State& state, Kind kind, double near, double far, double delta,
-                    double tau) {
+void run(benchmark::State& state, Kind kind, double near, double far, double delta, double tau) {
   const Horizon horizon(delta, tau, 0.1);
   std::uint64_t seed = 2011;
   std::vector<PairColumns<Number>> batches(kBatches);
@@ -71,8 +70,8 @@ void half_planes_of(benchmark::State& state, Kind kind, double near, double far,
   }
   const auto pairs = static_cast<double>(state.iterations()) * static_cast<double>(kBatch);
   state.SetItemsProcessed(static_cast<std::int64_t>(pairs));
-  state.counters["ns"] = benchmark::Counter(
-      pairs * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns"] =
+      benchmark::Counter(pairs * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["tip"] = static_cast<double>(all.tip) / pairs;
   state.counters["convex"] = static_cast<double>(all.convex) / pairs;
   state.counters["horn"] = static_cast<double>(all.horn) / pairs;
@@ -80,9 +79,18 @@ void half_planes_of(benchmark::State& state, Kind kind, double near, double far,
   state.SetLabel(simd_target());
 }
 
-#define AVO_HALF_PLANES(name, ...)                                       \
-  BENCHMARK_CAPTURE(half_planes_of<double>, name##_double, __VA_ARGS__); \
-  BENCHMARK_CAPTURE(half_planes_of<float>, name##_single, __VA_ARGS__)
+void in_double(benchmark::State& state, Kind kind, double near, double far, double delta,
+               double tau) {
+  run<double>(state, kind, near, far, delta, tau);
+}
+void in_single(benchmark::State& state, Kind kind, double near, double far, double delta,
+               double tau) {
+  run<float>(state, kind, near, far, delta, tau);
+}
+
+#define AVO_HALF_PLANES(...)                 \
+  BENCHMARK_CAPTURE(in_double, __VA_ARGS__); \
+  BENCHMARK_CAPTURE(in_single, __VA_ARGS__)
 
 AVO_HALF_PLANES(mixed_1_to_7_m, Kind::mixed, 1.0, 7.0, 4.0, 10.0);
 AVO_HALF_PLANES(mixed_1_to_15_m, Kind::mixed, 1.0, 15.0, 4.0, 10.0);

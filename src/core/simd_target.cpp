@@ -11,8 +11,6 @@
 #include "avo/error.h"
 #ifdef AVO_HIGHWAY
 #include <hwy/highway.h>
-
-#include "core/highway_targets.h"
 #endif
 
 namespace avo {

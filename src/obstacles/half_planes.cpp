@@ -11,20 +11,16 @@
 #include "obstacles/kernels.h"
 
 #ifdef AVO_HIGHWAY
-#include "core/highway_targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "obstacles/half_planes.cpp"
-#include <hwy/foreach_target.h>
-
+// clang-format off
+#include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
 #include "core/lanes.h"
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
-#include "obstacles/half_plane_kernel.h"
-#include "obstacles/half_planes_kernel.h"
-#include "obstacles/horn_kernel.h"
-#include "obstacles/response_kernel.h"
-#include "obstacles/single_kernel.h"
+#include "obstacles/half_plane_kernels.h"
 
 void solve_double(const PairColumns<double>& pairs, const Horizon& horizon,
                   HalfPlaneWorkspace<double>& work, PlaneColumns<double>& planes) {

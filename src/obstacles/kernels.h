@@ -36,11 +36,7 @@ template <typename Number>
 constexpr double kSlowest = std::is_same_v<Number, double> ? 1e-100 : 1e-18;
 
 namespace scalar {
-#include "obstacles/half_plane_kernel.h"
-#include "obstacles/half_planes_kernel.h"
-#include "obstacles/horn_kernel.h"
-#include "obstacles/response_kernel.h"
-#include "obstacles/single_kernel.h"
+#include "obstacles/half_plane_kernels.h"
 }  // namespace scalar
 
 }  // namespace avo
