@@ -21,7 +21,7 @@ struct Frame {
 // to survive rounding, or robots on a circle would each choose a side at random.
 template <typename Real>
 AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const ResponseAt& end) {
-  const Real d = norm(p), speed = norm(v), per_d = Real(1.0) / d;
+  const Real d = norm(p), speed = norm(v), per_d = inverse(d);
   const Real across = p.x * v.y - p.y * v.x;
   const Real tie = Real(-kTie<typename Real::Number>) * d * speed;
   Frame<Real> frame;

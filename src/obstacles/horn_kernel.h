@@ -37,7 +37,7 @@ AVO_KERNEL NearSide<Real> near_side(const Horn<Real>& horn, const At<Real>& at,
   const Real r = horn.pair.r;
   const Vec<Real> y = horn.pair.y(at), v = horn.pair.v;
   const Real l2 = max(Real(0.0), horn.beyond(at.lag)), l = sqrt(l2);
-  const Real per_y2 = Real(1.0) / dot(y, y), per_gain = Real(1.0) / at.gain;
+  const Real per_y2 = inverse(dot(y, y)), per_gain = inverse(at.gain);
   const Vec<Real> n = {(r * y.x - l * y.y) * per_y2, (r * y.y + l * y.x) * per_y2};
   const Real n_v = dot(n, v);
   const Real normal = -n_v * at.per_rate;
@@ -62,7 +62,7 @@ AVO_KERNEL TwoPoints<Real> circle_points(const Horn<Real>& horn, const At<Real>&
   const Real cosine = -(horn.beyond(at.time) + gain_R * gain_R) / (Real(2.0) * gain_R * length);
   const Real c = min(max(cosine, Real(-1.0)), Real(1.0));
   const Real s = sqrt((Real(1.0) - c) * (Real(1.0) + c));
-  const Vec<Real> u = (R / length) * x;
+  const Vec<Real> u = (R * inverse(length)) * x;
   return {{c * u.x - s * u.y, c * u.y + s * u.x}, {c * u.x + s * u.y, c * u.y - s * u.x}};
 }
 
@@ -132,9 +132,13 @@ AVO_KERNEL NearSide<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     low = select(outside, t, low);
     high = select(outside, high, t);
     const Real excess = sqrt(side.length * per_R) - Real(1.0);
-    Real next = t + Real(2.0) * excess * side.length * side.length * side.gain_l / side.fall;
-    next = select((next > low) & (next < high), next, Real(0.5) * (low + high));
-    active = active & (abs(next - t) > Real(kTimeTolerance<typename Real::Number>) * t);
+    const auto falls = side.fall > Real(0.0);
+    const Real newton = t + Real(2.0) * excess * side.length * side.length * side.gain_l /
+                                select(falls, side.fall, Real(1.0));
+    active =
+        active & ((!falls) | (abs(newton - t) > Real(kTimeTolerance<typename Real::Number>) * t));
+    const Real next =
+        select(falls & (newton > low) & (newton < high), newton, Real(0.5) * (low + high));
     if (!any(active)) break;
     t = select(active, next, t);
   }
@@ -145,12 +149,12 @@ AVO_KERNEL NearSide<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
 template <typename Real>
 AVO_KERNEL Vec<Real> chord_normal(Vec<Real> a, Vec<Real> b) {
   const Vec<Real> m = b - a;
-  return (Real(1.0) / norm(m)) * perpendicular(m);
+  return inverse(norm(m)) * perpendicular(m);
 }
 template <typename Real>
 AVO_KERNEL Vec<Real> tangent_normal(Vec<Real> a, Vec<Real> center, Real radius) {
   const Vec<Real> m = center - a;
-  const Real m2 = dot(m, m), per_m2 = Real(1.0) / m2;
+  const Real m2 = dot(m, m), per_m2 = inverse(m2);
   const Real l = sqrt(max(Real(0.0), m2 - radius * radius));
   return {(-radius * m.x - l * m.y) * per_m2, (-radius * m.y + l * m.x) * per_m2};
 }
@@ -195,7 +199,7 @@ AVO_KERNEL Plane<Real> least_support(const Hull<Real>& hull) {
   const Real infinity = Real(std::numeric_limits<Number>::infinity());
   Plane<Real> best{{Real(0.0), Real(0.0)}, infinity};
   const Real length = norm(hull.center);
-  hull.offer((Real(-1.0) / length) * hull.center, hull.disc_in_reach, best);
+  hull.offer(-inverse(length) * hull.center, hull.disc_in_reach, best);
   const Vec<Real> to_disc = hull.crossing - hull.center;
   const auto outside = dot(to_disc, to_disc) > hull.radius * hull.radius;
   hull.offer(tangent_normal(hull.crossing, hull.center, hull.radius),
