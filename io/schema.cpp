@@ -83,6 +83,9 @@ ValueSchema describe(avo::Method value, const avo::Range&) {
 ValueSchema describe(avo::Motion value, const avo::Range&) {
   return {names_schema(kMotions), name_of(kMotions, value)};
 }
+ValueSchema describe(avo::Precision value, const avo::Range&) {
+  return {names_schema(kPrecisions), name_of(kPrecisions, value)};
+}
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
 }

@@ -39,6 +39,10 @@ enum class Motion : std::uint8_t {
   exponential,  ///< Eqs. (8), (9) exactly
 };
 
+/// Lanes of the soft half-planes and of their program only; the certificate, states and motion are
+/// double.
+enum class Precision : std::uint8_t { double_precision, single_precision };
+
 /// Bounds on how far the neighbors are from where, and as fast as, they are sensed.
 struct SensingError {
   double position = 0.0;  ///< m, >= 0
@@ -50,6 +54,7 @@ struct SensingError {
 const char* to_string(Method method);
 const char* to_string(Certificate certificate);
 const char* to_string(Motion motion);
+const char* to_string(Precision precision);
 
 struct PlannerOptions {
   Method method = Method::avo;
@@ -64,6 +69,7 @@ struct PlannerOptions {
   /// [d_s] s, > 0, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
   double soft_stop_time = 2.0;
   SensingError sensing_error = {};  ///< of braking_trajectories, the same for all
+  Precision precision = Precision::double_precision;
 };
 
 /// What is customary for the method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's

@@ -18,7 +18,8 @@ std::string s(const char (&text)[N]) {
 const std::string kGood = "version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n";
 const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, time_horizon, sensing_radius, "
-    "max_neighbors, method, certificate, motion, samples, arrival_distance, seed, robots, groups, "
+    "max_neighbors, method, certificate, motion, precision, samples, arrival_distance, seed, "
+    "robots, groups, "
     "moving_obstacles";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, car";
@@ -176,6 +177,8 @@ const std::vector<BadScene> kBadScenes{
      "certificate"},
     {"motion_unknown", kGood + s("motion: exact\n"),
      "4:9: motion: found \"exact\", must be one of held, exponential"},
+    {"precision_unknown", kGood + s("precision: singel\n"),
+     "4:12: precision: found \"singel\", must be one of double, single; did you mean \"single\"?"},
     {"name_is_list", kGood + s("name: [a]\n"), "4:7: name: found a list, must be a text"},
     {"name_empty", kGood + s("name: \"\"\n"), "4:7: name: found \"\", must be a text"},
     {"name_escape", kGood + s("name: \"\\e[2J\"\n"),
