@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes that are part of the library, and circle-N, one of them for every N.
+// The scenes that are part of the library, and circle-N and uniform-N for every N.
 #include "builtin.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "avo_io/scene.h"
@@ -12,8 +13,31 @@
 namespace avo_io {
 namespace {
 
-constexpr std::string_view kCircle = "circle-";
-constexpr std::string_view kCircleTemplate = "circle-100";
+/// One scene for every number N of robots, e.g. circle-N.
+struct Family {
+  std::string_view stem;   ///< "circle-"
+  std::string_view model;  ///< the embedded file that it is, for one N
+  /// What changes with N besides the name and the number.
+  std::vector<std::string> (*overrides)(double n);
+};
+
+std::vector<std::string> no_overrides(double) {
+  return {};
+}
+
+/// The square with ten robots in every circle of 15 m, π 15² / 10 m² a robot.
+std::vector<std::string> square_of(double n) {
+  const double half = 0.5 * std::sqrt(22.5 * 3.141592653589793 * n);
+  std::vector<std::string> overrides;
+  for (const char* what : {"placement", "goals"}) {
+    overrides.push_back(fmt::format("groups.0.{0}.random.min=[-{1}, -{1}]", what, half));
+    overrides.push_back(fmt::format("groups.0.{0}.random.max=[{1}, {1}]", what, half));
+  }
+  return overrides;
+}
+
+constexpr Family kFamilies[] = {{"circle-", "circle-100", no_overrides},
+                                {"uniform-", "uniform-1000", square_of}};
 
 std::string_view embedded(std::string_view name) {
   for (const EmbeddedFile& file : embedded_files())
@@ -21,15 +45,24 @@ std::string_view embedded(std::string_view name) {
   return {};
 }
 
-std::optional<BuiltinText> find_circle(const std::string& name) {
-  const std::string number = name.substr(kCircle.size());
+std::optional<BuiltinText> find_member(const Family& family, const std::string& name) {
+  const std::string number = name.substr(family.stem.size());
   const bool whole = !number.empty() && number.find_first_not_of("0123456789") == number.npos;
   if (!whole || (number[0] == '0' && number != "0")) return std::nullopt;
   const double n = *to_double(number.substr(0, 20));
   if (n < 2 || n > static_cast<double>(avo::kMostRobots))
     throw OverrideError(fmt::format("{}: found N = {}, must be 2 to {}", name, number.substr(0, 20),
                                     avo::kMostRobots));
-  return BuiltinText{embedded(kCircleTemplate), {"name=" + name, "groups.0.number=" + number}};
+  std::vector<std::string> overrides = family.overrides(n);
+  overrides.push_back("name=" + name);
+  overrides.push_back("groups.0.number=" + number);
+  return BuiltinText{embedded(family.model), std::move(overrides)};
+}
+
+std::string listed_name(std::string_view file) {
+  for (const Family& family : kFamilies)
+    if (family.model == file) return std::string(family.stem) + "N";
+  return std::string(file);
 }
 
 /// The first line, a comment, says what the scene is.
@@ -42,8 +75,9 @@ std::string first_comment(std::string_view yaml) {
 }  // namespace
 
 std::optional<BuiltinText> find_builtin(const std::string& name) {
-  if (name.starts_with(kCircle)) {
-    if (auto circle = find_circle(name)) return circle;
+  for (const Family& family : kFamilies) {
+    if (!name.starts_with(family.stem)) continue;
+    if (auto member = find_member(family, name)) return member;
   }
   const std::string_view yaml = embedded(name);
   if (yaml.empty()) return std::nullopt;
@@ -54,8 +88,7 @@ const std::vector<BuiltinScene>& builtin_scenes() {
   static const std::vector<BuiltinScene> scenes = [] {
     std::vector<BuiltinScene> result;
     for (const EmbeddedFile& file : embedded_files())
-      result.push_back({file.name == kCircleTemplate ? "circle-N" : std::string(file.name),
-                        first_comment(file.yaml), std::string(file.yaml)});
+      result.push_back({listed_name(file.name), first_comment(file.yaml), std::string(file.yaml)});
     return result;
   }();
   return scenes;

@@ -18,9 +18,9 @@ std::span<const EmbeddedFile> embedded_files();
 
 struct BuiltinText {
   std::string_view yaml;
-  std::vector<std::string> overrides;  ///< what the name asks for, e.g. N of circle-N
+  std::vector<std::string> overrides;  ///< what the name asks for, e.g. the N robots of circle-N
 };
-/// None where it is no built-in name. Throws OverrideError for circle-N with N out of range.
+/// None where it is no built-in name. Throws OverrideError for N out of range.
 std::optional<BuiltinText> find_builtin(const std::string& name);
 
 }  // namespace avo_io

@@ -25,28 +25,45 @@ struct PlacedDisc {
 };
 
 /// Discs in square cells, to ask whether a new one is clear of all. Cells are looked up, never
-/// walked through, so that their order does not matter.
+/// walked through, so that their order does not matter. They are wide, so that most questions look
+/// into one or two of them.
 class PlacedDiscs {
  public:
-  /// No two discs asked about may reach farther than `largest_radius`.
+  /// No disc added or asked about may be larger than `largest_radius`.
   PlacedDiscs(double largest_radius, double clearance)
-      : cell_(2.0 * largest_radius + clearance), clearance_(clearance) {}
+      : largest_radius_(largest_radius),
+        clearance_(clearance),
+        cell_(4.0 * (2.0 * largest_radius + clearance)) {}
 
+  void reserve(int more) {
+    discs_.reserve(discs_.size() + static_cast<std::size_t>(more));
+    last_.reserve(discs_.size() + static_cast<std::size_t>(more));
+  }
   bool is_clear(const PlacedDisc& disc) const {
-    const Cell cell = cell_of(disc.center);
-    for (const double x : {-1.0, 0.0, 1.0})
-      for (const double y : {-1.0, 0.0, 1.0}) {
-        const auto found = discs_.find({cell.x + x, cell.y + y});
-        if (found == discs_.end()) continue;
-        for (const PlacedDisc& other : found->second)
-          if (norm(disc.center - other.center) < disc.radius + other.radius + clearance_)
-            return false;
+    const double reach = disc.radius + largest_radius_ + clearance_;  // <= cell_ / 4
+    const Cell low = cell_of(disc.center - Vec2{reach, reach});
+    const Cell high = cell_of(disc.center + Vec2{reach, reach});
+    for (const double x : {low.x, high.x}) {
+      for (const double y : {low.y, high.y}) {
+        if (!is_clear_of({x, y}, disc)) return false;
+        if (low.y == high.y) break;
       }
+      if (low.x == high.x) break;
+    }
     return true;
   }
-  void add(const PlacedDisc& disc) { discs_[cell_of(disc.center)].push_back(disc); }
+  void add(const PlacedDisc& disc) {
+    const auto [last, is_first] = last_.try_emplace(cell_of(disc.center), kNone);
+    discs_.push_back({disc, last->second});
+    last->second = static_cast<int>(discs_.size()) - 1;
+  }
 
  private:
+  static constexpr int kNone = -1;
+  struct Entry {
+    PlacedDisc disc;
+    int before;  // in the same cell, or kNone
+  };
   struct Cell {
     double x, y;  // whole numbers, of any size
     bool operator==(const Cell&) const = default;
@@ -57,8 +74,19 @@ class PlacedDiscs {
     }
   };
   Cell cell_of(Vec2 p) const { return {std::floor(p.x / cell_), std::floor(p.y / cell_)}; }
-  double cell_, clearance_;
-  std::unordered_map<Cell, std::vector<PlacedDisc>, Hash> discs_;
+  bool is_clear_of(const Cell& cell, const PlacedDisc& disc) const {
+    const auto last = last_.find(cell);
+    if (last == last_.end()) return true;
+    for (int i = last->second; i != kNone; i = discs_[static_cast<std::size_t>(i)].before) {
+      const PlacedDisc& other = discs_[static_cast<std::size_t>(i)].disc;
+      if (norm(disc.center - other.center) < disc.radius + other.radius + clearance_) return false;
+    }
+    return true;
+  }
+
+  double largest_radius_, clearance_, cell_;
+  std::vector<Entry> discs_;
+  std::unordered_map<Cell, int, Hash> last_;  // of each cell
 };
 
 /// `number` centers, uniform in the rectangle, clear of each other and of `placed`; fewer if there
@@ -67,6 +95,7 @@ std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, P
                                 Random& random) {
   constexpr int kTries = 2000;  // a disc; finds room up to about nine tenths of what is possible
   std::vector<Vec2> points;
+  placed.reserve(number);
   for (int i = 0; i < number; ++i) {
     int tries = 0;
     PlacedDisc disc{{}, radius};

@@ -10,10 +10,10 @@
 
 namespace avo_io {
 
-/// The scene called `name_or_path`: a built-in name (circle-N for any N >= 2), or a file. Each
-/// override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots that a group
-/// makes can be named as well. Throws SceneError, OverrideError or FileError; the scene returned
-/// has passed avo::validate.
+/// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), or a
+/// file. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots
+/// that a group makes can be named as well. Throws SceneError, OverrideError or FileError; the
+/// scene returned has passed avo::validate.
 avo::Scenario load_scenario(const std::string& name_or_path,
                             const std::vector<std::string>& overrides = {});
 

@@ -36,7 +36,7 @@ TEST(Verbs, scenes_are_listed_and_printed) {
   const auto json = nlohmann::json::parse(run_avo({"scenes", "--json"}).out);
   const std::vector<std::string> names{"cars-100",        "circle-N",        "crossing-streams",
                                        "moving-obstacle", "permutation-100", "positions-exchange",
-                                       "swap-blocks"};
+                                       "swap-blocks",     "uniform-N"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_TRUE(lines[i].starts_with(names[i] + " ")) << lines[i];
     EXPECT_EQ(json[i]["name"], names[i]);
