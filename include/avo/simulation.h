@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "avo/planner.h"
 #include "avo/scenario.h"
@@ -34,6 +35,19 @@ struct ObstacleView {
   std::span<const Vec2> position;
   std::span<const Vec2> velocity;
   std::span<const MovingObstacle> setup;
+};
+
+struct StageTime {
+  const char* name;
+  double nanoseconds;  ///< summed over threads and steps
+};
+
+/// What the steps since Simulation::measure(true) did.
+struct StepProfile {
+  std::int64_t robot_steps = 0;
+  std::int64_t pairs = 0;       ///< neighbors that half-planes were asked of
+  std::int64_t infeasible = 0;  ///< decisions whose CA_A is empty
+  std::vector<StageTime> stages;
 };
 
 class Simulation {
@@ -76,6 +90,12 @@ class Simulation {
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;
+
+  /// Starts anew to measure the steps, or ends it. Changes no bit of the motion.
+  void measure(bool on);
+  [[nodiscard]] StepProfile profile() const;
+  /// That a step may use.
+  [[nodiscard]] int threads() const;
 
  private:
   struct State;

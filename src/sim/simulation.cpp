@@ -4,6 +4,7 @@
 #include "avo/simulation.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -48,6 +49,8 @@ struct Simulation::State {
   std::vector<Worker> workers;
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
+  bool measuring = false;
+  StepProfile profile;
 
   State(const Scenario& scenario, int threads)
       : settings(scenario), planner(planner_options(scenario)), response(step_response(planner)) {
@@ -99,6 +102,7 @@ struct Simulation::State {
   void sense(std::size_t i, Worker& worker) const;
   void plan(std::size_t i, Worker& worker);
   void move(std::size_t i);
+  void count(std::chrono::nanoseconds planning, std::chrono::nanoseconds indexing);
 };
 
 // Throws Error on values out of range, by the name of the robot that they are for.
@@ -223,6 +227,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
   State& state = *state_;
+  const auto start = std::chrono::steady_clock::now();
   parallel_for(state.fleet.size(), static_cast<int>(state.workers.size()),
                [&](std::size_t i, std::size_t worker) {
                  state.plan(i, state.workers[worker]);
@@ -231,7 +236,9 @@ void Simulation::step() {
   state.fleet.swap_generations();
   state.obstacles.advance(state.settings.time_step);
   ++state.steps;
+  const auto planned = std::chrono::steady_clock::now();
   state.index();
+  if (state.measuring) state.count(planned - start, std::chrono::steady_clock::now() - planned);
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
@@ -298,6 +305,34 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
 
 const Planner& Simulation::planner() const {
   return state_->planner;
+}
+
+// The pairs are those of the generation just made.
+void Simulation::State::count(std::chrono::nanoseconds planning,
+                              std::chrono::nanoseconds indexing) {
+  profile.robot_steps += static_cast<std::int64_t>(fleet.size());
+  const int most = planner.options().max_neighbors.value_or(std::numeric_limits<int>::max());
+  for (std::size_t i = 0; i < fleet.size(); ++i) {
+    sense(i, workers[0]);
+    profile.pairs += std::min<std::int64_t>(most, std::ssize(workers[0].neighbors));
+    profile.infeasible += fleet.plan[i].violation > 0.0 ? 1 : 0;
+  }
+  profile.stages[0].nanoseconds += static_cast<double>(planning.count());
+  profile.stages[1].nanoseconds += static_cast<double>(indexing.count());
+}
+
+void Simulation::measure(bool on) {
+  state_->measuring = on;
+  state_->profile = {};
+  state_->profile.stages = {{"plan", 0.0}, {"index", 0.0}};
+}
+
+StepProfile Simulation::profile() const {
+  return state_->profile;
+}
+
+int Simulation::threads() const {
+  return static_cast<int>(state_->workers.size());
 }
 
 }  // namespace avo
