@@ -13,7 +13,8 @@ namespace avo {
 
 /// "avx512", "avx2", "sse4", "neon" or "scalar".
 inline const char* simd_target() {
-  return "scalar";
+  const char* forced = std::getenv("AVO_SIMD");
+  return forced != nullptr && std::string_view(forced) != "auto" ? forced : "scalar";
 }
 
 /// Throws Error where AVO_SIMD names no target, or one that this machine has not.
