@@ -9,6 +9,9 @@
 #include <vector>
 #ifdef __GLIBC__
 #include <malloc.h>
+#if __GLIBC_PREREQ(2, 33)
+#define AVO_COUNTS_ALLOCATED
+#endif
 #endif
 
 #include "avo/simulation.h"
@@ -67,7 +70,7 @@ std::vector<double> time_steps(const avo::Scenario& scenario, int threads, const
 
 /// What this process has allocated and not freed; 0 where that is not known.
 std::size_t allocated_bytes() {
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+#ifdef AVO_COUNTS_ALLOCATED
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;
 #else
@@ -93,8 +96,8 @@ BenchResults profile_steps(const avo::Scenario& scenario, int threads, const Cou
 std::vector<double> median_run(const std::vector<std::vector<double>>& runs) {
   std::vector<double> result;
   for (std::size_t k = 0; k < runs[0].size(); ++k) {
-    std::vector<double> same;
-    for (const std::vector<double>& run : runs) same.push_back(run[k]);
+    std::vector<double> same(runs.size());
+    std::transform(runs.begin(), runs.end(), same.begin(), [k](const auto& run) { return run[k]; });
     result.push_back(median(std::move(same)));
   }
   return result;
@@ -107,8 +110,8 @@ int bench(const BenchArguments& arguments) {
   const Course course = course_of(scenario, arguments);
   BenchResults results = profile_steps(scenario, arguments.threads, course);  // warms up as well
   results.runs = kRuns;
-  std::vector<std::vector<double>> runs;
-  for (int i = 0; i < kRuns; ++i) runs.push_back(time_steps(scenario, arguments.threads, course));
+  std::vector<std::vector<double>> runs(kRuns);
+  for (std::vector<double>& run : runs) run = time_steps(scenario, arguments.threads, course);
   results.milliseconds = median_run(runs);
   print(arguments.json ? to_json(scenario, results) : readable(scenario, results));
   return kDone;
