@@ -7,10 +7,21 @@ namespace avo {
 
 /// One instant of the response, see Response.
 struct ResponseAt {
-  double time = 0.0;  ///< [t] s
-  double gain = 0.0;  ///< [g(t) = t + δ (e^{-t/δ} - 1)] s
-  double rate = 0.0;  ///< [g'(t) = 1 - e^{-t/δ}]
-  double lag = 0.0;   ///< [s(t) = t - g/g'] s
+  double time = 0.0;      ///< [t] s
+  double gain = 0.0;      ///< [g(t) = t + δ (e^{-t/δ} - 1)] s
+  double rate = 0.0;      ///< [g'(t) = 1 - e^{-t/δ}]
+  double lag = 0.0;       ///< [s(t) = t - g/g'] s
+  double per_rate = 0.0;  ///< [1/g'(t)]; infinite at t = 0
+};
+
+/// The table as kernels read it: g and g' at the nodes k · seconds_per_node, 0 <= k <= last.
+template <typename Number>
+struct ResponseTable {
+  const Number* gain;  ///< s
+  const Number* rate;
+  double nodes_per_second, seconds_per_node, last;
+  double control_time, per_control_time;  ///< [δ] s, [1/δ] 1/s
+  double end;                             ///< [τ] s
 };
 
 /// Immutable; safe to share between threads.
@@ -27,13 +38,14 @@ class Horizon {
   [[nodiscard]] const ResponseAt& step() const noexcept { return step_; }
   [[nodiscard]] double control_time() const noexcept { return control_time_; }
 
+  /// Number: double or float. Valid as long as the Horizon is.
+  template <typename Number>
+  [[nodiscard]] ResponseTable<Number> table() const noexcept;
+
  private:
-  struct Node {
-    double time, gain, rate, decay;  // t_k, g(t_k), g'(t_k), e^{-t_k/δ}
-  };
   double control_time_;
-  double nodes_per_second_;
-  std::vector<Node> nodes_;
+  std::vector<double> gain_, rate_;
+  std::vector<float> float_gain_, float_rate_;
   ResponseAt end_, step_;
 };
 

@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which instructions the fast paths use: chosen once, forced by AVO_SIMD in the environment.
+// Which instructions the batch kernels use. Whatever they are, the results have the same bits.
 #pragma once
-#include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <string>
-#include <string_view>
-
-#include "avo/error.h"
 
 namespace avo {
 
-/// "avx512", "avx2", "sse4", "neon" or "scalar".
-inline const char* simd_target() {
-  const char* forced = std::getenv("AVO_SIMD");
-  return forced != nullptr && std::string_view(forced) != "auto" ? forced : "scalar";
-}
+/// "avx512", "avx2", "sse4", "neon" or "scalar": what AVO_SIMD asks for in the environment, or the
+/// best of this machine where it asks for nothing, for "auto", or for what cannot be had.
+const char* simd_target();
 
-/// Throws Error where AVO_SIMD names no target, or one that this machine has not.
-inline void check_simd_target() {
-  constexpr std::array<std::string_view, 6> kTargets{"auto", "avx512", "avx2",
-                                                     "sse4", "neon",   "scalar"};
-  const char* found = std::getenv("AVO_SIMD");
-  if (found == nullptr || std::find(kTargets.begin(), kTargets.end(), found) != kTargets.end()) {
-    return;
-  }
-  throw Error(std::string("AVO_SIMD: found \"") + found +
-              "\", must be one of auto, avx512, avx2, sse4, neon, scalar");
-}
+/// Throws Error if AVO_SIMD names no instruction set, or one that this machine or build lacks.
+void check_simd_target();
 
 }  // namespace avo

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// One number in the shape of many: kernels written over a pack of lanes run on these one at a
+// time. core/lanes.h has the same names for Highway's vectors.
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace avo::scalar {
+
+struct Mask {
+  bool bit;
+  friend Mask operator&(Mask a, Mask b) { return {a.bit && b.bit}; }
+  friend Mask operator|(Mask a, Mask b) { return {a.bit || b.bit}; }
+  friend Mask operator!(Mask a) { return {!a.bit}; }
+};
+inline bool any(Mask mask) {
+  return mask.bit;
+}
+/// Bit k is that of lane k.
+inline std::uint32_t bits(Mask mask) {
+  return mask.bit ? 1U : 0U;
+}
+
+template <typename T>
+struct Pack {
+  using Number = T;
+  static constexpr std::size_t kLanes = 1;
+  T value;
+
+  Pack() = default;
+  Pack(double constant) : value(static_cast<T>(constant)) {}  // NOLINT: as literals are
+
+  template <typename U>
+  static Pack load(const U* from) {
+    return Pack(static_cast<double>(*from));
+  }
+  template <typename U>
+  void store(U* to) const {
+    *to = static_cast<U>(value);
+  }
+
+  friend Pack operator+(Pack a, Pack b) { return make(a.value + b.value); }
+  friend Pack operator-(Pack a, Pack b) { return make(a.value - b.value); }
+  friend Pack operator*(Pack a, Pack b) { return make(a.value * b.value); }
+  friend Pack operator/(Pack a, Pack b) { return make(a.value / b.value); }
+  friend Pack operator-(Pack a) { return make(-a.value); }
+  friend Mask operator<(Pack a, Pack b) { return {a.value < b.value}; }
+  friend Mask operator<=(Pack a, Pack b) { return {a.value <= b.value}; }
+  friend Mask operator>(Pack a, Pack b) { return {a.value > b.value}; }
+  friend Mask operator>=(Pack a, Pack b) { return {a.value >= b.value}; }
+  friend Pack sqrt(Pack a) { return make(std::sqrt(a.value)); }
+  friend Pack abs(Pack a) { return make(std::abs(a.value)); }
+  friend Pack select(Mask mask, Pack yes, Pack no) { return mask.bit ? yes : no; }
+  /// table[floor(a)], a >= 0
+  friend Pack lookup(const T* table, Pack a) {
+    return make(table[static_cast<std::size_t>(a.value)]);
+  }
+  friend Pack floor(Pack a) { return make(static_cast<T>(static_cast<std::int32_t>(a.value))); }
+
+  static Pack make(T number) {
+    Pack pack;
+    pack.value = number;
+    return pack;
+  }
+};
+
+// Both of these return the second where the comparison fails, as a blend does.
+template <typename T>
+Pack<T> min(Pack<T> a, Pack<T> b) {
+  return select(a < b, a, b);
+}
+template <typename T>
+Pack<T> max(Pack<T> a, Pack<T> b) {
+  return select(a > b, a, b);
+}
+
+}  // namespace avo::scalar

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's half-plane H, Eqs. (15), (16), in closed form (§IV-B): the unit normal n of least
+// support of hull(D(0, R) ∩ AVO), with that support as offset, for as many pairs as Pack has lanes.
+// Included into a namespace that has Pack and At, once per instruction set.
+//
+// In w = v' - v the obstacle is the family of discs {w : |x(t) + g(t) w| < r}, x(t) = p + t v, with
+// centers -x/g and radii r/g. Their envelope has at time t the two normals n with n . y = r, where
+// y(t) = p + s(t) v and s = t - g/g' is the lag. Three cases:
+//   tip     the disc of τ alone is nearest: n = x(τ)/|x(τ)|
+//   convex  on collision course the obstacle is convex: n = x(t)/|x(t)| where n . y = r
+//   horn    otherwise its near side is concave, and the hull closes it by a chord from Q, where the
+//           near side crosses the circle |w| = R: once if `crosses_once`, else see horn.cpp
+
+template <typename Real>
+struct Vec {
+  Real x, y;
+  friend AVO_KERNEL Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
+  friend AVO_KERNEL Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+  friend AVO_KERNEL Vec operator*(Real s, Vec a) { return {s * a.x, s * a.y}; }
+  friend AVO_KERNEL Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
+  friend AVO_KERNEL Real norm(Vec a) { return sqrt(dot(a, a)); }
+  friend AVO_KERNEL Vec perpendicular(Vec a) { return {-a.y, a.x}; }
+};
+
+/// A pair in its own frame: first axis along p, second across it on v's side: p = (d, 0), v.y >= 0
+/// but for ties. Exchanging the robots turns this frame by 180 degrees and changes no number in it.
+template <typename Real>
+struct Local {
+  Real d;       // |p|, m
+  Vec<Real> v;  // m/s
+  Real r;       // m
+  Real R;       // reach, m/s
+
+  AVO_KERNEL Vec<Real> x(const At<Real>& at) const { return {d + at.time * v.x, at.time * v.y}; }
+  AVO_KERNEL Vec<Real> y(const At<Real>& at) const { return {d + at.lag * v.x, at.lag * v.y}; }
+};
+
+template <typename Real>
+struct Plane {
+  Vec<Real> n;
+  Real h;
+};
+
+// ---- tip
+
+template <typename Real>
+struct Tip {
+  Plane<Real> plane;
+  decltype(Real() < Real()) nearest;  // the wall n = x(τ)/|x(τ)| is nowhere higher than at τ
+};
+
+// A test without search: A <= 0, B s >= A.
+template <typename Real>
+AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end) {
+  const At<Real> end = constant<Real>(horizon_end);
+  const Vec<Real> x = pair.x(end), y = pair.y(end);
+  const Real length = norm(x), reach = pair.r * length;
+  const auto nearest = (reach > Real(0.0)) & (pair.d * x.x >= reach) & (dot(x, y) >= reach);
+  const Real per_length = Real(1.0) / length;
+  return {{per_length * x, (pair.r - length) * Real(1.0 / horizon_end.gain)}, nearest};
+}
+
+// ---- convex
+
+// Collision course: p . v < 0 and the miss distance |b| below r. With û = -v/|v| and ê across it,
+// x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
+template <typename Real>
+struct Approach {
+  Real speed, per_speed, t_m, b;  // m/s, s/m, s, m; b < 0 only in a tie
+  Vec<Real> u, e;                 // û, ê
+
+  // m = |v| (t_m - s): n . y = r reads (σ m + b²)/|x| = r where n = x/|x|
+  AVO_KERNEL Real m(const At<Real>& at) const { return speed * (t_m - at.lag); }
+};
+
+template <typename Real>
+AVO_KERNEL Approach<Real> approach(const Local<Real>& pair) {
+  Approach<Real> result;
+  result.speed = norm(pair.v);
+  result.per_speed = Real(1.0) / result.speed;
+  result.u = -result.per_speed * pair.v;
+  result.e = {-result.u.y, result.u.x};
+  result.t_m = result.u.x * pair.d * result.per_speed;
+  result.b = pair.d * pair.v.y * result.per_speed;
+  return result;
+}
+
+// Two starts, each near the root where the other is far: the lag of the latest time, and |x|
+// linear in t halfway through the disc of radius r.
+template <typename Real>
+AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
+                            const ResponseTable<typename Real::Number>& table, Real low,
+                            Real high) {
+  const Real halfway =
+      Real(0.5) * sqrt((pair.r - approach.b) * (pair.r + approach.b)) * approach.per_speed;
+  const At<Real> middle = at(table, min(max(approach.t_m - halfway, Real(0.0)), Real(table.end)));
+  const Real c = min(cosine, Real(0.95));
+  const Real sigma = max(abs(approach.b) * c / sqrt(Real(1.0) - c * c),
+                         pair.r - approach.speed * (middle.time - middle.lag));
+  return select((sigma > low) & (sigma < high), sigma, Real(0.5) * (low + high));
+}
+
+// The σ at which n . y = r. The left side of (σ m + b²)/|x| increases in σ (in t it would have a
+// kink near t_m): Newton's iteration, guarded by bisection.
+template <typename Real>
+AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
+                               const ResponseTable<typename Real::Number>& table, At<Real>& found) {
+  const Real tau = table.end, b2 = approach.b * approach.b;
+  Real low = max(Real(0.0), approach.speed * (approach.t_m - tau));
+  Real high = approach.speed * approach.t_m;
+  Real sigma = first_sigma(pair, approach, cosine, table, low, high);
+  auto active = pair.r > Real(0.0);
+  for (int i = 0; i < kMaxIterations; ++i) {
+    found = at(table, min(max(approach.t_m - sigma * approach.per_speed, Real(0.0)), tau));
+    const Real m = approach.m(found);
+    const Real x2 = sigma * sigma + b2;
+    const Real x = sqrt(x2), per_x = Real(1.0) / x;
+    const Real excess = (sigma * m + b2) * per_x - pair.r;
+    low = select(excess < Real(0.0), sigma, low);
+    high = select(excess < Real(0.0), high, sigma);
+    const Real lag_rate = select(found.rate > Real(0.0),
+                                 found.gain * (Real(1.0) - found.rate) * found.per_rate *
+                                     found.per_rate * Real(table.per_control_time),
+                                 Real(0.5));  // at t = 0
+    const Real slope = (b2 * (m - sigma) * per_x * per_x + sigma * lag_rate) * per_x;
+    Real next = sigma - excess / slope;
+    next =
+        select((slope > Real(0.0)) & (next > low) & (next < high), next, Real(0.5) * (low + high));
+    // of second order in what follows
+    active = active & (abs(next - sigma) > Real(kConvexTolerance<typename Real::Number>) * next);
+    if (!any(active)) break;
+    sigma = select(active, next, sigma);
+  }
+  return sigma;
+}
+
+template <typename Real>
+AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
+                              const ResponseTable<typename Real::Number>& table) {
+  using Number = typename Real::Number;
+  const Approach<Real> course = approach(pair);
+  const Real tau = table.end;
+  const At<Real> latest = at(table, min(course.t_m, tau));
+  const Real cosine = pair.r / course.m(latest);
+
+  At<Real> found;
+  const Real sigma = solve_approach(
+      pair, course, min((pair.r - abs(course.b)) / course.m(latest), Real(0.95)), table, found);
+  const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = Real(1.0) / x;
+  // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
+  // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
+  constexpr Number kRounding = 4 * std::numeric_limits<Number>::epsilon();
+  found = at(table, max(found.time, Real(kRounding) * course.t_m));
+  Real h = (pair.r - x) / found.gain;
+  const auto touching = pair.r - x < Real(1e-7) * pair.r;
+  h = select(touching, max(h, course.speed * (sigma * per_x) * found.per_rate), h);
+  Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
+
+  // head-on, both sides are equally near, and n is where n . y = r at t_m itself; so it is for a
+  // tie that rounding has put on the other side
+  const auto head_on = (course.b <= Real(0.0)) & (course.t_m <= tau) & (cosine < Real(1.0));
+  const Real sine = sqrt(max(Real(1.0) - cosine * cosine, Real(0.0)));
+  const Vec<Real> side = cosine * course.u + sine * course.e;
+  n.x = select(head_on, side.x, n.x);
+  n.y = select(head_on, side.y, n.y);
+  h = select(head_on, (pair.r - sine * course.b) / latest.gain, h);
+  return {n, h};
+}

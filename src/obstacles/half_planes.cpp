@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// half_planes() for every instruction set: this file is compiled once for each by
+// hwy/foreach_target.h, and the fittest is chosen at run time.
+#include "obstacles/half_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/simd_target.h"
+#include "obstacles/kernels.h"
+
+#ifdef AVO_HIGHWAY
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "obstacles/half_planes.cpp"
+// clang-format off
+#include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
+#include "core/lanes.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace avo::HWY_NAMESPACE {
+#include "obstacles/half_plane_kernels.h"
+
+void solve_double(const PairColumns<double>& pairs, const Horizon& horizon,
+                  HalfPlaneWorkspace<double>& work, PlaneColumns<double>& planes) {
+  solve<Pack<double>>(pairs, horizon, work, planes);
+}
+void solve_single(const PairColumns<float>& pairs, const Horizon& horizon,
+                  HalfPlaneWorkspace<float>& work, PlaneColumns<float>& planes) {
+  solve<Pack<float>>(pairs, horizon, work, planes);
+}
+}  // namespace avo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if !defined(AVO_HIGHWAY) || HWY_ONCE
+namespace avo {
+namespace {
+
+#ifdef AVO_HIGHWAY
+HWY_EXPORT(solve_double);
+HWY_EXPORT(solve_single);
+#endif
+
+void solve(const PairColumns<double>& pairs, const Horizon& horizon,
+           HalfPlaneWorkspace<double>& work, PlaneColumns<double>& planes) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_double)(pairs, horizon, work, planes);
+#endif
+  scalar::solve<scalar::Pack<double>>(pairs, horizon, work, planes);
+}
+void solve(const PairColumns<float>& pairs, const Horizon& horizon, HalfPlaneWorkspace<float>& work,
+           PlaneColumns<float>& planes) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_single)(pairs, horizon, work, planes);
+#endif
+  scalar::solve<scalar::Pack<float>>(pairs, horizon, work, planes);
+}
+
+template <typename T>
+void grow(std::vector<T>& column, std::size_t size) {
+  if (column.size() < size) column.resize(size);
+}
+
+// The least number of this type that is not below.
+double not_below(double value, double) {
+  return value;
+}
+float not_below(double value, float) {
+  const auto rounded = static_cast<float>(value);
+  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
+                         : rounded;
+}
+
+}  // namespace
+
+template <typename Number>
+void PairColumns<Number>::reserve(std::size_t pairs) {
+  for (std::vector<Number>* column : {&p_x, &p_y, &v_x, &v_y, &radius, &reach}) {
+    grow(*column, pairs + kMostLanes);
+  }
+}
+
+template <typename Number>
+void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
+                 HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes) {
+  const std::size_t size = pairs.count + kMostLanes;
+  for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess}) grow(*column, size);
+  grow(planes.state, size);
+  for (auto* column : {&workspace.d, &workspace.v_x, &workspace.v_y, &workspace.e_x, &workspace.e_y,
+                       &workspace.side}) {
+    grow(*column, size);
+  }
+  workspace.cases = {};
+  for (HalfPlaneQueue<Number>* queue : {&workspace.convex, &workspace.horn, &workspace.rest}) {
+    queue->count = 0;
+    grow(queue->index, size);
+  }
+  solve(pairs, horizon, workspace, planes);
+  workspace.cases.convex = workspace.convex.count;
+  workspace.cases.horn = workspace.horn.count;
+  workspace.cases.rest = workspace.rest.count;
+  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
+    const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
+    const RelativeHalfPlane plane =
+        half_plane({{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]},
+                   pairs.reach[i], horizon);
+    planes.state[i] = plane.state;
+    planes.n_x[i] = static_cast<Number>(plane.plane.normal.x);
+    planes.n_y[i] = static_cast<Number>(plane.plane.normal.y);
+    planes.h[i] = not_below(plane.plane.offset, Number());
+    planes.excess[i] = not_below(plane.excess, Number());
+  }
+}
+
+template struct PairColumns<double>;
+template struct PairColumns<float>;
+template void half_planes(PairColumns<double>&, const Horizon&, HalfPlaneWorkspace<double>&,
+                          PlaneColumns<double>&);
+template void half_planes(PairColumns<float>&, const Horizon&, HalfPlaneWorkspace<float>&,
+                          PlaneColumns<float>&);
+
+}  // namespace avo
+#endif

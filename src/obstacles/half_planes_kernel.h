@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many pairs: what can be told at once is told at once, the rest waits in a queue for its case, so
+// that all lanes work on the same one. Included after horn_kernel.h, once per instruction set.
+
+/// A pair's own frame (see Local), and what is known of it without more ado.
+template <typename Real>
+struct Frame {
+  using Mask = decltype(Real() < Real());
+  Local<Real> local;
+  Vec<Real> e;  // first axis, p/|p|
+  Real side;    // of p on which v is counted: 1 left, -1 right
+  Mask in_contact, too_far, on_collision_course;
+
+  AVO_KERNEL Vec<Real> turned_back(Vec<Real> n) const {
+    const Real y = side * n.y;
+    return {n.x * e.x - y * e.y, n.x * e.y + y * e.x};
+  }
+};
+
+// Parallel vectors are a tie, which goes to the left of p: A passes B on its own right. A tie has
+// to survive rounding, or robots on a circle would each choose a side at random.
+template <typename Real>
+AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const ResponseAt& end) {
+  const Real d = norm(p), speed = norm(v), per_d = Real(1.0) / d;
+  const Real across = p.x * v.y - p.y * v.x;
+  const Real tie = Real(-kTie<typename Real::Number>) * d * speed;
+  Frame<Real> frame;
+  frame.side = select(across < tie, Real(-1.0), Real(1.0));
+  frame.e = per_d * p;
+  frame.local = {d, {dot(p, v) * per_d, frame.side * across * per_d}, r, R};
+  frame.in_contact = (d < r) | !(d > Real(0.0));
+  // too far to touch before τ whatever both do: |p + t v| > r + R g(t) on the whole window
+  frame.too_far = d - r > speed * Real(end.time) + R * Real(end.gain);
+  frame.on_collision_course =
+      (frame.local.v.x < Real(0.0)) & (d * abs(frame.local.v.y) < r * speed);
+  return frame;
+}
+
+template <typename Number>
+AVO_KERNEL void push(HalfPlaneQueue<Number>& queue, std::size_t first, std::uint32_t lanes) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    queue.index[queue.count++] =
+        static_cast<Number>(first + static_cast<std::size_t>(std::countr_zero(lanes)));
+  }
+}
+
+template <typename Real>
+AVO_KERNEL void set_state(PlaneColumns<typename Real::Number>& planes, std::size_t first,
+                          std::uint32_t lanes, PairState state) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    planes.state[first + static_cast<std::size_t>(std::countr_zero(lanes))] = state;
+  }
+}
+
+/// Frames of all pairs, half-planes of those that the tip decides, queues of the others.
+template <typename Real>
+void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
+              HalfPlaneWorkspace<typename Real::Number>& work,
+              PlaneColumns<typename Real::Number>& planes) {
+  const ResponseAt& end = horizon.end();
+  for (std::size_t i = 0; i < pairs.count; i += Real::kLanes) {
+    const Real R = Real::load(&pairs.reach[i]);
+    const Frame<Real> frame = frame_of<Real>({Real::load(&pairs.p_x[i]), Real::load(&pairs.p_y[i])},
+                                             {Real::load(&pairs.v_x[i]), Real::load(&pairs.v_y[i])},
+                                             Real::load(&pairs.radius[i]), R, end);
+    Tip<Real> last = tip(frame.local, end);
+    last.plane = rounded_up(frame.local, last.plane);
+    frame.local.d.store(&work.d[i]);
+    frame.local.v.x.store(&work.v_x[i]);
+    frame.local.v.y.store(&work.v_y[i]);
+    frame.e.x.store(&work.e_x[i]);
+    frame.e.y.store(&work.e_y[i]);
+    frame.side.store(&work.side[i]);
+    const Vec<Real> n = frame.turned_back(last.plane.n);
+    n.x.store(&planes.n_x[i]);
+    n.y.store(&planes.n_y[i]);
+    const auto beyond_reach = last.plane.h > R;
+    select(beyond_reach, R, last.plane.h).store(&planes.h[i]);
+    select(beyond_reach, last.plane.h - R, Real(0.0)).store(&planes.excess[i]);
+    std::fill_n(&planes.state[i], Real::kLanes, PairState::constrained);
+
+    const std::size_t left = pairs.count - i;
+    std::uint32_t open = left < Real::kLanes ? (1U << left) - 1U
+                                             : 0xffffffffU >> (32U - std::uint32_t{Real::kLanes});
+    const auto take = [&open](std::uint32_t lanes) {
+      lanes &= open;
+      open &= ~lanes;
+      return lanes;
+    };
+    push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local))));
+    set_state<Real>(planes, i, take(bits(frame.too_far | (last.nearest & (last.plane.h <= -R)))),
+                    PairState::free);
+    const std::uint32_t tips = take(bits(last.nearest));
+    set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
+    work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
+    push(work.convex, i, take(bits(frame.on_collision_course)));
+    push(work.horn, i, open);
+  }
+}
+
+template <typename Real>
+AVO_KERNEL Frame<Real> queued_frame(const PairColumns<typename Real::Number>& pairs,
+                                    const HalfPlaneWorkspace<typename Real::Number>& work,
+                                    Real index) {
+  Frame<Real> frame;
+  frame.local = {lookup(work.d.data(), index),
+                 {lookup(work.v_x.data(), index), lookup(work.v_y.data(), index)},
+                 lookup(pairs.radius.data(), index),
+                 lookup(pairs.reach.data(), index)};
+  frame.e = {lookup(work.e_x.data(), index), lookup(work.e_y.data(), index)};
+  frame.side = lookup(work.side.data(), index);
+  return frame;
+}
+
+template <typename Real>
+AVO_KERNEL void put(const Frame<Real>& frame, const Plane<Real>& plane,
+                    const typename Real::Number* index, std::size_t lanes,
+                    PlaneColumns<typename Real::Number>& planes) {
+  using Number = typename Real::Number;
+  const Vec<Real> n = frame.turned_back(plane.n);
+  const auto beyond_reach = plane.h > frame.local.R;
+  alignas(64) std::array<Number, Real::kLanes> n_x{}, n_y{}, h{}, excess{};
+  n.x.store(n_x.data());
+  n.y.store(n_y.data());
+  select(beyond_reach, frame.local.R, plane.h).store(h.data());
+  select(beyond_reach, plane.h - frame.local.R, Real(0.0)).store(excess.data());
+  const std::uint32_t unavoidable = bits(beyond_reach);
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const auto i = static_cast<std::size_t>(index[k]);
+    planes.n_x[i] = n_x[k];
+    planes.n_y[i] = n_y[k];
+    planes.h[i] = h[k];
+    planes.excess[i] = excess[k];
+    if ((unavoidable >> k & 1U) != 0) planes.state[i] = PairState::unavoidable;
+  }
+}
+
+/// A queue is read by whole packs: its last place is repeated.
+template <typename Real>
+AVO_KERNEL void fill_up(HalfPlaneQueue<typename Real::Number>& queue) {
+  for (std::size_t k = 0; k < Real::kLanes && queue.count > 0; ++k) {
+    queue.index[queue.count + k] = queue.index[queue.count - 1];
+  }
+}
+
+template <typename Real>
+void solve_convex(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
+                  HalfPlaneWorkspace<typename Real::Number>& work,
+                  PlaneColumns<typename Real::Number>& planes) {
+  using Number = typename Real::Number;
+  const ResponseTable<Number> table = horizon.table<Number>();
+  fill_up<Real>(work.convex);
+  for (std::size_t i = 0; i < work.convex.count; i += Real::kLanes) {
+    const Number* index = &work.convex.index[i];
+    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index));
+    put(frame, rounded_up(frame.local, convex(frame.local, table)), index,
+        std::min(Real::kLanes, work.convex.count - i), planes);
+  }
+}
+
+template <typename Real>
+void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
+                 HalfPlaneWorkspace<typename Real::Number>& work,
+                 PlaneColumns<typename Real::Number>& planes) {
+  using Number = typename Real::Number;
+  const ResponseTable<Number> table = horizon.table<Number>();
+  fill_up<Real>(work.horn);
+  for (std::size_t i = 0; i < work.horn.count; i += Real::kLanes) {
+    const Number* index = &work.horn.index[i];
+    const std::size_t lanes = std::min(Real::kLanes, work.horn.count - i);
+    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index));
+    const HornPlane<Real> result = horn(frame.local, horizon.end(), table);
+    put(frame, rounded_up(frame.local, result.plane), index, lanes, planes);
+    const std::uint32_t settled = bits(result.settled), free = bits(result.free);
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const bool is_settled = (settled >> k & 1U) != 0;
+      if (!is_settled) work.rest.index[work.rest.count++] = index[k];
+      if (is_settled && (free >> k & 1U) != 0) {
+        planes.state[static_cast<std::size_t>(index[k])] = PairState::free;
+      }
+    }
+  }
+}
+
+template <typename Real>
+void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
+           HalfPlaneWorkspace<typename Real::Number>& work,
+           PlaneColumns<typename Real::Number>& planes) {
+  classify<Real>(pairs, horizon, work, planes);
+  solve_convex<Real>(pairs, horizon, work, planes);
+  solve_horns<Real>(pairs, horizon, work, planes);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the half-plane kernels share whatever the instruction set, and their scalar instance: the
+// reference that all others equal bit for bit.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "avo/horizon.h"
+#include "core/scalar.h"
+#include "obstacles/half_planes.h"
+
+#define AVO_KERNEL inline __attribute__((always_inline))
+
+namespace avo {
+
+// Of Newton's iterations; bisection alone would end by then.
+constexpr int kMaxIterations = 64;
+// Relative; every use is of second order in the time or in σ.
+template <typename Number>
+constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-7 : 1e-4;
+template <typename Number>
+constexpr double kConvexTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-4;
+// |sin| of an angle that may be one of rounding.
+template <typename Number>
+constexpr double kTie = std::is_same_v<Number, double> ? 1e-9 : 1e-6;
+// Of r: nearer than this, what is left is of the order of rounding.
+template <typename Number>
+constexpr double kContact = std::is_same_v<Number, double> ? 1e-9 : 1e-2;
+// m/s; slower is at rest.
+template <typename Number>
+constexpr double kSlowest = std::is_same_v<Number, double> ? 1e-100 : 1e-18;
+
+namespace scalar {
+#include "obstacles/half_plane_kernels.h"
+}  // namespace scalar
+
+}  // namespace avo

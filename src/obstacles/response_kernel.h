@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eq. (9)'s gain from a table: between nodes the response continues as
+// g(t_k + h) = g(t_k) + h g'(t_k) + e^{-t_k/δ} g(h), a sum without cancellation.
+// Included into a namespace that has Pack, once per instruction set.
+
+/// One instant of the response, see Response.
+template <typename Real>
+struct At {
+  Real time, gain, rate, per_rate, lag;
+};
+
+/// Where t >= 0. Past the table, at 40 δ, g grows by the time itself.
+template <typename Real>
+AVO_KERNEL At<Real> at(const ResponseTable<typename Real::Number>& table, Real t) {
+  const Real k = floor(min(t * Real(table.nodes_per_second), Real(table.last)));
+  const Real h = max(t - k * Real(table.seconds_per_node), Real(0.0));
+  const Real node_rate = lookup(table.rate, k), decay = Real(1.0) - node_rate;
+  // u + e^{-u} - 1 for 0 <= u <= 1/32 (and a rounding more): the series to u^9, 2^-58 relative
+  const Real u = min(h * Real(table.per_control_time), Real(1.0 / 16.0));
+  Real sum = Real(1.0) - u * Real(1.0 / 9.0);
+  sum = Real(1.0) - u * Real(1.0 / 8.0) * sum;
+  sum = Real(1.0) - u * Real(1.0 / 7.0) * sum;
+  sum = Real(1.0) - u * Real(1.0 / 6.0) * sum;
+  sum = Real(1.0) - u * Real(1.0 / 5.0) * sum;
+  sum = Real(1.0) - u * Real(1.0 / 4.0) * sum;
+  sum = Real(1.0) - u * Real(1.0 / 3.0) * sum;
+  const Real extra = Real(0.5) * u * u * sum;
+  At<Real> result;
+  result.time = t;
+  result.rate = node_rate + decay * (u - extra);
+  result.gain = lookup(table.gain, k) + (h * node_rate + decay * Real(table.control_time) * extra);
+  result.per_rate = Real(1.0) / result.rate;
+  result.lag = select(result.rate > Real(0.0), t - result.gain * result.per_rate, Real(0.0));
+  return result;
+}
+
+template <typename Real>
+AVO_KERNEL At<Real> constant(const ResponseAt& instant) {
+  At<Real> result;
+  result.time = Real(instant.time);
+  result.gain = Real(instant.gain);
+  result.rate = Real(instant.rate);
+  result.per_rate = Real(instant.per_rate);
+  result.lag = Real(instant.lag);
+  return result;
+}
