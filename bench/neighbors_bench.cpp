@@ -25,12 +25,12 @@ void index_and_gather(benchmark::State& state, double crowd) {
     positions.push_back({x, coordinate()});
   }
   UniformGrid grid;
-  std::vector<NeighborHit> hits;
+  SearchScratch scratch;
   for (auto _ : state) {
     grid.build(positions, 1.0);
     for (int i = 0; i < n; ++i) {
-      grid.gather(positions[static_cast<std::size_t>(i)], i, 10, hits);
-      benchmark::DoNotOptimize(hits.data());
+      benchmark::DoNotOptimize(
+          grid.gather(positions[static_cast<std::size_t>(i)], i, 10, scratch).data());
     }
   }
   state.counters["robots/s"] = benchmark::Counter(n, benchmark::Counter::kIsIterationInvariantRate);

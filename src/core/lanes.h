@@ -69,6 +69,28 @@ struct Pack {
   }
 };
 
+/// Stores the chosen lanes side by side and returns how many those are; may write all lanes.
+/// (Highway's own compresses into memory, which is slow on some processors, or by tables that g++
+/// copies first.)
+template <typename T>
+HWY_INLINE std::size_t store_chosen(MaskOf<T> chosen, Pack<T> a, T* to) {
+#if HWY_TARGET == HWY_AVX3
+  if constexpr (sizeof(T) == 8) {
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(chosen.raw.raw, a.raw.raw));
+    return hn::CountTrue(hn::ScalableTag<T>(), chosen.raw);
+  }
+#endif
+  alignas(HWY_MAX_BYTES) T lanes[Pack<T>::kLanes];
+  a.store(lanes);
+  const std::uint32_t chosen_bits = bits(chosen);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < Pack<T>::kLanes; ++k) {
+    to[count] = lanes[k];
+    count += (chosen_bits >> k) & 1U;
+  }
+  return count;
+}
+
 template <typename T>
 HWY_INLINE Pack<T> min(Pack<T> a, Pack<T> b) {
   return select(a < b, a, b);

@@ -10,23 +10,9 @@
 #include "avo/vec.h"
 #include "neighbors/cell_sort.h"
 #include "neighbors/cells.h"
+#include "neighbors/search.h"
 
 namespace avo {
-
-struct NeighborHit {
-  double distance_squared = 0.0;  ///< m², between centers
-  int index = 0;                  ///< of the point, or what it was called instead
-  std::uint32_t place = 0;        ///< in the order of the cells
-
-  /// The canonical order of neighbors: by distance, ties by index.
-  friend constexpr bool operator<(const NeighborHit& a, const NeighborHit& b) {
-    if (a.distance_squared != b.distance_squared) return a.distance_squared < b.distance_squared;
-    return a.index < b.index;
-  }
-  friend constexpr bool operator==(const NeighborHit& a, const NeighborHit& b) {
-    return a.distance_squared == b.distance_squared && a.index == b.index;
-  }
-};
 
 /// Whom a search is to find: all within `near`, and of those within `far` the `most` first.
 struct NeighborQuery {
@@ -46,9 +32,9 @@ class UniformGrid {
   /// number of points grows.
   void build(std::span<const Vec2> positions, double radius);
 
-  /// The points within the radius, see NeighborQuery. Replaces `out`. Allocates only while `out`
-  /// grows; safe to call from several threads.
-  void gather(Vec2 position, int self, std::size_t most, std::vector<NeighborHit>& out) const;
+  /// The points within the radius other than `self`, of those the `most` first, see find().
+  std::span<const NeighborHit> gather(Vec2 position, int self, std::size_t most,
+                                      SearchScratch& scratch) const;
 
   /// The same in parts, for points whose cells are known by their keys: prepare(), then each part,
   /// which may be at the same time. `indices` is what the points are called.
@@ -56,9 +42,8 @@ class UniformGrid {
   SortedPart build_part(std::span<const std::uint32_t> keys, std::span<const Vec2> positions,
                         std::span<const int> indices, std::size_t part, std::size_t parts);
 
-  /// The result lies in `buffer`, which never shrinks.
-  std::span<const NeighborHit> find(const NeighborQuery& query,
-                                    std::vector<NeighborHit>& buffer) const;
+  /// The result lies in the scratch memory. Safe to call from several threads.
+  std::span<const NeighborHit> find(const NeighborQuery& query, SearchScratch& scratch) const;
 
   /// Which of the points given is at each place.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return sort_.order; }
@@ -67,13 +52,10 @@ class UniformGrid {
   [[nodiscard]] Vec2 position(std::size_t place) const { return {x_[place], y_[place]}; }
 
  private:
-  std::size_t collect(const NeighborQuery& query, double radius,
-                      std::vector<NeighborHit>& buffer) const;
-
   Cells cells_;
   CellSort sort_;
-  std::vector<double> x_, y_;  // m, by place
-  std::vector<int> index_;     // by place
+  std::vector<double> x_, y_;  // m, by place, and room for a vector beyond the last
+  std::vector<double> index_;  // likewise; numbers of 32 bits
 
   // of build() and gather()
   double radius_ = 0.0;  // m

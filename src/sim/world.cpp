@@ -133,10 +133,8 @@ void sense(const World& world, std::uint32_t slot, Worker& worker) {
       robots.size() < nearest ? radius : std::sqrt(kMargin * robots[nearest - 1].distance_squared);
   std::vector<Neighbor>& neighbors = worker.tile.neighbors;
   const std::size_t most = world.all_matter() ? std::numeric_limits<std::size_t>::max() : nearest;
-  const std::vector<NeighborHit>& obstacles = worker.obstacles;
-  if (!world.obstacles.setup.empty()) {
-    world.obstacle_grid.gather(position, -1, most, worker.obstacles);
-  }
+  const std::span<const NeighborHit> obstacles =
+      world.obstacle_grid.gather(position, -1, most, worker.obstacles);
   const std::size_t count = std::min(robots.size() + obstacles.size(), most);
   std::size_t r = 0, o = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -227,7 +225,7 @@ std::size_t most_braking_steps(const World& world) {
 void reserve(const World& world, Worker& worker) {
   constexpr std::size_t kMostAhead = 4096;  // of more, memory grows when it is needed
   const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
-  worker.robots.resize(std::min(robots, kMostAhead));
+  worker.robots.reserve(std::min(robots, kMostAhead));
   worker.obstacles.reserve(std::min(obstacles, kMostAhead));
   std::size_t seen = std::min(robots + obstacles, kMostAhead);
   if (!world.all_matter()) seen = std::min(seen, world.most_nearest());

@@ -19,7 +19,7 @@ struct Worker {
   PlanWorkspace plan;
   Tile tile;
   std::vector<std::uint32_t> slots;  // of the robots of the tile
-  std::vector<NeighborHit> robots, obstacles;
+  SearchScratch robots, obstacles;
   double guess = 0.0;  // m, within which the last robot found its nearest neighbors
   bool fast = false;   // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;

@@ -56,8 +56,8 @@ std::vector<NeighborHit> by_comparing_all(const Points& points, const NeighborQu
 }
 
 std::vector<NeighborHit> found(const Points& points, const NeighborQuery& query) {
-  std::vector<NeighborHit> buffer;
-  const std::span<const NeighborHit> hits = points.grid.find(query, buffer);
+  SearchScratch scratch;
+  const std::span<const NeighborHit> hits = points.grid.find(query, scratch);
   for (const NeighborHit& hit : hits) {  // the place is where it is
     EXPECT_EQ(norm_squared(points.grid.position(hit.place) - query.position), hit.distance_squared);
   }
