@@ -132,15 +132,13 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
     if (failed < hard.size()) solution = inside, failed = hard.size();
   }
   if (failed == count) {
-    if (solution.binding[0] == kNoConstraint) {
-      result.point = preferred;
-      return result;
-    }
+    const bool moved = solution.binding[0] != kNoConstraint;
+    result.point = moved ? absolute_point(lens, acceleration, speed, solution.point) : preferred;
     result.binding = {solution.binding[0], solution.binding[1], kNoConstraint};
-  } else {
-    result.binding =
-        least_unsafe(lens, keep, give, failed - hard.size(), target, projected, solution);
+    return result;
   }
+  result.binding =
+      least_unsafe(lens, keep, give, failed - hard.size(), target, projected, solution);
   result.point = absolute_point(lens, acceleration, speed, solution.point);
   const double worst = largest_violation(give, solution.point);
   if (worst > lens.tolerance) {

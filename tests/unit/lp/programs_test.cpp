@@ -94,7 +94,7 @@ TEST_P(Batch, double_precision_equals_the_program_of_one_robot_bit_for_bit) {
       const Vec2 point = batch.point(k);
       ASSERT_TRUE(same_bits(point.x, r.point.x) && same_bits(point.y, r.point.y) &&
                   same_bits(batch.violation(k), r.violation))
-          << family << ' ' << k << ": " << point.x << ' ' << point.y;
+          << family << " " << k << ": " << point.x << " " << point.y << "\n" << r.point.x << " " << r.point.y << " " << r.violation << " state " << (int)r.state << " b " << r.binding[0] << " " << r.binding[1];
     }
   }
   EXPECT_GT(cases.untouched, 5000);
