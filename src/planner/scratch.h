@@ -5,6 +5,7 @@
 
 #include "avo/planner.h"
 #include "lp/linear_program.h"
+#include "lp/programs.h"
 #include "planner/certified.h"
 #include "planner/passive_obstacles.h"
 #include "planner/together.h"
@@ -23,6 +24,8 @@ struct PlanWorkspace::Scratch {
   SoftPlanes soft;
   std::vector<Vec2> wishes;
   std::vector<ProgramResult> results;
+  ProgramBatch<double> in_double;
+  ProgramBatch<float> in_single;
   std::vector<HalfPlane> projected;
   std::vector<PassiveObstacle> obstacles;
   std::vector<Neighbor> movers;

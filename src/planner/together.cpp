@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lp/linear_program.h"
+#include "lp/programs.h"
 #include "planner/decision.h"
 #include "planner/scratch.h"
 
@@ -25,15 +26,54 @@ double worst_violation(const SoftPlanes& soft, std::size_t i, const ProgramResul
   return worst;
 }
 
-// Eq. (23) of each.
-void solve_programs(const Planner& planner, std::span<const Sensing> robots, const SoftPlanes& soft,
-                    std::span<const Vec2> wishes, std::vector<HalfPlane>& projected,
-                    std::vector<ProgramResult>& results) {
-  results.clear();
+// One by one: those that lanes leave out, and robots that decide alone.
+ProgramResult solve_program(const Planner& planner, const Robot& robot,
+                            std::span<const HalfPlane> planes, Vec2 wish,
+                            std::vector<HalfPlane>& projected) {
+  return nearest_point({}, planes, planner.acceleration_disc(robot), planner.speed_disc(robot),
+                       wish, projected);
+}
+
+template <typename Number>
+void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, const SoftPlanes& soft,
+                    std::span<const Vec2> wishes, ProgramBatch<Number>& batch,
+                    std::vector<HalfPlane>& projected, std::vector<ProgramResult>& results) {
+  batch.clear();
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const Robot& robot = *robots[i].robot;
-    results.push_back(nearest_point({}, soft.of(i), planner.acceleration_disc(robot),
-                                    planner.speed_disc(robot), wishes[i], projected));
+    batch.add(planner.acceleration_disc(robot), robot.max_speed, wishes[i]);
+    for (const HalfPlane& plane : soft.of(i)) batch.add(plane);
+  }
+  nearest_points(batch);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (!batch.settled(i)) {
+      results.push_back(solve_program(planner, *robots[i].robot, soft.of(i), wishes[i], projected));
+      continue;
+    }
+    ProgramResult result;
+    result.point = batch.point(i);
+    result.violation = batch.violation(i);
+    if (result.violation > 0.0) result.state = ProgramState::least_unsafe;
+    results.push_back(result);
+  }
+}
+
+// Eq. (23) of each.
+template <typename Scratch>
+void solve_programs(const Planner& planner, const SoftPlanes& soft, Scratch& scratch) {
+  std::vector<ProgramResult>& results = scratch.results;
+  results.clear();
+  if (planner.options().precision == Precision::single_precision) {
+    return solve_in_lanes(planner, scratch.sensing, soft, scratch.wishes, scratch.in_single,
+                          scratch.projected, results);
+  }
+  if (scratch.sensing.size() > 1) {
+    return solve_in_lanes(planner, scratch.sensing, soft, scratch.wishes, scratch.in_double,
+                          scratch.projected, results);
+  }
+  for (std::size_t i = 0; i < scratch.sensing.size(); ++i) {
+    results.push_back(solve_program(planner, *scratch.sensing[i].robot, soft.of(i),
+                                    scratch.wishes[i], scratch.projected));
   }
 }
 
@@ -69,8 +109,7 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   }
   clock.lap(Stage::certificate);
 
-  solve_programs(planner, scratch.sensing, scratch.soft, scratch.wishes, scratch.projected,
-                 scratch.results);
+  solve_programs(planner, scratch.soft, scratch);
   clock.lap(Stage::program);
 
   for (std::size_t i = 0; i < scratch.deciding.size(); ++i) {
