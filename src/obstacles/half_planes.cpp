@@ -93,13 +93,15 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
     grow(*column, size);
   }
   workspace.cases = {};
-  for (HalfPlaneQueue<Number>* queue : {&workspace.convex, &workspace.horn, &workspace.rest}) {
+  for (HalfPlaneQueue<Number>* queue :
+       {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.rest}) {
     queue->count = 0;
     grow(queue->index, size);
   }
   solve(pairs, horizon, workspace, planes);
   workspace.cases.convex = workspace.convex.count;
   workspace.cases.horn = workspace.horn.count;
+  workspace.cases.walk = workspace.walk.count;
   workspace.cases.rest = workspace.rest.count;
   for (std::size_t k = 0; k < workspace.rest.count; ++k) {
     const auto i = static_cast<std::size_t>(workspace.rest.index[k]);

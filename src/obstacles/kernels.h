@@ -20,6 +20,10 @@ namespace avo {
 
 // Of Newton's iterations; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
+// Whether a horn's near side is only walked along where it must be: few of them must.
+enum class Look : unsigned char { quickly, closely };
+// Of the near side that a walk along it looks at.
+constexpr int kMaxPieces = 24;
 // Relative; every use is of second order in the time or in σ.
 template <typename Number>
 constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-7 : 1e-4;
