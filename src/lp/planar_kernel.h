@@ -131,19 +131,35 @@ AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real
   return found;
 }
 
-/// The half-plane violated by most and by more than `least`, which becomes that violation.
+template <typename Real>
+struct Violation {
+  Plane<Real> plane;
+  Real by;
+};
+
+/// The larger one, the first of equals.
+template <typename Real>
+AVO_KERNEL Violation<Real> larger(const Violation<Real>& a, const Violation<Real>& b) {
+  const Mask<Real> second = b.by > a.by;
+  return {{select(second, b.plane.normal, a.plane.normal),
+           select(second, b.plane.offset, a.plane.offset)},
+          select(second, b.by, a.by)};
+}
+
+/// The half-plane violated by most and by more than `least`, which becomes that violation. Two by
+/// two, since a comparison takes longer than what it waits for.
 template <typename Real>
 AVO_KERNEL Plane<Real> most_violated(const Planes<Real>& planes, Vec<Real> u, Real& least) {
-  Plane<Real> worst{{0.0, 0.0}, 0.0};
-  for (std::size_t i = 0; i < planes.count; ++i) {
+  const auto at = [&](std::size_t i) -> Violation<Real> {
     const Plane<Real> plane = planes[i];
-    const Real by = violation(plane, u);
-    const Mask<Real> more = by > least;
-    least = select(more, by, least);
-    worst.normal = select(more, plane.normal, worst.normal);
-    worst.offset = select(more, plane.offset, worst.offset);
-  }
-  return worst;
+    return {plane, violation(plane, u)};
+  };
+  Violation<Real> worst{{{0.0, 0.0}, 0.0}, least};
+  std::size_t i = 0;
+  for (; i + 1 < planes.count; i += 2) worst = larger(worst, larger(at(i), at(i + 1)));
+  if (i < planes.count) worst = larger(worst, at(i));
+  least = worst.by;
+  return worst.plane;
 }
 
 template <typename Real>
