@@ -12,6 +12,12 @@ struct Plane {
   Real offset;
 };
 
+/// The offset of no half-plane at all.
+template <typename Real>
+AVO_KERNEL Real none() {
+  return -std::numeric_limits<double>::infinity();
+}
+
 template <typename Real>
 AVO_KERNEL Real violation(const Plane<Real>& plane, Vec<Real> u) {
   return plane.offset - dot(plane.normal, u);
@@ -177,7 +183,7 @@ AVO_KERNEL Mask<Real> contains(const Planes<Real>& planes, const Plane<Real>& pl
 /// `taken` so that no program takes notice of it in lanes that do not take part.
 template <typename Real>
 AVO_KERNEL void take(Planes<Real>& taken, Plane<Real> plane, Mask<Real> active) {
-  plane.offset = select(active, plane.offset, Real(-std::numeric_limits<double>::infinity()));
+  plane.offset = select(active, plane.offset, none<Real>());
   taken.add(plane);
 }
 

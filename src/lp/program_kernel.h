@@ -42,8 +42,10 @@ AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real>& p
   const Real worst = largest_violation(planes, relative);
   Real largest = zero;
   for (std::size_t i = 0; i < planes.count; ++i) {
+    const Plane<Real> plane = planes[i];
     const Real offset = Real::load(planes.rows[i].offset + planes.first);
-    largest = max(violation({planes[i].normal, offset}, point), largest);
+    const Mask<Real> counts = plane.offset > none<Real>();
+    largest = select(counts, max(violation({plane.normal, offset}, point), largest), largest);
   }
   return select(worst > lens.tolerance, select(largest > zero, largest, worst), zero);
 }
@@ -58,9 +60,11 @@ AVO_KERNEL void solve_pack(ProgramGroup<typename Real::Number>& group, Row<Real>
   const Vec<Real> wish{Real::load(group.p_x + first), Real::load(group.p_y + first)};
   const Lens<Real> lens = make_lens(discs);
   const Planes<Real> planes{rows, first, group.count};
+  const Real count = Real::load(group.planes + first);
   for (std::size_t i = 0; i < planes.count; ++i) {
-    const Vec<Real> normal = planes[i].normal;
-    (Real::load(rows[i].offset + first) - dot(normal, lens.origin)).store(rows[i].relative + first);
+    const Real offset = Real::load(rows[i].offset + first) - dot(planes[i].normal, lens.origin);
+    select(Real(static_cast<double>(i)) < count, offset, none<Real>())
+        .store(rows[i].relative + first);
   }
   const Mask<Real> ordinary = lens.ordinary & is_ordinary(wish);
   const Goal<Real> goal{wish - lens.origin, {0.0, 0.0}};
@@ -88,9 +92,10 @@ AVO_KERNEL void solve_pack(ProgramGroup<typename Real::Number>& group, Row<Real>
 
 template <bool kAll, typename Real>
 void solve_programs(Programs<typename Real::Number>& programs, Row<Real>* scratch) {
-  for (ProgramGroup<typename Real::Number>& group : programs.groups) {
+  for (std::size_t g = 0; g < programs.groups; ++g) {
+    ProgramGroup<typename Real::Number>& group = programs.group[g];
     group.settled = group.failed = group.moved = 0;
-    Row<Real>* const rows = programs.rows.data() + group.first;
+    Row<Real>* const rows = programs.row.data() + group.first;
     for (std::size_t lane = 0; lane < kProgramLanes; lane += Real::kLanes) {
       solve_pack<kAll, Real>(group, rows, scratch, lane);
     }

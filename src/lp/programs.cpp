@@ -4,6 +4,7 @@
 #include "lp/programs.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/simd_target.h"
 #include "lp/kernels.h"
@@ -77,29 +78,28 @@ void solve_infeasible(Programs<float>& programs, ProgramRow<float>* scratch) {
 template <typename Number>
 std::size_t most_rows(const Programs<Number>& programs) {
   std::size_t most = 0;
-  for (const ProgramGroup<Number>& group : programs.groups) most = std::max(most, group.count);
+  for (std::size_t g = 0; g < programs.groups; ++g) most = std::max(most, programs.group[g].count);
   return most;
 }
 
 // Copies one robot's program to the end of others.
 template <typename Number>
 void copy(const Programs<Number>& from, std::size_t robot, Programs<Number>& to) {
-  const ProgramGroup<Number>& source = from.groups[robot / kProgramLanes];
+  const ProgramGroup<Number>& source = from.group[robot / kProgramLanes];
   const std::size_t lane = robot % kProgramLanes;
-  const std::size_t new_lane = to.count % kProgramLanes;
-  ProgramGroup<Number>& target = to.add();
+  const std::size_t new_lane = to.robots % kProgramLanes;
+  ProgramGroup<Number>& target = to.add_robot();
   for (auto column :
        {&ProgramGroup<Number>::c_x, &ProgramGroup<Number>::c_y, &ProgramGroup<Number>::radius,
-        &ProgramGroup<Number>::top_speed, &ProgramGroup<Number>::p_x, &ProgramGroup<Number>::p_y}) {
+        &ProgramGroup<Number>::top_speed, &ProgramGroup<Number>::p_x, &ProgramGroup<Number>::p_y,
+        &ProgramGroup<Number>::planes}) {
     (target.*column)[new_lane] = (source.*column)[lane];
   }
-  if (target.count < source.count) {
-    target.count = source.count;
-    to.rows.resize(target.first + target.count);
-  }
-  for (std::size_t i = 0; i < source.count; ++i) {
-    const ProgramRow<Number>& row = from.rows[source.first + i];
-    ProgramRow<Number>& copied = to.rows[target.first + i];
+  const auto planes = static_cast<std::size_t>(source.planes[lane]);
+  while (target.count < planes) to.add_row();
+  for (std::size_t i = 0; i < planes; ++i) {
+    const ProgramRow<Number>& row = from.row[source.first + i];
+    ProgramRow<Number>& copied = to.row[target.first + i];
     copied.n_x[new_lane] = row.n_x[lane];
     copied.n_y[new_lane] = row.n_y[lane];
     copied.offset[new_lane] = row.offset[lane];
@@ -109,19 +109,22 @@ void copy(const Programs<Number>& from, std::size_t robot, Programs<Number>& to)
 }  // namespace
 
 template <typename Number>
-void Programs<Number>::clear() {
-  count = 0;
-  groups.clear();
-  rows.clear();
+ProgramGroup<Number>& Programs<Number>::add_robot() {
+  if (robots++ % kProgramLanes == 0) {
+    if (groups == group.size()) group.emplace_back();
+    ProgramGroup<Number>& next = group[groups++];
+    std::fill_n(next.planes, kProgramLanes, Number());
+    next.first = rows;
+    next.count = 0;
+  }
+  return group[groups - 1];
 }
 
 template <typename Number>
-ProgramGroup<Number>& Programs<Number>::add() {
-  if (count++ % kProgramLanes == 0) {
-    groups.emplace_back();
-    groups.back().first = rows.size();
-  }
-  return groups.back();
+void Programs<Number>::add_row() {
+  if (rows == row.size()) row.emplace_back();
+  ++rows;
+  ++group[groups - 1].count;
 }
 
 template <typename Number>
@@ -132,15 +135,15 @@ void ProgramBatch<Number>::clear() {
 
 template <typename Number>
 void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 preferred) {
-  const std::size_t lane = programs_.count % kProgramLanes;
-  ProgramGroup<Number>& group = programs_.add();
+  lane_ = programs_.robots % kProgramLanes;
   planes_ = 0;
-  group.c_x[lane] = static_cast<Number>(acceleration.center.x);
-  group.c_y[lane] = static_cast<Number>(acceleration.center.y);
-  group.radius[lane] = static_cast<Number>(acceleration.radius);
-  group.top_speed[lane] = static_cast<Number>(top_speed);
-  group.p_x[lane] = static_cast<Number>(preferred.x);
-  group.p_y[lane] = static_cast<Number>(preferred.y);
+  ProgramGroup<Number>& group = programs_.add_robot();
+  group.c_x[lane_] = static_cast<Number>(acceleration.center.x);
+  group.c_y[lane_] = static_cast<Number>(acceleration.center.y);
+  group.radius[lane_] = static_cast<Number>(acceleration.radius);
+  group.top_speed[lane_] = static_cast<Number>(top_speed);
+  group.p_x[lane_] = static_cast<Number>(preferred.x);
+  group.p_y[lane_] = static_cast<Number>(preferred.y);
   preferred_.push_back(preferred);
 }
 
@@ -152,19 +155,20 @@ void ProgramBatch<Number>::solve() noexcept {
   solve_feasible(programs_, scratch_.data());
   infeasible_.clear();
   robots_.clear();
-  for (std::size_t robot = 0; robot < size(); ++robot) {
-    if (!bit(group(robot).failed, robot)) continue;
-    copy(programs_, robot, infeasible_);
-    robots_.push_back(robot);
+  for (std::size_t g = 0; g < programs_.groups; ++g) {
+    for (std::uint32_t left = programs_.group[g].failed; left != 0; left &= left - 1) {
+      robots_.push_back(g * kProgramLanes + static_cast<std::size_t>(std::countr_zero(left)));
+      copy(programs_, robots_.back(), infeasible_);
+    }
   }
   solve_infeasible(infeasible_, scratch_.data());
   for (std::size_t k = 0; k < robots_.size(); ++k) {
-    const std::size_t robot = robots_[k], lane = robot % kProgramLanes;
-    const ProgramGroup<Number>& from = infeasible_.groups[k / kProgramLanes];
-    ProgramGroup<Number>& to = programs_.groups[robot / kProgramLanes];
-    to.x[lane] = from.x[k % kProgramLanes];
-    to.y[lane] = from.y[k % kProgramLanes];
-    to.violation[lane] = from.violation[k % kProgramLanes];
+    const std::size_t from_lane = k % kProgramLanes, lane = robots_[k] % kProgramLanes;
+    const ProgramGroup<Number>& from = infeasible_.group[k / kProgramLanes];
+    ProgramGroup<Number>& to = programs_.group[robots_[k] / kProgramLanes];
+    to.x[lane] = from.x[from_lane];
+    to.y[lane] = from.y[from_lane];
+    to.violation[lane] = from.violation[from_lane];
     to.settled |= 1U << lane;
   }
 }

@@ -19,6 +19,7 @@ struct ProgramGroup {
   Lanes c_x, c_y, radius;    // acceleration disc
   Lanes top_speed;           // speed disc around 0
   Lanes p_x, p_y;            // preferred
+  Lanes planes;              // how many
   Lanes x, y, violation;     // result
   std::uint32_t settled;     // bit l: lane l
   std::uint32_t moved;       // the result is not the preferred one
@@ -26,7 +27,7 @@ struct ProgramGroup {
   std::size_t first, count;  // rows
 };
 
-/// One half-plane of each lane; all zeros, which every point satisfies, where a robot has fewer.
+/// One half-plane of each lane, anything where a robot has fewer.
 template <typename Number>
 struct ProgramRow {
   using Lanes = Number[kProgramLanes];
@@ -36,13 +37,16 @@ struct ProgramRow {
 
 template <typename Number>
 struct Programs {
-  std::size_t count = 0;
-  std::vector<ProgramGroup<Number>> groups;
-  std::vector<ProgramRow<Number>> rows;
+  std::size_t robots = 0, groups = 0, rows = 0;  // in use
+  std::vector<ProgramGroup<Number>> group;
+  std::vector<ProgramRow<Number>> row;
 
-  void clear();
-  /// The group of the next robot, whose lane is count % kProgramLanes; count is one more then.
-  ProgramGroup<Number>& add();
+  void clear() { robots = groups = rows = 0; }
+
+  /// The group of the next robot; its lane is robots % kProgramLanes before the call.
+  ProgramGroup<Number>& add_robot();
+  /// One more row for the last group.
+  void add_row();
 };
 
 /// Programs to be solved at once, filled robot by robot; allocates only while it grows.
@@ -56,21 +60,18 @@ class ProgramBatch {
 
   /// The next half-plane of the robot added last, |normal| = 1.
   void add(const HalfPlane& plane) {
-    ProgramGroup<Number>& group = programs_.groups.back();
-    if (planes_ == group.count) {
-      programs_.rows.emplace_back();
-      ++group.count;
-    }
-    const std::size_t lane = (programs_.count - 1) % kProgramLanes;
-    ProgramRow<Number>& row = programs_.rows[group.first + planes_++];
-    row.n_x[lane] = static_cast<Number>(plane.normal.x);
-    row.n_y[lane] = static_cast<Number>(plane.normal.y);
-    row.offset[lane] = static_cast<Number>(plane.offset);
+    ProgramGroup<Number>& group = programs_.group[programs_.groups - 1];
+    if (planes_ == group.count) programs_.add_row();
+    ProgramRow<Number>& row = programs_.row[group.first + planes_++];
+    row.n_x[lane_] = static_cast<Number>(plane.normal.x);
+    row.n_y[lane_] = static_cast<Number>(plane.normal.y);
+    row.offset[lane_] = static_cast<Number>(plane.offset);
+    group.planes[lane_] = static_cast<Number>(planes_);
   }
 
   void solve() noexcept;
 
-  [[nodiscard]] std::size_t size() const { return programs_.count; }
+  [[nodiscard]] std::size_t size() const { return programs_.robots; }
 
   /// False: out of the ordinary, and left to nearest_point(); the results mean nothing then.
   [[nodiscard]] bool settled(std::size_t robot) const { return bit(group(robot).settled, robot); }
@@ -87,18 +88,24 @@ class ProgramBatch {
 
  private:
   [[nodiscard]] const ProgramGroup<Number>& group(std::size_t robot) const {
-    return programs_.groups[robot / kProgramLanes];
+    return programs_.group[robot / kProgramLanes];
   }
   static bool bit(std::uint32_t bits, std::size_t robot) {
     return (bits >> robot % kProgramLanes & 1U) != 0;
   }
 
   Programs<Number> programs_;
-  std::size_t planes_ = 0;           // of the robot added last
-  std::vector<Vec2> preferred_;      // as given
-  Programs<Number> infeasible_;      // those that failed, side by side
-  std::vector<std::size_t> robots_;  // whose these are
+  std::size_t lane_ = 0, planes_ = 0;  // of the robot added last
+  std::vector<Vec2> preferred_;        // as given
+  Programs<Number> infeasible_;        // those that failed, side by side
+  std::vector<std::size_t> robots_;    // whose these are
   std::vector<ProgramRow<Number>> scratch_;
 };
+
+/// Solves all programs of the batch.
+template <typename Number>
+void nearest_points(ProgramBatch<Number>& batch) noexcept {
+  batch.solve();
+}
 
 }  // namespace avo
