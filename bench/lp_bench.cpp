@@ -105,12 +105,12 @@ void lanes(benchmark::State& state) {
   }
   std::size_t settled = 0;
   for (ProgramBatch<Number>& batch : batches) {
-    nearest_points(batch);
+    batch.solve();
     for (std::size_t k = 0; k < batch.size(); ++k) settled += batch.settled(k);
   }
   std::size_t k = 0;
   while (state.KeepRunningBatch(256)) {
-    nearest_points(batches[k]);
+    batches[k].solve();
     k = k + 1 < batches.size() ? k + 1 : 0;
   }
   state.counters["settled"] = static_cast<double>(settled) / static_cast<double>(all.size());
@@ -126,7 +126,7 @@ void fill(benchmark::State& state) {
       batch.add(all[k].acceleration, 2.0, all[k].preferred);
       for (const HalfPlane& plane : all[k].soft) batch.add(plane);
     }
-    benchmark::DoNotOptimize(batch.rows.data());
+    benchmark::DoNotOptimize(batch.size());
   }
 }
 

@@ -6,6 +6,11 @@ template <typename Real>
 using Mask = decltype(Real() < Real());
 
 template <typename Real>
+AVO_KERNEL Real clamp(Real a, Real lo, Real hi) {
+  return select(a < lo, lo, select(hi < a, hi, a));
+}
+
+template <typename Real>
 struct Vec {
   Real x, y;
   friend AVO_KERNEL Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
@@ -33,7 +38,7 @@ struct Lens {
   Vec<Real> origin;
   Real radius, tolerance;
   Vec<Real> larger_center;
-  Real larger_radius, distance;
+  Real larger_radius, larger_tolerance, distance;
   Mask<Real> speed_is_larger, two_arcs;
   Mask<Real> ordinary;  // scale 1, not empty
 };
@@ -44,13 +49,16 @@ AVO_KERNEL Real largest_component(Vec<Real> a) {
 }
 
 template <typename Real>
+AVO_KERNEL Mask<Real> is_ordinary(Vec<Real> a) {
+  const Real largest = kLargest<typename Real::Number>;
+  return (abs(a.x) <= largest) & (abs(a.y) <= largest);
+}
+
+template <typename Real>
 AVO_KERNEL Mask<Real> is_ordinary(const Discs<Real>& discs) {
   using Number = typename Real::Number;
-  const Real largest = kLargest<Number>;
-  const Real size =
-      max(max(abs(discs.center.x), abs(discs.center.y)), max(discs.radius, discs.top_speed));
-  return (abs(discs.center.x) <= largest) & (abs(discs.center.y) <= largest) &
-         (discs.radius <= largest) & (discs.top_speed <= largest) &
+  const Real size = max(largest_component(discs.center), max(discs.radius, discs.top_speed));
+  return is_ordinary(discs.center) & is_ordinary(Vec<Real>{discs.radius, discs.top_speed}) &
          (size >= Real(kSmallest<Number>));
 }
 
@@ -69,9 +77,9 @@ AVO_KERNEL Lens<Real> make_lens(const Discs<Real>& discs) {
   lens.larger_center = larger_center - lens.origin;
   lens.distance = norm(lens.larger_center);
   lens.two_arcs = lens.distance > lens.larger_radius - lens.radius;
-  const Real larger_tolerance = ulps * (largest_component(larger_center) + lens.larger_radius);
+  lens.larger_tolerance = ulps * (largest_component(larger_center) + lens.larger_radius);
   const Real gap = (lens.distance - lens.larger_radius) - lens.radius;
-  const Mask<Real> empty = gap > Real(kTouchingUlps / kToleranceUlps) * larger_tolerance;
+  const Mask<Real> empty = gap > Real(kTouchingUlps / kToleranceUlps) * lens.larger_tolerance;
   lens.ordinary = is_ordinary(discs) & !(lens.two_arcs & empty);
   return lens;
 }
@@ -91,7 +99,7 @@ template <typename Real>
 AVO_KERNEL Vec<Real> corner_towards(const Lens<Real>& lens, Vec<Real> p) {
   const Real r = lens.radius, R = lens.larger_radius, D = lens.distance;
   const Real raw = ((r - R) * (r + R) + D * D) / (Real(2.0) * D);
-  const Real along = select(raw < -r, -r, select(r < raw, r, raw));
+  const Real along = clamp(raw, -r, r);
   const Real height = sqrt((r - along) * (r + along));
   const Real side = select(cross(lens.larger_center, p) >= Real(0.0), Real(1.0), Real(-1.0));
   const Vec<Real> axis = lens.larger_center / D;
@@ -125,6 +133,18 @@ AVO_KERNEL LensPoint<Real> nearest(const Lens<Real>& lens, Vec<Real> p) {
   open = open & !here;
   if (!any(open & lens.ordinary)) return {point, moved};
   return {select(open, corner_towards(lens, p), point), moved};
+}
+
+template <typename Real>
+AVO_KERNEL Vec<Real> farthest_along(const Lens<Real>& lens, Vec<Real> direction) {
+  constexpr double rounding = kRoundingOfSquares<typename Real::Number>;
+  const Vec<Real> n = direction / norm(direction);
+  const Vec<Real> on_smaller = lens.radius * n;
+  const Mask<Real> smaller = in_larger(lens, on_smaller, rounding);
+  if (!any(!smaller)) return on_smaller;
+  const Vec<Real> on_larger = lens.larger_center + lens.larger_radius * n;
+  const Mask<Real> larger = in_smaller(lens, on_larger, rounding);
+  return select(smaller, on_smaller, select(larger, on_larger, corner_towards(lens, n)));
 }
 
 /// Back into the discs, the smaller one last.

@@ -10,92 +10,102 @@
 
 namespace avo {
 
-/// Programs in groups of kLanes robots, whose numbers lie side by side. To be filled robot by
-/// robot, each with its half-planes in their order; memory is allocated only while it grows.
+/// Robots whose programs' numbers lie side by side: a multiple of every instruction set's lanes.
+inline constexpr std::size_t kProgramLanes = 16;
+
+template <typename Number>
+struct ProgramGroup {
+  using Lanes = Number[kProgramLanes];
+  Lanes c_x, c_y, radius;    // acceleration disc
+  Lanes top_speed;           // speed disc around 0
+  Lanes p_x, p_y;            // preferred
+  Lanes planes;              // how many
+  Lanes x, y, violation;     // result
+  std::uint32_t settled;     // bit l: lane l
+  std::uint32_t moved;       // the result is not the preferred one
+  std::uint32_t failed;      // the half-planes leave nothing
+  std::size_t first, count;  // rows
+};
+
+/// One half-plane of each lane, anything where a robot has fewer.
+template <typename Number>
+struct ProgramRow {
+  using Lanes = Number[kProgramLanes];
+  Lanes n_x, n_y, offset;
+  Lanes relative;  // the offset, from Lens::origin
+};
+
+template <typename Number>
+struct Programs {
+  std::size_t robots = 0, groups = 0, rows = 0;  // in use
+  std::vector<ProgramGroup<Number>> group;
+  std::vector<ProgramRow<Number>> row;
+
+  void clear() { robots = groups = rows = 0; }
+
+  /// The group of the next robot; its lane is robots % kProgramLanes before the call.
+  ProgramGroup<Number>& add_robot();
+  /// One more row for the last group.
+  void add_row();
+};
+
+/// Programs to be solved at once, filled robot by robot; allocates only while it grows.
 template <typename Number>
 class ProgramBatch {
  public:
-  static constexpr std::size_t kLanes = 16;  // a multiple of every instruction set's
-
-  struct Group {
-    Number c_x[kLanes], c_y[kLanes], radius[kLanes];  // acceleration disc
-    Number top_speed[kLanes];                         // speed disc around 0
-    Number p_x[kLanes], p_y[kLanes];                  // preferred
-    Number x[kLanes], y[kLanes];                      // result
-    Number violation[kLanes];                         // of the result
-    std::uint32_t settled, moved;                     // bit l: lane l; moved: not the preferred one
-    std::size_t first, count;                         // rows
-  };
-  /// One half-plane of each lane. All zeros, which every point satisfies, where a robot has fewer.
-  struct Row {
-    Number n_x[kLanes], n_y[kLanes], offset[kLanes];
-  };
-
-  void clear() {
-    preferred_.clear();
-    groups.clear();
-    rows.clear();
-  }
+  void clear();
 
   /// The next robot. Nothing is required of the numbers.
-  void add(const Disc& acceleration, double top_speed, Vec2 preferred) {
-    lane_ = preferred_.size() % kLanes;
-    planes_ = 0;
-    if (lane_ == 0) {
-      groups.emplace_back();
-      groups.back().first = rows.size();
-    }
-    Group& group = groups.back();
-    group.c_x[lane_] = static_cast<Number>(acceleration.center.x);
-    group.c_y[lane_] = static_cast<Number>(acceleration.center.y);
-    group.radius[lane_] = static_cast<Number>(acceleration.radius);
-    group.top_speed[lane_] = static_cast<Number>(top_speed);
-    group.p_x[lane_] = static_cast<Number>(preferred.x);
-    group.p_y[lane_] = static_cast<Number>(preferred.y);
-    preferred_.push_back(preferred);
-  }
+  void add(const Disc& acceleration, double top_speed, Vec2 preferred);
 
-  /// The next half-plane of the robot added last.
+  /// The next half-plane of the robot added last, |normal| = 1.
   void add(const HalfPlane& plane) {
-    Group& group = groups.back();
-    if (planes_ == group.count) {
-      rows.emplace_back();
-      ++group.count;
-    }
-    Row& row = rows[group.first + planes_++];
+    ProgramGroup<Number>& group = programs_.group[programs_.groups - 1];
+    if (planes_ == group.count) programs_.add_row();
+    ProgramRow<Number>& row = programs_.row[group.first + planes_++];
     row.n_x[lane_] = static_cast<Number>(plane.normal.x);
     row.n_y[lane_] = static_cast<Number>(plane.normal.y);
     row.offset[lane_] = static_cast<Number>(plane.offset);
+    group.planes[lane_] = static_cast<Number>(planes_);
   }
 
-  [[nodiscard]] std::size_t size() const { return preferred_.size(); }
+  void solve() noexcept;
 
-  /// False: out of the ordinary, left to nearest_point(). Results of other robots mean nothing.
-  [[nodiscard]] bool settled(std::size_t robot) const {
-    return (groups[robot / kLanes].settled >> robot % kLanes & 1U) != 0;
-  }
+  [[nodiscard]] std::size_t size() const { return programs_.robots; }
+
+  /// False: out of the ordinary, and left to nearest_point(); the results mean nothing then.
+  [[nodiscard]] bool settled(std::size_t robot) const { return bit(group(robot).settled, robot); }
   /// The preferred one, bit for bit, where that violates nothing.
   [[nodiscard]] Vec2 point(std::size_t robot) const {
-    const Group& group = groups[robot / kLanes];
-    const std::size_t lane = robot % kLanes;
-    if ((group.moved >> lane & 1U) == 0) return preferred_[robot];
-    return {group.x[lane], group.y[lane]};
+    const std::size_t lane = robot % kProgramLanes;
+    if (!bit(group(robot).moved, robot)) return preferred_[robot];
+    return {group(robot).x[lane], group(robot).y[lane]};
   }
   /// 0: state optimal; else least_unsafe, see ProgramResult.
   [[nodiscard]] double violation(std::size_t robot) const {
-    return groups[robot / kLanes].violation[robot % kLanes];
+    return group(robot).violation[robot % kProgramLanes];
   }
 
-  std::vector<Group> groups;
-  std::vector<Row> rows;  // kernels make the offsets relative in place
-
  private:
-  std::vector<Vec2> preferred_;
+  [[nodiscard]] const ProgramGroup<Number>& group(std::size_t robot) const {
+    return programs_.group[robot / kProgramLanes];
+  }
+  static bool bit(std::uint32_t bits, std::size_t robot) {
+    return (bits >> robot % kProgramLanes & 1U) != 0;
+  }
+
+  Programs<Number> programs_;
   std::size_t lane_ = 0, planes_ = 0;  // of the robot added last
+  std::vector<Vec2> preferred_;        // as given
+  Programs<Number> infeasible_;        // those that failed, side by side
+  std::vector<std::size_t> robots_;    // whose these are
+  std::vector<ProgramRow<Number>> scratch_;
 };
 
-/// Solves the programs in the batch.
-void nearest_points(ProgramBatch<double>& batch) noexcept;
-void nearest_points(ProgramBatch<float>& batch) noexcept;
+/// Solves all programs of the batch.
+template <typename Number>
+void nearest_points(ProgramBatch<Number>& batch) noexcept {
+  batch.solve();
+}
 
 }  // namespace avo

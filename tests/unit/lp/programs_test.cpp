@@ -43,7 +43,7 @@ void solve(const std::vector<Program>& all, ProgramBatch<Number>& batch) {
     batch.add(p.acceleration, p.speed.radius, p.preferred);
     for (const HalfPlane& plane : p.soft) batch.add(plane);
   }
-  nearest_points(batch);
+  batch.solve();
 }
 
 bool same_bits(double a, double b) {
@@ -95,7 +95,7 @@ TEST_P(Batch, double_precision_equals_the_program_of_one_robot_bit_for_bit) {
       const Vec2 point = batch.point(k);
       ASSERT_TRUE(same_bits(point.x, r.point.x) && same_bits(point.y, r.point.y) &&
                   same_bits(batch.violation(k), r.violation))
-          << family << ' ' << k;
+          << family << " " << k << " " << point.x << " " << point.y << " v " << batch.violation(k) << "\n" << r.point.x << " " << r.point.y << " " << r.violation << " state " << (int)r.state;
     }
   }
   EXPECT_GT(cases.untouched, 5000);
