@@ -135,14 +135,15 @@ void sense(const World& world, std::uint32_t slot, Worker& worker) {
   const std::size_t most = world.all_matter() ? std::numeric_limits<std::size_t>::max() : nearest;
   const std::span<const NeighborHit> obstacles =
       world.obstacle_grid.gather(position, -1, most, worker.obstacles);
-  const std::size_t count = std::min(robots.size() + obstacles.size(), most);
-  std::size_t r = 0, o = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (o == obstacles.size() ||
-        (r < robots.size() && robots[r].distance_squared <= obstacles[o].distance_squared)) {
-      neighbors.push_back(robot_at(world, robots[r++].place));
+  const std::size_t before = neighbors.size();
+  neighbors.resize(before + std::min(robots.size() + obstacles.size(), most));
+  auto robot = robots.begin(), obstacle = obstacles.begin();
+  for (std::size_t k = before; k < neighbors.size(); ++k) {
+    if (obstacle == obstacles.end() ||
+        (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
+      neighbors[k] = robot_at(world, (robot++)->place);
     } else {
-      neighbors.push_back(world.obstacles.sensed(static_cast<std::size_t>(obstacles[o++].index)));
+      neighbors[k] = world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index));
     }
   }
 }

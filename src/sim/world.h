@@ -14,8 +14,9 @@
 
 namespace avo {
 
-/// What one worker needs to take robots through a step without allocating, and its sums.
-struct Worker {
+/// What one worker needs to take robots through a step without allocating, and its sums. No two
+/// workers write to one line of the cache.
+struct alignas(128) Worker {
   PlanWorkspace plan;
   Tile tile;
   std::vector<std::uint32_t> slots;  // of the robots of the tile
