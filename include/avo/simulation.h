@@ -94,6 +94,7 @@ class Simulation {
   /// From now on the steps are measured, or no longer; the sums begin anew.
   void measure(bool on);
   [[nodiscard]] StepProfile profile() const;
+  [[nodiscard]] int threads() const;  ///< that a step may use
 
  private:
   struct State;

@@ -85,7 +85,7 @@ void PairColumns<Number>::reserve(std::size_t pairs) {
 template <typename Number>
 void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
                  HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes) {
-  const std::size_t size = pairs.count + kMostLanes;
+  const std::size_t size = pairs.p_x.size();
   for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess}) grow(*column, size);
   grow(planes.state, size);
   for (auto* column : {&workspace.d, &workspace.v_x, &workspace.v_y, &workspace.e_x, &workspace.e_y,

@@ -27,14 +27,23 @@ void Tile::reserve(std::size_t most_robots, std::size_t most_neighbors) {
   first.reserve(most_robots + 1);
   detours.reserve(most_robots);
   plans.reserve(most_robots);
+  deciding.reserve(most_robots);
 }
 
 void plan_tile(const Planner& planner, Tile& tile, PlanWorkspace& workspace, StageClock& clock) {
   tile.plans.resize(tile.size());
-  for (std::size_t i = 0; i < tile.size(); ++i) {
-    tile.plans[i] = planner.plan(tile.robots[i], tile.neighbors_of(i), workspace, tile.detours[i]);
+  if (planner.options().method == Method::velocity_obstacle) {
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+      tile.plans[i] = planner.plan(tile.robots[i], tile.neighbors_of(i), workspace);
+    }
+    return clock.lap(Stage::program);
   }
-  clock.lap(Stage::program);
+  tile.deciding.clear();
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    tile.deciding.push_back(
+        {{&tile.robots[i], tile.neighbors_of(i)}, &tile.detours[i], &tile.plans[i]});
+  }
+  plan_together(planner, tile.deciding, workspace, clock);
 }
 
 }  // namespace avo

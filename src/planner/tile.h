@@ -7,6 +7,7 @@
 
 #include "avo/planner.h"
 #include "core/stage_clock.h"
+#include "planner/together.h"
 
 namespace avo {
 
@@ -17,6 +18,7 @@ struct Tile {
   std::vector<std::size_t> first{0};  ///< of robot i: [first[i], first[i + 1]), into neighbors
   std::vector<Detour> detours;        ///< what each remembers; plan_tile() updates it
   std::vector<Plan> plans;            ///< by plan_tile()
+  std::vector<Deciding> deciding;     ///< scratch memory
 
   void clear();
   /// The neighbors added since the last robot are its own.

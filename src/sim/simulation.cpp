@@ -210,4 +210,8 @@ StepProfile Simulation::profile() const {
   return profile;
 }
 
+int Simulation::threads() const {
+  return static_cast<int>(state_->workers.size());
+}
+
 }  // namespace avo

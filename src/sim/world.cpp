@@ -234,6 +234,7 @@ void reserve(const World& world, Worker& worker) {
   worker.slots.reserve(together);
   worker.tile.reserve(together, std::min(together * seen, kTileNeighbors + seen));
   worker.plan.reserve(seen, most_braking_steps(world));
+  reserve_together(together, std::min(together * seen, kTileNeighbors + seen), worker.plan);
 }
 
 }  // namespace
