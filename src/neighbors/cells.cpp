@@ -9,8 +9,7 @@ namespace avo {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kTiniest = 0x1p-511;     // squares of smaller distances underflow
-constexpr double kFarthestCell = 0x1p52;  // cells beyond it are one
+constexpr double kTiniest = 0x1p-511;  // squares of smaller distances underflow
 
 constexpr std::size_t kFewestSlots = 1024;  // so that kMostSpan scattered rows keep apart
 // Multiples of the golden ratio spread evenly: any 20 that follow each other stay 0.034 apart.
@@ -36,19 +35,6 @@ Extent extent_of(std::span<const Vec2> positions, const Cells& cells) {
 }
 
 }  // namespace
-
-// Rounding is monotone, here and where a search adds and subtracts its radius: where the exact
-// numbers are in order, the cells are. So no point is missed for being rounded into the next cell.
-// (Rounding towards 0 makes the cells around 0 twice as wide, which is as good.)
-std::int64_t Cells::cell(double coordinate) const {
-  return static_cast<std::int64_t>(std::clamp(
-      std::clamp(coordinate, -kLargest, kLargest) * per_meter, -kFarthestCell, kFarthestCell));
-}
-
-std::uint32_t Cells::key(Vec2 position) const {
-  return static_cast<std::uint32_t>(is_finite(position) ? slot(cell(position.x), cell(position.y))
-                                                        : table());
-}
 
 Cells make_cells(std::span<const Vec2> positions, double side) {
   Cells cells;

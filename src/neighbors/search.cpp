@@ -46,12 +46,8 @@ std::size_t collect(const Search& search, const PlacedPoints& points, SearchScra
 
 }  // namespace
 
-void SearchScratch::reserve(std::size_t count) {
-  const std::size_t size = count + kMostSearchLanes;
-  if (distance_squared.size() >= size) return;
-  for (std::vector<double>* column : {&distance_squared, &index, &place, &rank}) {
-    column->resize(size);
-  }
+void SearchScratch::grow(std::size_t size) {
+  for (std::vector<double>* column : {&distance_squared, &place, &rank}) column->resize(size);
   hits.resize(size);
 }
 
@@ -60,11 +56,11 @@ std::span<const NeighborHit> search_within(const Search& search, const PlacedPoi
   const std::size_t count = collect(search, points, scratch);
   if (count <= kFewHits) {
     for (std::size_t k = 0; k < count; ++k) {
-      scratch.hits[static_cast<std::size_t>(scratch.rank[k])] = candidate(scratch, k);
+      scratch.hits[static_cast<std::size_t>(scratch.rank[k])] = candidate(points, scratch, k);
     }
     settle_ties(std::span(scratch.hits.data(), count));
   } else {
-    for (std::size_t k = 0; k < count; ++k) scratch.hits[k] = candidate(scratch, k);
+    for (std::size_t k = 0; k < count; ++k) scratch.hits[k] = candidate(points, scratch, k);
     std::sort(scratch.hits.begin(), scratch.hits.begin() + static_cast<std::ptrdiff_t>(count));
   }
   const double near_squared = squared(search.near);

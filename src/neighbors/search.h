@@ -49,12 +49,16 @@ struct Search {
 
 /// Allocates only while it grows.
 struct SearchScratch {
-  std::vector<double> distance_squared, index, place;  // of candidates
-  std::vector<double> rank;
+  std::vector<double> distance_squared, place, rank;  // of candidates
   std::vector<NeighborHit> hits;
 
   /// Room for so many candidates.
-  void reserve(std::size_t count);
+  void reserve(std::size_t count) {
+    if (distance_squared.size() < count + kMostSearchLanes) grow(count + kMostSearchLanes);
+  }
+
+ private:
+  void grow(std::size_t size);
 };
 
 /// In canonical order, in the scratch memory.

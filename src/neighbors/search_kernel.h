@@ -18,7 +18,6 @@ std::size_t append_candidates(const Search& search, const PlacedPoints& points,
         ((distance_squared < nearest) | ((distance_squared <= nearest) & (index < lowest))) &
         ((index < self) | (index > self)) & (place < end);
     store_chosen(chosen, distance_squared, scratch.distance_squared.data() + count);
-    store_chosen(chosen, index, scratch.index.data() + count);
     count += store_chosen(chosen, place, scratch.place.data() + count);
   }
   return count;
@@ -62,7 +61,7 @@ std::size_t collect(const Search& search, const PlacedPoints& points, SearchScra
       scratch.reserve(count + (last - place));
       count = append_candidates<Real>(search, points, limit, place, last, count, scratch);
       if (count < many) continue;
-      count = keep_nearest(search, count, limit, scratch);
+      count = keep_nearest(search, points, count, limit, scratch);
       many = 2 * count + kManyHits;
     }
   };
@@ -73,7 +72,7 @@ std::size_t collect(const Search& search, const PlacedPoints& points, SearchScra
     if (last > points.cells.table()) look(0, last - points.cells.table());
   }
   if (count > more_than(search.most, kManyHits / 4)) {
-    count = keep_nearest(search, count, limit, scratch);
+    count = keep_nearest(search, points, count, limit, scratch);
   }
   if (count <= kFewHits) rank_candidates<Real>(count, scratch);
   return count;

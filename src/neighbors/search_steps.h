@@ -47,18 +47,20 @@ inline CellRange cells_within(const Search& search, const Cells& cells) {
           static_cast<std::size_t>(cells.cell(p.x + reach) - column) + 1};
 }
 
-inline NeighborHit candidate(const SearchScratch& scratch, std::size_t k) {
-  return {scratch.distance_squared[k], static_cast<int>(scratch.index[k]),
-          static_cast<std::uint32_t>(static_cast<std::int64_t>(scratch.place[k]))};
+inline NeighborHit candidate(const PlacedPoints& points, const SearchScratch& scratch,
+                             std::size_t k) {
+  const auto place = static_cast<std::int64_t>(scratch.place[k]);
+  return {scratch.distance_squared[k], static_cast<int>(points.index[place]),
+          static_cast<std::uint32_t>(place)};
 }
 
 /// Leaves of the candidates the `most` first, and whoever else is near; the limit becomes that of
 /// the candidates yet to come.
-inline std::size_t keep_nearest(const Search& search, std::size_t count, HitLimit& limit,
-                                SearchScratch& scratch) {
+inline std::size_t keep_nearest(const Search& search, const PlacedPoints& points, std::size_t count,
+                                HitLimit& limit, SearchScratch& scratch) {
   if (count <= search.most) return count;
   const auto hits = scratch.hits.begin(), end = hits + static_cast<std::ptrdiff_t>(count);
-  for (std::size_t k = 0; k < count; ++k) scratch.hits[k] = candidate(scratch, k);
+  for (std::size_t k = 0; k < count; ++k) scratch.hits[k] = candidate(points, scratch, k);
   const double near_squared = squared(search.near);
   limit = {near_squared, std::numeric_limits<int>::max()};
   auto rest = hits;
@@ -73,7 +75,6 @@ inline std::size_t keep_nearest(const Search& search, std::size_t count, HitLimi
   const auto left = static_cast<std::size_t>(kept - hits);
   for (std::size_t k = 0; k < left; ++k) {
     scratch.distance_squared[k] = scratch.hits[k].distance_squared;
-    scratch.index[k] = scratch.hits[k].index;
     scratch.place[k] = scratch.hits[k].place;
   }
   return left;
@@ -82,6 +83,7 @@ inline std::size_t keep_nearest(const Search& search, std::size_t count, HitLimi
 /// Sorts hits that are in order of their distances already.
 inline void settle_ties(std::span<NeighborHit> hits) {
   for (std::size_t i = 1; i < hits.size(); ++i) {
+    if (hits[i - 1].distance_squared < hits[i].distance_squared) continue;
     const NeighborHit hit = hits[i];
     std::size_t k = i;
     for (; k > 0 && hit < hits[k - 1]; --k) hits[k] = hits[k - 1];

@@ -63,7 +63,7 @@ void UniformGrid::forget_order() {
 
 std::span<const NeighborHit> UniformGrid::find(const NeighborQuery& query,
                                                SearchScratch& scratch) const {
-  if (!is_finite(query.position) || sort_.begin.empty()) return {};
+  if (!is_finite(query.position) || sort_.order.empty()) return {};
   const double far = searchable(query.far), near = std::min(query.near, far);
   Search search{query.position, query.self, query.most, near, 0.0};
   search.radius = std::min(std::max({near, query.guess, kLeastGuess * far}), far);

@@ -11,12 +11,6 @@ void Tile::clear() {
   plans.clear();
 }
 
-void Tile::add(const Robot& robot, const Detour& detour) {
-  robots.push_back(robot);
-  first.push_back(neighbors.size());
-  detours.push_back(detour);
-}
-
 std::span<const Neighbor> Tile::neighbors_of(std::size_t i) const {
   return std::span(neighbors).subspan(first[i], first[i + 1] - first[i]);
 }

@@ -21,8 +21,6 @@ struct Tile {
   std::vector<Deciding> deciding;     ///< scratch memory
 
   void clear();
-  /// The neighbors added since the last robot are its own.
-  void add(const Robot& robot, const Detour& detour);
   [[nodiscard]] std::size_t size() const { return robots.size(); }
   [[nodiscard]] std::span<const Neighbor> neighbors_of(std::size_t i) const;
   void reserve(std::size_t most_robots, std::size_t most_neighbors);

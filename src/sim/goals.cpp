@@ -19,6 +19,13 @@ double admissible_speed(double distance, double decrement, double time_step) {
   return (k + f) * decrement;
 }
 
+// Whether admissible_speed() is at least `speed`, told without root or floor: with x = k + f,
+// (k + 1)(k/2 + f) <= (x + 1) x. False where it is not as clear as that.
+bool surely_admits(double distance, double speed, double decrement, double time_step) {
+  constexpr double kMargin = 1.001;  // for rounding
+  return distance * decrement > kMargin * time_step * speed * (speed + decrement);
+}
+
 Vec2 limited(Vec2 a, double length) {
   const double n = norm(a);
   return n > length ? (length / n) * a : a;
@@ -41,19 +48,26 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, 
     if (distance <= 0x1p-46 * (norm(position) + norm(goal))) return {};
     // it approaches v' as fast as it can, so v' needs no lead
     const double u = planner.step_rate() * options.control_time * robot.max_acceleration;
-    const double speed = admissible_speed(distance - planner.step_lag() * dot(velocity, direction),
-                                          u, options.time_step);
+    const double left = distance - planner.step_lag() * dot(velocity, direction);
+    if (surely_admits(left, robot.preferred_speed, u, options.time_step)) {
+      return robot.preferred_speed * direction;
+    }
+    const double speed = admissible_speed(left, u, options.time_step);
     return std::min(robot.preferred_speed, speed) * direction;
   }
   // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
   const double change = std::min(options.control_time * robot.max_acceleration, robot.max_speed);
   const double rate = planner.step_rate();
   const double along = dot(velocity, direction);
+  const double left = distance - planner.step_lag() * along;
+  if (surely_admits(left, robot.preferred_speed, rate * change, options.time_step) &&
+      2.0 * distance >= 1.001 * options.control_time * robot.preferred_speed) {
+    return robot.preferred_speed * direction;
+  }
   // 2 distance/δ: among parked robots less than the full deceleration is left, and a robot that
   // counts on it swings about its goal for ever
-  const double speed = std::min(
-      admissible_speed(distance - planner.step_lag() * along, rate * change, options.time_step),
-      2.0 * distance / options.control_time);
+  const double speed = std::min(admissible_speed(left, rate * change, options.time_step),
+                                2.0 * distance / options.control_time);
   if (speed >= robot.preferred_speed) return robot.preferred_speed * direction;
 
   const Vec2 wanted =

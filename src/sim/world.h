@@ -14,8 +14,13 @@
 
 namespace avo {
 
-/// What one worker needs to take robots through a step without allocating, and its sums.
-struct Worker {
+/// With ten neighbors each, what is planned at a time stays in the cache; and no more at a time
+/// than so many neighbors.
+inline constexpr std::size_t kTileRobots = 64, kTileNeighbors = 4096;
+
+/// What one worker needs to take robots through a step without allocating, and its sums. No two
+/// workers write to one line of the cache.
+struct alignas(128) Worker {
   PlanWorkspace plan;
   Tile tile;
   std::vector<std::uint32_t> slots;  // of the robots of the tile
