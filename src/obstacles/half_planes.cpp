@@ -24,11 +24,11 @@ namespace avo::HWY_NAMESPACE {
 
 void solve_double(const PairColumns<double>& pairs, const Horizon& horizon,
                   HalfPlaneWorkspace<double>& work, PlaneColumns<double>& planes) {
-  solve<Pack<double>>(pairs, horizon, work, planes);
+  solve<Pack<double>, TwoPacks<double>>(pairs, horizon, work, planes);
 }
 void solve_single(const PairColumns<float>& pairs, const Horizon& horizon,
                   HalfPlaneWorkspace<float>& work, PlaneColumns<float>& planes) {
-  solve<Pack<float>>(pairs, horizon, work, planes);
+  solve<Pack<float>, TwoPacks<float>>(pairs, horizon, work, planes);
 }
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -48,14 +48,14 @@ void solve(const PairColumns<double>& pairs, const Horizon& horizon,
 #ifdef AVO_HIGHWAY
   if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_double)(pairs, horizon, work, planes);
 #endif
-  scalar::solve<scalar::Pack<double>>(pairs, horizon, work, planes);
+  scalar::solve<scalar::Pack<double>, scalar::Pack<double>>(pairs, horizon, work, planes);
 }
 void solve(const PairColumns<float>& pairs, const Horizon& horizon, HalfPlaneWorkspace<float>& work,
            PlaneColumns<float>& planes) {
 #ifdef AVO_HIGHWAY
   if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_single)(pairs, horizon, work, planes);
 #endif
-  scalar::solve<scalar::Pack<float>>(pairs, horizon, work, planes);
+  scalar::solve<scalar::Pack<float>, scalar::Pack<float>>(pairs, horizon, work, planes);
 }
 
 template <typename T>

@@ -185,12 +185,13 @@ void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon&
   }
 }
 
-template <typename Real>
+/// Wide: what hides the time that Newton's iterations wait for their divisions.
+template <typename Real, typename Wide>
 void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
            HalfPlaneWorkspace<typename Real::Number>& work,
            PlaneColumns<typename Real::Number>& planes) {
   classify<Real>(pairs, horizon, work, planes);
-  solve_convex<Real>(pairs, horizon, work, planes);
-  solve_horns<Real>(pairs, horizon, Look::quickly, work, work.horn, work.walk, planes);
-  solve_horns<Real>(pairs, horizon, Look::closely, work, work.walk, work.rest, planes);
+  solve_convex<Wide>(pairs, horizon, work, planes);
+  solve_horns<Wide>(pairs, horizon, Look::quickly, work, work.horn, work.walk, planes);
+  solve_horns<Wide>(pairs, horizon, Look::closely, work, work.walk, work.rest, planes);
 }
