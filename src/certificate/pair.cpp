@@ -24,21 +24,43 @@ double rounding_margin(const Robot& robot, const Neighbor& neighbor, const Braki
 
 Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
   Braking result;
-  result.speed = norm(velocity);
-  result.decrement = braking_decrement(max_acceleration, law);
-  if (result.speed > 0.0) result.direction = velocity / result.speed;
+  const double speed = norm(velocity), decrement = braking_decrement(max_acceleration, law);
+  result.profile = braking_profile(speed, decrement);
+  if (speed > 0.0) result.direction = velocity / speed;
   // it may be faster than it looks
-  const double top = result.speed + law.sensing_error.velocity + result.decrement;
-  result.length = stopping_length(result.speed, result.decrement, law);
-  result.reach = law.lag * result.speed + (law.time_step - law.lag) * top +
-                 stopping_length(top, result.decrement, law);
-  result.intervals = 1.0 + braking_steps(top, result.decrement);
+  const BrakingProfile top =
+      braking_profile(speed + law.sensing_error.velocity + decrement, decrement);
+  result.length = stopping_length(result.profile, law);
+  result.reach =
+      law.lag * speed + (law.time_step - law.lag) * top.speed + stopping_length(top, law);
+  result.intervals = 2.0 + top.full_steps;
   return result;
 }
 
-double deviation_after(const Braking& braking, double steps, const StepLaw& law) {
-  // |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times the time
-  return 2.0 * braking.decrement * law.time_step * std::min(steps, braking.intervals);
+// docs/certificate.md, "What can refuse nothing"
+Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law) {
+  const double speed = a.profile.speed, u = a.profile.decrement;
+  const double lead = law.time_step - law.lag;
+  Deviation result;
+  result.fast = braking_profile(speed + u, u);
+  const double length = stopping_length(result.fast, law);
+  constexpr double kRounding = 1.0 + 0x1p-30;
+  if (is_car) {
+    // |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times the time
+    result.anyhow.start = 2.0 * u * law.time_step * a.intervals;
+    result.most = result.anyhow.start;
+  } else if (speed < u) {
+    result.anyhow = {kRounding * lead * (speed + u), kRounding};
+    result.most = result.anyhow.start + kRounding * length;
+  } else {
+    result.slow = braking_profile(speed - u, u);
+    result.ahead = {kRounding * 2.0 * lead * u, kRounding};
+    result.across = {kRounding * lead * u, kRounding * u / (speed + u)};
+    const double gained = length - stopping_length(result.slow, law);
+    result.most = result.ahead.start + result.ahead.per_distance * gained + result.across.start +
+                  result.across.per_distance * length;
+  }
+  return result;
 }
 
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walls, and a robot's own braking path, in columns: an entry for each wall or interval.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "avo/vec.h"
+
+namespace avo {
+
+/// Columns have room for so many more entries than there are, which are read but do not count.
+inline constexpr std::size_t kMostLanes = 8;
+
+/// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
+/// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").
+struct OwnColumns {
+  std::size_t count = 0;
+  std::vector<double> start_x, start_y, middle_x, middle_y;  ///< m
+  std::vector<double> ahead, across, anyhow;                 ///< m
+
+  /// Room for so many intervals, and where the last of them ends; allocates only while it grows.
+  void reserve(std::size_t intervals) {
+    if (start_x.size() >= intervals + 1 + kMostLanes) return;
+    for (auto* column : {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow}) {
+      column->resize(intervals + 1 + kMostLanes);
+    }
+  }
+};
+
+/// See TrajectoryWall.
+struct WallColumns {
+  std::size_t count = 0;
+  std::vector<double> normal_x, normal_y, cone, bound;
+  std::array<std::vector<double>, 3> offset;
+  std::vector<double> interval, needs;  ///< needs: moving > needs, or the wall is not asked
+  std::vector<double> coefficient;      ///< m, of the path asked about last
+  std::vector<int> neighbor;
+
+  void reserve(std::size_t walls) {
+    if (normal_x.size() >= walls + kMostLanes) return;
+    for (auto* column : {&normal_x, &normal_y, &cone, &bound, &offset[0], &offset[1], &offset[2],
+                         &interval, &needs, &coefficient}) {
+      column->resize(walls + kMostLanes);
+    }
+    neighbor.resize(walls + kMostLanes);
+  }
+};
+
+}  // namespace avo
