@@ -50,13 +50,12 @@ WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, co
                      std::size_t first, std::size_t last) {
   const WallColumns& columns = walls.columns;
   const double* coefficient = columns.coefficient.data();
-  const std::size_t k =
-      static_cast<std::size_t>(std::min_element(coefficient + first, coefficient + last) -
-                               coefficient);
+  const std::size_t k = static_cast<std::size_t>(
+      std::min_element(coefficient + first, coefficient + last) - coefficient);
   WorstWall worst{std::numeric_limits<double>::infinity()};
   if (k == last || !(coefficient[k] < worst.coefficient)) return worst;
-  const auto [start, middle, end] = scalar::coefficients<scalar::Pack<double>>(
-      columns, k, walls.own, path, law, walls.has_cones);
+  const auto [start, middle, end] =
+      scalar::coefficients<scalar::Pack<double>>(columns, k, walls.own, path, law, walls.has_cones);
   worst.wall = wall_at(columns, k);
   worst.coefficient = coefficient[k];
   worst.point = start.value <= worst.coefficient ? 0 : middle.value <= worst.coefficient ? 1 : 2;

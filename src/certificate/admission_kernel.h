@@ -17,22 +17,23 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const WallColumns& walls, std::si
   const Real m = Real::load(&walls.interval[k]);
   const auto later = m > zero;  // than the step that is decided
   // the interval's points lie so far along the braking that follows the first step
-  const PackDistances<Real> before = distances(path.braking, law, max(m - one, zero));
-  const Real end = distances(path.braking, law, m).start;
+  const PackProfile<Real> braking = constant<Real>(path.braking);
+  const PackDistances<Real> before = distances(braking, law, max(m - one, zero));
+  const Real end = distances(braking, law, m).start;
   const PackVec<Real> first = constant<Real>(path.first), along = constant<Real>(path.direction);
   const Real base = dot(n, first), per_distance = dot(n, along);
-  PackCoefficients<Real> result{base + per_distance * before.start + Real::load(&walls.offset[0][k]),
-                                base + per_distance * before.middle + Real::load(&walls.offset[1][k]),
-                                base + per_distance * end + Real::load(&walls.offset[2][k])};
+  PackCoefficients<Real> result{
+      base + per_distance * before.start + Real::load(&walls.offset[0][k]),
+      base + per_distance * before.middle + Real::load(&walls.offset[1][k]),
+      base + per_distance * end + Real::load(&walls.offset[2][k])};
   if (has_cones) {
     const Real cone = Real::load(&walls.cone[k]);
     const PackPoints<Real> x = points(own.profile, own.direction, law, m);
     const auto off = [&](Real distance, PackVec<Real> from) {
-      const PackVec<Real> deviation = first + distance * along - from;
-      return cone * sqrt(dot(deviation, deviation));
+      return cone * norm(first + distance * along - from);
     };
-    result = {result.start - off(before.start, x.start), result.middle - off(before.middle, x.middle),
-              result.end - off(end, x.end)};
+    result = {result.start - off(before.start, x.start),
+              result.middle - off(before.middle, x.middle), result.end - off(end, x.end)};
   }
   // y_0 and y_1 of the step itself are those of the braking path; its end pays for a car's arc
   return {select(later, result.start, infinity), select(later, result.middle, infinity),

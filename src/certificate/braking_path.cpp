@@ -4,24 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "certificate/kernels.h"
 #include "robots/motion.h"
 
 namespace avo {
-namespace {
 
-// floor() of a number that is not negative; the library's is a call.
-double whole(double number) {
-  const bool has_fraction = number < 0x1p52;
-  return has_fraction ? static_cast<double>(static_cast<std::int64_t>(number)) : number;
-}
-
-}  // namespace
-
+using Real = scalar::Pack<double>;
 double braking_steps(double speed, double decrement) {
-  return speed > 0.0 ? whole(speed / decrement) + 1.0 : 0.0;
+  return speed > 0.0 ? braking_profile(speed, decrement).full_steps + 1.0 : 0.0;
 }
 
 double braking_steps_at_least(double speed, double decrement) {
@@ -32,17 +23,16 @@ double braking_steps_at_least(double speed, double decrement) {
 }
 
 BrakingProfile braking_profile(double speed, double decrement) {
-  return {speed, decrement, whole(speed / decrement)};
+  const auto found = scalar::profile<Real>(speed, decrement);
+  return {speed, decrement, found.full_steps.value};
 }
 
 double stopping_length(const BrakingProfile& braking, const StepLaw& law) {
-  using Real = scalar::Pack<double>;
-  return scalar::distances(braking, law, Real(braking.full_steps)).middle.value;
+  return scalar::stopping_length(scalar::constant<Real>(braking), law).value;
 }
 
-BrakingDistances braking_distances(const BrakingProfile& braking, const StepLaw& law,
-                                   int interval) {
-  using Real = scalar::Pack<double>;
+BrakingDistances braking_distances(const BrakingProfile& of, const StepLaw& law, int interval) {
+  const auto braking = scalar::constant<Real>(of);
   const auto now = scalar::distances(braking, law, Real(interval));
   const auto next = scalar::distances(braking, law, Real(interval + 1.0));
   return {now.start.value, now.middle.value, next.start.value};

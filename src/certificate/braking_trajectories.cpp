@@ -38,28 +38,20 @@ struct Peers {
 
 Peers peers_of(const Robot& robot, const Braking& a, const StepLaw& law) {
   constexpr double kRounding = 1.0 + 0x1p-30;
+  const double u = a.profile.decrement, h = law.time_step;
   const double speed = kRounding * std::max(robot.max_speed, a.profile.speed);
-  const Braking b = braking_of({speed, 0.0}, robot.max_acceleration, law);
-  const double lengths = 2.0 * robot.radius + a.reach + b.reach;
-  const double error =
-      law.sensing_error.position + law.sensing_error.velocity * law.time_step * b.intervals;
+  const double top = speed + law.sensing_error.velocity + u, steps = top / u;
+  // at least what it takes to stop: v²/2a and what is lost by stopping in steps
+  const double length = h * (0.5 * top * steps + 0.125 * u) + std::abs(law.lag - 0.5 * h) * top;
+  const double reach = law.lag * speed + (h - law.lag) * top + length;
+  const double lengths = 2.0 * robot.radius + a.reach + reach, intervals = 3.0 + steps;
+  const double error = law.sensing_error.position + law.sensing_error.velocity * h * intervals;
   // of the rounding margin, what does not grow with the distance; the rest is less than kRounding
-  const double margin = 0x1p-46 * (norm(robot.position) + lengths) * (1.0 + b.intervals);
+  const double margin = 0x1p-46 * (norm(robot.position) + lengths) * intervals;
   const double distance = kRounding * (lengths + error + margin);
-  const bool is_known = b.intervals <= kMostIntervals;
+  const bool is_known = intervals <= kMostIntervals;
   return {is_known ? distance * distance : std::numeric_limits<double>::infinity(), robot.radius,
           robot.max_acceleration, speed * speed};
-}
-
-// Whether A's share of the free gap exceeds all that a candidate of A's can deviate, looked at
-// along p only: then the neighbor can refuse nothing, whatever it does itself.
-bool refuses_nothing(const BrakingPair& pair, double deviation) {
-  const double distance = norm(pair.p);
-  if (!(distance > 0.0)) return false;
-  const double nearest = distance + (std::min(0.0, pair.a.length * dot(pair.p, pair.a.direction)) -
-                                     std::max(0.0, pair.b.length * dot(pair.p, pair.b.direction))) /
-                                        distance;
-  return pair.share * (nearest - pair.inflated) > deviation;
 }
 
 // Where braking is seen to leave less than the margin, A may not lose more of it.
@@ -104,20 +96,54 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
                   TrajectoryWalls& walls, Invariant& invariant) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double inflation = parabola_error(neighbor, law);
-  const PairWalls of{
-      pair,
-      neighbor,
-      index,
-      static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
-      pair.inflated + inflation,
-      pair.decides ? infinity
-                   : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
+  const PairWalls of{pair,
+                     neighbor,
+                     index,
+                     static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
+                     pair.inflated + inflation,
+                     pair.decides
+                         ? infinity
+                         : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
   const std::size_t first = walls.columns.count;
   walls.columns.reserve(first + of.intervals);
   const double nearest = append_walls(of, law, walls.own_columns, walls.columns);
   const double held = held_distance(pair, nearest, index, invariant) + inflation;
   if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
   hold(of, held, first, law, walls);
+}
+
+// Where the pair is worth it.
+void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_t index,
+                   const Deviation& deviation, const StepLaw& law, TrajectoryWalls& walls,
+                   Invariant& invariant) {
+  const double most = std::max(pair.a.intervals, pair.b.intervals);
+  if (!(most <= kMostIntervals)) {
+    invariant.unknown = true;
+    return;
+  }
+  const auto intervals = static_cast<std::size_t>(most);
+  if (intervals > walls.own_columns.count) {
+    walls.own_columns.count = intervals;
+    walls.own_columns.reserve(intervals);
+    fill_own(pair.a, deviation, law, walls.own_columns);
+  }
+  collect_pair(pair, neighbor, static_cast<int>(index), law, walls, invariant);
+}
+
+BrakingPair kept_pair(const Robot& robot, const Braking& a, const NearColumns& near,
+                      std::size_t k) {
+  return {robot.position - Vec2{near.x[k], near.y[k]},
+          near.contact[k],
+          near.inflated[k],
+          near.error[k],
+          near.share[k],
+          true,
+          a,
+          {{near.speed[k], near.decrement[k], near.full_steps[k]},
+           {near.direction_x[k], near.direction_y[k]},
+           near.length[k],
+           near.reach[k],
+           near.intervals[k]}};
 }
 
 }  // namespace
@@ -127,32 +153,28 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom
   const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
   const Deviation deviation = deviation_of(a, robot.car.has_value(), law);
   const Peers peers = peers_of(robot, a, law);
-  const bool exact = law.sensing_error == SensingError{};
-  walls.columns.count = walls.own_columns.count = 0;
+  walls.columns.count = walls.own_columns.count = walls.near.count = 0;
   walls.stays_at_rest = walls.has_cones = false;
   walls.own = a;
+  walls.near.reserve(neighbors.size());
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
-    if (whom == Whom::movers && neighbor.max_acceleration > 0.0) continue;
-    if (peers.are_far(robot.position - neighbor.position, neighbor)) continue;
-    const BrakingPair pair = braking_pair(robot, neighbor, a, law);
-    if (cannot_meet(pair, neighbor, law)) continue;
-    if (!pair.decides && norm(pair.p) < pair.contact + law.sensing_error.position) {
-      invariant.touched = true;
-    }
-    if (pair.decides && exact && refuses_nothing(pair, deviation.most)) continue;
-    const double most = std::max(pair.a.intervals, pair.b.intervals);
-    if (!(most <= kMostIntervals)) {
-      invariant.unknown = true;
+    if (neighbor.max_acceleration > 0.0) {
+      const bool matters =
+          whom == Whom::everyone && !peers.are_far(robot.position - neighbor.position, neighbor);
+      if (matters) walls.near.add(k, neighbor);
       continue;
     }
-    const auto intervals = static_cast<std::size_t>(most);
-    if (intervals > walls.own_columns.count) {
-      walls.own_columns.count = intervals;
-      walls.own_columns.reserve(intervals);
-      fill_own(a, deviation, law, walls.own_columns);
-    }
-    collect_pair(pair, neighbor, static_cast<int>(k), law, walls, invariant);
+    const BrakingPair pair = braking_pair(robot, neighbor, a, law);
+    if (cannot_meet(pair, neighbor, law)) continue;
+    if (norm(pair.p) < pair.contact + law.sensing_error.position) invariant.touched = true;
+    collect_close(pair, neighbor, k, deviation, law, walls, invariant);
+  }
+  judge_pairs(robot, a, deviation, law, walls.near);
+  for (std::size_t i = 0; i < walls.near.kept_count; ++i) {
+    const std::size_t k = walls.near.kept[i], index = walls.near.index[k];
+    collect_close(kept_pair(robot, a, walls.near, k), neighbors[index], index, deviation, law,
+                  walls, invariant);
   }
 }
 

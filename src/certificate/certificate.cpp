@@ -11,6 +11,7 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
                    CertificateWalls& walls) {
   walls.capsules.reserve(neighbors);
   walls.soft_stops.reserve(neighbors);
+  walls.trajectories.near.reserve(neighbors);
   walls.trajectories.columns.reserve(std::min(neighbors * braking_steps, most_walls));
   walls.trajectories.own_columns.reserve(std::min(braking_steps, most_walls));
 }
@@ -46,8 +47,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
   walls.path = follow(robot, next_velocity, law.step);
   const bool trajectories_kept = keeps(walls.path, law.step, walls.trajectories);
   if (walls.invariant.unknown || (walls.invariant.touched && walls.path.moving > 0)) return false;
-  return trajectories_kept &&
-         keeps(walls.capsules, walls.path, law.step);
+  return trajectories_kept && keeps(walls.capsules, walls.path, law.step);
 }
 
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {

@@ -17,6 +17,10 @@ HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "certificate/certificate_kernels.h"
 
+void judge_pairs_lanes(const Robot& robot, const Braking& a, const Deviation& deviation,
+                       const StepLaw& law, NearColumns& near) {
+  judge_pairs<Pack<double>>(robot, a, deviation, law, near);
+}
 void fill_own_lanes(const Braking& a, const Deviation& deviation, const StepLaw& law,
                     OwnColumns& own) {
   fill_own<Pack<double>>(a, deviation, law, own);
@@ -37,10 +41,21 @@ HWY_AFTER_NAMESPACE();
 namespace avo {
 
 #ifdef AVO_HIGHWAY
+HWY_EXPORT(judge_pairs_lanes);
 HWY_EXPORT(fill_own_lanes);
 HWY_EXPORT(append_walls_lanes);
 HWY_EXPORT(keeps_lanes);
 #endif
+
+void judge_pairs(const Robot& robot, const Braking& a, const Deviation& deviation,
+                 const StepLaw& law, NearColumns& near) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) {
+    return HWY_DYNAMIC_DISPATCH(judge_pairs_lanes)(robot, a, deviation, law, near);
+  }
+#endif
+  scalar::judge_pairs<scalar::Pack<double>>(robot, a, deviation, law, near);
+}
 
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
 #ifdef AVO_HIGHWAY

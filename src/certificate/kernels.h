@@ -36,6 +36,10 @@ namespace scalar {
 #include "certificate/certificate_kernels.h"
 }  // namespace scalar
 
+/// See pair_kernel.h.
+void judge_pairs(const Robot& robot, const Braking& a, const Deviation& deviation,
+                 const StepLaw& law, NearColumns& near);
+
 /// own.count is known, the columns have room for it.
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);
 

@@ -35,7 +35,7 @@ struct Deviation {
   };
   Line ahead, across, anyhow;
   BrakingProfile fast, slow;
-  double most = 0.0;  ///< of all intervals and directions
+  double most_ahead = 0.0, most_aside = 0.0;  ///< of all intervals: ahead; across and anyhow
 };
 Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law);
 

@@ -3,14 +3,45 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "avo/vec.h"
+#include "avo/robot.h"
 
 namespace avo {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kMostLanes = 8;
+
+/// Neighbors that decide and are not far: what is known of them, and of the pair with each where it
+/// is kept (see BrakingPair, Braking).
+struct NearColumns {
+  std::size_t count = 0, kept_count = 0;
+  std::vector<std::uint32_t> index;  ///< among all neighbors
+  std::vector<double> x, y, v_x, v_y, radius, max_acceleration;
+  std::vector<double> contact, inflated, error, share;
+  std::vector<double> speed, decrement, full_steps, direction_x, direction_y;
+  std::vector<double> length, reach, intervals;
+  std::vector<std::uint32_t> kept;  ///< columns
+
+  void reserve(std::size_t neighbors) {
+    if (x.size() >= neighbors + kMostLanes) return;
+    for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &contact, &inflated,
+                         &error, &share, &speed, &decrement, &full_steps, &direction_x,
+                         &direction_y, &length, &reach, &intervals}) {
+      column->resize(neighbors + kMostLanes, 1.0);
+    }
+    index.resize(neighbors + kMostLanes);
+    kept.resize(neighbors + kMostLanes);
+  }
+  void add(std::size_t neighbor, const Neighbor& of) {
+    index[count] = static_cast<std::uint32_t>(neighbor);
+    x[count] = of.position.x, y[count] = of.position.y;
+    v_x[count] = of.velocity.x, v_y[count] = of.velocity.y;
+    radius[count] = of.radius, max_acceleration[count] = of.max_acceleration;
+    ++count;
+  }
+};
 
 /// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
 /// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").

@@ -2,26 +2,20 @@
 // The walls of one pair, for as many intervals at once as Pack has lanes. Included into a namespace
 // that has Pack, after braking_kernel.h, once per instruction set.
 
-/// 0, 1, 2, ...
-template <typename Real>
-AVO_KERNEL Real lane_numbers() {
-  return Real::load(kLaneNumbers.data());
-}
-
 /// A's braking path and what its candidates can deviate from it.
 template <typename Real>
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
   for (std::size_t k = 0; k <= own.count; k += Real::kLanes) {
     const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
-    const PackDistances<Real> braking = distances(a.profile, law, m);
+    const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
     const PackVec<Real> along = constant<Real>(a.direction);
     const PackVec<Real> start = braking.start * along, middle = braking.middle * along;
     start.x.store(&own.start_x[k]);
     start.y.store(&own.start_y[k]);
     middle.x.store(&own.middle_x[k]);
     middle.y.store(&own.middle_y[k]);
-    const Real fast = distances(deviation.fast, law, m).start;
-    const Real gained = fast - distances(deviation.slow, law, m).start;
+    const Real fast = distances(constant<Real>(deviation.fast), law, m).start;
+    const Real gained = fast - distances(constant<Real>(deviation.slow), law, m).start;
     const auto bound = [](const Deviation::Line& line, Real distance) {
       return Real(line.start) + Real(line.per_distance) * distance;
     };
@@ -68,9 +62,9 @@ AVO_KERNEL PackVec<Real> nearest_on_segment(PackVec<Real> a, PackVec<Real> b) {
   return a + select(is_long, part, zero) * ab;
 }
 
-/// Direction of the point of the triangle's edges nearest to the origin; 0 where that is the origin.
-/// Whether the origin lies inside is not asked: no sign of rounding noise decides anything, since
-/// any direction makes a sound wall, and its distance tells what it is worth.
+/// Direction of the point of the triangle's edges nearest to the origin; 0 where that is the
+/// origin. Whether the origin lies inside is not asked: no sign of rounding noise decides anything,
+/// since any direction makes a sound wall, and its distance tells what it is worth.
 template <typename Real>
 AVO_KERNEL PackVec<Real> normal_of(const PackPoints<Real>& q) {
   const Real zero(0.0), one(1.0);
@@ -196,15 +190,14 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
       const Real moved = one_norm(q.middle - q.start) + one_norm(q.end - q.middle);
       const PackMargin<Real> margin = error_margin(pair, law, m, contact, moved);
       const Real beyond = inflated + moved + margin.distance;
-      const Real free = sqrt(dot(q.start, q.start)) - beyond;
+      const Real free = norm(q.start) - beyond;
       if (!any(counted & !(share * free > (one + margin.cone) * most))) continue;
     }
     const PackVec<Real> n = normal_of(q);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
     const auto holds = m < Real(of.moving);  // the invariant speaks of it
     nearest = select(counted & holds & (distance < nearest), distance, nearest);
-    const Real moved = sqrt(dot(q.middle - q.start, q.middle - q.start)) +
-                       sqrt(dot(q.end - q.middle, q.end - q.middle));
+    const Real moved = norm(q.middle - q.start) + norm(q.end - q.middle);
     PackMargin<Real> margin = error_margin(pair, law, m, distance, moved);
     const Real loss = max(-dot(n, d), zero) * ahead + abs(n.x * d.y - n.y * d.x) * across + anyhow +
                       margin.cone * most;
