@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
+#include "certificate/kernels.h"
 #include "robots/motion.h"
 
 namespace avo {
 
+using Real = scalar::Pack<double>;
 double braking_steps(double speed, double decrement) {
-  return speed > 0.0 ? std::floor(speed / decrement) + 1.0 : 0.0;
+  return speed > 0.0 ? braking_profile(speed, decrement).full_steps + 1.0 : 0.0;
 }
 
 double braking_steps_at_least(double speed, double decrement) {
@@ -21,31 +22,25 @@ double braking_steps_at_least(double speed, double decrement) {
   return std::max(std::ceil(steps - rounding), 0.0);
 }
 
-double stopping_length(double speed, double decrement, const StepLaw& law) {
-  // speed = (k + f) u: k full steps, and a last one that takes off the rest, f u
-  const double k = std::floor(speed / decrement);
-  const double rest = std::max(speed - k * decrement, 0.0);
-  return law.time_step * k * (0.5 * (k - 1.0) * decrement + rest) +
-         law.lag * (k * decrement + rest);
+BrakingProfile braking_profile(double speed, double decrement) {
+  const auto found = scalar::profile<Real>(speed, decrement);
+  return {speed, decrement, found.full_steps.value};
+}
+
+double stopping_length(const BrakingProfile& braking, const StepLaw& law) {
+  return scalar::stopping_length(scalar::constant<Real>(braking), law).value;
+}
+
+BrakingDistances braking_distances(const BrakingProfile& of, const StepLaw& law, int interval) {
+  const auto braking = scalar::constant<Real>(of);
+  const auto now = scalar::distances(braking, law, Real(interval));
+  const auto next = scalar::distances(braking, law, Real(interval + 1.0));
+  return {now.start.value, now.middle.value, next.start.value};
 }
 
 Vec2 braked(Vec2 velocity, double decrement) {
   const double speed = norm(velocity);
   return speed > decrement ? ((speed - decrement) / speed) * velocity : Vec2{};
-}
-
-void BrakingDistances::brake(double speed, double decrement, const StepLaw& law, int intervals) {
-  const auto count = static_cast<std::size_t>(std::max(intervals, 0));
-  if (start.size() < count) start.resize(count), middle.resize(count), end.resize(count);
-  const double lead = law.time_step - law.lag;
-  double distance = 0.0;
-  for (std::size_t m = 0; m < count; ++m) {
-    start[m] = distance;
-    middle[m] = distance + law.lag * speed;
-    speed = std::max(speed - decrement, 0.0);
-    distance = middle[m] + lead * speed;
-    end[m] = distance;
-  }
 }
 
 Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
@@ -56,9 +51,8 @@ Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
   return plan;
 }
 
-void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
-            CandidatePath& path) {
-  path.bend = 0.0;
+CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
+  CandidatePath path;
   path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
   path.next_velocity = next_velocity;
   if (robot.car) {
@@ -74,9 +68,10 @@ void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int inte
   path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
   const bool stays = path.speed == 0.0 && robot.velocity == Vec2{};
   constexpr double kForEver = 1e9;  // more than any wall's interval
-  const double steps = std::min(braking_steps(path.speed, decrement), kForEver);
+  path.braking = braking_profile(path.speed, decrement);
+  const double steps = path.speed > 0.0 ? std::min(path.braking.full_steps + 1.0, kForEver) : 0.0;
   path.moving = stays ? 0 : 1 + static_cast<int>(steps);
-  path.braking.brake(path.speed, decrement, law, intervals);
+  return path;
 }
 
 }  // namespace avo

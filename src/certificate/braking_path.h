@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Straight full braking in steps: the motion that every robot can fall back on, known to all.
 #pragma once
-#include <vector>
-
 #include "avo/planner.h"
 #include "avo/robot.h"
 #include "avo/vec.h"
@@ -34,21 +32,30 @@ double braking_steps(double speed, double decrement);
 /// number. What is left over moves a robot by less than 1e-9 u Δt.
 double braking_steps_at_least(double speed, double decrement);
 
-/// [l] m until rest, by steps of `decrement` and a last one of what is left. Not v²/2a: a robot
-/// that moves in steps needs up to u Δt/8 more. Within a few ulp, any speed >= 0.
-double stopping_length(double speed, double decrement, const StepLaw& law);
-
 /// Velocity after one step of full braking, exactly 0 where that ends at rest.
 Vec2 braked(Vec2 velocity, double decrement);
 
-/// Distances along a braking path, by interval between steps: where it begins, its middle Bézier
+/// Full braking from a speed: whole steps, and a last one that takes off what is left.
+struct BrakingProfile {
+  double speed = 0.0;       ///< m/s
+  double decrement = 0.0;   ///< [u] m/s
+  double full_steps = 0.0;  ///< ⌊speed / u⌋
+};
+BrakingProfile braking_profile(double speed, double decrement);
+
+/// Distances along a braking path, m: where an interval between steps begins, its middle Bézier
 /// point, where it ends. Nondecreasing; all equal once at rest.
 struct BrakingDistances {
-  std::vector<double> start, middle, end;  ///< m
-
-  /// From `speed` for `intervals` steps. Allocates only while it grows.
-  void brake(double speed, double decrement, const StepLaw& law, int intervals);
+  double start, middle, end;
 };
+BrakingDistances braking_distances(const BrakingProfile& braking, const StepLaw& law, int interval);
+
+/// [l] m until rest, by steps of `decrement` and a last one of what is left. Not v²/2a: a robot
+/// that moves in steps needs up to u Δt/8 more. Within a few ulp, any speed >= 0.
+double stopping_length(const BrakingProfile& braking, const StepLaw& law);
+inline double stopping_length(double speed, double decrement, const StepLaw& law) {
+  return stopping_length(braking_profile(speed, decrement), law);
+}
 
 /// A's path for a candidate: v_1 after one step, then braking. Relative to p_A.
 struct CandidatePath {
@@ -58,12 +65,10 @@ struct CandidatePath {
   double speed = 0.0;  ///< |v_1| m/s
   int moving = 0;      ///< intervals in which it moves, the first step included
   double bend = 0.0;   ///< m, for a car: what the arc of its first step asks for beyond a parabola
-  BrakingDistances braking;
+  BrakingProfile braking;  ///< from v_1
 };
 
-/// The path, its braking known for the `intervals` after the first step. A car's path is that of
-/// the velocity that it reaches where v_1 was wanted.
-void follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law, int intervals,
-            CandidatePath& path);
+/// A car's path is that of the velocity that it reaches where v_1 was wanted.
+CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law);
 
 }  // namespace avo

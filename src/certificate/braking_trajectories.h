@@ -5,11 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "avo/geometry.h"
+#include "avo/robot.h"
 #include "certificate/braking_path.h"
 #include "certificate/pair.h"
+#include "certificate/wall_columns.h"
 
 namespace avo {
 
@@ -33,11 +34,16 @@ enum class Whom : unsigned char { everyone, movers };
 
 /// Scratch memory; allocates only while it grows.
 struct TrajectoryWalls {
-  std::vector<TrajectoryWall> walls;  ///< a neighbor's follow each other
-  int intervals = 0;                  ///< of a candidate's braking that have to be known
-  Vec2 direction;                     ///< of A's braking
-  BrakingDistances braking, neighbor_braking;
+  WallColumns columns;  ///< a neighbor's follow each other
+  NearColumns near;
+  Braking own;
+  OwnColumns own_columns;
+  /// A rests beside one that does not decide, so near that it may not begin to move.
+  bool stays_at_rest = false;
+  bool has_cones = false;
 };
+
+TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
 
 /// Collects the walls that can refuse a candidate with |v_1 - v| <= u. A neighbor with
 /// max_acceleration 0 does not decide: it is taken to keep its acceleration, A's share is 1, and
@@ -45,20 +51,22 @@ struct TrajectoryWalls {
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom whom,
                    const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
 
-/// The wall that the path violates most, or that it is nearest to.
+/// Whether the path keeps all walls, and by how much or how little each of them.
+bool keeps(const CandidatePath& path, const StepLaw& law, TrajectoryWalls& walls);
+
+/// The wall that the path asked about last violates most, or that it is nearest to.
 struct WorstWall {
   double coefficient;  ///< m, >= 0 iff the candidate is admitted; infinite without walls
-  const TrajectoryWall* wall = nullptr;
+  TrajectoryWall wall = {};
   int point = 0;   ///< of the three
   Vec2 lean = {};  ///< what a cone takes off the normal there
 };
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path);
-/// Of walls.walls[first .. last) only.
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, std::size_t first,
-                     std::size_t last);
+WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, const StepLaw& law);
+/// Of walls [first .. last) only.
+WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, const StepLaw& law,
+                     std::size_t first, std::size_t last);
 
 /// The wall's half-plane in v_1, tangent at the path: v_1 of a path that violates it lies outside.
-HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const Robot& robot,
-                  const StepLaw& law);
+HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const StepLaw& law);
 
 }  // namespace avo

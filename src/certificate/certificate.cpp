@@ -11,20 +11,16 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
                    CertificateWalls& walls) {
   walls.capsules.reserve(neighbors);
   walls.soft_stops.reserve(neighbors);
-  walls.trajectories.walls.reserve(std::min(neighbors * braking_steps, most_walls));
-  for (BrakingDistances* distances :
-       {&walls.trajectories.braking, &walls.trajectories.neighbor_braking, &walls.path.braking}) {
-    for (std::vector<double>* each : {&distances->start, &distances->middle, &distances->end}) {
-      each->reserve(std::min(braking_steps, most_walls));
-    }
-  }
+  walls.trajectories.near.reserve(neighbors);
+  walls.trajectories.columns.reserve(std::min(neighbors * braking_steps, most_walls));
+  walls.trajectories.own_columns.reserve(std::min(braking_steps, most_walls));
 }
 
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls) {
   walls.invariant = {std::numeric_limits<double>::infinity()};
-  walls.trajectories.walls.clear();
-  walls.trajectories.intervals = 0;
+  walls.trajectories.columns.count = 0;
+  walls.trajectories.stays_at_rest = false;
   walls.capsules.clear();
   walls.soft_stops.clear();
   switch (law.kind) {
@@ -48,10 +44,10 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
     return keeps(walls.soft_stops, soft_stop_velocity(robot.velocity, next_velocity,
                                                       law.step.time_step, law.soft_stop_time));
   }
-  follow(robot, next_velocity, law.step, walls.trajectories.intervals, walls.path);
+  walls.path = follow(robot, next_velocity, law.step);
+  const bool trajectories_kept = keeps(walls.path, law.step, walls.trajectories);
   if (walls.invariant.unknown || (walls.invariant.touched && walls.path.moving > 0)) return false;
-  return worst_wall(walls.trajectories, walls.path).coefficient >= 0.0 &&
-         keeps(walls.capsules, walls.path, robot, law.step);
+  return trajectories_kept && keeps(walls.capsules, walls.path, law.step);
 }
 
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
@@ -65,7 +61,8 @@ Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
 
 void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<CertificateWall>& list) {
   list.clear();
-  for (const TrajectoryWall& wall : walls.trajectories.walls) {
+  for (std::size_t k = 0; k < walls.trajectories.columns.count; ++k) {
+    const TrajectoryWall wall = wall_at(walls.trajectories.columns, k);
     list.push_back({wall.neighbor, wall.interval, wall.normal, wall.bound});
   }
   for (const CapsuleWall& wall : walls.capsules) {

@@ -4,55 +4,86 @@
 
 #include <algorithm>
 
-#include "avo/half_plane.h"
+#include "certificate/kernels.h"
 
 namespace avo {
 namespace {
 
-// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake such errors add
-// up, for at most so many steps; a decision shrinks what has added up by a share.
-// docs/certificate.md, "Rounding"; four times what is derived there.
-double rounding_margin(const Robot& robot, const Neighbor& neighbor, const BrakingPair& pair) {
-  const double lengths =
-      pair.contact + pair.a.reach + pair.b.reach + norm(robot.position) + norm(neighbor.position);
-  const double steps = 1.0 + std::max(pair.a.intervals, pair.b.intervals);
-  const double shrinks = pair.decides ? std::min(pair.share, 1.0 - pair.share) : 1.0;
-  return 0x1p-48 * lengths * steps / shrinks;
+using Real = scalar::Pack<double>;
+
+BrakingProfile plain(const scalar::PackProfile<Real>& profile) {
+  return {profile.speed.value, profile.decrement.value, profile.full_steps.value};
+}
+
+Vec2 plain(const scalar::PackVec<Real>& a) {
+  return {a.x.value, a.y.value};
+}
+
+Braking plain(const scalar::PackBraking<Real>& braking) {
+  return {plain(braking.profile), plain(braking.direction), braking.length.value,
+          braking.reach.value, braking.intervals.value};
+}
+
+scalar::PackVec<Real> pack(Vec2 a) {
+  return scalar::constant<Real>(a);
 }
 
 }  // namespace
 
 Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
-  Braking result;
-  result.speed = norm(velocity);
-  result.decrement = braking_decrement(max_acceleration, law);
-  if (result.speed > 0.0) result.direction = velocity / result.speed;
-  // it may be faster than it looks
-  const double top = result.speed + law.sensing_error.velocity + result.decrement;
-  result.length = stopping_length(result.speed, result.decrement, law);
-  result.reach = law.lag * result.speed + (law.time_step - law.lag) * top +
-                 stopping_length(top, result.decrement, law);
-  result.intervals = 1.0 + braking_steps(top, result.decrement);
-  return result;
+  return plain(scalar::braking_of(pack(velocity), Real(max_acceleration), law));
 }
 
-double deviation_after(const Braking& braking, double steps, const StepLaw& law) {
-  // |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times the time
-  return 2.0 * braking.decrement * law.time_step * std::min(steps, braking.intervals);
+// docs/certificate.md, "What can refuse nothing"
+Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law) {
+  const double speed = a.profile.speed, u = a.profile.decrement;
+  const double lead = law.time_step - law.lag;
+  Deviation result;
+  result.fast = braking_profile(speed + u, u);
+  const double length = stopping_length(result.fast, law);
+  constexpr double kRounding = 1.0 + 0x1p-30;
+  if (is_car) {
+    // |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times the
+    // time
+    result.anyhow.start = 2.0 * u * law.time_step * a.intervals;
+    result.most_aside = result.anyhow.start;
+  } else if (speed < u) {
+    result.anyhow = {kRounding * lead * (speed + u), kRounding};
+    result.most_aside = result.anyhow.start + kRounding * length;
+  } else {
+    result.slow = braking_profile(speed - u, u);
+    result.ahead = {kRounding * 2.0 * lead * u, kRounding};
+    result.across = {kRounding * lead * u, kRounding * u / (speed + u)};
+    const double gained = length - stopping_length(result.slow, law);
+    result.most_ahead = result.ahead.start + result.ahead.per_distance * gained;
+    result.most_aside = result.across.start + result.across.per_distance * length;
+  }
+  return result;
 }
 
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
-  BrakingPair pair;
-  pair.decides = neighbor.max_acceleration > 0.0;
+  if (neighbor.max_acceleration > 0.0) {
+    const auto found = scalar::pair_of(robot, a, pack(neighbor.position), pack(neighbor.velocity),
+                                       Real(neighbor.radius), Real(neighbor.max_acceleration), law);
+    return {plain(found.p),
+            found.contact.value,
+            found.inflated.value,
+            found.error.value,
+            found.share.value,
+            true,
+            a,
+            plain(found.b)};
+  }
+  BrakingPair pair{};
   pair.p = robot.position - neighbor.position;
   pair.contact = robot.radius + neighbor.radius;
-  pair.share = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration);
+  pair.share = 1.0;
   pair.a = a;
-  if (pair.decides) pair.b = braking_of(neighbor.velocity, neighbor.max_acceleration, law);
-  pair.inflated = pair.contact + rounding_margin(robot, neighbor, pair);
-  pair.error = law.sensing_error.position +
-               law.sensing_error.velocity * law.time_step * (pair.decides ? pair.b : a).intervals;
+  const double lengths = pair.contact + a.reach + norm(robot.position) + norm(neighbor.position);
+  pair.inflated = pair.contact + scalar::rounding_margin<Real>(lengths, a.intervals, 1.0).value;
+  pair.error =
+      law.sensing_error.position + law.sensing_error.velocity * law.time_step * a.intervals;
   return pair;
 }
 

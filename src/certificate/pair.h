@@ -18,8 +18,7 @@ inline Vec2 nearest_on_segment(Vec2 a, Vec2 b) {
 
 /// A robot that brakes.
 struct Braking {
-  double speed = 0.0;      ///< m/s
-  double decrement = 0.0;  ///< [u] m/s
+  BrakingProfile profile;
   Vec2 direction;          ///< unit, or 0 at rest
   double length = 0.0;     ///< [l] m until rest
   double reach = 0.0;      ///< m that no candidate's path leaves
@@ -27,8 +26,18 @@ struct Braking {
 };
 Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law);
 
-/// How far any candidate's path gets from the braking path `steps` steps from now, m.
-double deviation_after(const Braking& braking, double steps, const StepLaw& law);
+/// How far any candidate's path gets from A's braking path, m, by interval: ahead and to a side of
+/// A's direction, and anyhow, growing with the distance that braking from the candidates' largest
+/// speed has covered where the interval begins (ahead: what that is more than for their least).
+struct Deviation {
+  struct Line {
+    double start = 0.0, per_distance = 0.0;
+  };
+  Line ahead, across, anyhow;
+  BrakingProfile fast, slow;
+  double most_ahead = 0.0, most_aside = 0.0;  ///< of all intervals: ahead; across and anyhow
+};
+Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law);
 
 /// Pairs whose braking takes more intervals than this are not looked at but braked for.
 inline constexpr double kMostIntervals = 65536.0;

@@ -52,10 +52,8 @@ void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, c
   }
 }
 
-bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const Robot& robot,
-           const StepLaw& law) {
-  const double length =
-      stopping_length(path.speed, braking_decrement(robot.max_acceleration, law), law);
+bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const StepLaw& law) {
+  const double length = stopping_length(path.braking, law);
   const Vec2 end = path.first + length * path.direction;
   return std::all_of(walls.begin(), walls.end(), [&](const CapsuleWall& wall) {
     return dot(wall.normal, path.first) - path.bend >= wall.offset &&

@@ -23,8 +23,7 @@ void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, c
                       std::vector<CapsuleWall>& walls, Invariant& invariant);
 
 /// Whether the capsule after the candidate's first step, and with it that step, keeps to all walls.
-bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const Robot& robot,
-           const StepLaw& law);
+bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const StepLaw& law);
 
 /// The walls as half-planes in v_1, sufficient while |v_1| <= top_speed.
 void append_half_planes(std::span<const CapsuleWall> walls, const Robot& robot, const StepLaw& law,

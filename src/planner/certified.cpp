@@ -40,13 +40,14 @@ bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
 // For every neighbor that refuses the path asked about last, the tangent of its worst wall.
 void append_cuts(const Proposals& proposals) {
   const CertificateWalls& walls = proposals.workspace.walls;
-  const std::vector<TrajectoryWall>& all = walls.trajectories.walls;
-  for (std::size_t first = 0; first < all.size();) {
+  const WallColumns& columns = walls.trajectories.columns;
+  for (std::size_t first = 0; first < columns.count;) {
     std::size_t last = first;
-    while (last < all.size() && all[last].neighbor == all[first].neighbor) ++last;
-    const WorstWall worst = worst_wall(walls.trajectories, walls.path, first, last);
+    while (last < columns.count && columns.neighbor[last] == columns.neighbor[first]) ++last;
+    const WorstWall worst =
+        worst_wall(walls.trajectories, walls.path, proposals.law.step, first, last);
     if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient)) {
-      HalfPlane cut = tangent(worst, walls.path, proposals.robot, proposals.law.step);
+      HalfPlane cut = tangent(worst, walls.path, proposals.law.step);
       cut.offset += kInside * proposals.acceleration.radius;
       proposals.workspace.hard.push_back(cut);
     }

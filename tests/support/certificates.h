@@ -39,6 +39,12 @@ inline Neighbor seen(const Robot& robot) {
   return {robot.position, robot.velocity, robot.radius, robot.max_acceleration, {}};
 }
 
+inline std::vector<TrajectoryWall> all_walls(const TrajectoryWalls& walls) {
+  std::vector<TrajectoryWall> all;
+  for (std::size_t k = 0; k < walls.columns.count; ++k) all.push_back(wall_at(walls.columns, k));
+  return all;
+}
+
 /// All but one, as it sees them. The certificate asks for no order.
 inline std::vector<Neighbor> others(const std::vector<Robot>& robots, std::size_t self) {
   std::vector<Neighbor> result;

@@ -49,15 +49,15 @@ TEST(BrakingPath, distances_are_those_of_stepping) {
     for (int i = 0; i < 500; ++i) {
       const PairSituation s = random_pair(random, Certificate::none, motion);
       const StepLaw& law = s.law.step;
-      CandidatePath path;
       const Vec2 next = random_choice(random, s);
-      follow(s.a, next, law, 40, path);
+      const CandidatePath path = follow(s.a, next, law);
       const std::vector<Points> expected = stepped_path(s.a, next, law, 41);
       const Vec2 p = s.a.position;
       EXPECT_LE(norm(p + path.first - expected[0][2]), 1e-12);
       for (std::size_t m = 0; m < 40; ++m) {
-        const std::array<double, 3> along{path.braking.start[m], path.braking.middle[m],
-                                          path.braking.end[m]};
+        const auto [start, middle, end] =
+            braking_distances(path.braking, law, static_cast<int>(m));
+        const std::array<double, 3> along{start, middle, end};
         for (std::size_t k = 0; k < 3; ++k) {
           EXPECT_LE(norm(p + path.first + along[k] * path.direction - expected[m + 1][k]), 1e-11);
         }

@@ -58,7 +58,7 @@ bool is_sane(Vec2 normal, double offset) {
 
 bool are_sane(const CertificateWalls& walls) {
   bool sane = !std::isnan(walls.invariant.slack);
-  for (const TrajectoryWall& wall : walls.trajectories.walls) {
+  for (const TrajectoryWall& wall : all_walls(walls.trajectories)) {
     for (const double offset : wall.offset) sane = sane && is_sane(wall.normal, offset);
   }
   for (const CapsuleWall& wall : walls.capsules) sane = sane && is_sane(wall.normal, wall.offset);

@@ -21,14 +21,16 @@ CertificateWalls walls_of(const Robot& self, const Robot& other, const Certifica
 TEST(Walls, of_a_pair_are_mirror_images_bit_for_bit) {
   for (const Motion motion : kMotions) {
     Random random(21);
-    int compared = 0;
+    int compared = 0, broken = 0;
     for (int i = 0; i < 3000; ++i) {
       const PairSituation s = random_pair(random, kS3, motion);
       const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
-      const auto& a = of_A.trajectories.walls;
-      const auto& b = of_B.trajectories.walls;
-      if (!a.empty() && !b.empty()) {
+      const std::vector<TrajectoryWall> a = all_walls(of_A.trajectories);
+      const std::vector<TrajectoryWall> b = all_walls(of_B.trajectories);
+      // where braking leaves too little, both hold what it leaves
+      if (std::min(of_A.invariant.slack, of_B.invariant.slack) < 0.0) {
         EXPECT_EQ(of_A.invariant.slack, of_B.invariant.slack);
+        ++broken;
       }
       for (std::size_t j = 0, k = 0; j < a.size() && k < b.size();) {
         if (a[j].interval != b[k].interval) {
@@ -40,7 +42,8 @@ TEST(Walls, of_a_pair_are_mirror_images_bit_for_bit) {
         ++compared, ++j, ++k;
       }
     }
-    EXPECT_GT(compared, 10000);
+    EXPECT_GT(compared, 5000);
+    EXPECT_GT(broken, 100);
   }
 }
 
@@ -49,8 +52,8 @@ TEST(Walls, shares_of_a_pair_add_up_to_the_gap) {
     Random random(22);
     for (int i = 0; i < 1000; ++i) {
       const PairSituation s = sound_pair(random, kS3, motion);
-      const auto of_A = walls_of(s.a, s.b, s.law).trajectories.walls;
-      const auto of_B = walls_of(s.b, s.a, s.law).trajectories.walls;
+      const auto of_A = all_walls(walls_of(s.a, s.b, s.law).trajectories);
+      const auto of_B = all_walls(walls_of(s.b, s.a, s.law).trajectories);
       if (of_A.empty() || of_B.empty() || of_A[0].interval != 0 || of_B[0].interval != 0) continue;
       // at the start of the step itself both paths begin where the robots are
       const double gap = dot(of_A[0].normal, s.a.position - s.b.position) - s.a.radius - s.b.radius;
@@ -135,17 +138,17 @@ TEST(Walls, tangent_is_the_derivative) {
       const double steps = norm(next) / u;
       // the braking path has kinks where a step more begins
       if (admits(s.a, next, s.law, walls) || std::abs(steps - std::round(steps)) < 1e-3) continue;
-      const WorstWall worst = worst_wall(walls.trajectories, walls.path);
-      const double value = coefficient_of(s, *worst.wall, worst.point, next);
+      const WorstWall worst = worst_wall(walls.trajectories, walls.path, s.law.step);
+      const double value = coefficient_of(s, worst.wall, worst.point, next);
       EXPECT_NEAR(value, worst.coefficient, 1e-11);
       const double h = 1e-5 * u;
       const auto slope = [&](Vec2 direction) {
-        return (coefficient_of(s, *worst.wall, worst.point, next + h * direction) -
-                coefficient_of(s, *worst.wall, worst.point, next - h * direction)) /
+        return (coefficient_of(s, worst.wall, worst.point, next + h * direction) -
+                coefficient_of(s, worst.wall, worst.point, next - h * direction)) /
                (2.0 * h);
       };
       const Vec2 gradient{slope({1.0, 0.0}), slope({0.0, 1.0})};
-      const HalfPlane plane = tangent(worst, walls.path, s.a, s.law.step);
+      const HalfPlane plane = tangent(worst, walls.path, s.law.step);
       EXPECT_LE(norm(plane.normal - gradient / norm(gradient)), 1e-5);
       EXPECT_NEAR(violation(plane, next) * norm(gradient), -value, 1e-5 * std::abs(value) + 1e-12);
       EXPECT_GT(violation(plane, next), 0.0);  // what is refused is cut off
@@ -160,7 +163,7 @@ TEST(Walls, bound_is_sufficient_for_the_deviation_from_braking) {
     const PairSituation s = sound_pair(random, kS3, Motion::held);
     const CertificateWalls walls = walls_of(s.a, s.b, s.law);
     const double u = braking_decrement(s.a.max_acceleration, s.law.step);
-    for (const TrajectoryWall& wall : walls.trajectories.walls) {
+    for (const TrajectoryWall& wall : all_walls(walls.trajectories)) {
       EXPECT_LE(wall.bound, 1e-9);
       const auto m = static_cast<std::size_t>(wall.interval);
       const Vec2 next = braked(s.a.velocity, u);

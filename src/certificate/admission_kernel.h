@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A candidate against walls, as many at once as Pack has lanes. Included into a namespace that has
+// Pack, after walls_kernel.h, once per instruction set.
+
+/// normal . y_i + offset_i of the three points of the wall's interval, less what its cone takes, m.
+template <typename Real>
+struct PackCoefficients {
+  Real start, middle, end;
+};
+
+template <typename Real>
+AVO_KERNEL PackCoefficients<Real> coefficients(const WallColumns& walls, std::size_t k,
+                                               const Braking& own, const CandidatePath& path,
+                                               const StepLaw& law, bool has_cones) {
+  const Real zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
+  const PackVec<Real> n{Real::load(&walls.normal_x[k]), Real::load(&walls.normal_y[k])};
+  const Real m = Real::load(&walls.interval[k]);
+  const auto later = m > zero;  // than the step that is decided
+  // the interval's points lie so far along the braking that follows the first step
+  const PackProfile<Real> braking = constant<Real>(path.braking);
+  const PackDistances<Real> before = distances(braking, law, max(m - one, zero));
+  const Real end = distances(braking, law, m).start;
+  const PackVec<Real> first = constant<Real>(path.first), along = constant<Real>(path.direction);
+  const Real base = dot(n, first), per_distance = dot(n, along);
+  PackCoefficients<Real> result{
+      base + per_distance * before.start + Real::load(&walls.offset[0][k]),
+      base + per_distance * before.middle + Real::load(&walls.offset[1][k]),
+      base + per_distance * end + Real::load(&walls.offset[2][k])};
+  if (has_cones) {
+    const Real cone = Real::load(&walls.cone[k]);
+    const PackPoints<Real> x = points(own.profile, own.direction, law, m);
+    const auto off = [&](Real distance, PackVec<Real> from) {
+      return cone * norm(first + distance * along - from);
+    };
+    result = {result.start - off(before.start, x.start),
+              result.middle - off(before.middle, x.middle), result.end - off(end, x.end)};
+  }
+  // y_0 and y_1 of the step itself are those of the braking path; its end pays for a car's arc
+  return {select(later, result.start, infinity), select(later, result.middle, infinity),
+          select(later, result.end, result.end - Real(path.bend))};
+}
+
+/// Whether the path keeps all walls; walls.coefficient is filled.
+template <typename Real>
+bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
+           WallColumns& walls) {
+  const Real zero(0.0), infinity(std::numeric_limits<double>::infinity());
+  bool kept = true;
+  for (std::size_t k = 0; k < walls.count; k += Real::kLanes) {
+    const PackCoefficients<Real> each = coefficients<Real>(walls, k, own, path, law, has_cones);
+    const auto asked = Real::load(&walls.needs[k]) < Real(static_cast<double>(path.moving));
+    const auto counted = lane_numbers<Real>() < Real(static_cast<double>(walls.count - k));
+    // nothing that is not known is admitted
+    const auto good = (each.start >= zero) & (each.middle >= zero) & (each.end >= zero);
+    kept = kept && !any(counted & asked & !good);
+    select(asked, min(min(each.start, each.middle), each.end), infinity)
+        .store(&walls.coefficient[k]);
+  }
+  return kept;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Straight full braking in steps, in closed form, for as many intervals at once as Pack has lanes.
+// Included into a namespace that has Pack, once per instruction set.
+
+/// 0, 1, 2, ...
+template <typename Real>
+AVO_KERNEL Real lane_numbers() {
+  return Real::load(kLaneNumbers.data());
+}
+
+/// See BrakingProfile.
+template <typename Real>
+struct PackProfile {
+  Real speed, decrement, full_steps;
+};
+
+template <typename Real>
+AVO_KERNEL PackProfile<Real> constant(const BrakingProfile& braking) {
+  return {Real(braking.speed), Real(braking.decrement), Real(braking.full_steps)};
+}
+
+/// Of so many steps nobody asks for the fraction: neither a step more nor one less of braking is
+/// wrong by more than rounding, as long as all use the same number.
+template <typename Real>
+AVO_KERNEL PackProfile<Real> profile(Real speed, Real decrement) {
+  const Real most(0x1p30), steps = speed / decrement;
+  return {speed, decrement, select(steps < most, floor(min(steps, most)), steps)};
+}
+
+/// Distances where an interval begins and at its middle Bézier point, m; it ends where the next one
+/// begins.
+template <typename Real>
+struct PackDistances {
+  Real start, middle;
+};
+
+/// Of the interval after `steps` >= 0 steps of braking. With c steps done, of which all were full,
+/// and the speed T left: c [Δt (u (c - 1)/2 + T) + s u]. No term is negative, nothing cancels.
+template <typename Real>
+AVO_KERNEL PackDistances<Real> distances(const PackProfile<Real>& braking, const StepLaw& law,
+                                         Real steps) {
+  const Real u = braking.decrement, full = braking.full_steps, lag(law.lag);
+  const Real done = min(steps, full);
+  const Real left = max(braking.speed - done * u, Real(0.0));
+  const Real mean = Real(0.5) * (done - Real(1.0)) * u + left;
+  const Real start = done * (Real(law.time_step) * mean + lag * u);
+  const Real middle = start + lag * left;
+  return {select(steps > full, middle, start), middle};
+}
+
+template <typename Real>
+AVO_KERNEL Real stopping_length(const PackProfile<Real>& braking, const StepLaw& law) {
+  return distances(braking, law, braking.full_steps).middle;
+}
+
+/// The three Bézier points of an interval.
+template <typename Real>
+struct PackPoints {
+  PackVec<Real> start, middle, end;
+};
+
+template <typename Real>
+AVO_KERNEL PackPoints<Real> points(const BrakingProfile& of, Vec2 direction, const StepLaw& law,
+                                   Real steps) {
+  const PackProfile<Real> braking = constant<Real>(of);
+  const PackDistances<Real> now = distances(braking, law, steps);
+  const PackDistances<Real> next = distances(braking, law, steps + Real(1.0));
+  const PackVec<Real> along = constant<Real>(direction);
+  return {now.start * along, now.middle * along, next.start * along};
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the certificate's kernels share whatever the instruction set, and their scalar instance: the
+// reference that all others equal bit for bit.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "avo/robot.h"
+#include "certificate/braking_path.h"
+#include "certificate/pair.h"
+#include "certificate/wall_columns.h"
+#include "core/scalar.h"
+
+#define AVO_KERNEL inline __attribute__((always_inline))
+
+namespace avo {
+
+inline constexpr std::array<double, kMostLanes> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+
+/// One pair whose walls are wanted.
+struct PairWalls {
+  const BrakingPair& pair;
+  const Neighbor& other;
+  int neighbor;           ///< its index
+  std::size_t intervals;  ///< that are looked at
+  double inflated;        ///< m, contact and all that is known to be uncertain
+  double moving;          ///< the invariant speaks of the intervals below
+};
+
+namespace scalar {
+#include "certificate/certificate_kernels.h"
+}  // namespace scalar
+
+/// See pair_kernel.h.
+void judge_pairs(const Robot& robot, const Braking& a, const Deviation& deviation,
+                 const StepLaw& law, NearColumns& near);
+
+/// own.count is known, the columns have room for it.
+void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);
+
+/// See walls_kernel.h; the columns have room for all intervals.
+double append_walls(const PairWalls& of, const StepLaw& law, const OwnColumns& own,
+                    WallColumns& walls);
+
+/// See admission_kernel.h.
+bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
+           WallColumns& walls);
+
+}  // namespace avo

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walls, and a robot's own braking path, in columns: an entry for each wall or interval.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "avo/robot.h"
+
+namespace avo {
+
+/// Columns have room for so many more entries than there are, which are read but do not count.
+inline constexpr std::size_t kMostLanes = 8;
+
+/// Neighbors that decide and are not far: what is known of them, and of the pair with each where it
+/// is kept (see BrakingPair, Braking).
+struct NearColumns {
+  std::size_t count = 0, kept_count = 0;
+  std::vector<std::uint32_t> index;  ///< among all neighbors
+  std::vector<double> x, y, v_x, v_y, radius, max_acceleration;
+  std::vector<double> contact, inflated, error, share;
+  std::vector<double> speed, decrement, full_steps, direction_x, direction_y;
+  std::vector<double> length, reach, intervals;
+  std::vector<std::uint32_t> kept;  ///< columns
+
+  void reserve(std::size_t neighbors) {
+    if (x.size() >= neighbors + kMostLanes) return;
+    for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &contact, &inflated,
+                         &error, &share, &speed, &decrement, &full_steps, &direction_x,
+                         &direction_y, &length, &reach, &intervals}) {
+      column->resize(neighbors + kMostLanes, 1.0);
+    }
+    index.resize(neighbors + kMostLanes);
+    kept.resize(neighbors + kMostLanes);
+  }
+  void add(std::size_t neighbor, const Neighbor& of) {
+    index[count] = static_cast<std::uint32_t>(neighbor);
+    x[count] = of.position.x, y[count] = of.position.y;
+    v_x[count] = of.velocity.x, v_y[count] = of.velocity.y;
+    radius[count] = of.radius, max_acceleration[count] = of.max_acceleration;
+    ++count;
+  }
+};
+
+/// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
+/// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").
+struct OwnColumns {
+  std::size_t count = 0;
+  std::vector<double> start_x, start_y, middle_x, middle_y;  ///< m
+  std::vector<double> ahead, across, anyhow;                 ///< m
+
+  /// Room for so many intervals, and where the last of them ends; allocates only while it grows.
+  void reserve(std::size_t intervals) {
+    if (start_x.size() >= intervals + 1 + kMostLanes) return;
+    for (auto* column : {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow}) {
+      column->resize(intervals + 1 + kMostLanes);
+    }
+  }
+};
+
+/// See TrajectoryWall.
+struct WallColumns {
+  std::size_t count = 0;
+  std::vector<double> normal_x, normal_y, cone, bound;
+  std::array<std::vector<double>, 3> offset;
+  std::vector<double> interval, needs;  ///< needs: moving > needs, or the wall is not asked
+  std::vector<double> coefficient;      ///< m, of the path asked about last
+  std::vector<int> neighbor;
+
+  void reserve(std::size_t walls) {
+    if (normal_x.size() >= walls + kMostLanes) return;
+    for (auto* column : {&normal_x, &normal_y, &cone, &bound, &offset[0], &offset[1], &offset[2],
+                         &interval, &needs, &coefficient}) {
+      column->resize(walls + kMostLanes);
+    }
+    neighbor.resize(walls + kMostLanes);
+  }
+};
+
+}  // namespace avo

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// The walls of one pair, for as many intervals at once as Pack has lanes. Included into a namespace
+// that has Pack, after braking_kernel.h, once per instruction set.
+
+/// A's braking path and what its candidates can deviate from it.
+template <typename Real>
+void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
+  for (std::size_t k = 0; k <= own.count; k += Real::kLanes) {
+    const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
+    const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
+    const PackVec<Real> along = constant<Real>(a.direction);
+    const PackVec<Real> start = braking.start * along, middle = braking.middle * along;
+    start.x.store(&own.start_x[k]);
+    start.y.store(&own.start_y[k]);
+    middle.x.store(&own.middle_x[k]);
+    middle.y.store(&own.middle_y[k]);
+    const Real fast = distances(constant<Real>(deviation.fast), law, m).start;
+    const Real gained = fast - distances(constant<Real>(deviation.slow), law, m).start;
+    const auto bound = [](const Deviation::Line& line, Real distance) {
+      return Real(line.start) + Real(line.per_distance) * distance;
+    };
+    bound(deviation.ahead, gained).store(&own.ahead[k]);
+    bound(deviation.across, fast).store(&own.across[k]);
+    bound(deviation.anyhow, fast).store(&own.anyhow[k]);
+  }
+}
+
+/// B's path from p_B, where it brakes like A.
+template <typename Real>
+struct BrakingOther {
+  const BrakingPair& pair;
+  const StepLaw& law;
+
+  AVO_KERNEL PackPoints<Real> operator()(Real m) const {
+    return points(pair.b.profile, pair.b.direction, law, m);
+  }
+};
+
+/// B's path from p_B, where it keeps the acceleration that it is seen to have.
+template <typename Real>
+struct MovingOther {
+  const Neighbor& neighbor;
+  const StepLaw& law;
+
+  AVO_KERNEL PackPoints<Real> operator()(Real m) const {
+    const Real h(law.time_step), lag(law.lag), half(0.5), t = m * h;
+    const PackVec<Real> a = constant<Real>(neighbor.acceleration);
+    const PackVec<Real> v_0 = constant<Real>(neighbor.velocity), v = v_0 + t * a;
+    const PackVec<Real> x = t * v_0 + (half * t * t) * a;
+    return {x, x + lag * v, x + h * v + (half * h * h) * a};
+  }
+};
+
+/// The point of a segment nearest to the origin; odd in (a, b), bit for bit.
+template <typename Real>
+AVO_KERNEL PackVec<Real> nearest_on_segment(PackVec<Real> a, PackVec<Real> b) {
+  const Real zero(0.0), one(1.0);
+  const PackVec<Real> ab = b - a;
+  const Real squared = dot(ab, ab);
+  const auto is_long = squared > zero;
+  const Real part = min(max(-dot(a, ab) / select(is_long, squared, one), zero), one);
+  return a + select(is_long, part, zero) * ab;
+}
+
+/// Direction of the point of the triangle's edges nearest to the origin; 0 where that is the
+/// origin. Whether the origin lies inside is not asked: no sign of rounding noise decides anything,
+/// since any direction makes a sound wall, and its distance tells what it is worth.
+template <typename Real>
+AVO_KERNEL PackVec<Real> normal_of(const PackPoints<Real>& q) {
+  const Real zero(0.0), one(1.0);
+  PackVec<Real> nearest = nearest_on_segment(q.start, q.middle);
+  Real squared = dot(nearest, nearest);
+  for (const PackVec<Real>& other :
+       {nearest_on_segment(q.middle, q.end), nearest_on_segment(q.end, q.start)}) {
+    const Real of_other = dot(other, other);
+    const auto nearer = of_other < squared;
+    nearest = {select(nearer, other.x, nearest.x), select(nearer, other.y, nearest.y)};
+    squared = select(nearer, of_other, squared);
+  }
+  const Real length = sqrt(squared);
+  const auto has_length = length > zero;
+  const Real divisor = select(has_length, length, one);
+  return {select(has_length, nearest.x / divisor, zero),
+          select(has_length, nearest.y / divisor, zero)};
+}
+
+/// What the sensing errors of one interval demand (docs/certificate.md, "Sensing errors").
+template <typename Real>
+struct PackMargin {
+  Real distance;  // m, beyond the inflated contact
+  Real cone;      // most that the normal differs from that of the true paths
+};
+
+/// distance: of the wall; moved: how far B gets from A on the interval, m.
+template <typename Real>
+AVO_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw& law, Real m,
+                                         Real distance, Real moved) {
+  const auto& [position, velocity] = law.sensing_error;
+  if (position == 0.0 && velocity == 0.0) return {Real(0.0), Real(0.0)};
+  const Real seen = m + Real(1.0), two(2.0);
+  const Real steps = pair.decides ? min(seen, Real(pair.b.intervals)) : seen;
+  const Real error = Real(position) + Real(velocity) * (Real(law.time_step) * steps);
+  const Real one_step(velocity * law.time_step);
+  const auto beyond = distance > error;
+  const Real d = select(beyond, distance, two * error);  // any beyond it
+  const Real by_angle = two * sqrt(error / (d + error));
+  const Real by_length = (moved + error) / sqrt(d * (d - error));
+  const Real cone = select(beyond, min(by_angle, by_length), two);
+  return {error + cone * (moved + one_step), cone};
+}
+
+template <typename Real>
+AVO_KERNEL Real one_norm(PackVec<Real> a) {
+  return abs(a.x) + abs(a.y);
+}
+
+/// What the walls of a pair are, before it is known which distance is held.
+template <typename Real>
+struct PackWalls {
+  PackVec<Real> normal;
+  Real cone, bound;
+  std::array<Real, 3> offset;
+};
+
+template <typename Real>
+AVO_KERNEL PackWalls<Real> walls_of(const BrakingPair& pair, const PackPoints<Real>& own,
+                                    const PackPoints<Real>& q, PackVec<Real> n, Real distance,
+                                    const PackMargin<Real>& margin) {
+  const Real share(pair.share);
+  const auto offset = [&](PackVec<Real> of_q, PackVec<Real> of_x) {
+    return share * (dot(n, of_q) - margin.distance) - dot(n, of_x);
+  };
+  return {n,
+          margin.cone,
+          share * (margin.distance - distance),
+          {offset(q.start, own.start), offset(q.middle, own.middle), offset(q.end, own.end)}};
+}
+
+/// Those of the lanes that are asked for, one after the other.
+template <typename Real>
+AVO_KERNEL void push(const PackWalls<Real>& found, std::size_t first, std::uint32_t lanes,
+                     const PairWalls& of, WallColumns& walls) {
+  if (lanes == 0) return;
+  alignas(64) std::array<std::array<double, Real::kLanes>, 7> row;
+  found.normal.x.store(row[0].data());
+  found.normal.y.store(row[1].data());
+  found.cone.store(row[2].data());
+  found.bound.store(row[3].data());
+  for (std::size_t i = 0; i < 3; ++i) found.offset[i].store(row[4 + i].data());
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
+    const std::size_t w = walls.count++;
+    const auto m = static_cast<double>(first + k);
+    walls.normal_x[w] = row[0][k];
+    walls.normal_y[w] = row[1][k];
+    walls.cone[w] = row[2][k];
+    walls.bound[w] = row[3][k];
+    for (std::size_t i = 0; i < 3; ++i) walls.offset[i][w] = row[4 + i][k];
+    walls.interval[w] = m;
+    walls.needs[w] = m < of.moving ? -1.0 : m;
+    walls.neighbor[w] = of.neighbor;
+  }
+}
+
+/// Appends the walls that can refuse a candidate, without the held distance. Returns the least
+/// distance of the intervals that are looked at closely; of the others it is beyond contact.
+template <typename Real, typename Other>
+double append(const PairWalls& of, const Other& other, const StepLaw& law, const OwnColumns& own,
+              WallColumns& walls) {
+  const BrakingPair& pair = of.pair;
+  const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
+  const Real share(pair.share), inflated(of.inflated), contact(pair.contact);
+  const PackVec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
+  const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
+    return PackVec<Real>{Real::load(&x[k]), Real::load(&y[k])};
+  };
+  Real nearest = infinity;
+  for (std::size_t k = 0; k < of.intervals; k += Real::kLanes) {
+    const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
+    const PackPoints<Real> x_A{load(own.start_x, own.start_y, k),
+                               load(own.middle_x, own.middle_y, k),
+                               load(own.start_x, own.start_y, k + 1)};
+    const PackPoints<Real> x_B = other(m);
+    const PackPoints<Real> q{p + (x_A.start - x_B.start), p + (x_A.middle - x_B.middle),
+                             p + (x_A.end - x_B.end)};
+    const Real ahead = Real::load(&own.ahead[k]), across = Real::load(&own.across[k]);
+    const Real anyhow = Real::load(&own.anyhow[k]), most = ahead + across + anyhow;
+    const auto counted = m < Real(static_cast<double>(of.intervals));
+    {
+      const Real moved = one_norm(q.middle - q.start) + one_norm(q.end - q.middle);
+      const PackMargin<Real> margin = error_margin(pair, law, m, contact, moved);
+      const Real beyond = inflated + moved + margin.distance;
+      const Real free = norm(q.start) - beyond;
+      if (!any(counted & !(share * free > (one + margin.cone) * most))) continue;
+    }
+    const PackVec<Real> n = normal_of(q);
+    const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
+    const auto holds = m < Real(of.moving);  // the invariant speaks of it
+    nearest = select(counted & holds & (distance < nearest), distance, nearest);
+    const Real moved = norm(q.middle - q.start) + norm(q.end - q.middle);
+    PackMargin<Real> margin = error_margin(pair, law, m, distance, moved);
+    const Real loss = max(-dot(n, d), zero) * ahead + abs(n.x * d.y - n.y * d.x) * across + anyhow +
+                      margin.cone * most;
+    const auto kept = counted & !(share * (distance - inflated - margin.distance) > loss);
+    // of intervals at rest it says nothing: all three points stay clear along n there
+    margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
+    push(walls_of(pair, x_A, q, n, distance, margin), k, bits(kept), of, walls);
+  }
+  alignas(64) std::array<double, Real::kLanes> lanes;
+  nearest.store(lanes.data());
+  return *std::min_element(lanes.begin(), lanes.end());
+}
+
+template <typename Real>
+double append_walls(const PairWalls& of, const StepLaw& law, const OwnColumns& own,
+                    WallColumns& walls) {
+  return of.pair.decides ? append<Real>(of, BrakingOther<Real>{of.pair, law}, law, own, walls)
+                         : append<Real>(of, MovingOther<Real>{of.other, law}, law, own, walls);
+}
