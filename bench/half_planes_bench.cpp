@@ -54,7 +54,7 @@ void run(benchmark::State& state, Kind kind, double near, double far, double del
     while (pairs.count < kBatch) {
       const Pair pair = random_pair(seed, near, far);
       if (kind != Kind::mixed && kind_of(pair, horizon) != kind) continue;
-      pairs.add(pair.position, pair.velocity, pair.radius, 2.0 * delta);
+      pairs.put(pairs.count++, pair.position, pair.velocity, pair.radius, 2.0 * delta);
     }
   }
   HalfPlaneWorkspace<Number> workspace;

@@ -11,7 +11,7 @@ struct ResponseAt {
   double gain = 0.0;      ///< [g(t) = t + δ (e^{-t/δ} - 1)] s
   double rate = 0.0;      ///< [g'(t) = 1 - e^{-t/δ}]
   double lag = 0.0;       ///< [s(t) = t - g/g'] s
-  double per_rate = 0.0;  ///< [1/g'(t)]; infinite at t = 0
+  double per_rate = 0.0;  ///< [1/g'(t)], t > 0
 };
 
 /// The table as kernels read it: g and g' at the nodes k · seconds_per_node, 0 <= k <= last.

@@ -11,12 +11,6 @@
 //   horn    otherwise its near side is concave, and the hull closes it by a chord from Q, where the
 //           near side crosses the circle |w| = R: once if `crosses_once`, else see horn.cpp
 
-/// 1/a for a >= 0; finite for a = 0, where nobody wants it, but lanes compute it all the same.
-template <typename Real>
-AVO_KERNEL Real inverse(Real a) {
-  return Real(1.0) / max(a, Real(kTiniest<typename Real::Number>));
-}
-
 template <typename Real>
 struct Vec {
   Real x, y;

@@ -7,4 +7,5 @@
 #include "obstacles/horn_kernel.h"
 #include "obstacles/single_kernel.h"
 #include "obstacles/half_planes_kernel.h"
+#include "obstacles/shares_kernel.h"
 // clang-format on

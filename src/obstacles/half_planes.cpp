@@ -30,6 +30,10 @@ void solve_single(const PairColumns<float>& pairs, const Horizon& horizon,
                   HalfPlaneWorkspace<float>& work, PlaneColumns<float>& planes) {
   solve<Pack<float>, TwoPacks<float>>(pairs, horizon, work, planes);
 }
+void share_out_in_lanes(std::span<const OwnLimits> robots, std::span<const double> share,
+                        const PlaneColumns<double>& relative, SharedPlanes& shared) {
+  share_out<Pack<double>>(robots, share, relative, shared);
+}
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
@@ -41,6 +45,7 @@ namespace {
 #ifdef AVO_HIGHWAY
 HWY_EXPORT(solve_double);
 HWY_EXPORT(solve_single);
+HWY_EXPORT(share_out_in_lanes);
 #endif
 
 void solve(const PairColumns<double>& pairs, const Horizon& horizon,
@@ -61,6 +66,10 @@ void solve(const PairColumns<float>& pairs, const Horizon& horizon, HalfPlaneWor
 template <typename T>
 void grow(std::vector<T>& column, std::size_t size) {
   if (column.size() < size) column.resize(size);
+}
+
+bool has_plane(PairState state) {
+  return state != PairState::free && state != PairState::coincident;
 }
 
 // The least number of this type that is not below.
@@ -111,9 +120,22 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
     planes.state[i] = plane.state;
     planes.n_x[i] = static_cast<Number>(plane.plane.normal.x);
     planes.n_y[i] = static_cast<Number>(plane.plane.normal.y);
-    planes.h[i] = not_below(plane.plane.offset, Number());
+    planes.h[i] = has_plane(plane.state) ? not_below(plane.plane.offset, Number())
+                                         : -std::numeric_limits<Number>::infinity();
     planes.excess[i] = not_below(plane.excess, Number());
   }
+}
+
+void share_out(std::span<const OwnLimits> robots, std::span<const double> share,
+               const PlaneColumns<double>& relative, SharedPlanes& shared) {
+  grow(shared.offset, relative.h.size());
+  shared.kept_end.clear();
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) {
+    return HWY_DYNAMIC_DISPATCH(share_out_in_lanes)(robots, share, relative, shared);
+  }
+#endif
+  scalar::share_out<scalar::Pack<double>>(robots, share, relative, shared);
 }
 
 template struct PairColumns<double>;

@@ -3,6 +3,8 @@
 // Number is double; in single precision sound all the same (docs/performance.md).
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "avo/half_plane.h"
@@ -20,15 +22,14 @@ struct PairColumns {
 
   /// Room for so many; allocates only while it grows.
   void reserve(std::size_t pairs);
-  void add(Vec2 p, Vec2 v, double r, double R) {
-    p_x[count] = static_cast<Number>(p.x), p_y[count] = static_cast<Number>(p.y);
-    v_x[count] = static_cast<Number>(v.x), v_y[count] = static_cast<Number>(v.y);
-    radius[count] = static_cast<Number>(r), reach[count] = static_cast<Number>(R);
-    ++count;
+  void put(std::size_t i, Vec2 p, Vec2 v, double r, double R) {
+    p_x[i] = static_cast<Number>(p.x), p_y[i] = static_cast<Number>(p.y);
+    v_x[i] = static_cast<Number>(v.x), v_y[i] = static_cast<Number>(v.y);
+    radius[i] = static_cast<Number>(r), reach[i] = static_cast<Number>(R);
   }
 };
 
-/// See RelativeHalfPlane.
+/// See RelativeHalfPlane; h is -infinity where there is no half-plane.
 template <typename Number>
 struct PlaneColumns {
   std::vector<Number> n_x, n_y, h, excess;
@@ -59,5 +60,27 @@ struct HalfPlaneWorkspace {
 template <typename Number>
 void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
                  HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes);
+
+/// What a robot may choose from, and where the next one's pairs begin.
+struct OwnLimits {
+  Vec2 velocity;           ///< [v_A] m/s
+  double velocity_change;  ///< [δ a_max] m/s
+  double max_speed;        ///< [v_max] m/s
+  double raise = 0.0;      ///< m/s, most by which its offsets are raised later
+  std::size_t end = 0;     ///< behind its pairs
+};
+
+/// Scratch memory and result of share_out().
+struct SharedPlanes {
+  std::vector<double> offset;         ///< m/s, of A's half-planes, by pair
+  std::vector<std::uint32_t> kept;    ///< pairs whose half-plane can cut, robot by robot
+  std::vector<std::size_t> kept_end;  ///< behind those of each robot
+};
+
+/// Eq. (17): the relative half-planes of pairs that follow each other robot by robot as their own,
+/// apportioned by the share of Eq. (20). A half-plane is kept unless one of the robot's limits
+/// alone keeps to it. Columns have room for kSparePairs more.
+void share_out(std::span<const OwnLimits> robots, std::span<const double> share,
+               const PlaneColumns<double>& relative, SharedPlanes& shared);
 
 }  // namespace avo

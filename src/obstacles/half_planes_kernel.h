@@ -75,7 +75,9 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     n.x.store(&planes.n_x[i]);
     n.y.store(&planes.n_y[i]);
     const auto beyond_reach = last.plane.h > R;
-    select(beyond_reach, R, last.plane.h).store(&planes.h[i]);
+    const auto free = frame.too_far | (last.nearest & (last.plane.h <= -R));
+    const Real none = -std::numeric_limits<typename Real::Number>::infinity();
+    select(free, none, select(beyond_reach, R, last.plane.h)).store(&planes.h[i]);
     select(beyond_reach, last.plane.h - R, Real(0.0)).store(&planes.excess[i]);
     std::fill_n(&planes.state[i], Real::kLanes, PairState::constrained);
 
@@ -88,8 +90,7 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       return lanes;
     };
     push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local))));
-    set_state<Real>(planes, i, take(bits(frame.too_far | (last.nearest & (last.plane.h <= -R)))),
-                    PairState::free);
+    set_state<Real>(planes, i, take(bits(free)), PairState::free);
     const std::uint32_t tips = take(bits(last.nearest));
     set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
     work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
@@ -180,6 +181,7 @@ void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon&
       if (!is_settled) next.index[next.count++] = index[k];
       if (is_settled && (free >> k & 1U) != 0) {
         planes.state[static_cast<std::size_t>(index[k])] = PairState::free;
+        planes.h[static_cast<std::size_t>(index[k])] = -std::numeric_limits<Number>::infinity();
       }
     }
   }

@@ -3,6 +3,12 @@
 // g(t_k + h) = g(t_k) + h g'(t_k) + e^{-t_k/δ} g(h), a sum without cancellation.
 // Included into a namespace that has Pack, once per instruction set.
 
+/// 1/a for a >= 0; finite for a = 0, where nobody wants it, but lanes compute it all the same.
+template <typename Real>
+AVO_KERNEL Real inverse(Real a) {
+  return Real(1.0) / max(a, Real(kTiniest<typename Real::Number>));
+}
+
 /// One instant of the response, see Response.
 template <typename Real>
 struct At {
@@ -26,7 +32,7 @@ AVO_KERNEL At<Real> at(const ResponseTable<typename Real::Number>& table, Real t
   result.time = t;
   result.rate = node_rate + decay * (u - extra);
   result.gain = lookup(table.gain, k) + (h * node_rate + decay * Real(table.control_time) * extra);
-  result.per_rate = Real(1.0) / result.rate;
+  result.per_rate = inverse(result.rate);
   result.lag = select(result.rate > Real(0.0), t - result.gain * result.per_rate, Real(0.0));
   return result;
 }

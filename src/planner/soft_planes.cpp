@@ -5,9 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace avo {
 namespace {
+
+template <typename T>
+void grow(std::vector<T>& column, std::size_t size) {
+  if (column.size() < size) column.resize(size);
+}
 
 std::size_t planned_with(const PlannerOptions& options, const Sensing& sensing) {
   const std::size_t all = sensing.neighbors.size();
@@ -15,61 +21,113 @@ std::size_t planned_with(const PlannerOptions& options, const Sensing& sensing) 
                                : all;
 }
 
-// Does D(0, v_max) or D(v_A, δ a_max) alone keep to the plane?
-bool cannot_cut(const PlannerOptions& options, const Robot& robot, const HalfPlane& plane) {
-  double least = -robot.max_speed;
-  if (!adopts_at_once(options.method)) {
-    least = std::max(
-        least, dot(plane.normal, robot.velocity) - options.control_time * robot.max_acceleration);
-  }
-  return plane.offset <= least;
+OwnLimits limits_of(const PlannerOptions& options, const Robot& robot) {
+  const double change = adopts_at_once(options.method)
+                            ? std::numeric_limits<double>::infinity()
+                            : options.control_time * robot.max_acceleration;
+  return {robot.velocity, change, robot.max_speed};
 }
 
-void take(const PlannerOptions& options, const Sensing& sensing, std::size_t k,
-          const RelativeHalfPlane& relative, SoftPlanes& soft) {
-  if (relative.state == PairState::free) return;
-  if (relative.state == PairState::overlapping || relative.state == PairState::coincident) {
-    soft.overlapping.back() = 1;
-    if (relative.state == PairState::coincident) return;
-  }
-  const NeighborPlane own =
-      share_of(options, *sensing.robot, sensing.neighbors[k], static_cast<int>(k), relative);
-  if (own.excess <= 0.0 && cannot_cut(options, *sensing.robot, own.plane)) return;
-  soft.planes.push_back(own.plane);
-  soft.excess.push_back(own.excess);
-}
-
+// Returns the number of pairs.
 template <typename Number>
-RelativeHalfPlane plane_at(const PlaneColumns<Number>& planes, std::size_t i) {
-  return {planes.state[i], {{planes.n_x[i], planes.n_y[i]}, planes.h[i]}, planes.excess[i]};
+std::size_t fill_pairs(const PlannerOptions& options, std::span<const Sensing> robots,
+                       PairColumns<Number>& pairs, SoftPlanes& soft) {
+  std::size_t count = 0;
+  for (const Sensing& sensing : robots) {
+    const std::size_t begin = count;
+    count += planned_with(options, sensing);
+    OwnLimits own = limits_of(options, *sensing.robot);
+    own.end = count;
+    for (std::size_t i = begin; i < count; ++i) {
+      const Neighbor& neighbor = sensing.neighbors[i - begin];
+      const Pair pair = relative(*sensing.robot, neighbor);
+      pairs.put(i, pair.position, pair.velocity, pair.radius,
+                pair_reach(options, *sensing.robot, neighbor));
+      soft.share[i] = reciprocal_share(sensing.robot->max_acceleration, neighbor.max_acceleration);
+      if (soft.share[i] == 1.0) {
+        own.raise = std::max(own.raise, options.control_time * norm(neighbor.acceleration));
+      }
+    }
+    soft.limits.push_back(own);
+  }
+  return count;
+}
+
+const PlaneColumns<double>& widened(const PlaneColumns<double>& planes, std::size_t,
+                                    PlaneColumns<double>&) {
+  return planes;
+}
+const PlaneColumns<double>& widened(const PlaneColumns<float>& planes, std::size_t count,
+                                    PlaneColumns<double>& wide) {
+  for (auto* column : {&wide.n_x, &wide.n_y, &wide.h, &wide.excess}) grow(*column, planes.h.size());
+  std::copy_n(planes.n_x.begin(), count, wide.n_x.begin());
+  std::copy_n(planes.n_y.begin(), count, wide.n_y.begin());
+  std::copy_n(planes.h.begin(), count, wide.h.begin());
+  std::copy_n(planes.excess.begin(), count, wide.excess.begin());
+  return wide;
+}
+
+// Robots in contact, by the few pairs that no kernel settles.
+template <typename Number>
+void mark_overlaps(const HalfPlaneBatch<Number>& batch, SoftPlanes& soft) {
+  const auto& [rest_count, rest] = batch.workspace.rest;
+  for (std::size_t k = 0; k < rest_count; ++k) {
+    const auto i = static_cast<std::size_t>(rest[k]);
+    const PairState state = batch.planes.state[i];
+    if (state != PairState::overlapping && state != PairState::coincident) continue;
+    const auto robot =
+        std::upper_bound(soft.limits.begin(), soft.limits.end(), i,
+                         [](std::size_t pair, const OwnLimits& own) { return pair < own.end; });
+    soft.overlapping[static_cast<std::size_t>(robot - soft.limits.begin())] = 1;
+  }
+}
+
+// w = v'_A - v_A - δ a_B (§III-B: v'_B = v_B + δ a_B)
+double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec2 normal) {
+  return neighbor.max_acceleration > 0.0
+             ? 0.0
+             : options.control_time * dot(normal, neighbor.acceleration);
+}
+
+void keep(const PlannerOptions& options, std::span<const Sensing> robots,
+          const PlaneColumns<double>& relative, SoftPlanes& soft) {
+  std::size_t next = 0, begin = 0;
+  for (std::size_t r = 0; r < robots.size(); ++r) {
+    for (; next < soft.shared.kept_end[r]; ++next) {
+      const std::size_t i = soft.shared.kept[next];
+      const double share = soft.share[i];
+      const Vec2 normal{relative.n_x[i], relative.n_y[i]};
+      double offset = soft.shared.offset[i];
+      if (share == 1.0) offset += mover_offset(options, robots[r].neighbors[i - begin], normal);
+      soft.planes.push_back({normal, offset});
+      // near contact it has no bound; finite all the same
+      soft.excess.push_back(
+          std::min(share * relative.excess[i], std::numeric_limits<double>::max()));
+    }
+    begin = soft.limits[r].end;
+    soft.first.push_back(soft.planes.size());
+  }
 }
 
 template <typename Number>
 void collect_exact(const PlannerOptions& options, const Horizon& horizon,
                    std::span<const Sensing> robots, HalfPlaneBatch<Number>& batch,
                    SoftPlanes& soft) {
+  std::size_t most = soft.planes.capacity();
   std::size_t pairs = 0;
   for (const Sensing& sensing : robots) pairs += planned_with(options, sensing);
-  batch.pairs.count = 0;
-  batch.pairs.reserve(std::max(pairs, soft.planes.capacity()));
-  for (const Sensing& sensing : robots) {
-    const Robot& robot = *sensing.robot;
-    for (const Neighbor& neighbor : sensing.neighbors.first(planned_with(options, sensing))) {
-      const Pair pair = relative(robot, neighbor);
-      batch.pairs.add(pair.position, pair.velocity, pair.radius,
-                      pair_reach(options, robot, neighbor));
-    }
-  }
+  most = std::max(most, pairs);
+  batch.pairs.reserve(most);
+  if (soft.share.size() < most + kSparePairs) soft.share.resize(most + kSparePairs, 1.0);
+  soft.limits.clear();
+  batch.pairs.count = fill_pairs(options, robots, batch.pairs, soft);
   half_planes(batch.pairs, horizon, batch.workspace, batch.planes);
-  std::size_t i = 0;
-  for (const Sensing& sensing : robots) {
-    soft.overlapping.push_back(0);
-    const std::size_t count = planned_with(options, sensing);
-    for (std::size_t k = 0; k < count; ++k, ++i) {
-      take(options, sensing, k, plane_at(batch.planes, i), soft);
-    }
-    soft.first.push_back(soft.planes.size());
-  }
+  const PlaneColumns<double>& relative =
+      widened(batch.planes, batch.pairs.count, soft.in_double.planes);
+  share_out(soft.limits, soft.share, relative, soft.shared);
+  soft.overlapping.assign(robots.size(), 0);
+  mark_overlaps(batch, soft);
+  keep(options, robots, relative, soft);
 }
 
 // ORCA's half-planes, and those of the paper's samples.
@@ -79,8 +137,18 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon,
     soft.overlapping.push_back(0);
     const std::size_t count = planned_with(options, sensing);
     for (std::size_t k = 0; k < count; ++k) {
-      take(options, sensing, k,
-           relative_half_plane(options, horizon, *sensing.robot, sensing.neighbors[k]), soft);
+      const Neighbor& neighbor = sensing.neighbors[k];
+      const RelativeHalfPlane relative =
+          relative_half_plane(options, horizon, *sensing.robot, neighbor);
+      if (relative.state == PairState::free) continue;
+      if (relative.state == PairState::overlapping || relative.state == PairState::coincident) {
+        soft.overlapping.back() = 1;
+        if (relative.state == PairState::coincident) continue;
+      }
+      const NeighborPlane own =
+          share_of(options, *sensing.robot, neighbor, static_cast<int>(k), relative);
+      soft.planes.push_back(own.plane);
+      soft.excess.push_back(own.excess);
     }
     soft.first.push_back(soft.planes.size());
   }
@@ -94,9 +162,9 @@ Pair relative(const Robot& robot, const Neighbor& neighbor) {
 }
 
 double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
-  return options.control_time *
-         (robot.max_acceleration + neighbor.max_acceleration +
-          (neighbor.max_acceleration > 0.0 ? 0.0 : norm(neighbor.acceleration)));
+  double acceleration = robot.max_acceleration + neighbor.max_acceleration;
+  if (!(neighbor.max_acceleration > 0.0)) acceleration += norm(neighbor.acceleration);
+  return options.control_time * acceleration;
 }
 
 RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
@@ -114,9 +182,8 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
                        int index, const RelativeHalfPlane& relative) {
   const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration);
   HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
-  if (!(neighbor.max_acceleration > 0.0) && !adopts_at_once(options.method)) {
-    // w = v'_A - v_A - δ a_B (§III-B: v'_B = v_B + δ a_B)
-    plane.offset += options.control_time * dot(plane.normal, neighbor.acceleration);
+  if (!adopts_at_once(options.method)) {
+    plane.offset += mover_offset(options, neighbor, plane.normal);
   }
   // near contact it has no bound; finite all the same
   return {index, plane, std::min(alpha * relative.excess, std::numeric_limits<double>::max())};
@@ -125,6 +192,9 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
   soft.planes.reserve(pairs);
   soft.excess.reserve(pairs);
+  soft.shared.kept.reserve(pairs);
+  soft.shared.kept_end.reserve(robots);
+  soft.limits.reserve(robots);
   soft.first.reserve(robots + 1);
   soft.overlapping.reserve(robots);
 }

@@ -32,6 +32,10 @@ struct SoftPlanes {
   std::vector<std::size_t> first{0};      ///< of robot i: [first[i], first[i + 1])
   std::vector<std::uint8_t> overlapping;  ///< whether robot i is in contact already
 
+  // scratch memory
+  std::vector<double> share;  // of each pair, Eq. (20)
+  std::vector<OwnLimits> limits;
+  SharedPlanes shared;
   HalfPlaneBatch<double> in_double;
   HalfPlaneBatch<float> in_single;
 
