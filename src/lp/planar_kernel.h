@@ -114,8 +114,9 @@ AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real
   Mask<Real> found = active;
   if constexpr (kLinear) {
     const Real length = norm(plane.normal);
-    const Vec<Real> normal = plane.normal / length;
-    line = {normal, perpendicular(normal), plane.offset / length};
+    const Real per_length = Real(1.0) / length;
+    const Vec<Real> normal = per_length * plane.normal;
+    line = {normal, perpendicular(normal), per_length * plane.offset};
     found = active & (length > Real(0.0));
   }
   Range<Real> range = clip<false>(lens, line, before);

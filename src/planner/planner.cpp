@@ -111,10 +111,10 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   planes.reserve(neighbors);
   certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
   scratch_->half_planes.reserve(neighbors);
-  scratch_->projected.reserve(2 * neighbors);
+  scratch_->projected.reserve(4 * neighbors);
   CertifiedWorkspace& certified = scratch_->certified;
   certified.hard.reserve(kMostCuts * neighbors);
-  certified.projected.reserve(2 * kMostCuts * neighbors);
+  certified.projected.reserve(4 * kMostCuts * neighbors);
   reserve_walls(neighbors, braking_steps, kMostWalls, certified.walls);
 }
 
