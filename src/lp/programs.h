@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eq. (23) for many robots at once, one robot per lane: nearest_point() of lp/linear_program.h, bit
-// for bit where Number is double.
+// Eqs. (22), (23) for many robots at once, one robot per lane.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -102,7 +101,18 @@ class ProgramBatch {
   std::vector<ProgramRow<Number>> scratch_;
 };
 
-/// Solves all programs of the batch.
+/// Solves all programs of the batch: nearest_point() of lp/linear_program.h without hard
+/// half-planes, and what it says in state optimal or least_unsafe, bit for bit where Number is
+/// double. The same bits for every instruction set.
+///
+/// In single precision it is the same program, narrowed, by the same operations. Bounds, with
+/// ulp = 2^-23 and M the larger of |c| + r of the acceleration disc and top_speed:
+///  (1) |point - c| <= r + 8 ulp M for both discs: 4 as there, and at most half of one for each
+///      number narrowed, two components of c and the radii of both discs;
+///  (2) half-planes are violated by at most 34 ulp (M + violation) more than violation(): 32 as
+///  there,
+///      and narrowing moves n . u - offset by ulp / 2 (|n_x u_x| + |n_y u_y| + |offset|) at most,
+///      where |u| <= M and, of planes that matter, |offset| <= M + violation.
 template <typename Number>
 void nearest_points(ProgramBatch<Number>& batch) noexcept {
   batch.solve();
