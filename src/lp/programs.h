@@ -68,8 +68,6 @@ class ProgramBatch {
     group.planes[lane_] = static_cast<Number>(planes_);
   }
 
-  void solve() noexcept;
-
   [[nodiscard]] std::size_t size() const { return programs_.robots; }
 
   /// False: out of the ordinary, and left to nearest_point(); the results mean nothing then.
@@ -86,6 +84,9 @@ class ProgramBatch {
   }
 
  private:
+  template <typename Any>
+  friend void nearest_points(ProgramBatch<Any>& batch) noexcept;
+
   [[nodiscard]] const ProgramGroup<Number>& group(std::size_t robot) const {
     return programs_.group[robot / kProgramLanes];
   }
@@ -114,8 +115,6 @@ class ProgramBatch {
 ///      and narrowing moves n . u - offset by ulp / 2 (|n_x u_x| + |n_y u_y| + |offset|) at most,
 ///      where |u| <= M and, of planes that matter, |offset| <= M + violation.
 template <typename Number>
-void nearest_points(ProgramBatch<Number>& batch) noexcept {
-  batch.solve();
-}
+void nearest_points(ProgramBatch<Number>& batch) noexcept;
 
 }  // namespace avo
