@@ -27,8 +27,8 @@ constexpr double kSmallest = std::is_same_v<Number, double> ? 0x1p-200 : 0x1p-20
 template <typename Number>
 constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp<Number>;
 
-// Of `count` half-planes by all lanes of a pack, whose rows are not all in force in every lane: in
-// the plane, and then on the way to the least unsafe point.
+// Of `count` half-planes by all lanes of a pack, in the plane and then on the way to the least
+// unsafe point: some lanes begin with the second when others have done with the first.
 constexpr std::size_t most_taken(std::size_t count) {
   return 2 * count + 2;
 }

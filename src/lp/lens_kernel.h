@@ -155,9 +155,8 @@ AVO_KERNEL Vec<Real> absolute_point(const Lens<Real>& lens, const Discs<Real>& d
   Vec<Real> u = lens.origin + relative;
   const auto put_into = [&u](Vec<Real> center, Real radius) {
     const Vec<Real> q = u - center;
-    const Real length = norm(q);
-    const Mask<Real> outside = length > radius;
-    if (any(outside)) u = select(outside, center + radius * (q / length), u);
+    const Mask<Real> outside = dot(q, q) > radius * radius;
+    if (any(outside)) u = select(outside, center + (radius / norm(q)) * q, u);
   };
   put_into(larger_center, lens.larger_radius);
   put_into(lens.origin, lens.radius);

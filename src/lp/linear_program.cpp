@@ -98,8 +98,8 @@ Vec2 absolute_point(const Lens& lens, const Disc& acceleration, const Disc& spee
   Vec2 u = (lens.origin + relative) / lens.scale;
   for (const Disc& disc : {larger, smaller}) {
     const Vec2 q = lens.scale * (u - disc.center);
-    const double length = norm(q);
-    if (length > lens.scale * disc.radius) u = disc.center + disc.radius * (q / length);
+    const double radius = lens.scale * disc.radius;
+    if (norm_squared(q) > radius * radius) u = disc.center + (disc.radius / norm(q)) * q;
   }
   return u;
 }

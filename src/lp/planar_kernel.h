@@ -114,8 +114,9 @@ AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real
   Mask<Real> found = active;
   if constexpr (kLinear) {
     const Real length = norm(plane.normal);
-    const Vec<Real> normal = plane.normal / length;
-    line = {normal, perpendicular(normal), plane.offset / length};
+    const Real per_length = Real(1.0) / length;
+    const Vec<Real> normal = per_length * plane.normal;
+    line = {normal, perpendicular(normal), per_length * plane.offset};
     found = active & (length > Real(0.0));
   }
   Range<Real> range = clip<false>(lens, line, before);
@@ -180,19 +181,14 @@ AVO_KERNEL Mask<Real> contains(const Planes<Real>& planes, const Plane<Real>& pl
   return found;
 }
 
-/// `taken` so that no program takes notice of it in lanes that do not take part.
-template <typename Real>
-AVO_KERNEL void take(Planes<Real>& taken, Plane<Real> plane, Mask<Real> active) {
-  plane.offset = select(active, plane.offset, none<Real>());
-  taken.add(plane);
-}
-
 template <typename Real>
 struct Outcome {
   Mask<Real> moved, failed;
   Plane<Real> next;  // where failed: the half-plane that leaves nothing
 };
 
+/// A lane that has failed looks at the same half-plane again and again: what it adds to `taken` is
+/// the one that is taken next for the least unsafe point, and twice does no harm.
 template <bool kLinear, typename Real>
 AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real>& planes,
                                       const Goal<Real>& goal, Mask<Real> active,
@@ -213,6 +209,6 @@ AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real>
     outcome.failed = outcome.failed | stuck;
     outcome.moved = outcome.moved | found;
     active = found;
-    take(taken, worst, active);
+    taken.add(worst);
   }
 }

@@ -80,8 +80,9 @@ bool move_to_boundary(const Lens& lens, Planes before, const HalfPlane& plane, c
   if (is_linear(goal)) {
     const double length = norm(plane.normal);
     if (!(length > 0.0)) return false;
-    const Vec2 normal = plane.normal / length;
-    line = {normal, perpendicular(normal), plane.offset / length};
+    const double per_length = 1.0 / length;
+    const Vec2 normal = per_length * plane.normal;
+    line = {normal, perpendicular(normal), per_length * plane.offset};
   }
   Range range;
   bool found =

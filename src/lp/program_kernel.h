@@ -18,7 +18,7 @@ AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real>& give, P
     const Outcome<Real> outcome =
         solve_planar<true>(lens, projected, {preferred, next.normal}, active, inner, candidate);
     point = select(active & !outcome.failed, candidate, point);
-    take(taken, next, active);
+    taken.add(next);
     const Real least = violation(next, point) + lens.tolerance;
     Real by = least;
     next = most_violated(give, point, by);

@@ -134,6 +134,17 @@ void ProgramBatch<Number>::clear() {
 }
 
 template <typename Number>
+void ProgramBatch<Number>::reserve(std::size_t robots, std::size_t planes) {
+  for (Programs<Number>* programs : {&programs_, &infeasible_}) {
+    programs->group.reserve(robots / kProgramLanes + 1);
+    programs->row.reserve(planes);
+  }
+  preferred_.reserve(robots);
+  robots_.reserve(robots);
+  scratch_.reserve(planes);
+}
+
+template <typename Number>
 void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 preferred) {
   lane_ = programs_.robots % kProgramLanes;
   planes_ = 0;
@@ -150,22 +161,26 @@ void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 
 // Those that half-planes leave nothing to need far more time: gathered, they fill lanes of their
 // own.
 template <typename Number>
-void ProgramBatch<Number>::solve() noexcept {
-  scratch_.resize(std::max(scratch_.size(), 3 * most_taken(most_rows(programs_))));
-  solve_feasible(programs_, scratch_.data());
-  infeasible_.clear();
-  robots_.clear();
-  for (std::size_t g = 0; g < programs_.groups; ++g) {
-    for (std::uint32_t left = programs_.group[g].failed; left != 0; left &= left - 1) {
-      robots_.push_back(g * kProgramLanes + static_cast<std::size_t>(std::countr_zero(left)));
-      copy(programs_, robots_.back(), infeasible_);
+void nearest_points(ProgramBatch<Number>& batch) noexcept {
+  Programs<Number>& all = batch.programs_;
+  Programs<Number>& infeasible = batch.infeasible_;
+  std::vector<std::size_t>& robots = batch.robots_;
+  std::vector<ProgramRow<Number>>& scratch = batch.scratch_;
+  scratch.resize(std::max(scratch.size(), 3 * most_taken(most_rows(all))));
+  solve_feasible(all, scratch.data());
+  infeasible.clear();
+  robots.clear();
+  for (std::size_t g = 0; g < all.groups; ++g) {
+    for (std::uint32_t left = all.group[g].failed; left != 0; left &= left - 1) {
+      robots.push_back(g * kProgramLanes + static_cast<std::size_t>(std::countr_zero(left)));
+      copy(all, robots.back(), infeasible);
     }
   }
-  solve_infeasible(infeasible_, scratch_.data());
-  for (std::size_t k = 0; k < robots_.size(); ++k) {
-    const std::size_t from_lane = k % kProgramLanes, lane = robots_[k] % kProgramLanes;
-    const ProgramGroup<Number>& from = infeasible_.group[k / kProgramLanes];
-    ProgramGroup<Number>& to = programs_.group[robots_[k] / kProgramLanes];
+  solve_infeasible(infeasible, scratch.data());
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    const std::size_t from_lane = k % kProgramLanes, lane = robots[k] % kProgramLanes;
+    const ProgramGroup<Number>& from = infeasible.group[k / kProgramLanes];
+    ProgramGroup<Number>& to = all.group[robots[k] / kProgramLanes];
     to.x[lane] = from.x[from_lane];
     to.y[lane] = from.y[from_lane];
     to.violation[lane] = from.violation[from_lane];
@@ -177,6 +192,8 @@ template struct Programs<double>;
 template struct Programs<float>;
 template class ProgramBatch<double>;
 template class ProgramBatch<float>;
+template void nearest_points(ProgramBatch<double>&) noexcept;
+template void nearest_points(ProgramBatch<float>&) noexcept;
 
 }  // namespace avo
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eq. (23) for many robots at once, one robot per lane: nearest_point() of lp/linear_program.h, bit
-// for bit where Number is double.
+// Eqs. (22), (23) for many robots at once, one robot per lane.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -54,6 +53,8 @@ template <typename Number>
 class ProgramBatch {
  public:
   void clear();
+  /// Room for so many robots with so many half-planes in all.
+  void reserve(std::size_t robots, std::size_t planes);
 
   /// The next robot. Nothing is required of the numbers.
   void add(const Disc& acceleration, double top_speed, Vec2 preferred);
@@ -68,8 +69,6 @@ class ProgramBatch {
     row.offset[lane_] = static_cast<Number>(plane.offset);
     group.planes[lane_] = static_cast<Number>(planes_);
   }
-
-  void solve() noexcept;
 
   [[nodiscard]] std::size_t size() const { return programs_.robots; }
 
@@ -87,6 +86,9 @@ class ProgramBatch {
   }
 
  private:
+  template <typename Any>
+  friend void nearest_points(ProgramBatch<Any>& batch) noexcept;
+
   [[nodiscard]] const ProgramGroup<Number>& group(std::size_t robot) const {
     return programs_.group[robot / kProgramLanes];
   }
@@ -102,10 +104,19 @@ class ProgramBatch {
   std::vector<ProgramRow<Number>> scratch_;
 };
 
-/// Solves all programs of the batch.
+/// Solves all programs of the batch: nearest_point() of lp/linear_program.h without hard
+/// half-planes, and what it says in state optimal or least_unsafe, bit for bit where Number is
+/// double. The same bits for every instruction set.
+///
+/// In single precision it is the same program, narrowed, by the same operations. Bounds, with
+/// ulp = 2^-23 and M the larger of |c| + r of the acceleration disc and top_speed:
+///  (1) |point - c| <= r + 8 ulp M for both discs: 4 as there, and at most half of one for each
+///      number narrowed, two components of c and the radii of both discs;
+///  (2) half-planes are violated by at most 34 ulp (M + violation) more than violation(): 32 as
+///  there,
+///      and narrowing moves n . u - offset by ulp / 2 (|n_x u_x| + |n_y u_y| + |offset|) at most,
+///      where |u| <= M and, of planes that matter, |offset| <= M + violation.
 template <typename Number>
-void nearest_points(ProgramBatch<Number>& batch) noexcept {
-  batch.solve();
-}
+void nearest_points(ProgramBatch<Number>& batch) noexcept;
 
 }  // namespace avo

@@ -94,7 +94,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   reserve_together(1, neighbors, *this);
   CertifiedWorkspace& certified = scratch_->certified;
   certified.hard.reserve(kMostCuts * neighbors);
-  certified.projected.reserve(2 * kMostCuts * neighbors);
+  certified.projected.reserve(4 * kMostCuts * neighbors);
   reserve_walls(neighbors, braking_steps, kMostWalls, certified.walls);
 }
 

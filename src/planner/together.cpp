@@ -141,7 +141,8 @@ void reserve_together(std::size_t robots, std::size_t neighbors, PlanWorkspace& 
   scratch.sensing.reserve(robots);
   scratch.wishes.reserve(robots);
   scratch.results.reserve(robots);
-  scratch.projected.reserve(2 * neighbors);
+  scratch.projected.reserve(4 * neighbors);
+  scratch.in_double.reserve(robots, neighbors);
   reserve(robots, neighbors, scratch.soft);
 }
 
