@@ -4,7 +4,9 @@
 #include "planner/arrival.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace avo {
 namespace {
@@ -15,16 +17,16 @@ constexpr double kCongestion = 5.0;  // robots right ahead that make the way ful
 constexpr double kSlow = 0.05;       // of v_max: nearly at rest
 constexpr double kRoom = 0.25;       // of r_A + r_B: the clearance that is nearly contact
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
-constexpr double kLeastWeight = 0.3;     // of giving way on the way
-constexpr double kPush = 2.0;            // v_max, in contact
-constexpr double kSettled = 2.0;         // times kYields until it stays where it is
+constexpr double kLeastWeight = 0.3;      // of giving way on the way
+constexpr double kPush = 2.0;             // v_max, in contact
+constexpr double kSettled = 2.0;          // times kYields until it stays where it is
 constexpr double kSettleDistance = 0.25;  // radii, from the goal
-constexpr double kYields = 5.0;          // T for which it gives way near its goal
-constexpr double kRecovers = 1.25;       // T after which it would again
-constexpr double kMostDetour = 2.4;      // almost back
-constexpr double kTurnOff = 1.0;         // per T
-constexpr double kTurnBack = 2.0;        // per T
-constexpr double kBlocked = 0.5;         // of the velocity that the limits alone allow
+constexpr double kYields = 5.0;           // T for which it gives way near its goal
+constexpr double kRecovers = 1.25;        // T after which it would again
+constexpr double kMostDetour = 2.4;       // almost back
+constexpr double kTurnOff = 1.0;          // per T
+constexpr double kTurnBack = 2.0;         // per T
+constexpr double kBlocked = 0.5;          // of the velocity that the limits alone allow
 
 double time_to_speed(const Robot& robot) {
   return robot.max_speed / robot.max_acceleration;
@@ -39,17 +41,30 @@ double traffic_range(const Robot& robot) {
   return std::max(4.0 * stopping_distance(robot), 8.0 * robot.radius);
 }
 
-// Robots ahead that close in or are nearly at rest, weighted by how near they are, 0 to 1.
+// Robots ahead that close in or are nearly at rest, weighted by how near they are, 0 to 1. Which
+// ones is not foreseeable: they are picked without a branch, some at a time.
 double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 way) {
   const double range = traffic_range(robot), slow = kSlow * robot.max_speed;
+  const double range_squared = range * range, slow_squared = slow * slow;
+  constexpr std::size_t kTogether = 16;
+  std::array<double, kTogether> squared{};
   double total = 0.0;
-  for (const Neighbor& neighbor : neighbors) {
-    const Vec2 towards = neighbor.position - robot.position;
-    if (dot(towards, way) <= 0.0 || norm_squared(towards) >= range * range) continue;
-    const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
-    if (!closing && norm_squared(neighbor.velocity) >= slow * slow) continue;
-    total += (1.0 - norm(towards) / range) / kCongestion;
-    if (total >= 1.0) return 1.0;
+  for (std::size_t first = 0; first < neighbors.size(); first += kTogether) {
+    std::size_t count = 0;
+    for (const Neighbor& neighbor :
+         neighbors.subspan(first, std::min(kTogether, neighbors.size() - first))) {
+      const Vec2 towards = neighbor.position - robot.position;
+      const bool ahead = dot(towards, way) > 0.0;
+      const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
+      const bool rests = norm_squared(neighbor.velocity) < slow_squared;
+      squared[count] = norm_squared(towards);
+      const bool near = squared[count] < range_squared;
+      count += static_cast<std::size_t>(near & ahead & (closing | rests));
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      total += (1.0 - std::sqrt(squared[k]) / range) / kCongestion;
+      if (total >= 1.0) return 1.0;
+    }
   }
   return total;
 }
