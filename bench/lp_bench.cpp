@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of one linear program (Eqs. 22, 23) with the paper's limits and ten half-planes.
+// Time of one linear program (Eqs. 22, 23) with the paper's limits: one robot at a time, and many
+// in lanes (lanes/NUMBER/half-planes/infeasible per cent; ns per robot is real_time).
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "lp/linear_program.h"
+#include "lp/programs.h"
 
 namespace avo {
 namespace {
@@ -70,6 +72,68 @@ BENCHMARK_CAPTURE(solve, feasible_10_crossing_discs, 10, -0.9, 1.5, ProgramState
 BENCHMARK_CAPTURE(solve, least_unsafe_10, 10, -0.2, 4.0, ProgramState::least_unsafe);
 BENCHMARK_CAPTURE(solve, least_unsafe_10_crossing_discs, 10, -0.2, 1.5, ProgramState::least_unsafe);
 BENCHMARK_CAPTURE(solve, least_unsafe_50, 50, -0.2, 4.0, ProgramState::least_unsafe);
+
+// 1024 programs, `infeasible` per cent of which leave nothing, shuffled.
+std::vector<Program> mixed(int planes, int infeasible) {
+  std::vector<HalfPlane> scratch;
+  const Disc speed{{0, 0}, 2.0};
+  const std::vector<Program> feasible = programs(planes, -0.9, 4.0);
+  std::vector<Program> all, none;
+  for (const Program& p : programs(planes, -0.2, 4.0)) {
+    if (nearest_point({}, p.soft, p.acceleration, speed, p.preferred, scratch).state ==
+        ProgramState::least_unsafe) {
+      none.push_back(p);
+    }
+  }
+  std::uint64_t state = 7;
+  for (std::size_t k = 0; k < feasible.size(); ++k) {
+    const bool empty = uniform(state, 0.0, 100.0) < infeasible;
+    all.push_back(empty ? none[k % none.size()] : feasible[k]);
+  }
+  return all;
+}
+
+template <typename Number>
+void lanes(benchmark::State& state) {
+  const std::vector<Program> all =
+      mixed(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  std::vector<ProgramBatch<Number>> batches(all.size() / 256);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    ProgramBatch<Number>& batch = batches[k / 256];
+    batch.add(all[k].acceleration, 2.0, all[k].preferred);
+    for (const HalfPlane& plane : all[k].soft) batch.add(plane);
+  }
+  std::size_t settled = 0;
+  for (ProgramBatch<Number>& batch : batches) {
+    batch.solve();
+    for (std::size_t k = 0; k < batch.size(); ++k) settled += batch.settled(k);
+  }
+  std::size_t k = 0;
+  while (state.KeepRunningBatch(256)) {
+    batches[k].solve();
+    k = k + 1 < batches.size() ? k + 1 : 0;
+  }
+  state.counters["settled"] = static_cast<double>(settled) / static_cast<double>(all.size());
+}
+
+template <typename Number>
+void fill(benchmark::State& state) {
+  const std::vector<Program> all = mixed(static_cast<int>(state.range(0)), 0);
+  ProgramBatch<Number> batch;
+  while (state.KeepRunningBatch(256)) {
+    batch.clear();
+    for (std::size_t k = 0; k < 256; ++k) {
+      batch.add(all[k].acceleration, 2.0, all[k].preferred);
+      for (const HalfPlane& plane : all[k].soft) batch.add(plane);
+    }
+    benchmark::DoNotOptimize(batch.size());
+  }
+}
+
+BENCHMARK_TEMPLATE(lanes, double)->ArgsProduct({{4, 10, 32}, {0, 5, 50}});
+BENCHMARK_TEMPLATE(lanes, float)->ArgsProduct({{4, 10, 32}, {0, 5, 50}});
+BENCHMARK_TEMPLATE(fill, double)->Arg(10);
+BENCHMARK_TEMPLATE(fill, float)->Arg(10);
 
 }  // namespace
 }  // namespace avo

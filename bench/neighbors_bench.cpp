@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time to index n robots and to find the ten nearest of each within the sensing radius.
+// Time to index n robots and to find the ten nearest of each within the sensing radius, by points
+// in any order and by points in the order of their cells, as a step keeps them.
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdint>
@@ -10,9 +11,8 @@
 namespace avo {
 namespace {
 
-// About `crowd` robots within the radius of each.
-void index_and_gather(benchmark::State& state, double crowd) {
-  const auto n = static_cast<int>(state.range(0));
+// About `crowd` of n robots within the radius of each.
+std::vector<Vec2> random_positions(int n, double crowd) {
   const double side = std::sqrt(3.14159 * n / crowd);
   std::uint64_t random = 2011;
   const auto coordinate = [&] {
@@ -24,19 +24,36 @@ void index_and_gather(benchmark::State& state, double crowd) {
     const double x = coordinate();
     positions.push_back({x, coordinate()});
   }
+  return positions;
+}
+
+void in_order_of_cells(std::vector<Vec2>& positions) {
   UniformGrid grid;
-  std::vector<NeighborHit> hits;
+  grid.build(positions, 1.0);
+  std::vector<Vec2> ordered;
+  for (const std::uint32_t i : grid.order()) ordered.push_back(positions[i]);
+  positions = ordered;
+}
+
+void index_and_gather(benchmark::State& state, double crowd, bool ordered) {
+  const auto n = static_cast<int>(state.range(0));
+  std::vector<Vec2> positions = random_positions(n, crowd);
+  if (ordered) in_order_of_cells(positions);
+  UniformGrid grid;
+  SearchScratch scratch;
   for (auto _ : state) {
     grid.build(positions, 1.0);
     for (int i = 0; i < n; ++i) {
-      grid.gather(positions[static_cast<std::size_t>(i)], i, 10, hits);
-      benchmark::DoNotOptimize(hits.data());
+      benchmark::DoNotOptimize(
+          grid.gather(positions[static_cast<std::size_t>(i)], i, 10, scratch).data());
     }
   }
   state.counters["robots/s"] = benchmark::Counter(n, benchmark::Counter::kIsIterationInvariantRate);
 }
-BENCHMARK_CAPTURE(index_and_gather, ten_within, 10.0)->Arg(1000)->Arg(100000);
-BENCHMARK_CAPTURE(index_and_gather, hundred_within, 100.0)->Arg(1000)->Arg(100000);
+BENCHMARK_CAPTURE(index_and_gather, ten_within, 10.0, false)->Arg(1000)->Arg(100000);
+BENCHMARK_CAPTURE(index_and_gather, ten_within_ordered, 10.0, true)->Arg(1000)->Arg(100000);
+BENCHMARK_CAPTURE(index_and_gather, hundred_within, 100.0, false)->Arg(1000)->Arg(100000);
+BENCHMARK_CAPTURE(index_and_gather, hundred_within_ordered, 100.0, true)->Arg(1000)->Arg(100000);
 
 void index_only(benchmark::State& state) {
   std::vector<Vec2> positions;

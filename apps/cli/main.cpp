@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "avo/simd.h"
 #include "avo/version.h"
 #include "avo_io/errors.h"
 #include "avo_io/nearest.h"
@@ -44,6 +45,12 @@ void add_scene(CLI::App& verb, SceneArguments& arguments) {
                 "lowers max_speed to what the sensing radius allows");
 }
 
+void add_threads(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "0: as many as the machine has")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+}
+
 void add_run(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("run", "simulate a scene to its end");
   static RunArguments arguments;
@@ -53,9 +60,7 @@ void add_run(CLI::App& app, Action& action) {
   verb->add_option("--summary", arguments.summary, "results; - is stdout")->type_name("FILE.json");
   verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories")
       ->type_name("FILE.svg|.png|.pdf");
-  verb->add_option("--threads", arguments.threads, "0: as many as the machine has")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
+  add_threads(*verb, arguments.threads);
   verb->footer("Example: avo run circle-100 --record out.csv --summary out.json --figure out.svg");
   verb->callback([&action] { action = [] { return run(arguments); }; });
 }
@@ -95,6 +100,20 @@ void add_check(CLI::App& app, Action& action) {
   verb->add_flag("--json", arguments.json, "as JSON");
   verb->footer("Exit code 0: safe, 1: not. Example: avo check out.csv --scene circle-100");
   verb->callback([&action] { action = [] { return check(arguments); }; });
+}
+
+void add_bench(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("bench", "measure what a step of a scene costs");
+  static BenchArguments arguments;
+  add_scene(*verb, arguments.scene);
+  add_threads(*verb, arguments.threads);
+  verb->add_option("--steps", arguments.steps,
+                   "so many after ten; without it all until everyone has arrived, of uniform-N 100")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  verb->add_flag("--json", arguments.json, "as JSON");
+  verb->footer("Example: avo bench circle-100 --threads 1 --set method=avo_paper");
+  verb->callback([&action] { action = [] { return bench(arguments); }; });
 }
 
 void add_others(CLI::App& app, Action& action) {
@@ -150,6 +169,14 @@ void check_words(CLI::App& app, const std::vector<std::string>& words) {
                    did_you_mean(words[0], verbs));
 }
 
+void check_environment() {
+  try {
+    avo::check_simd_target();
+  } catch (const avo::Error& error) {
+    throw UsageError(error.what());
+  }
+}
+
 int parse_and_act(int argc, char** argv) {
   CLI::App app("Multi-robot collision avoidance that respects acceleration limits");
   app.name("avo");
@@ -160,6 +187,7 @@ int parse_and_act(int argc, char** argv) {
   add_run(app, action);
   add_explain(app, action);
   add_check(app, action);
+  add_bench(app, action);
   add_others(app, action);
   check_words(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {
@@ -173,6 +201,7 @@ int parse_and_act(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + "; see avo --help");
   }
+  check_environment();
   return action();
 }
 

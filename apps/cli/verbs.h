@@ -48,6 +48,14 @@ struct CheckArguments {
 };
 int check(const CheckArguments& arguments);
 
+struct BenchArguments {
+  SceneArguments scene;
+  int threads = 0;
+  std::optional<std::int64_t> steps;  ///< unset: as docs/performance.md says
+  bool json = false;
+};
+int bench(const BenchArguments& arguments);
+
 int list_scenes(const std::string& name, bool json);
 int validate_scene(const SceneArguments& arguments);
 int print_schema();

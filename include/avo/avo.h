@@ -11,6 +11,7 @@
 #include "avo/response.h"
 #include "avo/robot.h"
 #include "avo/scenario.h"
+#include "avo/simd.h"
 #include "avo/simulation.h"
 #include "avo/vec.h"
 #include "avo/velocity_obstacle.h"

@@ -123,6 +123,17 @@ struct CertificateWall {
   double offset = 0.0;
 };
 
+// of the library itself
+class Horizon;
+class Planner;
+class StageClock;
+struct CertificateLaw;
+struct Deciding;
+struct Wished;
+class PlanWorkspace;
+void plan_together(const Planner& planner, std::span<const Deciding> robots,
+                   PlanWorkspace& workspace, StageClock& clock) noexcept;
+
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
 class PlanWorkspace {
  public:
@@ -135,17 +146,20 @@ class PlanWorkspace {
   /// allocates nothing. To plan among obstacles takes more, which comes as it is needed.
   void reserve(std::size_t neighbors, std::size_t braking_steps);
 
-  std::vector<NeighborPlane> planes;  ///< of the last decision, see Planner::collect_half_planes
-  bool overlapping = false;           ///< a neighbor of the last decision is in contact already
+  std::vector<NeighborPlane> planes;         ///< of the last Planner::collect_half_planes
+  bool overlapping = false;                  ///< by it, a neighbor is in contact already
   std::vector<CertificateWall> certificate;  ///< of the last Planner::collect_certificate
 
  private:
   friend class Planner;
+  friend void reserve_together(std::size_t, std::size_t, PlanWorkspace&);
+  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&,
+                            StageClock&) noexcept;
   struct Scratch;
   std::unique_ptr<Scratch> scratch_;
 };
 
-class Horizon;
+void reserve_together(std::size_t robots, std::size_t neighbors, PlanWorkspace& workspace);
 
 /// Decides for one robot. Immutable after construction and safe to share between threads: plan()
 /// is pure, it knows no time, ids, files or threads.
@@ -190,8 +204,10 @@ class Planner {
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
 
  private:
-  Plan plan_avo(const Robot& robot, std::span<const Neighbor> neighbors, PlanWorkspace& workspace,
-                Detour& detour) const noexcept;
+  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&,
+                            StageClock&) noexcept;
+  Plan choose(const Robot& robot, std::span<const Neighbor> neighbors, const CertificateLaw& law,
+              const Wished& wished, PlanWorkspace& workspace, Detour& detour) const noexcept;
   Plan certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
                double violation, bool overlapping, PlanWorkspace& workspace) const noexcept;
   Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "avo/planner.h"
 #include "avo/scenario.h"
@@ -34,6 +35,19 @@ struct ObstacleView {
   std::span<const Vec2> position;
   std::span<const Vec2> velocity;
   std::span<const MovingObstacle> setup;
+};
+
+struct StageTime {
+  const char* name = "";
+  double nanoseconds = 0.0;  ///< of all threads together
+};
+
+/// Sums over the steps that were measured.
+struct StepProfile {
+  std::int64_t robot_steps = 0;
+  std::int64_t pairs = 0;       ///< neighbors that a half-plane was asked of
+  std::int64_t infeasible = 0;  ///< decisions with a violation
+  std::vector<StageTime> stages = {};
 };
 
 class Simulation {
@@ -76,6 +90,11 @@ class Simulation {
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;
+
+  /// From now on the steps are measured, or no longer; the sums begin anew.
+  void measure(bool on);
+  [[nodiscard]] StepProfile profile() const;
+  [[nodiscard]] int threads() const;  ///< that a step may use
 
  private:
   struct State;

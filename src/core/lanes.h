@@ -69,12 +69,87 @@ struct Pack {
   }
 };
 
+/// Stores the chosen lanes side by side and returns how many those are; may write all lanes.
+/// (Highway's own compresses into memory, which is slow on some processors, or by tables that g++
+/// copies first.)
 template <typename T>
-HWY_INLINE Pack<T> min(Pack<T> a, Pack<T> b) {
+HWY_INLINE std::size_t store_chosen(MaskOf<T> chosen, Pack<T> a, T* to) {
+#if HWY_TARGET == HWY_AVX3
+  if constexpr (sizeof(T) == 8) {
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(chosen.raw.raw, a.raw.raw));
+    return hn::CountTrue(hn::ScalableTag<T>(), chosen.raw);
+  }
+#endif
+  alignas(HWY_MAX_BYTES) T lanes[Pack<T>::kLanes];
+  a.store(lanes);
+  const std::uint32_t chosen_bits = bits(chosen);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < Pack<T>::kLanes; ++k) {
+    to[count] = lanes[k];
+    count += (chosen_bits >> k) & 1U;
+  }
+  return count;
+}
+
+/// Two packs as one: while the one waits for its divisions the other goes on.
+template <typename T>
+struct TwoMasks {
+  MaskOf<T> a, b;
+  friend HWY_INLINE TwoMasks operator&(TwoMasks x, TwoMasks y) { return {x.a & y.a, x.b & y.b}; }
+  friend HWY_INLINE TwoMasks operator|(TwoMasks x, TwoMasks y) { return {x.a | y.a, x.b | y.b}; }
+  friend HWY_INLINE TwoMasks operator!(TwoMasks x) { return {!x.a, !x.b}; }
+  friend HWY_INLINE bool any(TwoMasks x) { return any(x.a | x.b); }
+  friend HWY_INLINE std::uint32_t bits(TwoMasks x) {
+    return bits(x.a) | bits(x.b) << hn::Lanes(typename Pack<T>::D());
+  }
+};
+
+template <typename T>
+struct TwoPacks {
+  using Number = T;
+  using Mask = TwoMasks<T>;
+  static constexpr std::size_t kLanes = 2 * Pack<T>::kLanes;
+  Pack<T> a, b;
+
+  TwoPacks() = default;
+  HWY_INLINE TwoPacks(double constant) : a(constant), b(constant) {}  // NOLINT: as literals are
+  HWY_INLINE TwoPacks(Pack<T> first, Pack<T> second) : a(first), b(second) {}
+
+  static HWY_INLINE TwoPacks load(const T* from) {
+    return {Pack<T>::load(from), Pack<T>::load(from + Pack<T>::kLanes)};
+  }
+  HWY_INLINE void store(T* to) const {
+    a.store(to);
+    b.store(to + Pack<T>::kLanes);
+  }
+
+  friend HWY_INLINE TwoPacks operator+(TwoPacks x, TwoPacks y) { return {x.a + y.a, x.b + y.b}; }
+  friend HWY_INLINE TwoPacks operator-(TwoPacks x, TwoPacks y) { return {x.a - y.a, x.b - y.b}; }
+  friend HWY_INLINE TwoPacks operator*(TwoPacks x, TwoPacks y) { return {x.a * y.a, x.b * y.b}; }
+  friend HWY_INLINE TwoPacks operator/(TwoPacks x, TwoPacks y) { return {x.a / y.a, x.b / y.b}; }
+  friend HWY_INLINE TwoPacks operator-(TwoPacks x) { return {-x.a, -x.b}; }
+  friend HWY_INLINE Mask operator<(TwoPacks x, TwoPacks y) { return {x.a < y.a, x.b < y.b}; }
+  friend HWY_INLINE Mask operator<=(TwoPacks x, TwoPacks y) { return {x.a <= y.a, x.b <= y.b}; }
+  friend HWY_INLINE Mask operator>(TwoPacks x, TwoPacks y) { return {x.a > y.a, x.b > y.b}; }
+  friend HWY_INLINE Mask operator>=(TwoPacks x, TwoPacks y) { return {x.a >= y.a, x.b >= y.b}; }
+  friend HWY_INLINE TwoPacks sqrt(TwoPacks x) { return {sqrt(x.a), sqrt(x.b)}; }
+  friend HWY_INLINE TwoPacks abs(TwoPacks x) { return {abs(x.a), abs(x.b)}; }
+  friend HWY_INLINE TwoPacks floor(TwoPacks x) { return {floor(x.a), floor(x.b)}; }
+  friend HWY_INLINE TwoPacks select(Mask mask, TwoPacks yes, TwoPacks no) {
+    return {select(mask.a, yes.a, no.a), select(mask.b, yes.b, no.b)};
+  }
+  friend HWY_INLINE TwoPacks lookup(const T* table, TwoPacks x) {
+    return {lookup(table, x.a), lookup(table, x.b)};
+  }
+};
+
+// Both of these return the second where the comparison fails.
+template <typename Real>
+HWY_INLINE Real min(Real a, Real b) {
   return select(a < b, a, b);
 }
-template <typename T>
-HWY_INLINE Pack<T> max(Pack<T> a, Pack<T> b) {
+template <typename Real>
+HWY_INLINE Real max(Real a, Real b) {
   return select(a > b, a, b);
 }
 

@@ -16,16 +16,16 @@ inline int default_threads() {
 #endif
 }
 
-/// Below this the threads cost more than they save, and on a busy machine far more.
+/// Below so many robots the threads cost more than they save, and on a busy machine far more.
 inline constexpr std::size_t kFewestParallel = 256;
 
 /// body(index, worker) for every index in [0, count), worker in [0, threads). The order and the
 /// division among the workers are not promised: body must not depend on them.
 template <typename Body>
-void parallel_for(std::size_t count, int threads, const Body& body) {
+void parallel_for(std::size_t count, std::size_t threads, const Body& body) {
 #ifdef _OPENMP
-  if (threads > 1 && count >= kFewestParallel) {
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
+  if (threads > 1 && count > 1) {
+#pragma omp parallel for schedule(dynamic, 1) num_threads(static_cast <int>(threads))
     for (std::size_t i = 0; i < count; ++i) body(i, static_cast<std::size_t>(omp_get_thread_num()));
     return;
   }

@@ -65,6 +65,12 @@ struct Pack {
   }
 };
 
+template <typename T>
+std::size_t store_chosen(Mask chosen, Pack<T> a, T* to) {
+  a.store(to);
+  return chosen.bit ? 1 : 0;
+}
+
 // Both of these return the second where the comparison fails, as a blend does.
 template <typename T>
 Pack<T> min(Pack<T> a, Pack<T> b) {

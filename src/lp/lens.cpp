@@ -87,33 +87,31 @@ Lens make_lens(const Disc& acceleration, const Disc& speed) noexcept {
 LensPoint nearest(const Lens& lens, Vec2 p) noexcept {
   const bool inside_smaller = in_smaller(lens, p, 1.0);
   const bool inside_larger = in_larger(lens, p, 1.0);
-  if (inside_smaller && inside_larger) return {p, Arc::none};
+  if (inside_smaller && inside_larger) return {p};
   if (!inside_smaller) {
     const Vec2 u = (lens.radius / norm(p)) * p;
-    if (in_larger(lens, u)) return {u, Arc::smaller};
+    if (in_larger(lens, u)) return {u, true};
   }
   if (!inside_larger) {
     const Vec2 q = p - lens.larger_center;
     const Vec2 u = lens.larger_center + (lens.larger_radius / norm(q)) * q;
-    if (in_smaller(lens, u)) return {u, Arc::larger};
+    if (in_smaller(lens, u)) return {u, true};
   }
-  return {corner_towards(lens, p), Arc::corner};
+  return {corner_towards(lens, p), true};
 }
 
-LensPoint farthest_along(const Lens& lens, Vec2 direction) noexcept {
+Vec2 farthest_along(const Lens& lens, Vec2 direction) noexcept {
   const double length = norm(direction);
-  if (!(length > 0.0)) return nearest(lens, {});
+  if (!(length > 0.0)) return nearest(lens, {}).point;
   const Vec2 n = direction / length;
-  if (const Vec2 u = lens.radius * n; in_larger(lens, u)) return {u, Arc::smaller};
-  if (const Vec2 u = lens.larger_center + lens.larger_radius * n; in_smaller(lens, u)) {
-    return {u, Arc::larger};
-  }
-  return {corner_towards(lens, n), Arc::corner};
+  if (const Vec2 u = lens.radius * n; in_larger(lens, u)) return u;
+  if (const Vec2 u = lens.larger_center + lens.larger_radius * n; in_smaller(lens, u)) return u;
+  return corner_towards(lens, n);
 }
 
 double lens_support_min(Vec2 normal, const Lens& lens) noexcept {
   if (lens.empty) return std::numeric_limits<double>::infinity();
-  return dot(normal, lens.origin + farthest_along(lens, -normal).point) / lens.scale;
+  return dot(normal, lens.origin + farthest_along(lens, -normal)) / lens.scale;
 }
 
 double lens_support_min(Vec2 normal, const Disc& acceleration, const Disc& speed) noexcept {

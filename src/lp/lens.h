@@ -29,18 +29,16 @@ struct Lens {
 /// gap between them is within rounding, 2 ulp of |c| + r of the larger one.
 Lens make_lens(const Disc& acceleration, const Disc& speed) noexcept;
 
-enum class Arc : unsigned char { none, smaller, larger, corner };
-
 struct LensPoint {
   Vec2 point;
-  Arc arc = Arc::none;  ///< the part of the boundary it lies on, none: inside
+  bool moved = false;  ///< it is not the point asked about, which lies outside
 };
 
 /// The point of the lens nearest p, in closed form. Lens not empty.
 LensPoint nearest(const Lens& lens, Vec2 p) noexcept;
 
 /// The point of the lens with the largest direction . point, in closed form. Lens not empty.
-LensPoint farthest_along(const Lens& lens, Vec2 direction) noexcept;
+Vec2 farthest_along(const Lens& lens, Vec2 direction) noexcept;
 
 /// The smallest normal . u over both discs, m/s: a half-plane whose offset is not above it holds
 /// for everything that the robot may choose. +infinity if the discs do not meet.

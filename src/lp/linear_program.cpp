@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lp/lens.h"
+#include "lp/planar_program.h"
+
 namespace avo {
 namespace {
 
@@ -29,30 +32,48 @@ double violation_at(Planes given, Vec2 u, double before_rounding) {
   return largest > 0.0 ? largest : before_rounding;
 }
 
+// Scratch memory, each with room for all half-planes.
+struct Room {
+  std::span<HalfPlane> planes;  // relative, the hard ones first
+  std::span<HalfPlane> taken;
+  std::span<HalfPlane> projected, projected_taken;  // of least_unsafe
+};
+
+Room room_for(std::size_t count, std::vector<HalfPlane>& scratch) {
+  if (scratch.size() < 4 * count) scratch.resize(4 * count);
+  HalfPlane* const first = scratch.data();
+  return {{first, count},
+          {first + count, count},
+          {first + 2 * count, count},
+          {first + 3 * count, count}};
+}
+
 // CA_A of Eq. (22) is empty, the 3-D program: the smallest s such that some point of the lens and
-// of `keep` violates no plane of `give` by more than s. Incremental as well: a plane violated by no
-// more than s changes nothing; otherwise it is the worst of those so far, and the new point lies
-// farthest along its normal among the points that violate no earlier plane more than this one.
-// Equals are settled by the distance to `preferred` in each program, hence in the whole.
-// On entry `solution` satisfies `keep` and the planes before give[first], which cannot be added.
-std::array<int, 3> least_unsafe(const Lens& lens, Planes keep, Planes give, std::size_t first,
-                                Vec2 preferred, std::span<HalfPlane> projected,
-                                PlanarSolution& solution) {
-  std::array<int, 3> binding{kNoConstraint, kNoConstraint, kNoConstraint};
-  double worst = 0.0;
-  std::copy(keep.begin(), keep.end(), projected.begin());
-  for (std::size_t i = first; i < give.size(); ++i) {
-    if (!(violation(give[i], solution.point) > worst + lens.tolerance)) continue;
-    for (std::size_t j = 0; j < i; ++j) projected[keep.size() + j] = bisector(give[j], give[i]);
-    const Planes planes = projected.first(keep.size() + i);
-    PlanarSolution candidate;
-    if (solve_planar(lens, planes, {preferred, give[i].normal}, candidate) == planes.size()) {
-      solution = candidate;
-      binding = {static_cast<int>(planes.size()), candidate.binding[0], candidate.binding[1]};
+// of `keep` violates no plane of `give` by more than s. Incremental as well: of the planes violated
+// by more than s, the one violated most is taken next. It is then the worst of those taken, and the
+// new point lies farthest along its normal among the points that violate none of them more than
+// this one. Equals are settled by the distance to `preferred` in each program, hence in the whole.
+// On entry `solution` satisfies `keep` and the planes of `give` in taken[from .. solution.taken),
+// to which give[next] cannot be added.
+void least_unsafe(const Lens& lens, Planes keep, Planes give, std::size_t next, Vec2 preferred,
+                  const Room& room, std::size_t from, PlanarSolution& solution) {
+  std::copy(keep.begin(), keep.end(), room.projected.begin());
+  while (next < give.size()) {
+    const HalfPlane& worst = give[next];
+    std::size_t count = keep.size();
+    for (std::size_t j = from; j < solution.taken; ++j) {
+      room.projected[count++] = bisector(room.taken[j], worst);
     }
-    worst = violation(give[i], solution.point);
+    const Goal goal{preferred, worst.normal};
+    PlanarSolution candidate = start_planar(lens, goal);
+    if (solve_planar(lens, room.projected.first(count), goal, room.projected_taken, candidate) ==
+        count) {
+      solution.point = candidate.point;
+    }
+    room.taken[solution.taken++] = worst;
+    next = most_violated(give, solution.point, violation(worst, solution.point) + lens.tolerance);
+    if (next < give.size() && contains(room.taken.first(solution.taken), give[next])) break;
   }
-  return binding;
 }
 
 // A point as far away as this has the same nearest points as any farther one in that direction.
@@ -89,8 +110,28 @@ ProgramResult nearest_to_speed_disc(const Lens& lens, const Disc& acceleration, 
   result.point = acceleration.center + acceleration.radius * (towards / lens.distance);
   result.violation = norm(lens.scale * (result.point - speed.center)) / lens.scale - speed.radius;
   result.state = ProgramState::discs_disjoint;
-  result.binding = {kAccelerationDisc, kSpeedDisc, kNoConstraint};
   return result;
+}
+
+// The largest violation of the hard half-planes; where it is one of rounding, all of them are in
+// force.
+double solve_hard(const Lens& lens, std::span<HalfPlane> keep, const Goal& goal, const Room& room,
+                  PlanarSolution& solution) {
+  if (keep.empty()) return 0.0;
+  const std::size_t failed = solve_planar(lens, keep, goal, room.taken, solution);
+  if (failed < keep.size()) {
+    least_unsafe(lens, {}, keep, failed, goal.preferred, room, 0, solution);
+    solution.moved = true;
+    const double worst = largest_violation(keep, solution.point);
+    if (worst > lens.tolerance) return worst;
+    // They leave a set thinner than rounding: widen it by more.
+    for (HalfPlane& plane : keep) plane.offset -= 1.5 * lens.tolerance;
+    PlanarSolution wider = start_planar(lens, goal);
+    if (solve_planar(lens, keep, goal, room.taken, wider) == keep.size()) solution = wider;
+  }
+  std::copy(keep.begin(), keep.end(), room.taken.begin());
+  solution.taken = keep.size();
+  return 0.0;
 }
 
 }  // namespace
@@ -101,46 +142,30 @@ ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const Hal
   const Lens lens = make_lens(acceleration, speed);
   if (lens.empty) return nearest_to_speed_disc(lens, acceleration, speed);
 
-  const std::size_t count = hard.size() + soft.size();
-  if (scratch.size() < 2 * count) scratch.resize(2 * count);
-  const std::span<HalfPlane> planes{scratch.data(), count};
-  const std::span<HalfPlane> projected{scratch.data() + count, count};
+  const Room room = room_for(hard.size() + soft.size(), scratch);
   std::size_t next = 0;
-  for (const HalfPlane& plane : hard) planes[next++] = relative_plane(lens, plane);
-  for (const HalfPlane& plane : soft) planes[next++] = relative_plane(lens, plane);
-  const Vec2 target = relative_point(lens, preferred);
+  for (const HalfPlane& plane : hard) room.planes[next++] = relative_plane(lens, plane);
+  for (const HalfPlane& plane : soft) room.planes[next++] = relative_plane(lens, plane);
+  const std::span<HalfPlane> keep = room.planes.first(hard.size());
+  const std::span<HalfPlane> give = room.planes.subspan(hard.size());
+  const Goal goal{relative_point(lens, preferred), {}};
 
-  // Eq. (23): all half-planes in one program, the hard ones first
+  // Eq. (23), the hard half-planes first
   ProgramResult result;
-  PlanarSolution solution;
-  const std::span<HalfPlane> keep = planes.first(hard.size());
-  const std::span<HalfPlane> give = planes.subspan(hard.size());
-  std::size_t failed = solve_planar(lens, planes, {target, {}}, solution);
-  if (failed < hard.size()) {
-    result.binding = least_unsafe(lens, {}, keep, failed, target, projected, solution);
-    const double worst = largest_violation(keep, solution.point);
-    if (worst > lens.tolerance) {
-      result.point = absolute_point(lens, acceleration, speed, solution.point);
-      result.violation = violation_at(hard, result.point, worst / lens.scale);
-      result.state = ProgramState::hard_infeasible;
-      return result;
-    }
-    // The hard half-planes leave a set thinner than rounding: widen it by more.
-    for (HalfPlane& plane : keep) plane.offset -= 1.5 * lens.tolerance;
-    const PlanarSolution inside = solution;
-    failed = solve_planar(lens, planes, {target, {}}, solution);
-    if (failed < hard.size()) solution = inside, failed = hard.size();
+  PlanarSolution solution = start_planar(lens, goal);
+  if (const double worst = solve_hard(lens, keep, goal, room, solution); worst > lens.tolerance) {
+    result.point = absolute_point(lens, acceleration, speed, solution.point);
+    result.violation = violation_at(hard, result.point, worst / lens.scale);
+    result.state = ProgramState::hard_infeasible;
+    return result;
   }
-  if (failed == count) {
-    if (solution.binding[0] == kNoConstraint) {
-      result.point = preferred;
-      return result;
-    }
-    result.binding = {solution.binding[0], solution.binding[1], kNoConstraint};
-  } else {
-    result.binding =
-        least_unsafe(lens, keep, give, failed - hard.size(), target, projected, solution);
+  const std::size_t failed = solve_planar(lens, give, goal, room.taken, solution);
+  if (failed == give.size()) {
+    result.point =
+        solution.moved ? absolute_point(lens, acceleration, speed, solution.point) : preferred;
+    return result;
   }
+  least_unsafe(lens, keep, give, failed, goal.preferred, room, keep.size(), solution);
   result.point = absolute_point(lens, acceleration, speed, solution.point);
   const double worst = largest_violation(give, solution.point);
   if (worst > lens.tolerance) {

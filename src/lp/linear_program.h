@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The choice of a new velocity as a program in the plane (paper §IV-D, Eqs. 22, 23).
 #pragma once
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "avo/geometry.h"
-#include "lp/planar_program.h"
 
 namespace avo {
 
@@ -25,10 +23,6 @@ struct ProgramResult {
   /// offsets.
   double violation = 0.0;
   ProgramState state = ProgramState::optimal;
-  /// The binding constraints (half-planes counted through hard and then soft, or kSpeedDisc,
-  /// kAccelerationDisc, kNoConstraint), in no promised order. optimal: at most two. least_unsafe
-  /// and hard_infeasible: up to three that no point can satisfy any better.
-  std::array<int, 3> binding{kNoConstraint, kNoConstraint, kNoConstraint};
 };
 
 /// The point of hard ∩ soft ∩ acceleration ∩ speed (all closed) nearest `preferred`, Eq. (23).
@@ -49,9 +43,9 @@ struct ProgramResult {
 ///  (3) turning all vectors by 90 degrees turns the point, and multiplying all lengths by 2^k
 ///      multiplies it, bit for bit.
 ///
-/// The half-planes are taken in the order given, without shuffling: O(n^2) at worst for the
-/// program, O(n^3) for the least unsafe point. `scratch` grows to twice their number; nothing
-/// else is allocated.
+/// The half-plane violated most is taken next, the first of equals: O(n^2) at worst for the
+/// program, O(n^3) for the least unsafe point, but few of n are ever taken. `scratch` grows to four
+/// times their number; nothing else is allocated.
 ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const HalfPlane> soft,
                             const Disc& acceleration, const Disc& speed, Vec2 preferred,
                             std::vector<HalfPlane>& scratch) noexcept;

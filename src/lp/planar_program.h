@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The 2-D program over two exact discs and half-planes, incremental and deterministic (Eq. 23).
 #pragma once
-#include <array>
 #include <cstddef>
 #include <span>
 
@@ -10,13 +9,9 @@
 
 namespace avo {
 
-/// What holds a solution in place: the index of a half-plane, or one of these.
-constexpr int kNoConstraint = -1;
-constexpr int kAccelerationDisc = -2;
-constexpr int kSpeedDisc = -3;
-
-/// Half-planes relative to Lens::origin. Their normals may have any length: a violation,
-/// offset - normal . u, is in the unit of the offset, and one tolerance serves all of them.
+/// Half-planes relative to Lens::origin. Their normals may have any length where Goal::direction is
+/// not zero: a violation, offset - normal . u, is in the unit of the offset, and one tolerance
+/// serves all of them.
 using Planes = std::span<const HalfPlane>;
 
 /// The point nearest `preferred`; or, if `direction` is not zero, the one farthest along it, and
@@ -28,13 +23,25 @@ struct Goal {
 
 struct PlanarSolution {
   Vec2 point;
-  std::array<int, 2> binding{kNoConstraint, kNoConstraint};
+  bool moved = false;     ///< it is not the preferred one
+  std::size_t taken = 0;  ///< so many half-planes are in force
 };
 
-/// A plane that the best point so far satisfies changes nothing; otherwise the new best point lies
-/// on its boundary. Returns the index of the first plane that leaves nothing (`solution` is then
-/// that of the planes before it), planes.size() if none does. Lens not empty.
+/// The best point of the lens. Lens not empty.
+PlanarSolution start_planar(const Lens& lens, const Goal& goal) noexcept;
+
+/// The half-plane that `u` violates by most, and by more than `least`, the first of equals;
+/// planes.size() if there is none.
+std::size_t most_violated(Planes planes, Vec2 u, double least) noexcept;
+
+bool contains(Planes planes, const HalfPlane& plane) noexcept;
+
+/// On entry the solution is the best point of the lens and of taken[0 .. solution.taken). Always
+/// the plane violated most is taken next: the best point then lies on its boundary, and only those
+/// taken before limit it there. Returns the index of the first plane that leaves nothing
+/// (`solution` is then that of the planes taken before), planes.size() if none does. `taken` has
+/// room for all.
 std::size_t solve_planar(const Lens& lens, Planes planes, const Goal& goal,
-                         PlanarSolution& solution) noexcept;
+                         std::span<HalfPlane> taken, PlanarSolution& solution) noexcept;
 
 }  // namespace avo

@@ -65,7 +65,7 @@ struct Metrics::State {
 
   std::vector<Body> robots, obstacles;
   std::vector<Vec2> positions;
-  std::vector<NeighborHit> hits;
+  SearchScratch scratch;
   UniformGrid grid;
 
   void remember(const Simulation& simulation);
@@ -193,15 +193,13 @@ void Metrics::State::observe_separation() {
   grid.build(positions, 2.0 * largest + clearance + 2.0 * farthest);
   const std::size_t all = robots.size();
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    grid.gather(positions[i], static_cast<int>(i), all, hits);
-    for (const NeighborHit& hit : hits) {
+    for (const NeighborHit& hit : grid.gather(positions[i], static_cast<int>(i), all, scratch)) {
       const auto j = static_cast<std::size_t>(hit.index);
       if (j > i) meet(robots[i], robots[j]);
     }
   }
   for (const Body& obstacle : obstacles) {
-    grid.gather(obstacle.position, -1, all, hits);
-    for (const NeighborHit& hit : hits) {
+    for (const NeighborHit& hit : grid.gather(obstacle.position, -1, all, scratch)) {
       meet_obstacle(robots[static_cast<std::size_t>(hit.index)], obstacle);
     }
   }

@@ -1,57 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is within the sensing radius: an exact search on a uniform grid (paper §VI-A).
+// Who is near: an exact search on a uniform grid (paper §VI-A).
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "avo/vec.h"
+#include "neighbors/cell_sort.h"
+#include "neighbors/cells.h"
+#include "neighbors/search.h"
 
 namespace avo {
 
-struct NeighborHit {
-  double distance_squared = 0.0;  ///< m², between centers
-  int index = 0;                  ///< into the positions given to build()
-
-  /// The canonical order of neighbors: by distance, ties by index.
-  friend constexpr bool operator<(const NeighborHit& a, const NeighborHit& b) {
-    if (a.distance_squared != b.distance_squared) return a.distance_squared < b.distance_squared;
-    return a.index < b.index;
-  }
-  friend constexpr bool operator==(const NeighborHit&, const NeighborHit&) = default;
+/// Whom a search is to find: all within `near`, and of those within `far` the `most` first.
+struct NeighborQuery {
+  Vec2 position;
+  int self = -1;  ///< index of a point that is not found, -1: none
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+  double near = -1.0;  ///< m; negative: nobody for being near
+  double far = 0.0;    ///< m, at most kMostSides sides of a cell
+  double guess = 0.0;  ///< m, where to look first; only the time depends on it
 };
 
-/// All points within a fixed radius of any place, exactly those that comparing all pairs finds.
-/// The cells, squares of side `radius`, are unbounded in number and kept in a table of O(n) slots:
-/// the cells of one row follow each other in it, each row from a scattered start. So a far outlier
-/// costs nothing; points of far cells that share a slot fail the test of their distance.
+/// Finds exactly those that comparing all pairs finds: |p_i - position|² <= radius² as computed in
+/// double, in canonical order. Positions that are not finite are never found.
 class UniformGrid {
  public:
-  /// Copies the positions. radius: m, >= 0, may be infinite. Positions that are not finite are
-  /// never found. Allocates only while the number of points grows.
+  /// Copies the positions. radius: m, of gather(), >= 0, may be infinite. Allocates only while the
+  /// number of points grows.
   void build(std::span<const Vec2> positions, double radius);
 
-  /// The points other than `self` (-1: none) within the radius of `position`, closed:
-  /// |p_i - position|² <= radius² as computed in double; of those the `most` first in canonical
-  /// order. Replaces `out`, sorted; it is empty for a position that is not finite. Allocates only
-  /// while `out` grows; safe to call from several threads.
-  void gather(Vec2 position, int self, std::size_t most, std::vector<NeighborHit>& out) const;
+  /// The points within the radius other than `self`, of those the `most` first, see find().
+  std::span<const NeighborHit> gather(Vec2 position, int self, std::size_t most,
+                                      SearchScratch& scratch) const;
+
+  /// The same in parts, for points whose cells are known by their keys: prepare(), then each part,
+  /// which may be at the same time. `indices` is what the points are called.
+  void prepare(const Cells& cells, std::size_t count);
+  SortedPart build_part(std::span<const std::uint32_t> keys, std::span<const Vec2> positions,
+                        std::span<const int> indices, std::size_t part, std::size_t parts);
+
+  /// The result lies in the scratch memory. Safe to call from several threads.
+  std::span<const NeighborHit> find(const NeighborQuery& query, SearchScratch& scratch) const;
+
+  /// Which of the points given is at each place.
+  [[nodiscard]] std::span<const std::uint32_t> order() const { return sort_.order; }
+  /// Once whoever gave the points has put them in that order.
+  void forget_order();
+  [[nodiscard]] Vec2 position(std::size_t place) const { return {x_[place], y_[place]}; }
 
  private:
-  struct Entry {
-    Vec2 position;
-    int index;
-  };
+  Cells cells_;
+  CellSort sort_;
+  std::vector<double> x_, y_;  // m, by place, and room for a vector beyond the last
+  std::vector<double> index_;  // likewise; numbers of 32 bits
 
-  [[nodiscard]] std::int64_t cell(double coordinate) const;
-  [[nodiscard]] std::size_t row_start(std::int64_t row) const;
-
-  double radius_ = 0.0;
-  double cells_per_meter_ = 0.0;
-  int hash_shift_ = 63;
-  std::vector<int> begin_{0, 0, 0};  // entries of slot s: [begin_[s], begin_[s + 1])
-  std::vector<Entry> entries_;       // by slot, then by index
+  // of build() and gather()
+  double radius_ = 0.0;  // m
+  std::vector<std::uint32_t> keys_;
+  std::vector<int> indices_;
 };
 
 }  // namespace avo

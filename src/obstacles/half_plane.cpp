@@ -18,8 +18,11 @@ struct Found {
 };
 
 Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {
-  const scalar::HornPlane<Real> once = scalar::horn(local, horizon.end(), horizon.table<double>());
-  if (once.settled.bit) return {once.plane, once.free.bit};
+  for (const Look look : {Look::quickly, Look::closely}) {
+    const scalar::HornPlane<Real> found =
+        scalar::horn(local, horizon.end(), horizon.table<double>(), look);
+    if (found.settled.bit) return {found.plane, found.free.bit};
+  }
   const LocalPlane plane = horn_half_plane(
       {local.d.value, {local.v.x.value, local.v.y.value}, local.r.value, local.R.value}, horizon);
   return {{{plane.n.x, plane.n.y}, plane.h}, plane.free};

@@ -11,6 +11,12 @@
 //   horn    otherwise its near side is concave, and the hull closes it by a chord from Q, where the
 //           near side crosses the circle |w| = R: once if `crosses_once`, else see horn.cpp
 
+/// 1/a for a >= 0; finite for a = 0, where nobody wants it, but lanes compute it all the same.
+template <typename Real>
+AVO_KERNEL Real inverse(Real a) {
+  return Real(1.0) / max(a, Real(kTiniest<typename Real::Number>));
+}
+
 template <typename Real>
 struct Vec {
   Real x, y;
@@ -56,7 +62,7 @@ AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end)
   const Vec<Real> x = pair.x(end), y = pair.y(end);
   const Real length = norm(x), reach = pair.r * length;
   const auto nearest = (reach > Real(0.0)) & (pair.d * x.x >= reach) & (dot(x, y) >= reach);
-  const Real per_length = Real(1.0) / length;
+  const Real per_length = inverse(length);
   return {{per_length * x, (pair.r - length) * Real(1.0 / horizon_end.gain)}, nearest};
 }
 
@@ -77,7 +83,7 @@ template <typename Real>
 AVO_KERNEL Approach<Real> approach(const Local<Real>& pair) {
   Approach<Real> result;
   result.speed = norm(pair.v);
-  result.per_speed = Real(1.0) / result.speed;
+  result.per_speed = inverse(result.speed);
   result.u = -result.per_speed * pair.v;
   result.e = {-result.u.y, result.u.x};
   result.t_m = result.u.x * pair.d * result.per_speed;
@@ -114,7 +120,7 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
     found = at(table, min(max(approach.t_m - sigma * approach.per_speed, Real(0.0)), tau));
     const Real m = approach.m(found);
     const Real x2 = sigma * sigma + b2;
-    const Real x = sqrt(x2), per_x = Real(1.0) / x;
+    const Real x = sqrt(x2), per_x = inverse(x);
     const Real excess = (sigma * m + b2) * per_x - pair.r;
     low = select(excess < Real(0.0), sigma, low);
     high = select(excess < Real(0.0), high, sigma);
@@ -123,11 +129,14 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
                                      found.per_rate * Real(table.per_control_time),
                                  Real(0.5));  // at t = 0
     const Real slope = (b2 * (m - sigma) * per_x * per_x + sigma * lag_rate) * per_x;
-    Real next = sigma - excess / slope;
-    next =
-        select((slope > Real(0.0)) & (next > low) & (next < high), next, Real(0.5) * (low + high));
-    // of second order in what follows
-    active = active & (abs(next - sigma) > Real(kConvexTolerance<typename Real::Number>) * next);
+    const auto rises = slope > Real(0.0);
+    const Real newton = sigma - excess / select(rises, slope, Real(1.0));
+    // of second order in what follows; the guard would bisect where rounding is all that is left
+    active =
+        active &
+        ((!rises) | (abs(newton - sigma) > Real(kConvexTolerance<typename Real::Number>) * sigma));
+    const Real next =
+        select(rises & (newton > low) & (newton < high), newton, Real(0.5) * (low + high));
     if (!any(active)) break;
     sigma = select(active, next, sigma);
   }
@@ -146,7 +155,7 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   At<Real> found;
   const Real sigma = solve_approach(
       pair, course, min((pair.r - abs(course.b)) / course.m(latest), Real(0.95)), table, found);
-  const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = Real(1.0) / x;
+  const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = inverse(x);
   // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
   // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
   constexpr Number kRounding = 4 * std::numeric_limits<Number>::epsilon();

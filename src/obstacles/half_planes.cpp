@@ -24,11 +24,11 @@ namespace avo::HWY_NAMESPACE {
 
 void solve_double(const PairColumns<double>& pairs, const Horizon& horizon,
                   HalfPlaneWorkspace<double>& work, PlaneColumns<double>& planes) {
-  solve<Pack<double>>(pairs, horizon, work, planes);
+  solve<Pack<double>, TwoPacks<double>>(pairs, horizon, work, planes);
 }
 void solve_single(const PairColumns<float>& pairs, const Horizon& horizon,
                   HalfPlaneWorkspace<float>& work, PlaneColumns<float>& planes) {
-  solve<Pack<float>>(pairs, horizon, work, planes);
+  solve<Pack<float>, TwoPacks<float>>(pairs, horizon, work, planes);
 }
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -48,14 +48,14 @@ void solve(const PairColumns<double>& pairs, const Horizon& horizon,
 #ifdef AVO_HIGHWAY
   if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_double)(pairs, horizon, work, planes);
 #endif
-  scalar::solve<scalar::Pack<double>>(pairs, horizon, work, planes);
+  scalar::solve<scalar::Pack<double>, scalar::Pack<double>>(pairs, horizon, work, planes);
 }
 void solve(const PairColumns<float>& pairs, const Horizon& horizon, HalfPlaneWorkspace<float>& work,
            PlaneColumns<float>& planes) {
 #ifdef AVO_HIGHWAY
   if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_single)(pairs, horizon, work, planes);
 #endif
-  scalar::solve<scalar::Pack<float>>(pairs, horizon, work, planes);
+  scalar::solve<scalar::Pack<float>, scalar::Pack<float>>(pairs, horizon, work, planes);
 }
 
 template <typename T>
@@ -85,7 +85,7 @@ void PairColumns<Number>::reserve(std::size_t pairs) {
 template <typename Number>
 void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
                  HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes) {
-  const std::size_t size = pairs.count + kMostLanes;
+  const std::size_t size = pairs.p_x.size();
   for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess}) grow(*column, size);
   grow(planes.state, size);
   for (auto* column : {&workspace.d, &workspace.v_x, &workspace.v_y, &workspace.e_x, &workspace.e_y,
@@ -93,13 +93,15 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
     grow(*column, size);
   }
   workspace.cases = {};
-  for (HalfPlaneQueue<Number>* queue : {&workspace.convex, &workspace.horn, &workspace.rest}) {
+  for (HalfPlaneQueue<Number>* queue :
+       {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.rest}) {
     queue->count = 0;
     grow(queue->index, size);
   }
   solve(pairs, horizon, workspace, planes);
   workspace.cases.convex = workspace.convex.count;
   workspace.cases.horn = workspace.horn.count;
+  workspace.cases.walk = workspace.walk.count;
   workspace.cases.rest = workspace.rest.count;
   for (std::size_t k = 0; k < workspace.rest.count; ++k) {
     const auto i = static_cast<std::size_t>(workspace.rest.index[k]);

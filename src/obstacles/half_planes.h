@@ -10,7 +10,7 @@
 namespace avo {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
-inline constexpr std::size_t kMostLanes = 16;
+inline constexpr std::size_t kMostLanes = 32;
 
 /// Pairs in columns: see Pair, and reach = δ (a_A + a_B), m/s.
 template <typename Number>
@@ -44,14 +44,14 @@ struct HalfPlaneQueue {
 
 /// How many pairs each case had.
 struct HalfPlaneCases {
-  std::size_t tip = 0, convex = 0, horn = 0, rest = 0;
+  std::size_t tip = 0, convex = 0, horn = 0, walk = 0, rest = 0;
 };
 
 /// Scratch memory.
 template <typename Number>
 struct HalfPlaneWorkspace {
   std::vector<Number> d, v_x, v_y, e_x, e_y, side;  // frames
-  HalfPlaneQueue<Number> convex, horn, rest;
+  HalfPlaneQueue<Number> convex, horn, walk, rest;
   HalfPlaneCases cases;  // of the last call
 };
 

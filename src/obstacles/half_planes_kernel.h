@@ -21,7 +21,7 @@ struct Frame {
 // to survive rounding, or robots on a circle would each choose a side at random.
 template <typename Real>
 AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const ResponseAt& end) {
-  const Real d = norm(p), speed = norm(v), per_d = Real(1.0) / d;
+  const Real d = norm(p), speed = norm(v), per_d = inverse(d);
   const Real across = p.x * v.y - p.y * v.x;
   const Real tie = Real(-kTie<typename Real::Number>) * d * speed;
   Frame<Real> frame;
@@ -158,23 +158,26 @@ void solve_convex(const PairColumns<typename Real::Number>& pairs, const Horizon
   }
 }
 
+/// Those that are not settled go on to the next queue.
 template <typename Real>
-void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
-                 HalfPlaneWorkspace<typename Real::Number>& work,
+void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon, Look look,
+                 const HalfPlaneWorkspace<typename Real::Number>& work,
+                 HalfPlaneQueue<typename Real::Number>& queue,
+                 HalfPlaneQueue<typename Real::Number>& next,
                  PlaneColumns<typename Real::Number>& planes) {
   using Number = typename Real::Number;
   const ResponseTable<Number> table = horizon.table<Number>();
-  fill_up<Real>(work.horn);
-  for (std::size_t i = 0; i < work.horn.count; i += Real::kLanes) {
-    const Number* index = &work.horn.index[i];
-    const std::size_t lanes = std::min(Real::kLanes, work.horn.count - i);
+  fill_up<Real>(queue);
+  for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
+    const Number* index = &queue.index[i];
+    const std::size_t lanes = std::min(Real::kLanes, queue.count - i);
     const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index));
-    const HornPlane<Real> result = horn(frame.local, horizon.end(), table);
+    const HornPlane<Real> result = horn(frame.local, horizon.end(), table, look);
     put(frame, rounded_up(frame.local, result.plane), index, lanes, planes);
     const std::uint32_t settled = bits(result.settled), free = bits(result.free);
     for (std::size_t k = 0; k < lanes; ++k) {
       const bool is_settled = (settled >> k & 1U) != 0;
-      if (!is_settled) work.rest.index[work.rest.count++] = index[k];
+      if (!is_settled) next.index[next.count++] = index[k];
       if (is_settled && (free >> k & 1U) != 0) {
         planes.state[static_cast<std::size_t>(index[k])] = PairState::free;
       }
@@ -182,11 +185,13 @@ void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon&
   }
 }
 
-template <typename Real>
+/// Wide: what hides the time that Newton's iterations wait for their divisions.
+template <typename Real, typename Wide>
 void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
            HalfPlaneWorkspace<typename Real::Number>& work,
            PlaneColumns<typename Real::Number>& planes) {
   classify<Real>(pairs, horizon, work, planes);
-  solve_convex<Real>(pairs, horizon, work, planes);
-  solve_horns<Real>(pairs, horizon, work, planes);
+  solve_convex<Wide>(pairs, horizon, work, planes);
+  solve_horns<Wide>(pairs, horizon, Look::quickly, work, work.horn, work.walk, planes);
+  solve_horns<Wide>(pairs, horizon, Look::closely, work, work.walk, work.rest, planes);
 }

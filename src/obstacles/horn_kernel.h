@@ -9,10 +9,10 @@
 template <typename Real>
 struct NearSide {
   At<Real> at;
-  Vec<Real> b;  // m/s
-  Real length;  // |b|
-  Real fall;    // tangential · cusp: -d|b|/dt = fall/(g l |b|)
-  Real gain_l;  // g l
+  Vec<Real> b;            // m/s
+  Real length;            // |b|
+  Real tangential, cusp;  // m/s, m²/s; -d|b|/dt = tangential · cusp/(g l |b|)
+  Real gain_l;            // g l
 };
 
 template <typename Real>
@@ -37,7 +37,7 @@ AVO_KERNEL NearSide<Real> near_side(const Horn<Real>& horn, const At<Real>& at,
   const Real r = horn.pair.r;
   const Vec<Real> y = horn.pair.y(at), v = horn.pair.v;
   const Real l2 = max(Real(0.0), horn.beyond(at.lag)), l = sqrt(l2);
-  const Real per_y2 = Real(1.0) / dot(y, y), per_gain = Real(1.0) / at.gain;
+  const Real per_y2 = inverse(dot(y, y)), per_gain = inverse(at.gain);
   const Vec<Real> n = {(r * y.x - l * y.y) * per_y2, (r * y.y + l * y.x) * per_y2};
   const Real n_v = dot(n, v);
   const Real normal = -n_v * at.per_rate;
@@ -45,8 +45,12 @@ AVO_KERNEL NearSide<Real> near_side(const Horn<Real>& horn, const At<Real>& at,
   const Real lag_rate =
       at.gain * (Real(1.0) - at.rate) * at.per_rate * at.per_rate * Real(table.per_control_time);
   const Real cusp = l2 * at.rate * per_gain - r * lag_rate * n_v;
-  return {at, normal * n + tangential * perpendicular(n),
-          sqrt(normal * normal + tangential * tangential), tangential * cusp, at.gain * l};
+  return {at,
+          normal * n + tangential * perpendicular(n),
+          sqrt(normal * normal + tangential * tangential),
+          tangential,
+          cusp,
+          at.gain * l};
 }
 
 template <typename Real>
@@ -62,15 +66,19 @@ AVO_KERNEL TwoPoints<Real> circle_points(const Horn<Real>& horn, const At<Real>&
   const Real cosine = -(horn.beyond(at.time) + gain_R * gain_R) / (Real(2.0) * gain_R * length);
   const Real c = min(max(cosine, Real(-1.0)), Real(1.0));
   const Real s = sqrt((Real(1.0) - c) * (Real(1.0) + c));
-  const Vec<Real> u = (R / length) * x;
+  const Vec<Real> u = (R * inverse(length)) * x;
   return {{c * u.x - s * u.y, c * u.y + s * u.x}, {c * u.x + s * u.y, c * u.y - s * u.x}};
 }
 
 /// When the search for the crossing begins and ends, and whether there is one only.
 template <typename Real>
 struct Passage {
-  Real first, last;  // s
-  decltype(Real() < Real()) once;
+  using Mask = decltype(Real() < Real());
+  Real first, last;      // s
+  Mask once;             // at most one crossing, between them
+  Mask crosses;          // one for sure
+  Mask ordinary;         // not in contact
+  Real t_m, closest, z;  // time of the closest approach or 0, s; |p| or miss distance; p . v/|v|, m
 };
 
 // Before `first` all discs are out of reach, g being at most t²/(2 δ). |b| falls up to the closest
@@ -110,9 +118,90 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn,
   const auto in_reach =
       closing & (t_m <= tau) & (closest <= pair.R * at_m.gain) & (horn.speed <= pair.R * at_m.rate);
   const Real first = sqrt(Real(2.0) * delta * max(clear, zero) / pair.R);
-  return {
-      first, select(in_reach, t_m, tau),
-      (in_reach | (no_turn & no_cusp)) & (clear > Real(kContact<typename Real::Number>) * pair.r)};
+  return {first,
+          select(in_reach, t_m, tau),
+          in_reach | (no_turn & no_cusp),
+          in_reach,
+          clear > Real(kContact<typename Real::Number>) * pair.r,
+          t_m,
+          closest,
+          z};
+}
+
+// The time whose lag is t_m, where y comes nearest, in two steps of Newton's iteration: what lies
+// between the cusps of a close pass lies around it.
+template <typename Real>
+AVO_KERNEL Real cusp_time(Real t_m, const ResponseTable<typename Real::Number>& table) {
+  const Real per_delta = table.per_control_time;
+  Real t = Real(2.0) * t_m * (Real(1.0) + t_m * per_delta * Real(1.0 / 3.0));
+  for (int i = 0; i < 2; ++i) {
+    const At<Real> now = at(table, min(t, Real(table.end)));
+    const Real lag_rate =
+        now.gain * (Real(1.0) - now.rate) * now.per_rate * now.per_rate * per_delta;
+    t = max(now.time + (t_m - now.lag) / max(lag_rate, Real(1e-3)), t_m);
+  }
+  return t;
+}
+
+template <typename Real>
+AVO_KERNEL auto signs_differ(Real a, Real b) {
+  const Real zero = Real(0.0);
+  return ((a < zero) & (b >= zero)) | ((a >= zero) & (b < zero));
+}
+
+// m/s², of |b|
+template <typename Real>
+AVO_KERNEL Real pace(const NearSide<Real>& side) {
+  return abs(side.tangential * side.cusp) * inverse(side.gain_l * side.length);
+}
+
+// Where more than one crossing cannot be excluded beforehand: looks at the near side at times as
+// close as the passage is wide. Between two of them |b| is monotone, or turns (`tangential` or
+// `cusp` changes its sign) too far from R to get there; a lane where neither is so, or where |b|
+// rises through R, is not `once`. Ends where |b| stays below R, or can only fall from there.
+template <typename Real>
+AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::Number>& table,
+                     Passage<Real>& passage) {
+  const Real R = horn.pair.R, tau = table.end, zero = Real(0.0), t_m = passage.t_m;
+  const auto closing = passage.z < zero;
+  const Real t_cusp = select(closing, cusp_time(t_m, table), zero);
+  const Real least = min(Real(0.125) * passage.closest * inverse(horn.speed), Real(0.25) * t_m);
+  auto once = (!passage.once) & passage.ordinary & (passage.first < tau);
+  auto active = once;
+  Real t = min(max(passage.first, t_m), tau);
+  NearSide<Real> from = near_side(horn, at(table, t), table);
+  auto inside = from.length <= R;  // |b| falls up to the closest approach
+  Real low = passage.first, high = select(inside, t, tau);
+  for (int i = 0; i < kMaxPieces; ++i) {
+    const auto outruns = horn.speed <= R * from.at.rate;
+    const auto settled = outruns & (from.at.lag >= t_m) & (from.cusp >= zero);
+    const auto stays = inside & outruns & (norm(horn.pair.x(from.at)) <= R * from.at.gain);
+    active = active & (!(settled | stays | (t >= tau)));
+    if (!any(active)) break;
+    Real next = select(closing, t + max(Real(0.5) * (t - t_m), least), Real(1.5) * t);
+    next = select((t < t_cusp) & (next > t_cusp), t_cusp, next);
+    next = select(active, min(next, tau), t);
+    const NearSide<Real> to = near_side(horn, at(table, next), table);
+    const auto turns =
+        signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
+    const auto near_R =
+        min(abs(from.length - R), abs(to.length - R)) <= (next - t) * max(pace(from), pace(to));
+    const auto now_inside = to.length <= R;
+    once = once & (!(active & ((turns & near_R) | (inside & (!now_inside)))));
+    const auto enters = active & now_inside & (!inside);
+    low = select(enters, t, low);
+    high = select(enters, next, high);
+    inside = inside | enters;
+    active = active & once;
+    t = next;
+    from = to;
+  }
+  once = once & (!active);
+  low = select(inside, low, t);  // it may still fall through R up to the end
+  passage.first = select(once, low, passage.first);
+  passage.last = select(once, high, passage.last);
+  passage.crosses = passage.crosses | (once & inside);
+  passage.once = passage.once | once;
 }
 
 /// Where |b| = R, falling: Newton's iteration for sqrt(R/|b|), which is nearly linear in time,
@@ -132,9 +221,14 @@ AVO_KERNEL NearSide<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     low = select(outside, t, low);
     high = select(outside, high, t);
     const Real excess = sqrt(side.length * per_R) - Real(1.0);
-    Real next = t + Real(2.0) * excess * side.length * side.length * side.gain_l / side.fall;
-    next = select((next > low) & (next < high), next, Real(0.5) * (low + high));
-    active = active & (abs(next - t) > Real(kTimeTolerance<typename Real::Number>) * t);
+    const Real fall = side.tangential * side.cusp;
+    const auto falls = fall > Real(0.0);
+    const Real newton = t + Real(2.0) * excess * side.length * side.length * side.gain_l /
+                                select(falls, fall, Real(1.0));
+    active =
+        active & ((!falls) | (abs(newton - t) > Real(kTimeTolerance<typename Real::Number>) * t));
+    const Real next =
+        select(falls & (newton > low) & (newton < high), newton, Real(0.5) * (low + high));
     if (!any(active)) break;
     t = select(active, next, t);
   }
@@ -145,12 +239,12 @@ AVO_KERNEL NearSide<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
 template <typename Real>
 AVO_KERNEL Vec<Real> chord_normal(Vec<Real> a, Vec<Real> b) {
   const Vec<Real> m = b - a;
-  return (Real(1.0) / norm(m)) * perpendicular(m);
+  return inverse(norm(m)) * perpendicular(m);
 }
 template <typename Real>
 AVO_KERNEL Vec<Real> tangent_normal(Vec<Real> a, Vec<Real> center, Real radius) {
   const Vec<Real> m = center - a;
-  const Real m2 = dot(m, m), per_m2 = Real(1.0) / m2;
+  const Real m2 = dot(m, m), per_m2 = inverse(m2);
   const Real l = sqrt(max(Real(0.0), m2 - radius * radius));
   return {(-radius * m.x - l * m.y) * per_m2, (-radius * m.y + l * m.x) * per_m2};
 }
@@ -159,7 +253,7 @@ template <typename Real>
 struct HornPlane {
   using Mask = decltype(Real() < Real());
   Plane<Real> plane;
-  Mask settled;  // else the general search decides (horn.cpp)
+  Mask settled;  // else look more closely, and then by the general search (horn.cpp)
   Mask free;     // the obstacle is out of reach
 };
 
@@ -195,7 +289,7 @@ AVO_KERNEL Plane<Real> least_support(const Hull<Real>& hull) {
   const Real infinity = Real(std::numeric_limits<Number>::infinity());
   Plane<Real> best{{Real(0.0), Real(0.0)}, infinity};
   const Real length = norm(hull.center);
-  hull.offer((Real(-1.0) / length) * hull.center, hull.disc_in_reach, best);
+  hull.offer(-inverse(length) * hull.center, hull.disc_in_reach, best);
   const Vec<Real> to_disc = hull.crossing - hull.center;
   const auto outside = dot(to_disc, to_disc) > hull.radius * hull.radius;
   hull.offer(tangent_normal(hull.crossing, hull.center, hull.radius),
@@ -209,10 +303,11 @@ AVO_KERNEL Plane<Real> least_support(const Hull<Real>& hull) {
 
 template <typename Real>
 AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                const ResponseTable<typename Real::Number>& table) {
+                                const ResponseTable<typename Real::Number>& table, Look look) {
   const Horn<Real> shape = horn_of(pair);
   const At<Real> end = constant<Real>(horizon_end);
-  const Passage<Real> way = passage(shape, table);
+  Passage<Real> way = passage(shape, table);
+  if (look == Look::closely) walk(shape, table, way);
   const Vec<Real> x = pair.x(end);
   const Real length = norm(x);
 

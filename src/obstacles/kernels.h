@@ -20,11 +20,21 @@ namespace avo {
 
 // Of Newton's iterations; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
+// Whether a horn's near side is only walked along where it must be: few of them must.
+enum class Look : unsigned char { quickly, closely };
+// Of the near side that a walk along it looks at.
+constexpr int kMaxPieces = 24;
 // Relative; every use is of second order in the time or in σ.
 template <typename Number>
 constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-7 : 1e-4;
 template <typename Number>
 constexpr double kConvexTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-4;
+// Of the series of u + e^{-u} - 1 up to u = 1/32: to u^9, 2^-58 of it, and to u^5, 2^-28.
+template <typename Number>
+constexpr int kResponseTerms = std::is_same_v<Number, double> ? 9 : 5;
+// Its square does not underflow.
+template <typename Number>
+constexpr double kTiniest = std::is_same_v<Number, double> ? 1e-150 : 1e-18;
 // |sin| of an angle that may be one of rounding.
 template <typename Number>
 constexpr double kTie = std::is_same_v<Number, double> ? 1e-9 : 1e-6;

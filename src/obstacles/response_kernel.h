@@ -15,15 +15,12 @@ AVO_KERNEL At<Real> at(const ResponseTable<typename Real::Number>& table, Real t
   const Real k = floor(min(t * Real(table.nodes_per_second), Real(table.last)));
   const Real h = max(t - k * Real(table.seconds_per_node), Real(0.0));
   const Real node_rate = lookup(table.rate, k), decay = Real(1.0) - node_rate;
-  // u + e^{-u} - 1 for 0 <= u <= 1/32 (and a rounding more): the series to u^9, 2^-58 relative
+  // u + e^{-u} - 1 for 0 <= u <= 1/32 (and a rounding more): a series
   const Real u = min(h * Real(table.per_control_time), Real(1.0 / 16.0));
-  Real sum = Real(1.0) - u * Real(1.0 / 9.0);
-  sum = Real(1.0) - u * Real(1.0 / 8.0) * sum;
-  sum = Real(1.0) - u * Real(1.0 / 7.0) * sum;
-  sum = Real(1.0) - u * Real(1.0 / 6.0) * sum;
-  sum = Real(1.0) - u * Real(1.0 / 5.0) * sum;
-  sum = Real(1.0) - u * Real(1.0 / 4.0) * sum;
-  sum = Real(1.0) - u * Real(1.0 / 3.0) * sum;
+  Real sum = Real(1.0);
+  for (int n = kResponseTerms<typename Real::Number>; n >= 3; --n) {
+    sum = Real(1.0) - u * Real(1.0 / n) * sum;
+  }
   const Real extra = Real(0.5) * u * u * sum;
   At<Real> result;
   result.time = t;

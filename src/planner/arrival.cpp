@@ -71,6 +71,10 @@ double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 
 
 }  // namespace
 
+double arrival_range(const Robot& robot, double largest_radius) {
+  return std::max(traffic_range(robot), (1.0 + kRoom) * (robot.radius + largest_radius));
+}
+
 Vec2 turned_right(Vec2 a, double angle) {
   // t = tan(angle / 2) by its continued fraction; any t makes a rotation
   const double x = 0.5 * angle, xx = x * x;

@@ -9,6 +9,9 @@
 
 namespace avo {
 
+/// m, as far as the two rules below look at any neighbor of at most that radius.
+double arrival_range(const Robot& robot, double largest_radius);
+
 /// The preferred velocity turned to the right by how congested the way ahead is; as it is on the
 /// last of the way to the goal.
 Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors);

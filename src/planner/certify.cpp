@@ -6,6 +6,7 @@
 #include "core/ranges.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
+#include "planner/decision.h"
 #include "planner/scratch.h"
 
 namespace avo {
@@ -43,13 +44,16 @@ struct Decision {
   double decrement() const { return braking_decrement(robot.max_acceleration, law.step); }
 };
 
-// Eq. (23), then the nearest admitted.
-Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
-  const ProgramResult result = nearest_point({}, half_planes, decision.acceleration, decision.speed,
-                                             wish, decision.certified.projected);
+// The nearest admitted to what Eq. (23) chose.
+Choice choose(const Decision& decision, const ProgramResult& result) {
   const Vec2 wanted = approach(decision.robot.velocity, result.point, decision.decrement());
   return {choose_certified(decision.robot, wanted, decision.law, decision.certified),
           result.violation};
+}
+
+Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
+  return choose(decision, nearest_point({}, half_planes, decision.acceleration, decision.speed,
+                                        wish, decision.certified.projected));
 }
 
 bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
@@ -65,15 +69,12 @@ bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
   return is_blocked(next_velocity, unhindered, wish);
 }
 
-// Keep right and give way; where that is blocked, take what the certificate alone admits on a
-// detour.
-Choice choose_and_arrive(const Decision& decision, std::span<const Neighbor> neighbors,
-                         Detour& detour) {
+// Where the wish is blocked, take what the certificate alone admits on a detour.
+Choice choose_and_arrive(const Decision& decision, const Wished& wished, Detour& detour) {
   const Robot& robot = decision.robot;
   const double time_step = decision.law.step.time_step;
-  const Vec2 push = give_way(robot, neighbors, time_step, detour);
-  const Vec2 wish = has_settled(robot, detour) ? Vec2{} : keep_right(robot, neighbors) + push;
-  Choice choice = choose(decision, decision.half_planes, wish);
+  const Vec2 wish = wished.wish;
+  Choice choice = choose(decision, wished.result);
   if (!may_detour(robot)) {
     detour.angle = 0.0;
     return choice;
@@ -107,27 +108,24 @@ PlanStatus status_of(const Choice& choice, const Invariant& invariant, bool over
 
 }  // namespace
 
-Plan Planner::plan_avo(const Robot& robot, std::span<const Neighbor> neighbors,
-                       PlanWorkspace& workspace, Detour& detour) const noexcept {
-  collect_half_planes(robot, neighbors, workspace);
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
-  scratch.half_planes.clear();
-  double excess = 0.0;
-  for (const NeighborPlane& each : workspace.planes) {
-    scratch.half_planes.push_back(each.plane);
-    excess = std::max(excess, each.excess);
-  }
-  const Decision decision{robot,
-                          certificate_law(*this),
-                          acceleration_disc(robot),
-                          speed_disc(robot),
-                          scratch.half_planes,
-                          scratch.certified};
-  collect_walls(robot, neighbors, decision.law, scratch.certified.walls);
-  Choice choice = choose_and_arrive(decision, neighbors, detour);
-  choice.violation = std::max(choice.violation, excess);
+Vec2 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
+             Detour& detour) {
+  if (!is_sound(detour)) detour = {};
+  const Vec2 push = give_way(robot, neighbors, time_step, detour);
+  return has_settled(robot, detour) ? Vec2{} : keep_right(robot, neighbors) + push;
+}
+
+Plan Planner::choose(const Robot& robot, std::span<const Neighbor> neighbors,
+                     const CertificateLaw& law, const Wished& wished, PlanWorkspace& workspace,
+                     Detour& detour) const noexcept {
+  CertifiedWorkspace& certified = workspace.scratch_->certified;
+  const Decision decision{
+      robot, law, acceleration_disc(robot), speed_disc(robot), wished.half_planes, certified};
+  collect_walls(robot, neighbors, law, certified.walls);
+  Choice choice = choose_and_arrive(decision, wished, detour);
+  for (const double excess : wished.excess) choice.violation = std::max(choice.violation, excess);
   return step_to(robot, choice.certified.next_velocity,
-                 status_of(choice, scratch.certified.walls.invariant, workspace.overlapping),
+                 status_of(choice, certified.walls.invariant, wished.overlapping),
                  choice.violation);
 }
 

@@ -11,11 +11,12 @@
 #include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
-#include "planner/arrival.h"
 #include "planner/braking.h"
+#include "planner/decision.h"
 #include "planner/options.h"
 #include "planner/passive_obstacles.h"
 #include "planner/scratch.h"
+#include "planner/soft_planes.h"
 
 namespace avo {
 namespace {
@@ -46,6 +47,8 @@ bool is_valid(const Neighbor& neighbor) {
          kNotNegative.contains(neighbor.max_acceleration);
 }
 
+}  // namespace
+
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
   if (!is_valid(robot)) return false;
   for (const Neighbor& neighbor : neighbors) {
@@ -54,34 +57,10 @@ bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
   return true;
 }
 
-// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under
-// these.
 bool can_follow(const Robot& robot, const PlannerOptions& options) {
   return !robot.car || options.certificate == Certificate::none ||
          (options.motion == Motion::held && options.certificate != Certificate::linear_soft_stop);
 }
-
-// p_AB, v_AB, r_AB
-Pair relative(const Robot& robot, const Neighbor& neighbor) {
-  return {robot.position - neighbor.position, robot.velocity - neighbor.velocity,
-          robot.radius + neighbor.radius};
-}
-
-RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
-                                      const Robot& robot, const Neighbor& neighbor) {
-  const Pair pair = relative(robot, neighbor);
-  if (options.method == Method::orca) {
-    return orca_half_plane(pair, options.time_horizon, options.time_step);
-  }
-  // what both can do: δ (a_A + a_B); a mover that does not decide does what it is seen to do
-  const double reach = options.control_time *
-                       (robot.max_acceleration + neighbor.max_acceleration +
-                        (neighbor.max_acceleration > 0.0 ? 0.0 : norm(neighbor.acceleration)));
-  return options.samples > 0 ? sampled_half_plane(pair, reach, horizon, options.samples)
-                             : half_plane(pair, reach, horizon);
-}
-
-}  // namespace
 
 const char* to_string(PlanStatus status) {
   switch (status) {
@@ -110,8 +89,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   constexpr std::size_t kMostWalls = 16384;  // of more, memory grows when it is needed
   planes.reserve(neighbors);
   certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
-  scratch_->half_planes.reserve(neighbors);
-  scratch_->projected.reserve(2 * neighbors);
+  reserve_together(1, neighbors, *this);
   CertifiedWorkspace& certified = scratch_->certified;
   certified.hard.reserve(kMostCuts * neighbors);
   certified.projected.reserve(2 * kMostCuts * neighbors);
@@ -160,16 +138,11 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
     }
     if (relative.state == PairState::coincident) continue;
 
-    const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration);
-    HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
-    if (!(neighbor.max_acceleration > 0.0) && !adopts_at_once(options_.method)) {
-      // w = v'_A - v_A - δ a_B (§III-B: v'_B = v_B + δ a_B)
-      plane.offset += options_.control_time * dot(plane.normal, neighbor.acceleration);
+    const NeighborPlane own = share_of(options_, robot, neighbor, static_cast<int>(k), relative);
+    if (own.excess <= 0.0 && lens_support_min(own.plane.normal, allowed) >= own.plane.offset) {
+      continue;
     }
-    if (relative.excess <= 0.0 && lens_support_min(plane.normal, allowed) >= plane.offset) continue;
-    // near contact it has no bound; finite all the same
-    const double excess = std::min(alpha * relative.excess, std::numeric_limits<double>::max());
-    workspace.planes.push_back({static_cast<int>(k), plane, excess});
+    workspace.planes.push_back(own);
   }
 }
 
@@ -200,37 +173,11 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   if (options_.method == Method::velocity_obstacle) {
     return plan_among_obstacles(robot, neighbors, workspace);
   }
-  if (!all_valid(robot, neighbors) || !can_follow(robot, options_)) {
-    return brake(robot, PlanStatus::invalid_input, 0.0);
-  }
-  if (options_.method == Method::avo) {
-    if (!is_sound(detour)) detour = {};
-    return plan_avo(robot, neighbors, workspace, detour);
-  }
-
-  collect_half_planes(robot, neighbors, workspace);
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
-  scratch.half_planes.clear();
-  for (const NeighborPlane& each : workspace.planes) scratch.half_planes.push_back(each.plane);
-
-  // Eq. (23)
-  const ProgramResult result =
-      nearest_point({}, scratch.half_planes, acceleration_disc(robot), speed_disc(robot),
-                    robot.preferred_velocity, scratch.projected);
-  if (result.state == ProgramState::discs_disjoint) {
-    return brake(robot, PlanStatus::braking, result.violation);
-  }
-  // a neighbor with which everything within reach collides leaves CA_A empty, whatever the program
-  double worst = result.violation;
-  for (const NeighborPlane& each : workspace.planes) {
-    if (each.excess > 0.0) {
-      worst = std::max(worst, each.excess + std::max(0.0, violation(each.plane, result.point)));
-    }
-  }
-  const PlanStatus status = workspace.overlapping ? PlanStatus::overlapping
-                            : worst > 0.0         ? PlanStatus::least_unsafe
-                                                  : PlanStatus::optimal;
-  return finish(robot, result.point, status, worst);
+  Plan plan;
+  StageClock clock;
+  const Deciding alone{{&robot, neighbors}, &detour, &plan};
+  plan_together(*this, {&alone, 1}, workspace, clock);
+  return plan;
 }
 
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,

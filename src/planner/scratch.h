@@ -4,8 +4,11 @@
 #include <vector>
 
 #include "avo/planner.h"
+#include "lp/linear_program.h"
+#include "lp/programs.h"
 #include "planner/certified.h"
 #include "planner/passive_obstacles.h"
+#include "planner/together.h"
 
 namespace avo {
 
@@ -16,7 +19,13 @@ CertificateLaw certificate_law(const Planner& planner);
 Vec2 approach(Vec2 velocity, Vec2 target, double decrement);
 
 struct PlanWorkspace::Scratch {
-  std::vector<HalfPlane> half_planes;
+  std::vector<Deciding> deciding;  // of which these are stages
+  std::vector<Sensing> sensing;
+  SoftPlanes soft;
+  std::vector<Vec2> wishes;
+  std::vector<ProgramResult> results;
+  ProgramBatch<double> in_double;
+  ProgramBatch<float> in_single;
   std::vector<HalfPlane> projected;
   std::vector<PassiveObstacle> obstacles;
   std::vector<Neighbor> movers;

@@ -130,10 +130,10 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
   }
   UniformGrid grid;
   grid.build(positions, 2.0 * reach);
-  std::vector<NeighborHit> hits;
+  SearchScratch scratch;
   for (std::size_t i = 0; i < last; ++i) {
-    grid.gather(starters[i].position, -1, positions.size(), hits);
-    for (const NeighborHit& hit : hits) {
+    for (const NeighborHit& hit :
+         grid.gather(starters[i].position, -1, positions.size(), scratch)) {
       const std::size_t j = first + static_cast<std::size_t>(hit.index);
       if (j <= i) continue;  // itself, or met already
       const Starter *a = &starters[i], *b = &starters[j];

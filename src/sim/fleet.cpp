@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <string>
+#include <type_traits>
 
 #include "avo/error.h"
+#include "core/parallel.h"
 
 namespace avo {
 namespace {
@@ -28,69 +31,133 @@ std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
   return mixed(mixed(hash, value.x), value.y);
 }
 
-template <typename T>
-void erase_at(std::vector<T>& column, std::size_t index) {
-  column.erase(column.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
 }  // namespace
 
-void Fleet::add(RobotId robot, const RobotSetup& robot_setup) {
+RobotTraits traits_of(const RobotSetup& setup) {
+  return {setup.radius, setup.max_speed, setup.max_acceleration, setup.preferred_speed,
+          setup.car ? setup.car->wheelbase : 0.0};
+}
+
+template <typename Action>
+void Fleet::for_each_column(const Action& action) {
+  action(id), action(rank), action(traits), action(range), action(goal), action(position);
+  action(velocity), action(heading), action(detour), action(plan), action(applied_acceleration);
+  action(cell);
+}
+
+void Fleet::reserve(std::size_t count) {
+  for_each_column([&](auto& column) { column.reserve(count); });
+  slot_of.reserve(count);
+}
+
+void Fleet::add(RobotId robot, const RobotSetup& setup) {
   // a car's velocity points along its heading
-  Vec2 v = robot_setup.velocity;
+  Vec2 v = setup.velocity;
   double angle = 0.0;
-  if (robot_setup.car) {
-    angle = robot_setup.car->heading;
+  if (setup.car) {
+    angle = setup.car->heading;
     v = norm(v) * Vec2{std::cos(angle), std::sin(angle)};
   }
-  id.push_back(robot);
-  setup.push_back(robot_setup);
-  goal.push_back(robot_setup.goal);
-  position.push_back(robot_setup.position);
-  velocity.push_back(v);
-  heading.push_back(angle);
-  next_position.push_back({});
-  next_velocity.push_back({});
-  next_heading.push_back(0.0);
-  detour.push_back({});
-  plan.push_back({});
-  applied_acceleration.push_back(0.0);
+  const std::size_t slot = size();
+  for_each_column([&](auto& column) { column.resize(slot + 1); });
+  id[slot] = robot;
+  rank[slot] = static_cast<int>(slot);
+  traits[slot] = traits_of(setup);
+  goal[slot] = setup.goal;
+  position[slot] = setup.position;
+  velocity[slot] = v;
+  heading[slot] = angle;
+  slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
-void Fleet::remove(std::size_t index) {
-  erase_at(id, index);
-  erase_at(setup, index);
-  erase_at(goal, index);
-  erase_at(position, index);
-  erase_at(velocity, index);
-  erase_at(heading, index);
-  erase_at(next_position, index);
-  erase_at(next_velocity, index);
-  erase_at(next_heading, index);
-  erase_at(detour, index);
-  erase_at(plan, index);
-  erase_at(applied_acceleration, index);
+void Fleet::remove(std::size_t slot) {
+  slot_of.erase(slot_of.begin() + rank[slot]);
+  for_each_column(
+      [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
+  for (std::size_t k = 0; k < slot_of.size(); ++k) {
+    if (slot_of[k] > slot) --slot_of[k];
+    rank[slot_of[k]] = static_cast<int>(k);
+  }
 }
 
-void Fleet::swap_generations() {
-  position.swap(next_position);
-  velocity.swap(next_velocity);
-  heading.swap(next_heading);
-}
-
-std::size_t Fleet::index_of(RobotId robot) const {
-  const auto found = std::lower_bound(id.begin(), id.end(), robot,
-                                      [](RobotId a, RobotId b) { return a.value < b.value; });
-  if (found == id.end() || !(*found == robot)) {
+std::size_t Fleet::find(RobotId robot) const {
+  const auto found =
+      std::lower_bound(slot_of.begin(), slot_of.end(), robot,
+                       [&](std::uint32_t slot, RobotId b) { return id[slot].value < b.value; });
+  if (found == slot_of.end() || !(id[*found] == robot)) {
     throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
   }
-  return static_cast<std::size_t>(found - id.begin());
+  return *found;
+}
+
+RobotSetup Fleet::setup(std::size_t slot) const {
+  const RobotTraits& its = traits[slot];
+  RobotSetup setup{position[slot], velocity[slot],       goal[slot],          its.radius,
+                   its.max_speed,  its.max_acceleration, its.preferred_speed, {}};
+  if (its.wheelbase > 0.0) setup.car = CarSetup{its.wheelbase, heading[slot]};
+  return setup;
+}
+
+Neighbor Fleet::sensed(std::size_t slot) const {
+  return {position[slot], velocity[slot], traits[slot].radius, traits[slot].max_acceleration, {}};
+}
+
+void Fleet::reorder(std::span<const std::uint32_t> order, std::size_t threads) {
+  constexpr std::size_t kChunk = 4096;
+  const std::size_t count = size();
+  const auto for_each_chunk = [&](const auto& body) {
+    parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
+      body(chunk * kChunk, std::min((chunk + 1) * kChunk, count));
+    });
+  };
+  for_each_column([&](auto& column) {
+    using T = typename std::decay_t<decltype(column)>::value_type;
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (scratch_.size() < count * sizeof(T)) scratch_.resize(count * sizeof(T));
+    std::byte* const copy = scratch_.data();
+    for_each_chunk([&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        std::memcpy(copy + k * sizeof(T), &column[order[k]], sizeof(T));
+      }
+    });
+    for_each_chunk([&](std::size_t first, std::size_t last) {
+      std::memcpy(column.data() + first, copy + first * sizeof(T), (last - first) * sizeof(T));
+    });
+  });
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    slot_of[static_cast<std::size_t>(rank[slot])] = static_cast<std::uint32_t>(slot);
+  }
+}
+
+void FleetMirror::copy(const Fleet& fleet) {
+  const auto take = [&](auto& to, const auto& from) {
+    to.resize(fleet.size());
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[fleet.slot_of[k]];
+  };
+  take(id, fleet.id);
+  take(position, fleet.position);
+  take(velocity, fleet.velocity);
+  take(goal, fleet.goal);
+  take(heading, fleet.heading);
+  take(applied_acceleration, fleet.applied_acceleration);
+  take(detour, fleet.detour);
+  take(plan, fleet.plan);
+  setup.resize(fleet.size());
+  for (std::size_t k = 0; k < setup.size(); ++k) setup[k] = fleet.setup(fleet.slot_of[k]);
+}
+
+FleetView FleetMirror::view() const {
+  return {id, position, velocity, heading, goal, setup, detour, plan, applied_acceleration};
 }
 
 void ObstacleColumns::add(const MovingObstacle& obstacle) {
   setup.push_back(obstacle);
   position.push_back(obstacle.position);
   velocity.push_back(obstacle.velocity);
+}
+
+Neighbor ObstacleColumns::sensed(std::size_t index) const {
+  return {position[index], velocity[index], setup[index].radius, 0.0, setup[index].acceleration};
 }
 
 void ObstacleColumns::advance(double time_step) {
@@ -103,7 +170,7 @@ void ObstacleColumns::advance(double time_step) {
 
 std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps) {
   std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(steps));
-  for (std::size_t i = 0; i < fleet.size(); ++i) {
+  for (const std::uint32_t i : fleet.slot_of) {
     hash = mixed(hash, fleet.id[i].value);
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);

@@ -1,32 +1,59 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of a simulation in columns, one entry a robot.
 #pragma once
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "avo/simulation.h"
 
 namespace avo {
 
-/// Everything that a step reads and writes. The `next_` columns are written while the others are
-/// read: no robot ever sees a half-updated neighbor.
+/// What stays as it is of a RobotSetup.
+struct RobotTraits {
+  double radius = 0.0;            // m
+  double max_speed = 0.0;         // m/s
+  double max_acceleration = 0.0;  // m/s^2
+  double preferred_speed = 0.0;   // m/s
+  double wheelbase = 0.0;         // m, 0: not a car
+};
+RobotTraits traits_of(const RobotSetup& setup);
+
+/// Columns by slot: robots that are near each other lie near each other once the fleet has been
+/// put in order. Ids ascend by rank.
 struct Fleet {
-  std::vector<RobotId> id;  // ascending
-  std::vector<RobotSetup> setup;
+  std::vector<RobotId> id;
+  std::vector<int> rank;
+  std::vector<RobotTraits> traits;
+  std::vector<double> range;  // m, see relevant_range()
   std::vector<Vec2> goal;
-  std::vector<Vec2> position, next_position;
-  std::vector<Vec2> velocity, next_velocity;
-  std::vector<double> heading, next_heading;
+  std::vector<Vec2> position;
+  std::vector<Vec2> velocity;
+  std::vector<double> heading;
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
+  std::vector<std::uint32_t> cell;  // key of its cell, see Cells
+
+  std::vector<std::uint32_t> slot_of;  // by rank
 
   std::size_t size() const { return id.size(); }
-  void add(RobotId robot, const RobotSetup& robot_setup);
-  void remove(std::size_t index);
-  /// The next generation becomes the present one.
-  void swap_generations();
-  /// Index of the robot; throws Error if there is none.
-  std::size_t index_of(RobotId robot) const;
+  void reserve(std::size_t count);
+  void add(RobotId robot, const RobotSetup& setup);
+  void remove(std::size_t slot);
+  /// Slot of the robot; throws Error if there is none.
+  std::size_t find(RobotId robot) const;
+  /// With its present goal, position, velocity and heading.
+  RobotSetup setup(std::size_t slot) const;
+  /// As others sense it.
+  Neighbor sensed(std::size_t slot) const;
+  /// Slot k becomes what slot order[k] was.
+  void reorder(std::span<const std::uint32_t> order, std::size_t threads);
+
+ private:
+  template <typename Action>
+  void for_each_column(const Action& action);
+  std::vector<std::byte> scratch_;  // of reorder()
 };
 
 struct ObstacleColumns {
@@ -34,8 +61,22 @@ struct ObstacleColumns {
   std::vector<Vec2> position, velocity;
 
   void add(const MovingObstacle& obstacle);
+  Neighbor sensed(std::size_t index) const;
   /// Constant acceleration, exactly.
   void advance(double time_step);
+};
+
+/// A fleet by ascending id, for those who look at it from outside.
+struct FleetMirror {
+  std::vector<RobotId> id;
+  std::vector<Vec2> position, velocity, goal;
+  std::vector<double> heading, applied_acceleration;
+  std::vector<RobotSetup> setup;
+  std::vector<Detour> detour;
+  std::vector<Plan> plan;
+
+  void copy(const Fleet& fleet);
+  FleetView view() const;
 };
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.

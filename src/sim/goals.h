@@ -2,7 +2,7 @@
 // The preferred velocity of a robot on its way to a goal at which it comes to rest.
 #pragma once
 #include "avo/planner.h"
-#include "avo/scenario.h"
+#include "sim/fleet.h"
 
 namespace avo {
 
@@ -11,7 +11,7 @@ namespace avo {
 /// goal. Without other robots it comes to rest on the goal, does not overshoot and does not
 /// oscillate, at any δ: v' leads the velocity by the lag of the controller, so near the goal it
 /// points away from it.
-Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotSetup& setup, Vec2 goal,
+Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
                         const Planner& planner);
 
 }  // namespace avo

@@ -1,111 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sensing-acting cycle of a fleet (paper §IV-D): all robots decide from the same generation,
-// each alone, then all move.
+// A fleet as its users see it: robots come and go by id, and are looked at in the order of ids.
 #include "avo/simulation.h"
 
 #include <algorithm>
-#include <limits>
+#include <atomic>
+#include <mutex>
 #include <string>
 #include <string_view>
 
 #include "avo/assumptions.h"
 #include "avo/error.h"
-#include "core/parallel.h"
-#include "neighbors/uniform_grid.h"
-#include "robots/motion.h"
-#include "sim/fleet.h"
-#include "sim/goals.h"
+#include "sim/world.h"
 
 namespace avo {
 namespace {
 
-// What one worker needs to plan for one robot after the other without allocating.
-struct Worker {
-  PlanWorkspace plan;
-  std::vector<NeighborHit> robots, obstacles;
-  std::vector<Neighbor> neighbors;
-  std::vector<int> source;
-
-  // Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
-  void reserve(std::size_t all_robots, std::size_t all_obstacles, std::size_t most) {
-    constexpr std::size_t kMostAhead = 4096;  // of more, memory grows when it is needed
-    robots.reserve(std::min(all_robots, kMostAhead));
-    obstacles.reserve(std::min(all_obstacles, kMostAhead));
-    neighbors.reserve(std::min({all_robots + all_obstacles, most, kMostAhead}));
-    source.reserve(neighbors.capacity());
-  }
-};
-
-}  // namespace
-
-struct Simulation::State {
-  Scenario settings;  // without its robots and obstacles
-  Planner planner;
-  StepResponse response;
-  Fleet fleet;
-  ObstacleColumns obstacles;
-  UniformGrid robot_grid, obstacle_grid;
-  std::vector<Worker> workers;
-  std::int64_t steps = 0;
-  std::uint64_t next_id = 0;
-
-  State(const Scenario& scenario, int threads)
-      : settings(scenario), planner(planner_options(scenario)), response(step_response(planner)) {
-    workers.resize(static_cast<std::size_t>(threads > 0 ? threads : default_threads()));
-    for (const RobotSetup& setup : scenario.robots) fleet.add({next_id++}, setup);
-    for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
-    settings.robots.clear();
-    settings.moving_obstacles.clear();
-    reserve();
-    index();
-  }
-
-  std::size_t most_neighbors() const {
-    const PlannerOptions& options = planner.options();
-    // a certificate needs all of them
-    return options.max_neighbors && options.certificate == Certificate::none
-               ? static_cast<std::size_t>(*options.max_neighbors)
-               : std::numeric_limits<std::size_t>::max();
-  }
-  void reserve() {
-    for (Worker& worker : workers) {
-      worker.reserve(fleet.size(), obstacles.setup.size(), most_neighbors());
-      worker.plan.reserve(worker.neighbors.capacity(), most_braking_steps());
-    }
-  }
-  // of any robot and what it may decide on
-  std::size_t most_braking_steps() const {
-    if (planner.options().certificate == Certificate::none) return 0;
-    constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
-    const double braking_time = planner.step_rate() * planner.options().control_time;
-    double most = 0.0;
-    for (const RobotSetup& setup : fleet.setup) {
-      most = std::max(most, setup.max_speed / (setup.max_acceleration * braking_time));
-    }
-    return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
-  }
-  void index() {
-    robot_grid.build(fleet.position, settings.sensing_radius);
-    obstacle_grid.build(obstacles.position, settings.sensing_radius);
-  }
-  // a single robot avoids movers by §III-C; among other robots they are neighbors that do not
-  // decide
-  bool alone() const { return fleet.size() == 1; }
-
-  void check(const RobotSetup& setup, RobotId robot) const;
-  void check_sensing(const RobotSetup& setup, RobotId robot) const;
-  Robot robot(std::size_t i) const;
-  std::optional<CarSetup> car(std::size_t i) const;
-  void sense(std::size_t i, Worker& worker) const;
-  void plan(std::size_t i, Worker& worker);
-  void move(std::size_t i);
-};
-
 // Throws Error on values out of range, by the name of the robot that they are for.
-void Simulation::State::check(const RobotSetup& setup, RobotId robot) const {
-  Scenario scene = settings;
+void check(const World& world, const RobotSetup& setup, RobotId robot) {
+  Scenario scene = world.settings;
   scene.robots = {setup};
-  const PlannerOptions& options = planner.options();
+  const PlannerOptions& options = world.planner.options();
   try {
     validate(scene);
     // the others count on it to stop as soon as they do
@@ -123,18 +37,13 @@ void Simulation::State::check(const RobotSetup& setup, RobotId robot) const {
   }
 }
 
-// With its present heading.
-std::optional<CarSetup> Simulation::State::car(std::size_t i) const {
-  std::optional<CarSetup> car = fleet.setup[i].car;
-  if (car) car->heading = fleet.heading[i];
-  return car;
-}
-
 // Throws Error if nobody would see this one in time, or it others.
-void Simulation::State::check_sensing(const RobotSetup& setup, RobotId robot) const {
-  Scenario scene = settings;
-  scene.moving_obstacles = obstacles.setup;
-  scene.robots = fleet.setup;
+void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
+  Scenario scene = world.settings;
+  scene.moving_obstacles = world.obstacles.setup;
+  for (const std::uint32_t slot : world.fleet.slot_of) {
+    scene.robots.push_back(world.fleet.setup(slot));
+  }
   const auto before = sensing_need(scene);
   scene.robots.push_back(setup);
   const auto need = sensing_need(scene);
@@ -146,69 +55,41 @@ void Simulation::State::check_sensing(const RobotSetup& setup, RobotId robot) co
               std::to_string(scene.sensing_radius) + " m");
 }
 
-Robot Simulation::State::robot(std::size_t i) const {
-  const RobotSetup& setup = fleet.setup[i];
-  return {fleet.position[i],
-          fleet.velocity[i],
-          preferred_velocity(fleet.position[i], fleet.velocity[i], setup, fleet.goal[i], planner),
-          setup.radius,
-          setup.max_acceleration,
-          setup.max_speed,
-          norm(fleet.goal[i] - fleet.position[i]),
-          car(i)};
-}
-
-// All robots and moving obstacles within the sensing radius, nearest first (robots first and by id
-// where distances are equal), cut to the nearest max_neighbors.
-void Simulation::State::sense(std::size_t i, Worker& worker) const {
-  const std::size_t most = most_neighbors();
-  robot_grid.gather(fleet.position[i], static_cast<int>(i), most, worker.robots);
-  obstacle_grid.gather(fleet.position[i], -1, most, worker.obstacles);
-  worker.neighbors.clear();
-  worker.source.clear();
-  auto robot = worker.robots.begin();
-  auto obstacle = worker.obstacles.begin();
-  while (worker.neighbors.size() < most) {
-    const bool more_robots = robot != worker.robots.end();
-    const bool more_obstacles = obstacle != worker.obstacles.end();
-    if (!more_robots && !more_obstacles) break;
-    if (more_robots && (!more_obstacles || robot->distance_squared <= obstacle->distance_squared)) {
-      const auto j = static_cast<std::size_t>(robot->index);
-      const RobotSetup& setup = fleet.setup[j];
-      worker.neighbors.push_back(
-          {fleet.position[j], fleet.velocity[j], setup.radius, setup.max_acceleration, {}});
-      worker.source.push_back(robot->index);
-      ++robot;
-    } else {
-      const auto k = static_cast<std::size_t>(obstacle->index);
-      const MovingObstacle& setup = obstacles.setup[k];
-      worker.neighbors.push_back(
-          {obstacles.position[k], obstacles.velocity[k], setup.radius, 0.0, setup.acceleration});
-      worker.source.push_back(-1 - obstacle->index);
-      ++obstacle;
-    }
+// Whoever is within the sensing radius of a robot, found by looking at everyone.
+std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
+  const Vec2 position = world.fleet.position[slot];
+  const double radius = world.settings.sensing_radius;
+  std::vector<NeighborHit> hits;
+  const auto look = [&](Vec2 other, std::size_t number, bool is_obstacle) {
+    const double distance_squared = norm_squared(other - position);
+    if (!is_finite(other) || !is_finite(position)) return;
+    if (!(distance_squared <= radius * radius)) return;
+    hits.push_back({distance_squared, static_cast<int>(number), is_obstacle ? 1U : 0U});
+  };
+  for (std::size_t rank = 0; rank < world.fleet.size(); ++rank) {
+    const std::uint32_t other = world.fleet.slot_of[rank];
+    if (other != slot) look(world.fleet.position[other], rank, false);
   }
+  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
+    look(world.obstacles.position[k], k, true);
+  }
+  // robots lie before obstacles and ids ascend
+  std::stable_sort(hits.begin(), hits.end(), [](const NeighborHit& a, const NeighborHit& b) {
+    return a.distance_squared < b.distance_squared;
+  });
+  return hits;
 }
 
-void Simulation::State::plan(std::size_t i, Worker& worker) {
-  sense(i, worker);
-  fleet.plan[i] = alone() ? planner.plan_among_obstacles(robot(i), worker.neighbors, worker.plan)
-                          : planner.plan(robot(i), worker.neighbors, worker.plan, fleet.detour[i]);
-}
+}  // namespace
 
-void Simulation::State::move(std::size_t i) {
-  const MotionState state{fleet.position[i], fleet.velocity[i], fleet.heading[i]};
-  const MotionStep step =
-      fleet.setup[i].car ? advance_car(state, fleet.plan[i],
-                                       {fleet.setup[i].car->wheelbase,
-                                        fleet.setup[i].max_acceleration, fleet.setup[i].max_speed},
-                                       settings.time_step)
-                         : advance(state, fleet.plan[i], response);
-  fleet.next_position[i] = step.next.position;
-  fleet.next_velocity[i] = step.next.velocity;
-  fleet.next_heading[i] = step.next.heading;
-  fleet.applied_acceleration[i] = step.acceleration;
-}
+struct Simulation::State : World {
+  using World::World;
+
+  // in the order of ids; made when it is asked for
+  std::mutex looking;
+  std::atomic<bool> is_mirrored = false;
+  FleetMirror mirror;
+};
 
 Simulation::Simulation(const Scenario& scenario, int threads) {
   validate(scenario);
@@ -222,46 +103,45 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
-  State& state = *state_;
-  parallel_for(state.fleet.size(), static_cast<int>(state.workers.size()),
-               [&](std::size_t i, std::size_t worker) {
-                 state.plan(i, state.workers[worker]);
-                 state.move(i);
-               });
-  state.fleet.swap_generations();
-  state.obstacles.advance(state.settings.time_step);
-  ++state.steps;
-  state.index();
+  state_->is_mirrored = false;
+  avo::step(*state_);
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
   const RobotId robot{state_->next_id};
-  state_->check(setup, robot);
-  state_->check_sensing(setup, robot);
+  check(*state_, setup, robot);
+  check_sensing(*state_, setup, robot);
   ++state_->next_id;
   state_->fleet.add(robot, setup);
-  state_->index();
+  state_->changed = true;
+  state_->is_mirrored = false;
   return robot;
 }
 
 void Simulation::remove_robot(RobotId robot) {
-  state_->fleet.remove(state_->fleet.index_of(robot));
-  state_->index();
+  state_->fleet.remove(state_->fleet.find(robot));
+  state_->changed = true;
+  state_->is_mirrored = false;
 }
 
 void Simulation::set_goal(RobotId robot, Vec2 goal) {
-  const std::size_t i = state_->fleet.index_of(robot);
-  RobotSetup setup = state_->fleet.setup[i];
+  const std::size_t slot = state_->fleet.find(robot);
+  RobotSetup setup = state_->fleet.setup(slot);
+  setup.position = setup.velocity = {};  // wherever it has got to
   setup.goal = goal;
-  state_->check(setup, robot);
-  state_->fleet.goal[i] = goal;
+  check(*state_, setup, robot);
+  state_->fleet.goal[slot] = goal;
+  state_->is_mirrored = false;
 }
 
 FleetView Simulation::fleet() const {
-  const Fleet& f = state_->fleet;
-  return {f.id,      f.position, f.velocity,
-          f.heading, f.goal,     f.setup,
-          f.detour,  f.plan,     f.applied_acceleration};
+  State& state = *state_;
+  if (!state.is_mirrored) {
+    const std::lock_guard lock(state.looking);
+    if (!state.is_mirrored) state.mirror.copy(state.fleet);
+    state.is_mirrored = true;
+  }
+  return state.mirror.view();
 }
 
 ObstacleView Simulation::obstacles() const {
@@ -290,14 +170,48 @@ std::uint64_t Simulation::state_hash() const {
 }
 
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
-  Worker worker;
-  state_->sense(robot, worker);
-  return {state_->robot(robot), std::move(worker.neighbors), std::move(worker.source),
-          state_->fleet.detour[robot], state_->alone()};
+  const State& state = *state_;
+  const std::uint32_t slot = state.fleet.slot_of[robot];
+  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], state.alone()};
+  for (const NeighborHit& hit : all_hits(state, slot)) {
+    if (!state.all_matter() && seen.source.size() == state.most_nearest()) break;
+    const auto k = static_cast<std::size_t>(hit.index);
+    const bool is_obstacle = hit.place != 0;
+    seen.neighbors.push_back(is_obstacle ? state.obstacles.sensed(k)
+                                         : state.fleet.sensed(state.fleet.slot_of[k]));
+    seen.source.push_back(is_obstacle ? -1 - hit.index : hit.index);
+  }
+  return seen;
 }
 
 const Planner& Simulation::planner() const {
   return state_->planner;
+}
+
+void Simulation::measure(bool on) {
+  for (Worker& worker : state_->workers) {
+    worker.clock.measure(on);
+    worker.pairs = worker.infeasible = 0;
+  }
+  state_->robot_steps = 0;
+}
+
+StepProfile Simulation::profile() const {
+  StepProfile profile{state_->robot_steps, 0, 0, {}};
+  for (std::size_t k = 0; k < kStageNames.size(); ++k) {
+    double sum = 0.0;
+    for (const Worker& worker : state_->workers) sum += worker.clock.nanoseconds(k);
+    profile.stages.push_back({kStageNames[k], sum});
+  }
+  for (const Worker& worker : state_->workers) {
+    profile.pairs += worker.pairs;
+    profile.infeasible += worker.infeasible;
+  }
+  return profile;
+}
+
+int Simulation::threads() const {
+  return static_cast<int>(state_->workers.size());
 }
 
 }  // namespace avo

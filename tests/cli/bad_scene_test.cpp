@@ -340,7 +340,7 @@ TEST(BadScene, files_that_are_no_files) {
   EXPECT_EQ(missing.err,
             "circel-10: found no such file and no scene of that name, scenes are cars-100, "
             "circle-N, crossing-streams, moving-obstacle, permutation-100, positions-exchange, "
-            "swap-blocks; did you mean \"circle-N\"?\n");
+            "swap-blocks, uniform-N; did you mean \"circle-N\"?\n");
 }
 
 TEST(BadScene, size_is_limited_before_reading_on) {

@@ -20,7 +20,8 @@ TEST(Verbs, version) {
 
 TEST(Verbs, help_of_every_verb_has_an_example_that_works) {
   EXPECT_NE(run_avo({"--help"}).out.find("Example: avo run"), std::string::npos);
-  for (const std::string verb : {"run", "explain", "check", "scenes", "validate", "schema"}) {
+  for (const std::string verb :
+       {"run", "explain", "check", "bench", "scenes", "validate", "schema"}) {
     const ProcessResult result = run_avo({verb, "--help"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_NE(result.out.find("Usage: avo " + verb), std::string::npos) << result.out;
@@ -85,10 +86,10 @@ TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
   }
-  EXPECT_EQ(
-      run_avo({"rnu", "circle-2"}).err,
-      "avo: rnu: found no such verb, verbs are run, explain, check, scenes, validate, schema, did "
-      "you mean run?\n");
+  EXPECT_EQ(run_avo({"rnu", "circle-2"}).err,
+            "avo: rnu: found no such verb, verbs are run, explain, check, bench, scenes, validate, "
+            "schema, "
+            "did you mean run?\n");
   EXPECT_EQ(run_avo({"--vesrion"}).err,
             "avo: --vesrion: found no such option, did you mean --version?\n");
   EXPECT_EQ(run_avo({"run", "circle-2", "--recrod", "x.csv"}).err,

@@ -40,7 +40,6 @@ TEST(LinearProgram, no_half_planes_keep_the_preferred_velocity) {
   const Vec2 preferred{1.1, -0.3};
   const ProgramResult r = solve({}, {}, preferred);
   EXPECT_EQ(r.point, preferred);
-  EXPECT_EQ(r.binding[0], kNoConstraint);
   // bit for bit also where the discs lie elsewhere
   EXPECT_EQ(solve({}, {}, {{0.3, 0.7}, 2.0}, {{0, 0}, 4}, preferred).point, preferred);
 }
@@ -48,7 +47,6 @@ TEST(LinearProgram, no_half_planes_keep_the_preferred_velocity) {
 TEST(LinearProgram, too_fast_a_preference_is_cut_to_the_speed_disc) {
   const ProgramResult r = solve({}, {}, {6, 8});
   expect_optimal(r, {1.2, 1.6});
-  EXPECT_EQ(r.binding[0], kSpeedDisc);
 }
 
 TEST(LinearProgram, infinite_acceleration_leaves_the_speed_disc_alone) {
@@ -61,21 +59,17 @@ TEST(LinearProgram, the_speed_limit_is_a_disc_and_not_two_lines) {
   // on the half-plane's boundary the disc ends at |u| = 2, a box would end at y = 2
   const ProgramResult r = solve({}, {{{1, 0}, 1.2}}, {0, 3});
   expect_optimal(r, {1.2, 1.6});
-  EXPECT_EQ(r.binding[0], 0);
-  EXPECT_EQ(r.binding[1], kSpeedDisc);
 }
 
 TEST(LinearProgram, the_acceleration_limit_is_a_disc_too) {
   const ProgramResult r = solve({}, {{{1, 0}, 1.2}}, {{0, 0}, 2}, {{0, 0}, 4}, {0, 3});
   expect_optimal(r, {1.2, 1.6});
-  EXPECT_EQ(r.binding[1], kAccelerationDisc);
 }
 
 TEST(LinearProgram, both_circles_may_bind_at_their_corner) {
   // circles of radius 1 around 0 and (1, 0) cross at (1/2, ±√3/2)
   const ProgramResult r = solve({}, {}, {{0, 0}, 1}, {{1, 0}, 1}, {0.5, 5});
   expect_optimal(r, {0.5, kHalfRoot3});
-  EXPECT_EQ(r.binding[0] + r.binding[1], kAccelerationDisc + kSpeedDisc);
 }
 
 TEST(LinearProgram, a_line_is_clipped_by_both_circles) {
@@ -89,14 +83,11 @@ TEST(LinearProgram, a_line_is_clipped_by_both_circles) {
 TEST(LinearProgram, preference_is_projected_on_one_half_plane) {
   const ProgramResult r = solve({}, {{{0.6, 0.8}, 1}}, {0, 0});
   expect_optimal(r, {0.6, 0.8});
-  EXPECT_EQ(r.binding[0], 0);
-  EXPECT_EQ(r.binding[1], kNoConstraint);
 }
 
 TEST(LinearProgram, two_half_planes_meet_in_a_corner) {
   const ProgramResult r = solve({}, {{{1, 0}, 0.5}, {{0, 1}, 0.25}}, {-1, -1});
   expect_optimal(r, {0.5, 0.25});
-  EXPECT_EQ(r.binding[0] + r.binding[1], 0 + 1);
 }
 
 TEST(LinearProgram, satisfied_and_duplicate_half_planes_change_nothing) {
@@ -167,8 +158,6 @@ TEST(LinearProgram, half_planes_too_far_away_give_the_least_unsafe_point) {
   EXPECT_EQ(r.state, ProgramState::least_unsafe);
   expect_point(r, {1.2, 1.6});
   EXPECT_NEAR(r.violation, 1, 1e-15);
-  EXPECT_EQ(r.binding[0], 0);
-  EXPECT_EQ(r.binding[1], kSpeedDisc);
 }
 
 TEST(LinearProgram, opposite_half_planes_share_the_violation) {

@@ -50,9 +50,9 @@ std::vector<NeighborHit> all_pairs(const std::vector<Vec2>& positions, double ra
 
 std::vector<NeighborHit> gather(const UniformGrid& grid, Vec2 position, int self,
                                 std::size_t most = kAll) {
-  std::vector<NeighborHit> hits{{-1.0, -1}};  // to be replaced
-  grid.gather(position, self, most, hits);
-  return hits;
+  SearchScratch scratch;
+  const std::span<const NeighborHit> hits = grid.gather(position, self, most, scratch);
+  return {hits.begin(), hits.end()};
 }
 
 // Compares from every position and from places around; returns the number of hits.

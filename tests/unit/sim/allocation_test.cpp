@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <new>
 
 #include "avo/simulation.h"
@@ -12,6 +13,7 @@
 namespace {
 
 std::atomic<long> allocations{0};
+std::atomic<long> bytes{0};  // held now
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
@@ -20,7 +22,13 @@ void* counted(std::size_t size, std::size_t alignment) {
                      ? std::aligned_alloc(alignment, rounded)
                      : std::malloc(size > 0 ? size : 1);  // NOLINT
   if (memory == nullptr) throw std::bad_alloc();
+  bytes += static_cast<long>(malloc_usable_size(memory));
   return memory;
+}
+
+void release(void* memory) {
+  bytes -= static_cast<long>(malloc_usable_size(memory));
+  std::free(memory);  // NOLINT
 }
 
 }  // namespace
@@ -33,16 +41,16 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
 }
 void operator delete(void* memory) noexcept {
-  std::free(memory);  // NOLINT
+  release(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);  // NOLINT
+  release(memory);
 }
 void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);  // NOLINT
+  release(memory);
 }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);  // NOLINT
+  release(memory);
 }
 
 namespace avo {
@@ -102,6 +110,29 @@ TEST(Allocation, none_per_step_of_one_robot_among_movers) {
     scene.robots[0].goal = {12, 6};
     scene.sensing_radius = 100;
     EXPECT_EQ(allocations_when_warm(scene, 1, 30, 60), 0);
+  }
+}
+
+// Held by so many robots once they have been put in order.
+long bytes_of(int robots, Method method) {
+  Scenario scene;
+  scene.method = method;
+  scene.max_neighbors = 10;
+  for (int k = 0; k < robots; ++k) {
+    scene.robots.push_back(test::robot_at({8.0 * (k % 200), 8.0 * (k / 200)}, {}));
+  }
+  const long before = bytes;
+  Simulation simulation(scene, 2);
+  for (int k = 0; k < 3; ++k) simulation.step();
+  return bytes - before;
+}
+
+// The workers' own, whatever the number of robots, comes on top.
+TEST(Allocation, four_hundred_bytes_a_robot) {
+  for (const Method method : {Method::avo_paper, Method::avo}) {
+    const long each = (bytes_of(60000, method) - bytes_of(20000, method)) / 40000;
+    EXPECT_LE(each, 400);
+    EXPECT_GT(each, 100);  // they are counted
   }
 }
 

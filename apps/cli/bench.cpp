@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo bench: what a step of a scene costs. Runs the same steps several times, nothing else between
+// them, and once more to count pairs and to tell the stages apart.
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+#ifdef __GLIBC__
+#include <malloc.h>
+#if __GLIBC_PREREQ(2, 33)
+#define AVO_COUNTS_ALLOCATED
+#endif
+#endif
+
+#include "avo/simulation.h"
+#include "bench_report.h"
+#include "exit_codes.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+constexpr int kRuns = 3;
+
+/// Which steps are measured.
+struct Course {
+  std::int64_t warm_up = 0;  ///< steps before them
+  std::int64_t steps = 0;
+  bool until_arrival = false;  ///< fewer where all have arrived
+};
+
+Course course_of(const avo::Scenario& scenario, const BenchArguments& arguments) {
+  constexpr std::int64_t kWarmUp = 10, kFewest = 20, kUnderWay = 100, kRobotSteps = 20'000'000;
+  if (arguments.steps) return {kWarmUp, *arguments.steps, false};
+  const auto robots = static_cast<std::int64_t>(scenario.robots.size());
+  const std::int64_t most = std::max(kFewest, kRobotSteps / robots);
+  // its robots arrive one by one: it is itself only while nearly all are under way
+  if (scenario.name.starts_with("uniform-")) return {kWarmUp, std::min(kUnderWay, most), false};
+  return {0, std::min(avo::last_step(scenario, scenario.duration), most), true};
+}
+
+/// Calls step() for each step of the course.
+template <class Step>
+void follow(const Course& course, avo::Simulation& simulation, const Step& step) {
+  for (std::int64_t k = 0; k < course.steps; ++k) {
+    if (course.until_arrival && k > 0 && simulation.all_at_goal()) return;
+    step();
+  }
+}
+
+void warm_up(const Course& course, avo::Simulation& simulation) {
+  for (std::int64_t k = 0; k < course.warm_up; ++k) simulation.step();
+}
+
+std::vector<double> time_steps(const avo::Scenario& scenario, int threads, const Course& course) {
+  using Clock = std::chrono::steady_clock;
+  avo::Simulation simulation(scenario, threads);
+  warm_up(course, simulation);
+  std::vector<double> milliseconds;
+  follow(course, simulation, [&] {
+    const Clock::time_point start = Clock::now();
+    simulation.step();
+    milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+  });
+  return milliseconds;
+}
+
+/// What this process has allocated and not freed; 0 where that is not known.
+std::size_t allocated_bytes() {
+#ifdef AVO_COUNTS_ALLOCATED
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+#else
+  return 0;
+#endif
+}
+
+/// Stages, pairs and memory; also the number of threads.
+BenchResults profile_steps(const avo::Scenario& scenario, int threads, const Course& course) {
+  const std::size_t before = allocated_bytes();
+  avo::Simulation simulation(scenario, threads);
+  warm_up(course, simulation);
+  simulation.measure(true);
+  follow(course, simulation, [&] { simulation.step(); });
+  BenchResults results;
+  results.threads = simulation.threads();
+  results.profile = simulation.profile();
+  results.bytes = allocated_bytes() - before;
+  return results;
+}
+
+/// Step by step: the runs are the same, bit for bit, and so are their numbers of steps.
+std::vector<double> median_run(const std::vector<std::vector<double>>& runs) {
+  std::vector<double> result;
+  for (std::size_t k = 0; k < runs[0].size(); ++k) {
+    std::vector<double> same(runs.size());
+    std::transform(runs.begin(), runs.end(), same.begin(), [k](const auto& run) { return run[k]; });
+    result.push_back(median(std::move(same)));
+  }
+  return result;
+}
+
+}  // namespace
+
+int bench(const BenchArguments& arguments) {
+  const avo::Scenario scenario = load(arguments.scene);
+  const Course course = course_of(scenario, arguments);
+  BenchResults results = profile_steps(scenario, arguments.threads, course);  // warms up as well
+  results.runs = kRuns;
+  std::vector<std::vector<double>> runs(kRuns);
+  for (std::vector<double>& run : runs) run = time_steps(scenario, arguments.threads, course);
+  results.milliseconds = median_run(runs);
+  print(arguments.json ? to_json(scenario, results) : readable(scenario, results));
+  return kDone;
+}
+
+}  // namespace avo_cli

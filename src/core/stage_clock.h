@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the time of a step goes: one clock per worker, read between stages.
+#pragma once
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace avo {
+
+enum class Stage : std::uint8_t { index, search, half_planes, program, certificate, motion };
+inline constexpr std::array kStageNames{"index",   "search",      "half_planes",
+                                        "program", "certificate", "motion"};
+
+/// Adds up the time between laps by stage. While off, a lap costs one branch.
+class StageClock {
+ public:
+  /// Begins anew.
+  void measure(bool on) {
+    on_ = on;
+    nanoseconds_ = {};
+  }
+  /// A lap begins.
+  void start() {
+    if (on_) last_ = Clock::now();
+  }
+  /// The time since the last lap, or since start(), was that of the stage.
+  void lap(Stage stage) {
+    if (!on_) return;
+    const Clock::time_point now = Clock::now();
+    nanoseconds_[static_cast<std::size_t>(stage)] +=
+        std::chrono::duration<double, std::nano>(now - last_).count();
+    last_ = now;
+  }
+  [[nodiscard]] bool is_on() const { return on_; }
+  [[nodiscard]] double nanoseconds(std::size_t stage) const { return nanoseconds_[stage]; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool on_ = false;
+  Clock::time_point last_;
+  std::array<double, kStageNames.size()> nanoseconds_{};
+};
+
+}  // namespace avo

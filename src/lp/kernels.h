@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the kernels of the program share whatever the instruction set, and their scalar instance.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "core/scalar.h"
+#include "lp/programs.h"
+
+#define AVO_KERNEL inline __attribute__((always_inline))
+
+namespace avo {
+
+template <typename Number>
+constexpr double kUlp = std::numeric_limits<Number>::epsilon();
+constexpr double kToleranceUlps = 8.0;
+constexpr double kTouchingUlps = 2.0;
+// The corners need fourth powers, of numbers that are not denormal.
+template <typename Number>
+constexpr double kLargest = std::is_same_v<Number, double> ? 0x1p200 : 0x1p20;
+template <typename Number>
+constexpr double kSmallest = std::is_same_v<Number, double> ? 0x1p-200 : 0x1p-20;
+// A point just computed on one circle may miss the other one's inside by rounding alone. For discs
+// that are nearly equal that must not look like "outside of both": the corner may be far away.
+template <typename Number>
+constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp<Number>;
+
+// Of `count` half-planes by all lanes of a pack, whose rows are not all in force in every lane: in
+// the plane, and then on the way to the least unsafe point.
+constexpr std::size_t most_taken(std::size_t count) {
+  return 2 * count + 2;
+}
+
+namespace scalar::planar {
+#include "lp/program_kernels.h"
+}  // namespace scalar::planar
+
+}  // namespace avo

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// solve_planar() of lp/planar_program.h, one robot per lane, by the same operations in the same
+// order: each lane takes the half-plane that it violates most, until the last one has done.
+// Included after lens_kernel.h, once per instruction set.
+
+template <typename Real>
+using Row = ProgramRow<typename Real::Number>;
+
+template <typename Real>
+struct Plane {
+  Vec<Real> normal;
+  Real offset;
+};
+
+/// The offset of no half-plane at all.
+template <typename Real>
+AVO_KERNEL Real none() {
+  return -std::numeric_limits<double>::infinity();
+}
+
+template <typename Real>
+AVO_KERNEL Real violation(const Plane<Real>& plane, Vec<Real> u) {
+  return plane.offset - dot(plane.normal, u);
+}
+
+/// Half-planes relative to Lens::origin, of lanes first .. first + Real::kLanes.
+template <typename Real>
+struct Planes {
+  Row<Real>* rows;
+  std::size_t first;
+  std::size_t count;
+
+  AVO_KERNEL Plane<Real> operator[](std::size_t i) const {
+    const Row<Real>& row = rows[i];
+    return {{Real::load(row.n_x + first), Real::load(row.n_y + first)},
+            Real::load(row.relative + first)};
+  }
+  AVO_KERNEL void add(const Plane<Real>& plane) {
+    Row<Real>& row = rows[count++];
+    plane.normal.x.store(row.n_x + first);
+    plane.normal.y.store(row.n_y + first);
+    plane.offset.store(row.relative + first);
+  }
+};
+
+template <typename Real>
+struct Goal {
+  Vec<Real> preferred, direction;
+};
+
+template <typename Real>
+struct Line {
+  Vec<Real> normal, along;
+  Real offset;
+};
+
+/// What is left of a line, lo <= t <= hi.
+template <typename Real>
+struct Range {
+  Real lo, hi;
+  Mask<Real> left;
+};
+
+template <bool kRelaxed, typename Real>
+AVO_KERNEL Range<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& line) {
+  const Real zero = 0.0;
+  const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
+  const Real gap = lens.radius - abs(line.offset);
+  const Real half = slack + select(gap > zero, sqrt(gap * (lens.radius + abs(line.offset))), zero);
+  Range<Real> range{-half, half, gap >= -slack};
+  if (!any(lens.two_arcs)) return range;
+
+  const Real larger_slack = kRelaxed ? Real(0.5) * lens.larger_tolerance : zero;
+  const Real offset = abs(line.offset - dot(line.normal, lens.larger_center));
+  const Real larger_gap = lens.larger_radius - offset;
+  const Real larger_half =
+      larger_slack +
+      select(larger_gap > zero, sqrt(larger_gap * (lens.larger_radius + offset)), zero);
+  const Real middle = dot(line.along, lens.larger_center);
+  const Real lo = middle - larger_half, hi = middle + larger_half;
+  range.lo = select(lens.two_arcs & (lo > range.lo), lo, range.lo);
+  range.hi = select(lens.two_arcs & (hi < range.hi), hi, range.hi);
+  range.left = range.left & ((!lens.two_arcs) | (larger_gap >= -larger_slack));
+  return range;
+}
+
+template <bool kRelaxed, typename Real>
+AVO_KERNEL Range<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
+                            const Planes<Real>& planes) {
+  const Real zero = 0.0;
+  const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
+  Range<Real> range = clip_to_discs<kRelaxed>(lens, line);
+  for (std::size_t j = 0; j < planes.count; ++j) {
+    const Plane<Real> plane = planes[j];
+    const Real slope = dot(plane.normal, line.along);
+    const Real excess = plane.offset - line.offset * dot(plane.normal, line.normal);
+    const Mask<Real> crosses = abs(slope) * lens.radius > lens.tolerance;
+    const Real t = (excess - slack) / slope;
+    range.lo = select(crosses & (slope > zero) & (t > range.lo), t, range.lo);
+    range.hi = select(crosses & (slope < zero) & (t < range.hi), t, range.hi);
+    range.left = range.left & (crosses | (excess <= lens.tolerance));
+  }
+  range.left = range.left & (range.lo <= range.hi);
+  return range;
+}
+
+/// The best point of the plane's boundary within the discs and all planes before it, as long as
+/// the lane takes part. False where there is none.
+template <bool kLinear, typename Real>
+AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real>& before,
+                                       const Plane<Real>& plane, const Goal<Real>& goal,
+                                       Mask<Real> active, Vec<Real>& point) {
+  Line<Real> line{plane.normal, perpendicular(plane.normal), plane.offset};
+  Mask<Real> found = active;
+  if constexpr (kLinear) {
+    const Real length = norm(plane.normal);
+    const Vec<Real> normal = plane.normal / length;
+    line = {normal, perpendicular(normal), plane.offset / length};
+    found = active & (length > Real(0.0));
+  }
+  Range<Real> range = clip<false>(lens, line, before);
+  if (const Mask<Real> thin = found & !range.left; any(thin)) {
+    const Range<Real> relaxed = clip<true>(lens, line, before);
+    range.lo = select(thin, relaxed.lo, range.lo);
+    range.hi = select(thin, relaxed.hi, range.hi);
+    found = found & (range.left | relaxed.left);
+    line.offset = select(thin, clamp(line.offset, -lens.radius, lens.radius), line.offset);
+  }
+  Real t = dot(goal.preferred, line.along);
+  if constexpr (kLinear) {
+    const Real slope = dot(goal.direction, line.along);
+    const Mask<Real> flat = abs(slope) * lens.radius <= lens.tolerance;
+    t = select(flat, t, select(slope > Real(0.0), range.hi, range.lo));
+  }
+  t = clamp(t, range.lo, range.hi);
+  point = select(found, line.offset * line.normal + t * line.along, point);
+  return found;
+}
+
+template <typename Real>
+struct Violation {
+  Plane<Real> plane;
+  Real by;
+};
+
+/// The larger one, the first of equals.
+template <typename Real>
+AVO_KERNEL Violation<Real> larger(const Violation<Real>& a, const Violation<Real>& b) {
+  const Mask<Real> second = b.by > a.by;
+  return {{select(second, b.plane.normal, a.plane.normal),
+           select(second, b.plane.offset, a.plane.offset)},
+          select(second, b.by, a.by)};
+}
+
+/// The half-plane violated by most and by more than `least`, which becomes that violation. Two by
+/// two, since a comparison takes longer than what it waits for.
+template <typename Real>
+AVO_KERNEL Plane<Real> most_violated(const Planes<Real>& planes, Vec<Real> u, Real& least) {
+  const auto at = [&](std::size_t i) -> Violation<Real> {
+    const Plane<Real> plane = planes[i];
+    return {plane, violation(plane, u)};
+  };
+  Violation<Real> worst{{{0.0, 0.0}, 0.0}, least};
+  std::size_t i = 0;
+  for (; i + 1 < planes.count; i += 2) worst = larger(worst, larger(at(i), at(i + 1)));
+  if (i < planes.count) worst = larger(worst, at(i));
+  least = worst.by;
+  return worst.plane;
+}
+
+template <typename Real>
+AVO_KERNEL Mask<Real> contains(const Planes<Real>& planes, const Plane<Real>& plane) {
+  const auto equal = [](Real a, Real b) { return (a <= b) & (a >= b); };
+  Mask<Real> found = plane.offset < plane.offset;
+  for (std::size_t j = 0; j < planes.count; ++j) {
+    const Plane<Real> each = planes[j];
+    found = found | (equal(each.offset, plane.offset) & equal(each.normal.x, plane.normal.x) &
+                     equal(each.normal.y, plane.normal.y));
+  }
+  return found;
+}
+
+/// `taken` so that no program takes notice of it in lanes that do not take part.
+template <typename Real>
+AVO_KERNEL void take(Planes<Real>& taken, Plane<Real> plane, Mask<Real> active) {
+  plane.offset = select(active, plane.offset, none<Real>());
+  taken.add(plane);
+}
+
+template <typename Real>
+struct Outcome {
+  Mask<Real> moved, failed;
+  Plane<Real> next;  // where failed: the half-plane that leaves nothing
+};
+
+template <bool kLinear, typename Real>
+AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real>& planes,
+                                      const Goal<Real>& goal, Mask<Real> active,
+                                      Planes<Real>& taken, Vec<Real>& point) {
+  const Mask<Real> nobody = active & !active;
+  Outcome<Real> outcome{nobody, nobody, {{0.0, 0.0}, 0.0}};
+  for (;;) {
+    Real by = lens.tolerance;
+    const Plane<Real> worst = most_violated(planes, point, by);
+    active = active & (by > lens.tolerance);
+    if (!any(active)) return outcome;
+    active = active & !contains(taken, worst);
+    if (!any(active)) return outcome;
+    const Mask<Real> found = move_to_boundary<kLinear>(lens, taken, worst, goal, active, point);
+    const Mask<Real> stuck = active & !found;
+    outcome.next.normal = select(stuck, worst.normal, outcome.next.normal);
+    outcome.next.offset = select(stuck, worst.offset, outcome.next.offset);
+    outcome.failed = outcome.failed | stuck;
+    outcome.moved = outcome.moved | found;
+    active = found;
+    take(taken, worst, active);
+  }
+}

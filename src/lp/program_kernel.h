@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// nearest_point() of lp/linear_program.h without hard half-planes, one robot per lane, by the same
+// operations in the same order. Included after planar_kernel.h, once per instruction set.
+
+/// least_unsafe() of lp/linear_program.cpp, for the lanes in which `next` cannot be added.
+template <typename Real>
+AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real>& give, Plane<Real> next,
+                             Vec<Real> preferred, Mask<Real> active, Planes<Real>& taken,
+                             Row<Real>* scratch, Vec<Real>& point) {
+  while (any(active)) {
+    Planes<Real> projected{scratch, give.first, 0};
+    for (std::size_t j = 0; j < taken.count; ++j) {
+      const Plane<Real> before = taken[j];
+      projected.add({before.normal - next.normal, before.offset - next.offset});
+    }
+    Planes<Real> inner{scratch + most_taken(give.count), give.first, 0};
+    Vec<Real> candidate = farthest_along(lens, next.normal);
+    const Outcome<Real> outcome =
+        solve_planar<true>(lens, projected, {preferred, next.normal}, active, inner, candidate);
+    point = select(active & !outcome.failed, candidate, point);
+    take(taken, next, active);
+    const Real least = violation(next, point) + lens.tolerance;
+    Real by = least;
+    next = most_violated(give, point, by);
+    active = active & (by > least);
+    if (any(active)) active = active & !contains(taken, next);
+  }
+}
+
+template <typename Real>
+AVO_KERNEL Real largest_violation(const Planes<Real>& planes, Vec<Real> u) {
+  Real largest = 0.0;
+  for (std::size_t i = 0; i < planes.count; ++i) largest = max(violation(planes[i], u), largest);
+  return largest;
+}
+
+/// Of the half-planes as given, by the point as returned.
+template <typename Real>
+AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real>& planes,
+                                   Vec<Real> relative, Vec<Real> point) {
+  const Real zero = 0.0;
+  const Real worst = largest_violation(planes, relative);
+  Real largest = zero;
+  for (std::size_t i = 0; i < planes.count; ++i) {
+    const Plane<Real> plane = planes[i];
+    const Real offset = Real::load(planes.rows[i].offset + planes.first);
+    const Mask<Real> counts = plane.offset > none<Real>();
+    largest = select(counts, max(violation({plane.normal, offset}, point), largest), largest);
+  }
+  return select(worst > lens.tolerance, select(largest > zero, largest, worst), zero);
+}
+
+/// The programs of one pack. kAll: to the end, the least unsafe ones too.
+template <bool kAll, typename Real>
+AVO_KERNEL void solve_pack(ProgramGroup<typename Real::Number>& group, Row<Real>* rows,
+                           Row<Real>* scratch, std::size_t first) {
+  const Discs<Real> discs{{Real::load(group.c_x + first), Real::load(group.c_y + first)},
+                          Real::load(group.radius + first),
+                          Real::load(group.top_speed + first)};
+  const Vec<Real> wish{Real::load(group.p_x + first), Real::load(group.p_y + first)};
+  const Lens<Real> lens = make_lens(discs);
+  const Planes<Real> planes{rows, first, group.count};
+  const Real count = Real::load(group.planes + first);
+  for (std::size_t i = 0; i < planes.count; ++i) {
+    const Real offset = Real::load(rows[i].offset + first) - dot(planes[i].normal, lens.origin);
+    select(Real(static_cast<double>(i)) < count, offset, none<Real>())
+        .store(rows[i].relative + first);
+  }
+  const Mask<Real> ordinary = lens.ordinary & is_ordinary(wish);
+  const Goal<Real> goal{wish - lens.origin, {0.0, 0.0}};
+  const LensPoint<Real> start = nearest(lens, goal.preferred);
+  Vec<Real> u = start.point;
+  Planes<Real> taken{scratch, first, 0};
+  const Outcome<Real> outcome = solve_planar<false>(lens, planes, goal, ordinary, taken, u);
+  if constexpr (kAll) {
+    least_unsafe(lens, planes, outcome.next, goal.preferred, outcome.failed, taken,
+                 scratch + most_taken(group.count), u);
+  }
+  const Vec<Real> point = absolute_point(lens, discs, u);
+  point.x.store(group.x + first);
+  point.y.store(group.y + first);
+  if constexpr (kAll) {
+    select(outcome.failed, reported_violation(lens, planes, u, point), Real(0.0))
+        .store(group.violation + first);
+  } else {
+    Real(0.0).store(group.violation + first);
+  }
+  group.settled |= bits(kAll ? ordinary : ordinary & !outcome.failed) << first;
+  group.failed |= bits(outcome.failed) << first;
+  group.moved |= bits(start.moved | outcome.moved | outcome.failed) << first;
+}
+
+template <bool kAll, typename Real>
+void solve_programs(Programs<typename Real::Number>& programs, Row<Real>* scratch) {
+  for (std::size_t g = 0; g < programs.groups; ++g) {
+    ProgramGroup<typename Real::Number>& group = programs.group[g];
+    group.settled = group.failed = group.moved = 0;
+    Row<Real>* const rows = programs.row.data() + group.first;
+    for (std::size_t lane = 0; lane < kProgramLanes; lane += Real::kLanes) {
+      solve_pack<kAll, Real>(group, rows, scratch, lane);
+    }
+  }
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs in lanes, for every instruction set: this file is compiled once for each by
+// hwy/foreach_target.h, and the fittest is chosen at run time.
+#include "lp/programs.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/simd_target.h"
+#include "lp/kernels.h"
+
+#ifdef AVO_HIGHWAY
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "lp/programs.cpp"
+// clang-format off
+#include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
+#include "core/lanes.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace avo::HWY_NAMESPACE {
+namespace planar {
+#include "lp/program_kernels.h"
+}  // namespace planar
+
+void solve_feasible_double(Programs<double>& programs, ProgramRow<double>* scratch) {
+  planar::solve_programs<false, Pack<double>>(programs, scratch);
+}
+void solve_feasible_single(Programs<float>& programs, ProgramRow<float>* scratch) {
+  planar::solve_programs<false, Pack<float>>(programs, scratch);
+}
+void solve_infeasible_double(Programs<double>& programs, ProgramRow<double>* scratch) {
+  planar::solve_programs<true, Pack<double>>(programs, scratch);
+}
+void solve_infeasible_single(Programs<float>& programs, ProgramRow<float>* scratch) {
+  planar::solve_programs<true, Pack<float>>(programs, scratch);
+}
+}  // namespace avo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if !defined(AVO_HIGHWAY) || HWY_ONCE
+namespace avo {
+namespace {
+
+#ifdef AVO_HIGHWAY
+HWY_EXPORT(solve_feasible_double);
+HWY_EXPORT(solve_feasible_single);
+HWY_EXPORT(solve_infeasible_double);
+HWY_EXPORT(solve_infeasible_single);
+#endif
+
+void solve_feasible(Programs<double>& programs, ProgramRow<double>* scratch) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_feasible_double)(programs, scratch);
+#endif
+  scalar::planar::solve_programs<false, scalar::Pack<double>>(programs, scratch);
+}
+void solve_feasible(Programs<float>& programs, ProgramRow<float>* scratch) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_feasible_single)(programs, scratch);
+#endif
+  scalar::planar::solve_programs<false, scalar::Pack<float>>(programs, scratch);
+}
+void solve_infeasible(Programs<double>& programs, ProgramRow<double>* scratch) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_infeasible_double)(programs, scratch);
+#endif
+  scalar::planar::solve_programs<true, scalar::Pack<double>>(programs, scratch);
+}
+void solve_infeasible(Programs<float>& programs, ProgramRow<float>* scratch) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_infeasible_single)(programs, scratch);
+#endif
+  scalar::planar::solve_programs<true, scalar::Pack<float>>(programs, scratch);
+}
+
+template <typename Number>
+std::size_t most_rows(const Programs<Number>& programs) {
+  std::size_t most = 0;
+  for (std::size_t g = 0; g < programs.groups; ++g) most = std::max(most, programs.group[g].count);
+  return most;
+}
+
+// Copies one robot's program to the end of others.
+template <typename Number>
+void copy(const Programs<Number>& from, std::size_t robot, Programs<Number>& to) {
+  const ProgramGroup<Number>& source = from.group[robot / kProgramLanes];
+  const std::size_t lane = robot % kProgramLanes;
+  const std::size_t new_lane = to.robots % kProgramLanes;
+  ProgramGroup<Number>& target = to.add_robot();
+  for (auto column :
+       {&ProgramGroup<Number>::c_x, &ProgramGroup<Number>::c_y, &ProgramGroup<Number>::radius,
+        &ProgramGroup<Number>::top_speed, &ProgramGroup<Number>::p_x, &ProgramGroup<Number>::p_y,
+        &ProgramGroup<Number>::planes}) {
+    (target.*column)[new_lane] = (source.*column)[lane];
+  }
+  const auto planes = static_cast<std::size_t>(source.planes[lane]);
+  while (target.count < planes) to.add_row();
+  for (std::size_t i = 0; i < planes; ++i) {
+    const ProgramRow<Number>& row = from.row[source.first + i];
+    ProgramRow<Number>& copied = to.row[target.first + i];
+    copied.n_x[new_lane] = row.n_x[lane];
+    copied.n_y[new_lane] = row.n_y[lane];
+    copied.offset[new_lane] = row.offset[lane];
+  }
+}
+
+}  // namespace
+
+template <typename Number>
+ProgramGroup<Number>& Programs<Number>::add_robot() {
+  if (robots++ % kProgramLanes == 0) {
+    if (groups == group.size()) group.emplace_back();
+    ProgramGroup<Number>& next = group[groups++];
+    std::fill_n(next.planes, kProgramLanes, Number());
+    next.first = rows;
+    next.count = 0;
+  }
+  return group[groups - 1];
+}
+
+template <typename Number>
+void Programs<Number>::add_row() {
+  if (rows == row.size()) row.emplace_back();
+  ++rows;
+  ++group[groups - 1].count;
+}
+
+template <typename Number>
+void ProgramBatch<Number>::clear() {
+  programs_.clear();
+  preferred_.clear();
+}
+
+template <typename Number>
+void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 preferred) {
+  lane_ = programs_.robots % kProgramLanes;
+  planes_ = 0;
+  ProgramGroup<Number>& group = programs_.add_robot();
+  group.c_x[lane_] = static_cast<Number>(acceleration.center.x);
+  group.c_y[lane_] = static_cast<Number>(acceleration.center.y);
+  group.radius[lane_] = static_cast<Number>(acceleration.radius);
+  group.top_speed[lane_] = static_cast<Number>(top_speed);
+  group.p_x[lane_] = static_cast<Number>(preferred.x);
+  group.p_y[lane_] = static_cast<Number>(preferred.y);
+  preferred_.push_back(preferred);
+}
+
+// Those that half-planes leave nothing to need far more time: gathered, they fill lanes of their
+// own.
+template <typename Number>
+void ProgramBatch<Number>::solve() noexcept {
+  scratch_.resize(std::max(scratch_.size(), 3 * most_taken(most_rows(programs_))));
+  solve_feasible(programs_, scratch_.data());
+  infeasible_.clear();
+  robots_.clear();
+  for (std::size_t g = 0; g < programs_.groups; ++g) {
+    for (std::uint32_t left = programs_.group[g].failed; left != 0; left &= left - 1) {
+      robots_.push_back(g * kProgramLanes + static_cast<std::size_t>(std::countr_zero(left)));
+      copy(programs_, robots_.back(), infeasible_);
+    }
+  }
+  solve_infeasible(infeasible_, scratch_.data());
+  for (std::size_t k = 0; k < robots_.size(); ++k) {
+    const std::size_t from_lane = k % kProgramLanes, lane = robots_[k] % kProgramLanes;
+    const ProgramGroup<Number>& from = infeasible_.group[k / kProgramLanes];
+    ProgramGroup<Number>& to = programs_.group[robots_[k] / kProgramLanes];
+    to.x[lane] = from.x[from_lane];
+    to.y[lane] = from.y[from_lane];
+    to.violation[lane] = from.violation[from_lane];
+    to.settled |= 1U << lane;
+  }
+}
+
+template struct Programs<double>;
+template struct Programs<float>;
+template class ProgramBatch<double>;
+template class ProgramBatch<float>;
+
+}  // namespace avo
+#endif

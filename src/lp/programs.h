@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eq. (23) for many robots at once, one robot per lane: nearest_point() of lp/linear_program.h, bit
+// for bit where Number is double.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "avo/geometry.h"
+
+namespace avo {
+
+/// Robots whose programs' numbers lie side by side: a multiple of every instruction set's lanes.
+inline constexpr std::size_t kProgramLanes = 16;
+
+template <typename Number>
+struct ProgramGroup {
+  using Lanes = Number[kProgramLanes];
+  Lanes c_x, c_y, radius;    // acceleration disc
+  Lanes top_speed;           // speed disc around 0
+  Lanes p_x, p_y;            // preferred
+  Lanes planes;              // how many
+  Lanes x, y, violation;     // result
+  std::uint32_t settled;     // bit l: lane l
+  std::uint32_t moved;       // the result is not the preferred one
+  std::uint32_t failed;      // the half-planes leave nothing
+  std::size_t first, count;  // rows
+};
+
+/// One half-plane of each lane, anything where a robot has fewer.
+template <typename Number>
+struct ProgramRow {
+  using Lanes = Number[kProgramLanes];
+  Lanes n_x, n_y, offset;
+  Lanes relative;  // the offset, from Lens::origin
+};
+
+template <typename Number>
+struct Programs {
+  std::size_t robots = 0, groups = 0, rows = 0;  // in use
+  std::vector<ProgramGroup<Number>> group;
+  std::vector<ProgramRow<Number>> row;
+
+  void clear() { robots = groups = rows = 0; }
+
+  /// The group of the next robot; its lane is robots % kProgramLanes before the call.
+  ProgramGroup<Number>& add_robot();
+  /// One more row for the last group.
+  void add_row();
+};
+
+/// Programs to be solved at once, filled robot by robot; allocates only while it grows.
+template <typename Number>
+class ProgramBatch {
+ public:
+  void clear();
+
+  /// The next robot. Nothing is required of the numbers.
+  void add(const Disc& acceleration, double top_speed, Vec2 preferred);
+
+  /// The next half-plane of the robot added last, |normal| = 1.
+  void add(const HalfPlane& plane) {
+    ProgramGroup<Number>& group = programs_.group[programs_.groups - 1];
+    if (planes_ == group.count) programs_.add_row();
+    ProgramRow<Number>& row = programs_.row[group.first + planes_++];
+    row.n_x[lane_] = static_cast<Number>(plane.normal.x);
+    row.n_y[lane_] = static_cast<Number>(plane.normal.y);
+    row.offset[lane_] = static_cast<Number>(plane.offset);
+    group.planes[lane_] = static_cast<Number>(planes_);
+  }
+
+  void solve() noexcept;
+
+  [[nodiscard]] std::size_t size() const { return programs_.robots; }
+
+  /// False: out of the ordinary, and left to nearest_point(); the results mean nothing then.
+  [[nodiscard]] bool settled(std::size_t robot) const { return bit(group(robot).settled, robot); }
+  /// The preferred one, bit for bit, where that violates nothing.
+  [[nodiscard]] Vec2 point(std::size_t robot) const {
+    const std::size_t lane = robot % kProgramLanes;
+    if (!bit(group(robot).moved, robot)) return preferred_[robot];
+    return {group(robot).x[lane], group(robot).y[lane]};
+  }
+  /// 0: state optimal; else least_unsafe, see ProgramResult.
+  [[nodiscard]] double violation(std::size_t robot) const {
+    return group(robot).violation[robot % kProgramLanes];
+  }
+
+ private:
+  [[nodiscard]] const ProgramGroup<Number>& group(std::size_t robot) const {
+    return programs_.group[robot / kProgramLanes];
+  }
+  static bool bit(std::uint32_t bits, std::size_t robot) {
+    return (bits >> robot % kProgramLanes & 1U) != 0;
+  }
+
+  Programs<Number> programs_;
+  std::size_t lane_ = 0, planes_ = 0;  // of the robot added last
+  std::vector<Vec2> preferred_;        // as given
+  Programs<Number> infeasible_;        // those that failed, side by side
+  std::vector<std::size_t> robots_;    // whose these are
+  std::vector<ProgramRow<Number>> scratch_;
+};
+
+/// Solves all programs of the batch.
+template <typename Number>
+void nearest_points(ProgramBatch<Number>& batch) noexcept {
+  batch.solve();
+}
+
+}  // namespace avo

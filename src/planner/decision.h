@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of one decision.
+#pragma once
+#include <span>
+
+#include "avo/planner.h"
+#include "lp/linear_program.h"
+
+namespace avo {
+
+/// Whether every number is finite and in range.
+bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors);
+
+/// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under
+/// every option.
+bool can_follow(const Robot& robot, const PlannerOptions& options);
+
+/// [m/s] which way a robot of method avo wishes to go: keep right and give way, or rest.
+Vec2 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
+             Detour& detour);
+
+/// What the paper's program made of a wish.
+struct Wished {
+  std::span<const HalfPlane> half_planes;
+  std::span<const double> excess;  ///< of each, see NeighborPlane
+  Vec2 wish;                       ///< m/s
+  ProgramResult result;            ///< Eq. (23)
+  bool overlapping = false;        ///< with whom it does not matter
+};
+
+}  // namespace avo

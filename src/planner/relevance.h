@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whom a decision depends on: of all that a robot senses, only the near ones matter to method avo.
+#pragma once
+#include <limits>
+
+#include "avo/planner.h"
+
+namespace avo {
+
+/// What is known of all robots that one may meet, itself among them.
+struct Peers {
+  double radius = 0.0;     ///< m, the largest
+  double reach = 0.0;      ///< m, the largest of radius and the way of any path that brakes
+  double intervals = 0.0;  ///< the most in which one may move until rest
+  double least_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
+  double most_acceleration = 0.0;                                       ///< m/s^2
+};
+/// Of the robot only radius and limits count.
+void include(Peers& peers, const Planner& planner, const Robot& robot);
+
+/// m: a neighbor farther away changes no bit of what Planner::plan() decides, unless it is one of
+/// the nearest max_neighbors or does not decide itself; 0 where nobody else matters, infinite where
+/// all do. Holds while no robot exceeds its max_speed by more than a rounding, and within
+/// kMostRelevantPosition of the origin. Of the robot only radius and limits count.
+double relevant_range(const Planner& planner, const Robot& robot, const Peers& peers);
+
+/// m, of either coordinate.
+inline constexpr double kMostRelevantPosition = 1e6;
+/// Part of max_speed that is a rounding.
+inline constexpr double kSpeedRounding = 1e-9;
+
+}  // namespace avo

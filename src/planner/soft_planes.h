@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The half-planes in v' of robots that are planned together, Eqs. (17)-(20).
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "avo/planner.h"
+#include "obstacles/half_planes.h"
+
+namespace avo {
+
+/// Scratch memory of half_planes().
+template <typename Number>
+struct HalfPlaneBatch {
+  PairColumns<Number> pairs;
+  HalfPlaneWorkspace<Number> workspace;
+  PlaneColumns<Number> planes;
+};
+
+/// What a robot senses: views of what others own.
+struct Sensing {
+  const Robot* robot = nullptr;
+  std::span<const Neighbor> neighbors;
+};
+
+/// Allocates only while it grows.
+struct SoftPlanes {
+  std::vector<HalfPlane> planes;          ///< of all robots, each in the order of its neighbors
+  std::vector<double> excess;             ///< m/s, of each plane, see NeighborPlane
+  std::vector<std::size_t> first{0};      ///< of robot i: [first[i], first[i + 1])
+  std::vector<std::uint8_t> overlapping;  ///< whether robot i is in contact already
+
+  HalfPlaneBatch<double> in_double;
+  HalfPlaneBatch<float> in_single;
+
+  [[nodiscard]] std::span<const HalfPlane> of(std::size_t i) const {
+    return std::span(planes).subspan(first[i], first[i + 1] - first[i]);
+  }
+  [[nodiscard]] std::span<const double> excess_of(std::size_t i) const {
+    return std::span(excess).subspan(first[i], first[i + 1] - first[i]);
+  }
+};
+
+/// The pair as Eqs. (2), (3) see it: p_AB, v_AB, r_AB.
+Pair relative(const Robot& robot, const Neighbor& neighbor);
+
+/// [R] m/s, what both can do: δ (a_A + a_B); a mover that does not decide does what it is seen to
+/// do.
+double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor);
+
+/// One by one, in double precision.
+RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
+                                      const Robot& robot, const Neighbor& neighbor);
+
+/// A's half-plane in v' of the relative one.
+NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
+                       int index, const RelativeHalfPlane& relative);
+
+void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
+
+/// Of what either limit holds by itself nothing is kept: such a plane cannot cut.
+void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon,
+                         std::span<const Sensing> robots, SoftPlanes& soft);
+
+}  // namespace avo

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots that are planned together: their neighbors lie side by side.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "avo/planner.h"
+#include "core/stage_clock.h"
+#include "planner/together.h"
+
+namespace avo {
+
+/// What robots know and sense, and what they decide. Allocates only while it grows.
+struct Tile {
+  std::vector<Robot> robots;
+  std::vector<Neighbor> neighbors;    ///< of all the robots, each by distance and id
+  std::vector<std::size_t> first{0};  ///< of robot i: [first[i], first[i + 1]), into neighbors
+  std::vector<Detour> detours;        ///< what each remembers; plan_tile() updates it
+  std::vector<Plan> plans;            ///< by plan_tile()
+  std::vector<Deciding> deciding;     ///< scratch memory
+
+  void clear();
+  [[nodiscard]] std::size_t size() const { return robots.size(); }
+  [[nodiscard]] std::span<const Neighbor> neighbors_of(std::size_t i) const;
+  void reserve(std::size_t most_robots, std::size_t most_neighbors);
+};
+
+/// Planner::plan() of every robot of the tile.
+void plan_tile(const Planner& planner, Tile& tile, PlanWorkspace& workspace, StageClock& clock);
+
+}  // namespace avo

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What all robots of a fleet sense of each other at the beginning of a step.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "neighbors/uniform_grid.h"
+#include "sim/fleet.h"
+
+namespace avo {
+
+/// Of one robot, besides its position.
+struct Sensed {
+  Vec2 velocity;                  // m/s
+  double radius = 0.0;            // m
+  double max_acceleration = 0.0;  // m/s^2
+};
+
+/// Robots by place: in the order of their cells. Hits are called by their rank, so that ties are
+/// settled by id. While robots are moved it stays as it was: no robot ever sees a half-updated
+/// neighbor.
+struct Snapshot {
+  Cells cells;
+  double side = 0.0;  // m, of a cell
+  UniformGrid grid;
+  std::vector<Sensed> sensed;
+  std::uint64_t crowding = 0;  // see SortedPart
+};
+
+/// Chooses the cells: as large as a search is wide, or half of that in crowds. radius: m, of
+/// sensing; near: m, typical of relevant_range(); most: neighbors found farther away.
+void lay_out(const Fleet& fleet, double radius, double near, std::size_t most, Snapshot& snapshot);
+
+void prepare(const Fleet& fleet, Snapshot& snapshot);
+/// Parts may be taken at the same time, after prepare(). Returns the part's crowding.
+std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snapshot& snapshot);
+
+}  // namespace avo

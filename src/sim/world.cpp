@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Making a world, with room for all that its steps will need.
+#include "sim/world.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/parallel.h"
+#include "sim/goals.h"
+
+namespace avo {
+namespace {
+
+// Of any robot and what it may decide on.
+std::size_t most_braking_steps(const World& world) {
+  if (!world.all_matter()) return 0;
+  constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
+  const double braking_time = world.planner.step_rate() * world.planner.options().control_time;
+  double most = 0.0;
+  for (const RobotTraits& its : world.fleet.traits) {
+    most = std::max(most, its.max_speed / (its.max_acceleration * braking_time));
+  }
+  return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
+}
+
+// Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
+void reserve(const World& world, Worker& worker) {
+  constexpr std::size_t kMostAhead = 4096;  // of more, memory grows when it is needed
+  const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
+  worker.robots.reserve(std::min(robots, kMostAhead));
+  worker.obstacles.reserve(std::min(obstacles, kMostAhead));
+  std::size_t seen = std::min(robots + obstacles, kMostAhead);
+  if (!world.all_matter()) seen = std::min(seen, world.most_nearest());
+  const std::size_t together = std::min(kTileRobots, robots);
+  worker.slots.reserve(together);
+  worker.tile.reserve(together, std::min(together * seen, kTileNeighbors + seen));
+  worker.plan.reserve(seen, most_braking_steps(world));
+  reserve_together(together, std::min(together * seen, kTileNeighbors + seen), worker.plan);
+}
+
+}  // namespace
+
+World::World(const Scenario& scenario, int threads)
+    : settings(scenario), planner(planner_options(scenario)), response(step_response(planner)) {
+  workers.resize(static_cast<std::size_t>(threads > 0 ? threads : default_threads()));
+  fleet.reserve(scenario.robots.size());
+  for (const RobotSetup& setup : scenario.robots) fleet.add({next_id++}, setup);
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
+  settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
+  settings.moving_obstacles = std::vector<MovingObstacle>();
+  for (Worker& worker : workers) reserve(*this, worker);
+}
+
+std::size_t World::most_nearest() const {
+  const std::optional<int>& most = planner.options().max_neighbors;
+  return most ? static_cast<std::size_t>(*most) : std::numeric_limits<std::size_t>::max();
+}
+
+Robot World::robot(std::size_t slot) const {
+  const RobotTraits& its = fleet.traits[slot];
+  const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
+  Robot robot{p,
+              v,
+              preferred_velocity(p, v, its, goal, planner),
+              its.radius,
+              its.max_acceleration,
+              its.max_speed,
+              norm(goal - p),
+              {}};
+  if (its.wheelbase > 0.0) robot.car = CarSetup{its.wheelbase, fleet.heading[slot]};
+  return robot;
+}
+
+}  // namespace avo

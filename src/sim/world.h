@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that a simulation is made of, and its step.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "planner/relevance.h"
+#include "planner/tile.h"
+#include "robots/motion.h"
+#include "sim/fleet.h"
+#include "sim/snapshot.h"
+
+namespace avo {
+
+/// With ten neighbors each, what is planned at a time stays in the cache; and no more at a time
+/// than so many neighbors.
+inline constexpr std::size_t kTileRobots = 64, kTileNeighbors = 4096;
+
+/// What one worker needs to take robots through a step without allocating, and its sums. No two
+/// workers write to one line of the cache.
+struct alignas(128) Worker {
+  PlanWorkspace plan;
+  Tile tile;
+  std::vector<std::uint32_t> slots;  // of the robots of the tile
+  SearchScratch robots, obstacles;
+  double guess = 0.0;  // m, within which the last robot found its nearest neighbors
+  bool fast = false;   // moved a robot that exceeds its max_speed
+  std::uint64_t crowding = 0;
+
+  StageClock clock;
+  std::int64_t pairs = 0, infeasible = 0;
+};
+
+struct World {
+  Scenario settings;  // without its robots and obstacles
+  Planner planner;
+  StepResponse response;
+  Fleet fleet;
+  ObstacleColumns obstacles;
+  std::int64_t steps = 0;
+  std::uint64_t next_id = 0;
+
+  Snapshot snapshot;
+  UniformGrid obstacle_grid;
+  std::vector<Worker> workers;
+  bool changed = true;           // robots came or went
+  bool fast = false;             // some robot exceeds its max_speed
+  double near = 0.0;             // m, typical of Fleet::range
+  std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
+  std::int64_t robot_steps = 0;  // measured
+
+  World(const Scenario& scenario, int threads);
+
+  /// A single robot avoids movers by §III-C; among other robots they are neighbors that do not
+  /// decide.
+  bool alone() const { return fleet.size() == 1; }
+  /// Neighbors that the planner is given for being the nearest.
+  std::size_t most_nearest() const;
+  /// A certificate has to know all others within the sensing radius as well.
+  bool all_matter() const { return planner.options().certificate != Certificate::none; }
+  Robot robot(std::size_t slot) const;
+};
+
+/// One sensing-acting cycle of all robots.
+void step(World& world);
+
+}  // namespace avo

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who is beyond the relevant range, and not among the nearest, changes no bit of a decision.
+#include "planner/relevance.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "unit/planner/crowds.h"
+
+namespace avo {
+namespace {
+
+using test::Crowd;
+using test::Random;
+
+constexpr double kSensingRadius = 30.0;
+
+// One robot amid others of unequal sizes and limits, most of them as fast as they may be, some of
+// them coming straight at it, all within the sensing radius and in canonical order.
+Crowd crowd_of(Random& random, Certificate certificate, Motion motion) {
+  Crowd crowd;
+  crowd.options = default_options(Method::avo);
+  crowd.options.certificate = certificate;
+  crowd.options.motion = motion;
+  crowd.options.max_neighbors = 1 + random.below(4);
+  Robot& A = crowd.robot;
+  A.radius = random.log_uniform(0.2, 1.0);
+  A.max_acceleration = random.log_uniform(0.5, 2.0);
+  A.max_speed = random.uniform(0.3, 1.0) * 2.0 * A.max_acceleration;
+  A.velocity = A.max_speed * random.uniform(0.5, 1.0) * random.direction();
+  A.preferred_velocity = A.max_speed * random.direction();
+  if (random.below(3) == 0) A.distance_to_goal = A.radius * random.log_uniform(0.1, 30.0);
+  const int count = 1 + random.below(24);
+  const double spread = random.uniform(4.0, kSensingRadius);
+  for (int k = 0; k < count; ++k) {
+    Neighbor B;
+    B.radius = random.log_uniform(0.2, 1.0);
+    B.max_acceleration = random.log_uniform(0.5, 2.0);
+    const double top = random.uniform(0.3, 1.0) * 2.0 * B.max_acceleration;
+    const double gap = random.uniform(0.0, spread - 2.0);
+    const Vec2 direction = random.direction();
+    B.position = A.position + (A.radius + B.radius + gap) * direction;
+    const int kind = random.below(4);
+    B.velocity = kind == 0 ? Vec2{} : top * (kind == 1 ? random.direction() : -direction);
+    crowd.neighbors.push_back(B);
+  }
+  std::stable_sort(
+      crowd.neighbors.begin(), crowd.neighbors.end(), [&](const Neighbor& a, const Neighbor& b) {
+        return norm_squared(a.position - A.position) < norm_squared(b.position - A.position);
+      });
+  return crowd;
+}
+
+// A slow robot that a fast or a large one comes straight at; another one, behind it and nearer,
+// gets the only half-plane.
+Crowd duel(Random& random, Certificate certificate, Motion motion) {
+  Crowd crowd;
+  crowd.options = default_options(Method::avo);
+  crowd.options.certificate = certificate;
+  crowd.options.motion = motion;
+  crowd.options.max_neighbors = 1;
+  Robot& A = crowd.robot;
+  A.radius = 0.05;
+  A.max_speed = random.uniform(0.1, 0.5);
+  A.velocity = {A.max_speed, 0.0};
+  A.preferred_velocity = A.velocity;
+  Neighbor B;
+  B.radius = random.log_uniform(0.05, 2.0);
+  const double speed = random.below(2) == 0 ? 0.0 : random.uniform(1.0, 3.0);
+  B.velocity = {-speed, 0.0};
+  // contact, what both brake for, and what they cover until then
+  const double ways = 0.5 * (A.max_speed * A.max_speed + speed * speed) +
+                      (A.max_speed + speed) * crowd.options.time_step;
+  const double distance = A.radius + B.radius + random.uniform(0.0, 1.2) * (ways + 0.25 * B.radius);
+  B.position = {distance, 0.0};
+  Neighbor behind;
+  behind.radius = A.radius;
+  behind.position = {-0.9 * distance, 0.0};
+  crowd.neighbors = {behind, B};
+  return crowd;
+}
+
+Peers peers_of(const Crowd& crowd, const Planner& planner) {
+  Peers peers;
+  include(peers, planner, crowd.robot);
+  for (const Neighbor& B : crowd.neighbors) {
+    Robot robot;
+    robot.radius = B.radius;
+    robot.max_acceleration = B.max_acceleration;
+    robot.max_speed = norm(B.velocity);
+    include(peers, planner, robot);
+  }
+  return peers;
+}
+
+// The nearest max_neighbors, and all within a range.
+std::vector<Neighbor> relevant(const Crowd& crowd, double range) {
+  std::vector<Neighbor> kept;
+  for (const Neighbor& B : crowd.neighbors) {
+    if (kept.size() < static_cast<std::size_t>(*crowd.options.max_neighbors) ||
+        norm_squared(B.position - crowd.robot.position) <= range * range) {
+      kept.push_back(B);
+    }
+  }
+  return kept;
+}
+
+struct Decision {
+  Plan plan;
+  Detour detour;
+  friend bool operator==(const Decision& a, const Decision& b) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    return a.plan.new_velocity == b.plan.new_velocity &&
+           a.plan.acceleration == b.plan.acceleration && a.plan.status == b.plan.status &&
+           bits(a.plan.violation) == bits(b.plan.violation) &&
+           bits(a.detour.angle) == bits(b.detour.angle) &&
+           bits(a.detour.yielded) == bits(b.detour.yielded);
+  }
+};
+
+Decision decide(const Planner& planner, const Robot& robot, const std::vector<Neighbor>& neighbors,
+                const Detour& detour) {
+  PlanWorkspace workspace;
+  Decision decision{{}, detour};
+  decision.plan = planner.plan(robot, neighbors, workspace, decision.detour);
+  return decision;
+}
+
+struct Counts {
+  int dropped = 0, changed_by_a_cut = 0;
+};
+
+Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
+  Random random(seed);
+  Counts counts;
+  for (int k = 0; k < 4000 && !testing::Test::HasFailure(); ++k) {
+    const Crowd crowd =
+        k % 4 == 0 ? duel(random, certificate, motion) : crowd_of(random, certificate, motion);
+    const Planner planner(crowd.options);
+    const double range = relevant_range(planner, crowd.robot, peers_of(crowd, planner));
+    const Detour detour{random.uniform(0.0, 1.0), random.uniform(0.0, 2.0)};
+    const Decision all = decide(planner, crowd.robot, crowd.neighbors, detour);
+    const std::vector<Neighbor> kept = relevant(crowd, range);
+    EXPECT_EQ(decide(planner, crowd.robot, kept, detour), all) << crowd << "\nrange " << range;
+    counts.dropped += kept.size() < crowd.neighbors.size() ? 1 : 0;
+    const Decision cut = decide(planner, crowd.robot, relevant(crowd, 0.6 * range), detour);
+    counts.changed_by_a_cut += cut == all ? 0 : 1;
+  }
+  return counts;
+}
+
+TEST(Relevance, the_far_change_no_bit) {
+  for (const Motion motion : {Motion::held, Motion::exponential}) {
+    for (const Certificate certificate :
+         {Certificate::stopping_capsules, Certificate::braking_trajectories}) {
+      const Counts counts = compare(certificate, motion, 11);
+      EXPECT_GT(counts.dropped, 1000);
+      EXPECT_GT(counts.changed_by_a_cut, 20);  // the range is not generous beyond measure
+    }
+  }
+}
+
+TEST(Relevance, everyone_matters_where_nothing_bounds_it) {
+  PlannerOptions options = default_options(Method::avo);
+  const Robot robot;
+  Peers peers;
+  include(peers, Planner(options), robot);
+  EXPECT_TRUE(std::isinf(relevant_range(Planner(options), robot, peers)));  // all half-planes
+  options.max_neighbors = 10;
+  EXPECT_TRUE(std::isfinite(relevant_range(Planner(options), robot, peers)));
+  options.certificate = Certificate::linear_soft_stop;
+  EXPECT_TRUE(std::isinf(relevant_range(Planner(options), robot, peers)));
+  options = default_options(Method::avo_paper);
+  options.max_neighbors = 10;
+  EXPECT_EQ(relevant_range(Planner(options), robot, peers), 0.0);
+}
+
+}  // namespace
+}  // namespace avo
