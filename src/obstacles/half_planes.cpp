@@ -78,7 +78,7 @@ float not_below(double value, float) {
 template <typename Number>
 void PairColumns<Number>::reserve(std::size_t pairs) {
   for (std::vector<Number>* column : {&p_x, &p_y, &v_x, &v_y, &radius, &reach}) {
-    grow(*column, pairs + kMostLanes);
+    grow(*column, pairs + kSparePairs);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace avo {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
-inline constexpr std::size_t kMostLanes = 32;
+inline constexpr std::size_t kSparePairs = 32;
 
 /// Pairs in columns: see Pair, and reach = δ (a_A + a_B), m/s.
 template <typename Number>
