@@ -47,7 +47,7 @@ double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 
   const double range = traffic_range(robot), slow = kSlow * robot.max_speed;
   const double range_squared = range * range, slow_squared = slow * slow, per_range = 1.0 / range;
   constexpr std::size_t kTogether = 16;
-  std::array<double, kTogether> squared{};
+  std::array<double, kTogether> squared;  // of those that are picked
   double total = 0.0;
   for (std::size_t first = 0; first < neighbors.size(); first += kTogether) {
     std::size_t count = 0;
