@@ -130,6 +130,22 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
   collect_pair(pair, neighbor, static_cast<int>(index), law, walls, invariant);
 }
 
+// Those that decide and are not far. Returns whether there are others, that do not decide.
+bool gather(const Robot& robot, std::span<const Neighbor> neighbors, Whom whom, const Peers& peers,
+            NearColumns& near) {
+  near.count = 0;
+  near.reserve(neighbors.size());
+  bool has_movers = false;
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor& neighbor = neighbors[k];
+    const bool decides = neighbor.max_acceleration > 0.0;
+    has_movers = has_movers || !decides;
+    if (!decides || whom == Whom::movers) continue;
+    if (!peers.are_far(robot.position - neighbor.position, neighbor)) near.add(k, neighbor);
+  }
+  return has_movers;
+}
+
 BrakingPair kept_pair(const Robot& robot, const Braking& a, const NearColumns& near,
                       std::size_t k) {
   return {robot.position - Vec2{near.x[k], near.y[k]},
@@ -151,30 +167,25 @@ BrakingPair kept_pair(const Robot& robot, const Braking& a, const NearColumns& n
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom whom,
                    const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
   const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
-  const Deviation deviation = deviation_of(a, robot.car.has_value(), law);
-  const Peers peers = peers_of(robot, a, law);
-  walls.columns.count = walls.own_columns.count = walls.near.count = 0;
+  walls.columns.count = walls.own_columns.count = 0;
   walls.stays_at_rest = walls.has_cones = false;
   walls.own = a;
-  walls.near.reserve(neighbors.size());
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor& neighbor = neighbors[k];
-    if (neighbor.max_acceleration > 0.0) {
-      const bool matters =
-          whom == Whom::everyone && !peers.are_far(robot.position - neighbor.position, neighbor);
-      if (matters) walls.near.add(k, neighbor);
-      continue;
-    }
-    const BrakingPair pair = braking_pair(robot, neighbor, a, law);
-    if (cannot_meet(pair, neighbor, law)) continue;
-    if (norm(pair.p) < pair.contact + law.sensing_error.position) invariant.touched = true;
-    collect_close(pair, neighbor, k, deviation, law, walls, invariant);
-  }
+  const bool has_movers = gather(robot, neighbors, whom, peers_of(robot, a, law), walls.near);
+  if (walls.near.count == 0 && !has_movers) return;
+  const Deviation deviation = deviation_of(a, robot.car.has_value(), law);
   judge_pairs(robot, a, deviation, law, walls.near);
   for (std::size_t i = 0; i < walls.near.kept_count; ++i) {
     const std::size_t k = walls.near.kept[i], index = walls.near.index[k];
     collect_close(kept_pair(robot, a, walls.near, k), neighbors[index], index, deviation, law,
                   walls, invariant);
+  }
+  for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
+    const Neighbor& mover = neighbors[k];
+    if (mover.max_acceleration > 0.0) continue;
+    const BrakingPair pair = braking_pair(robot, mover, a, law);
+    if (cannot_meet(pair, mover, law)) continue;
+    if (norm(pair.p) < pair.contact + law.sensing_error.position) invariant.touched = true;
+    collect_close(pair, mover, k, deviation, law, walls, invariant);
   }
 }
 

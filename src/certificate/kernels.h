@@ -20,7 +20,7 @@
 
 namespace avo {
 
-inline constexpr std::array<double, kMostLanes> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+inline constexpr std::array<double, kWallLanes> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
 
 /// One pair whose walls are wanted.
 struct PairWalls {

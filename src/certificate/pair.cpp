@@ -39,8 +39,9 @@ Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law) {
   const double speed = a.profile.speed, u = a.profile.decrement;
   const double lead = law.time_step - law.lag;
   Deviation result;
-  result.fast = braking_profile(speed + u, u);
-  const double length = stopping_length(result.fast, law);
+  const auto fast = scalar::profile<Real>(speed + u, u);
+  const double length = scalar::stopping_length(fast, law).value;
+  result.fast = plain(fast);
   constexpr double kRounding = 1.0 + 0x1p-30;
   if (is_car) {
     // |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times the
@@ -51,10 +52,11 @@ Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law) {
     result.anyhow = {kRounding * lead * (speed + u), kRounding};
     result.most_aside = result.anyhow.start + kRounding * length;
   } else {
-    result.slow = braking_profile(speed - u, u);
+    const auto slow = scalar::profile<Real>(speed - u, u);
+    result.slow = plain(slow);
     result.ahead = {kRounding * 2.0 * lead * u, kRounding};
     result.across = {kRounding * lead * u, kRounding * u / (speed + u)};
-    const double gained = length - stopping_length(result.slow, law);
+    const double gained = length - scalar::stopping_length(slow, law).value;
     result.most_ahead = result.ahead.start + result.ahead.per_distance * gained;
     result.most_aside = result.across.start + result.across.per_distance * length;
   }

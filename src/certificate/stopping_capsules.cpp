@@ -53,6 +53,7 @@ void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, c
 }
 
 bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const StepLaw& law) {
+  if (walls.empty()) return true;
   const double length = stopping_length(path.braking, law);
   const Vec2 end = path.first + length * path.direction;
   return std::all_of(walls.begin(), walls.end(), [&](const CapsuleWall& wall) {

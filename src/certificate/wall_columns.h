@@ -11,7 +11,7 @@
 namespace avo {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
-inline constexpr std::size_t kMostLanes = 8;
+inline constexpr std::size_t kWallLanes = 8;
 
 /// Neighbors that decide and are not far: what is known of them, and of the pair with each where it
 /// is kept (see BrakingPair, Braking).
@@ -25,14 +25,14 @@ struct NearColumns {
   std::vector<std::uint32_t> kept;  ///< columns
 
   void reserve(std::size_t neighbors) {
-    if (x.size() >= neighbors + kMostLanes) return;
+    if (x.size() >= neighbors + kWallLanes) return;
     for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &contact, &inflated,
                          &error, &share, &speed, &decrement, &full_steps, &direction_x,
                          &direction_y, &length, &reach, &intervals}) {
-      column->resize(neighbors + kMostLanes, 1.0);
+      column->resize(neighbors + kWallLanes, 1.0);
     }
-    index.resize(neighbors + kMostLanes);
-    kept.resize(neighbors + kMostLanes);
+    index.resize(neighbors + kWallLanes);
+    kept.resize(neighbors + kWallLanes);
   }
   void add(std::size_t neighbor, const Neighbor& of) {
     index[count] = static_cast<std::uint32_t>(neighbor);
@@ -52,9 +52,9 @@ struct OwnColumns {
 
   /// Room for so many intervals, and where the last of them ends; allocates only while it grows.
   void reserve(std::size_t intervals) {
-    if (start_x.size() >= intervals + 1 + kMostLanes) return;
+    if (start_x.size() >= intervals + 1 + kWallLanes) return;
     for (auto* column : {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow}) {
-      column->resize(intervals + 1 + kMostLanes);
+      column->resize(intervals + 1 + kWallLanes);
     }
   }
 };
@@ -69,12 +69,12 @@ struct WallColumns {
   std::vector<int> neighbor;
 
   void reserve(std::size_t walls) {
-    if (normal_x.size() >= walls + kMostLanes) return;
+    if (normal_x.size() >= walls + kWallLanes) return;
     for (auto* column : {&normal_x, &normal_y, &cone, &bound, &offset[0], &offset[1], &offset[2],
                          &interval, &needs, &coefficient}) {
-      column->resize(walls + kMostLanes);
+      column->resize(walls + kWallLanes);
     }
-    neighbor.resize(walls + kMostLanes);
+    neighbor.resize(walls + kWallLanes);
   }
 };
 

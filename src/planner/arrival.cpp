@@ -4,7 +4,9 @@
 #include "planner/arrival.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace avo {
 namespace {
@@ -39,19 +41,32 @@ double traffic_range(const Robot& robot) {
   return std::max(4.0 * stopping_distance(robot), 8.0 * robot.radius);
 }
 
-// Robots ahead that close in or are nearly at rest, weighted by how near they are, 0 to 1.
+// Robots ahead that close in or are nearly at rest, weighted by how near they are, 0 to 1. Which
+// ones is not foreseeable: they are picked without a branch, some at a time.
 double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 way) {
   const double range = traffic_range(robot), slow = kSlow * robot.max_speed;
+  const double range_squared = range * range, slow_squared = slow * slow, per_range = 1.0 / range;
+  constexpr std::size_t kTogether = 16;
+  std::array<double, kTogether> squared;  // of those that are picked
   double total = 0.0;
-  for (const Neighbor& neighbor : neighbors) {
-    const Vec2 towards = neighbor.position - robot.position;
-    if (dot(towards, way) <= 0.0 || norm_squared(towards) >= range * range) continue;
-    const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
-    if (!closing && norm_squared(neighbor.velocity) >= slow * slow) continue;
-    total += (1.0 - norm(towards) / range) / kCongestion;
-    if (total >= 1.0) return 1.0;
+  for (std::size_t first = 0; first < neighbors.size(); first += kTogether) {
+    std::size_t count = 0;
+    for (const Neighbor& neighbor :
+         neighbors.subspan(first, std::min(kTogether, neighbors.size() - first))) {
+      const Vec2 towards = neighbor.position - robot.position;
+      const bool ahead = dot(towards, way) > 0.0;
+      const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
+      const bool rests = norm_squared(neighbor.velocity) < slow_squared;
+      squared[count] = norm_squared(towards);
+      const bool near = squared[count] < range_squared;
+      count += static_cast<std::size_t>(near & ahead & (closing | rests));
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      total += 1.0 - per_range * std::sqrt(squared[k]);
+      if (total >= kCongestion) return 1.0;
+    }
   }
-  return total;
+  return total / kCongestion;
 }
 
 }  // namespace
@@ -61,10 +76,10 @@ double arrival_range(const Robot& robot, double largest_radius) {
 }
 
 Vec2 turned_right(Vec2 a, double angle) {
-  // t = tan(angle / 2) by its continued fraction; any t makes a rotation
+  // tan(angle / 2) = t/u by its continued fraction; any t and u make a rotation
   const double x = 0.5 * angle, xx = x * x;
-  const double t = x / (1.0 - xx / (3.0 - xx / (5.0 - xx / (7.0 - xx / 9.0))));
-  const double c = (1.0 - t * t) / (1.0 + t * t), s = 2.0 * t / (1.0 + t * t);
+  const double t = x * (945.0 - xx * (105.0 - xx)), u = 945.0 - xx * (420.0 - 15.0 * xx);
+  const double both = t * t + u * u, c = (u * u - t * t) / both, s = 2.0 * t * u / both;
   return {c * a.x + s * a.y, c * a.y - s * a.x};
 }
 
@@ -89,6 +104,7 @@ Vec2 give_way(const Robot& robot, std::span<const Neighbor> neighbors, double ti
     const double weight = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
     push = push + (weight * nearness / distance) * away;
   }
+  if (push == Vec2{} && detour.yielded == 0.0) return push;
   const double elapsed = time_step / time_to_speed(robot);
   const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;
   detour.yielded = near_goal && push != Vec2{}

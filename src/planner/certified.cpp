@@ -33,6 +33,16 @@ ProgramResult propose(const Proposals& proposals, double top_speed) {
                        proposals.wanted, proposals.workspace.projected);
 }
 
+// What a program without half-planes would return.
+bool is_within_limits(const Proposals& proposals) {
+  const auto within = [](Vec2 a, double radius) {
+    constexpr double kRounding = 1.0 + 0x1p-49;  // as that of the program
+    return norm_squared(a) <= kRounding * radius * radius;
+  };
+  return within(proposals.wanted - proposals.robot.velocity, proposals.acceleration.radius) &&
+         within(proposals.wanted, proposals.robot.max_speed);
+}
+
 bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
   return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.walls);
 }
@@ -62,7 +72,9 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   proposals.workspace.hard.clear();
   const double top_speed = proposals.robot.max_speed;
   for (int round = 0; round < kRounds; ++round) {
-    const ProgramResult result = propose(proposals, top_speed);
+    ProgramResult result;
+    result.point = proposals.wanted;
+    if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, top_speed);
     if (result.state == ProgramState::discs_disjoint) break;
     if (is_admitted(proposals, result.point)) {
       return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};

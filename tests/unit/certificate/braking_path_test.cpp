@@ -55,8 +55,7 @@ TEST(BrakingPath, distances_are_those_of_stepping) {
       const Vec2 p = s.a.position;
       EXPECT_LE(norm(p + path.first - expected[0][2]), 1e-12);
       for (std::size_t m = 0; m < 40; ++m) {
-        const auto [start, middle, end] =
-            braking_distances(path.braking, law, static_cast<int>(m));
+        const auto [start, middle, end] = braking_distances(path.braking, law, static_cast<int>(m));
         const std::array<double, 3> along{start, middle, end};
         for (std::size_t k = 0; k < 3; ++k) {
           EXPECT_LE(norm(p + path.first + along[k] * path.direction - expected[m + 1][k]), 1e-11);

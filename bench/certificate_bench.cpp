@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time of the certificate alone: the walls of ten near neighbors, one admission, a whole choice
+// that is admitted at once or refused.
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "planner/certified.h"
+#include "planner/scratch.h"
+
+namespace avo {
+namespace {
+
+constexpr int kNeighbors = 10;
+constexpr double kSpeed = 1.5;
+
+double uniform(std::uint64_t& state, double a, double b) {
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return a + (b - a) * (static_cast<double>(state >> 11) * 0x1p-53);
+}
+
+// A robot on its way among others within 5 m, whom it is about to drive into or who go with it.
+struct Scene {
+  Robot robot;
+  std::vector<Neighbor> neighbors;
+  Vec2 wanted;
+};
+
+enum class Traffic : std::int64_t { along, across };
+
+Scene random_scene(std::uint64_t& state, Traffic traffic) {
+  Scene scene;
+  scene.robot.velocity = {kSpeed, 0.0};
+  scene.wanted = {kSpeed + 0.05, 0.0};
+  while (scene.neighbors.size() < kNeighbors) {
+    const double angle = uniform(state, 0.0, 2.0 * std::numbers::pi);
+    const double heading = traffic == Traffic::along ? uniform(state, -0.1, 0.1)
+                                                     : uniform(state, 0.0, 2.0 * std::numbers::pi);
+    const double distance = uniform(state, traffic == Traffic::along ? 2.0 : 1.5, 5.0);
+    const double speed = traffic == Traffic::along ? kSpeed : 0.4 * kSpeed;
+    scene.neighbors.push_back({distance * Vec2{std::cos(angle), std::sin(angle)},
+                               speed * Vec2{std::cos(heading), std::sin(heading)},
+                               0.5,
+                               1.0,
+                               {}});
+  }
+  return scene;
+}
+
+CertificateLaw law() {
+  return certificate_law(Planner({}));
+}
+
+// Scenes whose invariant holds, and whose wish is admitted or not.
+std::vector<Scene> scenes(Traffic traffic, bool admitted) {
+  std::uint64_t state = 2025;
+  std::vector<Scene> found;
+  CertificateWalls walls;
+  while (found.size() < 1024) {  // so many that no branch can be learned
+    Scene scene = random_scene(state, traffic);
+    collect_walls(scene.robot, scene.neighbors, law(), walls);
+    if (walls.invariant.broken >= 0) continue;
+    if (admits(scene.robot, scene.wanted, law(), walls) == admitted) found.push_back(scene);
+  }
+  return found;
+}
+
+void walls_of_ten(benchmark::State& state) {
+  const std::vector<Scene> all = scenes(Traffic{state.range(0)}, true);
+  const CertificateLaw agreed = law();
+  CertificateWalls walls;
+  std::size_t k = 0, count = 0, decisions = 0;
+  for (auto _ : state) {
+    collect_walls(all[k].robot, all[k].neighbors, agreed, walls);
+    count += walls.trajectories.columns.count;
+    ++decisions;
+    k = (k + 1) % all.size();
+  }
+  state.counters["walls"] = static_cast<double>(count) / static_cast<double>(decisions);
+}
+BENCHMARK(walls_of_ten)->ArgName("across")->Arg(0)->Arg(1);
+
+void admission(benchmark::State& state) {
+  const std::vector<Scene> all = scenes(Traffic::across, true);
+  const CertificateLaw agreed = law();
+  std::vector<CertificateWalls> walls(all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    collect_walls(all[k].robot, all[k].neighbors, agreed, walls[k]);
+  }
+  std::size_t k = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(admits(all[k].robot, all[k].wanted, agreed, walls[k]));
+    k = (k + 1) % all.size();
+  }
+}
+BENCHMARK(admission);
+
+void choice(benchmark::State& state, bool admitted) {
+  const std::vector<Scene> all = scenes(Traffic::across, admitted);
+  const CertificateLaw agreed = law();
+  CertifiedWorkspace workspace;
+  std::size_t k = 0;
+  for (auto _ : state) {
+    collect_walls(all[k].robot, all[k].neighbors, agreed, workspace.walls);
+    benchmark::DoNotOptimize(choose_certified(all[k].robot, all[k].wanted, agreed, workspace));
+    k = (k + 1) % all.size();
+  }
+}
+BENCHMARK_CAPTURE(choice, admitted, true);
+BENCHMARK_CAPTURE(choice, refused, false);
+
+}  // namespace
+}  // namespace avo

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walls and admission have the same bits whatever the instruction set, and nothing that is left out
+// can refuse: no candidate's path gets farther from braking than it is counted on.
+#include <bit>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "certificate/kernels.h"
+#include "core/simd_target.h"
+#include "situations.h"
+
+namespace avo::test {
+namespace {
+
+constexpr Certificate kS3 = Certificate::braking_trajectories;
+
+// A robot and a few neighbors, one of whom may be a mover; now and then with sensing errors.
+struct Crowd {
+  CertificateLaw law;
+  Robot robot;
+  std::vector<Neighbor> neighbors;
+  std::vector<Vec2> candidates;
+};
+
+Crowd random_crowd(Random& random) {
+  const Motion motion = random.below(2) == 0 ? Motion::held : Motion::exponential;
+  PlannerOptions options = random_options(random, kS3, motion);
+  if (random.below(4) == 0) options.sensing_error = {0.01, 0.02};
+  Crowd crowd{law_of(options), random_body(random), {}, {}};
+  crowd.robot.position = in_disc(random, 5.0);
+  const int count = 1 + random.below(20);
+  for (int k = 0; k < count; ++k) {
+    Robot other = random_body(random);
+    const double gap = random.log_uniform(1e-4, 6.0);
+    other.position =
+        crowd.robot.position + (crowd.robot.radius + other.radius + gap) * random.direction();
+    crowd.neighbors.push_back(seen(other));
+    if (random.below(10) == 0) {
+      crowd.neighbors.back().max_acceleration = 0.0;
+      crowd.neighbors.back().acceleration = in_disc(random, 1.0);
+    }
+  }
+  const double u = braking_decrement(crowd.robot.max_acceleration, crowd.law.step);
+  for (int k = 0; k < 4; ++k) crowd.candidates.push_back(crowd.robot.velocity + in_disc(random, u));
+  return crowd;
+}
+
+// Everything that a decision rests on.
+std::vector<std::uint64_t> bits_of(const Crowd& crowd) {
+  std::vector<std::uint64_t> all;
+  const auto add = [&all](double number) { all.push_back(std::bit_cast<std::uint64_t>(number)); };
+  CertificateWalls walls;
+  collect_walls(crowd.robot, crowd.neighbors, crowd.law, walls);
+  add(walls.invariant.slack);
+  for (const TrajectoryWall& wall : all_walls(walls.trajectories)) {
+    add(wall.neighbor), add(wall.interval), add(wall.only_in_motion ? 1.0 : 0.0);
+    add(wall.normal.x), add(wall.normal.y), add(wall.cone), add(wall.bound);
+    for (const double offset : wall.offset) add(offset);
+  }
+  for (const Vec2 candidate : crowd.candidates) {
+    add(admits(crowd.robot, candidate, crowd.law, walls) ? 1.0 : 0.0);
+    const WorstWall worst = worst_wall(walls.trajectories, walls.path, crowd.law.step);
+    add(worst.coefficient), add(worst.point), add(worst.lean.x), add(worst.lean.y);
+  }
+  return all;
+}
+
+TEST(CertificateLanes, have_the_bits_of_the_scalar_text) {
+  const std::string before = simd_target();
+  std::vector<std::vector<std::uint64_t>> expected;
+  ASSERT_TRUE(use_simd_target("scalar"));
+  for (const char* target : simd_targets()) {
+    Random random(41);
+    std::size_t numbers = 0;
+    for (std::size_t i = 0; i < 2000; ++i) {
+      const Crowd crowd = random_crowd(random);
+      if (expected.size() <= i) expected.push_back(bits_of(crowd));
+      ASSERT_TRUE(use_simd_target(target));
+      ASSERT_EQ(bits_of(crowd), expected[i]) << target << ", crowd " << i;
+      ASSERT_TRUE(use_simd_target("scalar"));
+      numbers += expected[i].size();
+    }
+    EXPECT_GT(numbers, 200000U);
+  }
+  use_simd_target(before);
+}
+
+// Of every candidate, at every point of every interval, along any normal.
+TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
+  Random random(42);
+  int slow = 0, tight = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const PairSituation s =
+        random_pair(random, kS3, i % 2 == 0 ? Motion::held : Motion::exponential);
+    const StepLaw& law = s.law.step;
+    const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, law);
+    const Deviation deviation = deviation_of(a, false, law);
+    OwnColumns own;
+    own.count = std::min<std::size_t>(static_cast<std::size_t>(a.intervals), 100);
+    own.reserve(own.count);
+    fill_own(a, deviation, law, own);
+    const Vec2 next = random_choice(random, s), n = random.direction();
+    const auto x = stepped_braking(s.a, law, static_cast<int>(own.count));
+    const auto y = stepped_path(s.a, next, law, static_cast<int>(own.count));
+    const double against = std::max(-dot(n, a.direction), 0.0);
+    const double aside = std::abs(cross(n, a.direction));
+    slow += a.profile.speed < a.profile.decrement ? 1 : 0;
+    for (std::size_t m = 0; m < own.count; ++m) {
+      const double most = against * own.ahead[m] + aside * own.across[m] + own.anyhow[m];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double loss = -dot(n, y[m][k] - x[m][k]);
+        EXPECT_LE(loss, most + 1e-12);
+        tight += loss > 0.9 * most ? 1 : 0;
+      }
+      EXPECT_LE(own.ahead[m], deviation.most_ahead * (1.0 + 1e-12));
+      EXPECT_LE(own.across[m] + own.anyhow[m], deviation.most_aside * (1.0 + 1e-12));
+    }
+  }
+  EXPECT_GT(slow, 500);
+  EXPECT_GT(tight, 500);
+}
+
+}  // namespace
+}  // namespace avo::test
