@@ -74,8 +74,8 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     const Vec<Real> n = frame.turned_back(last.plane.n);
     n.x.store(&planes.n_x[i]);
     n.y.store(&planes.n_y[i]);
-    const auto beyond_reach = last.plane.h > R;
     const auto free = frame.too_far | (last.nearest & (last.plane.h <= -R));
+    const auto beyond_reach = (last.plane.h > R) & (!free);
     const Real none = -std::numeric_limits<typename Real::Number>::infinity();
     select(free, none, select(beyond_reach, R, last.plane.h)).store(&planes.h[i]);
     select(beyond_reach, last.plane.h - R, Real(0.0)).store(&planes.excess[i]);
@@ -182,6 +182,7 @@ void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon&
       if (is_settled && (free >> k & 1U) != 0) {
         planes.state[static_cast<std::size_t>(index[k])] = PairState::free;
         planes.h[static_cast<std::size_t>(index[k])] = -std::numeric_limits<Number>::infinity();
+        planes.excess[static_cast<std::size_t>(index[k])] = Number(0);
       }
     }
   }
