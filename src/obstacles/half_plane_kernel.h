@@ -160,7 +160,8 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
   constexpr Number kRounding = 4 * std::numeric_limits<Number>::epsilon();
   found = at(table, max(found.time, Real(kRounding) * course.t_m));
-  Real h = (pair.r - x) / found.gain;
+  const Real r = demanding_radius(pair, tau);
+  Real h = (r - x) / found.gain;
   const auto touching = pair.r - x < Real(1e-7) * pair.r;
   h = select(touching, max(h, course.speed * (sigma * per_x) * found.per_rate), h);
   Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
@@ -172,6 +173,6 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   const Vec<Real> side = cosine * course.u + sine * course.e;
   n.x = select(head_on, side.x, n.x);
   n.y = select(head_on, side.y, n.y);
-  h = select(head_on, (pair.r - sine * course.b) / latest.gain, h);
+  h = select(head_on, (r - sine * course.b) / latest.gain, h);
   return {n, h};
 }
