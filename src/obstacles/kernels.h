@@ -20,9 +20,10 @@ namespace avo {
 
 // Of Newton's iterations; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
-// Relative; every use is of second order in the time or in σ.
+// Relative; its use is of second order in the time.
 template <typename Number>
 constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-7 : 1e-4;
+// Relative, of Newton's last step in σ, which leaves about its square.
 template <typename Number>
 constexpr double kConvexTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-4;
 // Of the series of u + e^{-u} - 1 up to u = 1/32: to u^9, 2^-58 of it, and to u^5, 2^-28.

@@ -16,15 +16,18 @@ using test::Batch;
 using test::Random;
 using test::Situation;
 
-constexpr int kBatches = 400;
+constexpr int kBatches = 600;
 constexpr std::size_t kSize = 256;
 
 template <typename Number>
 class HalfPlanesIn : public testing::Test {
  protected:
   static constexpr bool kSingle = std::is_same_v<Number, float>;
-  // Of r. What double precision forgoes near contact; single precision rounds offsets up.
-  static constexpr double kOverlap = kSingle ? 1e-9 : 1e-7;
+  // Of r. Double precision is off by as much near contact, where single precision takes its answer
+  // too; elsewhere that is never below.
+  static double overlap(const Pair& pair) {
+    return kSingle && norm(pair.position) > 1.001 * pair.radius ? 1e-9 : 1e-7;
+  }
   // |sin| up to which p and v are parallel: kTie, and its rounding.
   static constexpr double kParallel = kSingle ? 2e-6 : 2e-9;
 
@@ -66,7 +69,7 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
       const Obstacle obstacle = test::obstacle_of(s);
       const auto expect_apart = [&](Vec2 w) {
         const double distance = closest_approach(obstacle, s.pair.velocity + w).distance;
-        EXPECT_GE(distance, s.pair.radius * (1.0 - this->kOverlap))
+        EXPECT_GE(distance, s.pair.radius * (1.0 - this->overlap(s.pair)))
             << "w " << w.x << ", " << w.y << " h " << found.plane.offset << "\n"
             << s;
       };
@@ -88,7 +91,7 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
       if (dot(n, w) >= found.plane.offset) expect_apart(w);
     }
   }
-  EXPECT_GT(constrained, 50'000);
+  EXPECT_GT(constrained, 40'000);
   EXPECT_GT(free, 5'000);
 }
 
