@@ -69,6 +69,9 @@ struct Approach {
   Real speed, per_speed, t_m, b;  // m/s, s/m, s, m; b < 0 only in a tie
   Vec<Real> u, e;                 // û, ê
 
+  AVO_KERNEL Real time(Real sigma, Real tau) const {
+    return min(max(t_m - sigma * per_speed, Real(0.0)), tau);
+  }
   // m = |v| (t_m - s): n . y = r reads (σ m + b²)/|x| = r where n = x/|x|
   AVO_KERNEL Real m(const At<Real>& at) const { return speed * (t_m - at.lag); }
 };
@@ -104,14 +107,14 @@ AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& appro
 // kink near t_m): Newton's iteration, guarded by bisection.
 template <typename Real>
 AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
-                               const ResponseTable<typename Real::Number>& table, At<Real>& found) {
+                               const ResponseTable<typename Real::Number>& table) {
   const Real tau = table.end, b2 = approach.b * approach.b;
   Real low = max(Real(0.0), approach.speed * (approach.t_m - tau));
   Real high = approach.speed * approach.t_m;
   Real sigma = first_sigma(pair, approach, cosine, table, low, high);
   auto active = pair.r > Real(0.0);
   for (int i = 0; i < kMaxIterations; ++i) {
-    found = at(table, min(max(approach.t_m - sigma * approach.per_speed, Real(0.0)), tau));
+    const At<Real> found = at(table, approach.time(sigma, tau));
     const Real m = approach.m(found);
     const Real x2 = sigma * sigma + b2;
     const Real x = sqrt(x2), per_x = inverse(x);
@@ -125,14 +128,14 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
     const Real slope = (b2 * (m - sigma) * per_x * per_x + sigma * lag_rate) * per_x;
     const auto rises = slope > Real(0.0);
     const Real newton = sigma - excess / select(rises, slope, Real(1.0));
-    // of second order in what follows; the guard would bisect where rounding is all that is left
-    active =
-        active &
-        ((!rises) | (abs(newton - sigma) > Real(kConvexTolerance<typename Real::Number>) * sigma));
-    const Real next =
-        select(rises & (newton > low) & (newton < high), newton, Real(0.5) * (low + high));
-    if (!any(active)) break;
+    // the last step is taken too, but for the guard's, where rounding is all that is left
+    const auto moves =
+        (!rises) | (abs(newton - sigma) > Real(kConvexTolerance<typename Real::Number>) * sigma);
+    const Real next = select(rises & (newton > low) & (newton < high), newton,
+                             select(moves, Real(0.5) * (low + high), sigma));
     sigma = select(active, next, sigma);
+    active = active & moves;
+    if (!any(active)) break;
   }
   return sigma;
 }
@@ -146,15 +149,15 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   const At<Real> latest = at(table, min(course.t_m, tau));
   const Real cosine = pair.r / course.m(latest);
 
-  At<Real> found;
   const Real sigma = solve_approach(
-      pair, course, min((pair.r - abs(course.b)) / course.m(latest), Real(0.95)), table, found);
+      pair, course, min((pair.r - abs(course.b)) / course.m(latest), Real(0.95)), table);
   const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = inverse(x);
   // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
   // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
   constexpr Number kRounding = 4 * std::numeric_limits<Number>::epsilon();
-  found = at(table, max(found.time, Real(kRounding) * course.t_m));
-  Real h = (pair.r - x) / found.gain;
+  const At<Real> found = at(table, max(course.time(sigma, tau), Real(kRounding) * course.t_m));
+  const Real r = demanding_radius(pair, tau);
+  Real h = (r - x) / found.gain;
   const auto touching = pair.r - x < Real(1e-7) * pair.r;
   h = select(touching, max(h, course.speed * (sigma * per_x) * found.per_rate), h);
   Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
@@ -166,6 +169,6 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   const Vec<Real> side = cosine * course.u + sine * course.e;
   n.x = select(head_on, side.x, n.x);
   n.y = select(head_on, side.y, n.y);
-  h = select(head_on, (pair.r - sine * course.b) / latest.gain, h);
+  h = select(head_on, (r - sine * course.b) / latest.gain, h);
   return {n, h};
 }

@@ -3,9 +3,9 @@
 // namespace that has Pack, once per instruction set.
 // clang-format off
 #include "obstacles/response_kernel.h"
+#include "obstacles/single_kernel.h"
 #include "obstacles/half_plane_kernel.h"
 #include "obstacles/horn_kernel.h"
-#include "obstacles/single_kernel.h"
 #include "obstacles/half_planes_kernel.h"
 #include "obstacles/shares_kernel.h"
 // clang-format on

@@ -73,13 +73,19 @@ bool has_plane(PairState state) {
 }
 
 // The least number of this type that is not below.
-double not_below(double value, double) {
-  return value;
-}
-float not_below(double value, float) {
-  const auto rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
+template <typename Number>
+Number not_below(double value) {
+  const auto rounded = static_cast<Number>(value);
+  return rounded < value ? std::nextafter(rounded, std::numeric_limits<Number>::infinity())
                          : rounded;
+}
+
+// A normal narrowed to float turns by half an ulp at most, which moves no w within reach farther.
+double offset_of_narrowed(double h, double) {
+  return h;
+}
+float offset_of_narrowed(double h, float reach) {
+  return std::min(not_below<float>(h + 0x1p-24 * static_cast<double>(reach)), reach);
 }
 
 }  // namespace
@@ -89,6 +95,7 @@ void PairColumns<Number>::reserve(std::size_t pairs) {
   for (std::vector<Number>* column : {&p_x, &p_y, &v_x, &v_y, &radius, &reach}) {
     grow(*column, pairs + kSparePairs);
   }
+  if constexpr (std::is_same_v<Number, float>) grow(wide, pairs);
 }
 
 template <typename Number>
@@ -114,15 +121,14 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
   workspace.cases.rest = workspace.rest.count;
   for (std::size_t k = 0; k < workspace.rest.count; ++k) {
     const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
-    const RelativeHalfPlane plane =
-        half_plane({{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]},
-                   pairs.reach[i], horizon);
+    const PairInReach exact = pairs.at(i);
+    const RelativeHalfPlane plane = half_plane(exact.pair, exact.reach, horizon);
     planes.state[i] = plane.state;
     planes.n_x[i] = static_cast<Number>(plane.plane.normal.x);
     planes.n_y[i] = static_cast<Number>(plane.plane.normal.y);
-    planes.h[i] = has_plane(plane.state) ? not_below(plane.plane.offset, Number())
+    planes.h[i] = has_plane(plane.state) ? offset_of_narrowed(plane.plane.offset, pairs.reach[i])
                                          : -std::numeric_limits<Number>::infinity();
-    planes.excess[i] = not_below(plane.excess, Number());
+    planes.excess[i] = not_below<Number>(plane.excess);
   }
 }
 

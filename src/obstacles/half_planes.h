@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "avo/half_plane.h"
@@ -14,18 +15,35 @@ namespace avo {
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kSparePairs = 32;
 
-/// Pairs in columns: see Pair, and reach = δ (a_A + a_B), m/s.
+struct PairInReach {
+  Pair pair;
+  double reach;  // δ (a_A + a_B), m/s
+};
+
+/// Pairs in columns; single precision has what it was narrowed from beside them.
 template <typename Number>
 struct PairColumns {
   std::size_t count = 0;
   std::vector<Number> p_x, p_y, v_x, v_y, radius, reach;
+  std::vector<PairInReach> wide;  // of float only
 
   /// Room for so many; allocates only while it grows.
   void reserve(std::size_t pairs);
   void put(std::size_t i, Vec2 p, Vec2 v, double r, double R) {
     p_x[i] = static_cast<Number>(p.x), p_y[i] = static_cast<Number>(p.y);
     v_x[i] = static_cast<Number>(v.x), v_y[i] = static_cast<Number>(v.y);
-    radius[i] = static_cast<Number>(r), reach[i] = static_cast<Number>(R);
+    radius[i] = static_cast<Number>(r);
+    if constexpr (std::is_same_v<Number, float>) {
+      reach[i] = static_cast<float>(R * (1.0 + 0x1p-23));  // not below
+      wide[i] = {{p, v, r}, R};
+    } else {
+      reach[i] = R;
+    }
+  }
+  void add(Vec2 p, Vec2 v, double r, double R) { put(count++, p, v, r, R); }
+  [[nodiscard]] PairInReach at(std::size_t i) const {
+    if constexpr (std::is_same_v<Number, float>) return wide[i];
+    return {{{p_x[i], p_y[i]}, {v_x[i], v_y[i]}, radius[i]}, reach[i]};
   }
 };
 

@@ -27,7 +27,9 @@ AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const 
   Frame<Real> frame;
   frame.side = select(across < tie, Real(-1.0), Real(1.0));
   frame.e = per_d * p;
-  frame.local = {d, {dot(p, v) * per_d, frame.side * across * per_d}, r, R};
+  frame.local =
+      widened<Real>({d, {dot(p, v) * per_d, frame.side * across * per_d}, r, R}, end.time);
+  r = frame.local.r;
   frame.in_contact = (d < r) | !(d > Real(0.0));
   // too far to touch before τ whatever both do: |p + t v| > r + R g(t) on the whole window
   frame.too_far = d - r > speed * Real(end.time) + R * Real(end.gain);
@@ -63,8 +65,7 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     const Frame<Real> frame = frame_of<Real>({Real::load(&pairs.p_x[i]), Real::load(&pairs.p_y[i])},
                                              {Real::load(&pairs.v_x[i]), Real::load(&pairs.v_y[i])},
                                              Real::load(&pairs.radius[i]), R, end);
-    Tip<Real> last = tip(frame.local, end);
-    last.plane = rounded_up(frame.local, last.plane);
+    const Tip<Real> last = tip(frame.local, end);
     frame.local.d.store(&work.d[i]);
     frame.local.v.x.store(&work.v_x[i]);
     frame.local.v.y.store(&work.v_y[i]);
@@ -89,7 +90,7 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       open &= ~lanes;
       return lanes;
     };
-    push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local))));
+    push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local, Real(end.time)))));
     set_state<Real>(planes, i, take(bits(free)), PairState::free);
     const std::uint32_t tips = take(bits(last.nearest));
     set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
@@ -102,12 +103,13 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
 template <typename Real>
 AVO_KERNEL Frame<Real> queued_frame(const PairColumns<typename Real::Number>& pairs,
                                     const HalfPlaneWorkspace<typename Real::Number>& work,
-                                    Real index) {
+                                    Real index, Real tau) {
   Frame<Real> frame;
   frame.local = {lookup(work.d.data(), index),
                  {lookup(work.v_x.data(), index), lookup(work.v_y.data(), index)},
                  lookup(pairs.radius.data(), index),
                  lookup(pairs.reach.data(), index)};
+  frame.local = widened(frame.local, tau);
   frame.e = {lookup(work.e_x.data(), index), lookup(work.e_y.data(), index)};
   frame.side = lookup(work.side.data(), index);
   return frame;
@@ -153,9 +155,9 @@ void solve_convex(const PairColumns<typename Real::Number>& pairs, const Horizon
   fill_up<Real>(work.convex);
   for (std::size_t i = 0; i < work.convex.count; i += Real::kLanes) {
     const Number* index = &work.convex.index[i];
-    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index));
-    put(frame, rounded_up(frame.local, convex(frame.local, table)), index,
-        std::min(Real::kLanes, work.convex.count - i), planes);
+    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
+    put(frame, convex(frame.local, table), index, std::min(Real::kLanes, work.convex.count - i),
+        planes);
   }
 }
 
@@ -172,9 +174,9 @@ void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon&
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
     const Number* index = &queue.index[i];
     const std::size_t lanes = std::min(Real::kLanes, queue.count - i);
-    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index));
+    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
     const HornPlane<Real> result = horn(frame.local, horizon.end(), table, look);
-    put(frame, rounded_up(frame.local, result.plane), index, lanes, planes);
+    put(frame, result.plane, index, lanes, planes);
     const std::uint32_t settled = bits(result.settled), free = bits(result.free);
     for (std::size_t k = 0; k < lanes; ++k) {
       const bool is_settled = (settled >> k & 1U) != 0;

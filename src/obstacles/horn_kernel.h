@@ -20,7 +20,12 @@ struct Horn {
   Local<Real> pair;
   Real speed, gap, along, v2;  // |v|, |p|² - r², p . v, |v|²
 
-  AVO_KERNEL Real beyond(Real t) const {  // |p + t v|² - r², of small terms in contact
+  // |p + t v|² - r²: of small terms in contact, which single precision leaves to double
+  AVO_KERNEL Real beyond(Real t) const {
+    if constexpr (kSingle<Real>) {
+      const Real x = norm(Vec<Real>{pair.d + t * pair.v.x, t * pair.v.y});
+      return (x - pair.r) * (x + pair.r);
+    }
     return gap + t * (Real(2.0) * along + t * v2);
   }
 };
@@ -63,9 +68,12 @@ template <typename Real>
 AVO_KERNEL TwoPoints<Real> circle_points(const Horn<Real>& horn, const At<Real>& at) {
   const Vec<Real> x = horn.pair.x(at);
   const Real R = horn.pair.R, length = norm(x), gain_R = at.gain * R;
-  const Real cosine = -(horn.beyond(at.time) + gain_R * gain_R) / (Real(2.0) * gain_R * length);
-  const Real c = min(max(cosine, Real(-1.0)), Real(1.0));
-  const Real s = sqrt((Real(1.0) - c) * (Real(1.0) + c));
+  // 1 + cosine in the triangle of sides gR, |x| and r, which may be thin
+  const Real r = horn.pair.r;
+  const Real near = gain_R - horn.beyond(at.time) / (length + r);  // r - |x| + gR
+  const Real k = near * (r + (length - gain_R)) / (Real(2.0) * gain_R * length);
+  const Real above = min(max(k, Real(0.0)), Real(2.0));
+  const Real c = above - Real(1.0), s = sqrt(above * (Real(2.0) - above));
   const Vec<Real> u = (R * inverse(length)) * x;
   return {{c * u.x - s * u.y, c * u.y + s * u.x}, {c * u.x + s * u.y, c * u.y - s * u.x}};
 }

@@ -25,9 +25,10 @@ constexpr int kMaxIterations = 64;
 enum class Look : unsigned char { quickly, closely };
 // Of the near side that a walk along it looks at.
 constexpr int kMaxPieces = 24;
-// Relative; every use is of second order in the time or in σ.
+// Relative; its use is of second order in the time.
 template <typename Number>
 constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-7 : 1e-4;
+// Relative, of Newton's last step in σ, which leaves about its square.
 template <typename Number>
 constexpr double kConvexTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-4;
 // Of the series of u + e^{-u} - 1 up to u = 1/32: to u^9, 2^-58 of it, and to u^5, 2^-28.
@@ -42,6 +43,8 @@ constexpr double kTie = std::is_same_v<Number, double> ? 1e-9 : 1e-6;
 // Of r: nearer than this, what is left is of the order of rounding.
 template <typename Number>
 constexpr double kContact = std::is_same_v<Number, double> ? 1e-9 : 1e-2;
+// Of d + |v| τ: what single precision may do to a path; and of that, the gap that is told apart.
+constexpr double kBlur = 0x1p-20, kDoubt = 64.0;
 // m/s; slower is at rest.
 template <typename Number>
 constexpr double kSlowest = std::is_same_v<Number, double> ? 1e-100 : 1e-18;

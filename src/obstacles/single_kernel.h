@@ -1,14 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// What single precision costs: offsets are rounded to the safe side by what rounding may have done
-// to them (docs/performance.md), and pairs too near for that are left to double precision.
-// Included after horn_kernel.h, once per instruction set.
+// What single precision costs (docs/single_precision.md): pairs are planned with a radius larger by
+// more than rounding moves their paths, and so near contact that this matters, in double precision.
+// Nothing of it is done where Number is double.
+// Included before half_plane_kernel.h, once per instruction set.
 
 template <typename Real>
-AVO_KERNEL auto in_doubt(const Local<Real>& pair) {
-  return pair.d < pair.d;
+struct Local;
+
+template <typename Real>
+constexpr bool kSingle = std::is_same_v<typename Real::Number, float>;
+
+/// By how much rounding moves x(t), at most, until τ, m.
+template <typename Real>
+AVO_KERNEL Real blur(const Local<Real>& pair, Real tau) {
+  return Real(kBlur) * (pair.d + tau * (abs(pair.v.x) + abs(pair.v.y)));
 }
 
 template <typename Real>
-AVO_KERNEL Plane<Real> rounded_up(const Local<Real>&, const Plane<Real>& plane) {
-  return plane;
+AVO_KERNEL Local<Real> widened(Local<Real> pair, Real tau) {
+  if constexpr (kSingle<Real>) pair.r = pair.r + blur(pair, tau);
+  return pair;
+}
+
+/// Of a widened pair: the radius whose demand is the offset. Where n . y = r is met to rounding
+/// only, that rounding is a demand of its own.
+template <typename Real>
+AVO_KERNEL Real demanding_radius(const Local<Real>& pair, Real tau) {
+  return widened(pair, tau).r;
+}
+
+/// Of a widened pair: so near contact that the blur is a part of the gap that matters.
+template <typename Real>
+AVO_KERNEL auto in_doubt(const Local<Real>& pair, Real tau) {
+  if constexpr (kSingle<Real>) return pair.d - pair.r < Real(kDoubt) * blur(pair, tau);
+  return pair.d < Real(0.0);
 }

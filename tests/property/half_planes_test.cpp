@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Half-planes of many pairs at once, in either precision: sound, odd, turned, mirrored, ties.
+#include "obstacles/half_planes.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <type_traits>
+
+#include "avo/velocity_obstacle.h"
+#include "support/half_plane_batches.h"
+
+namespace avo {
+namespace {
+
+using test::Batch;
+using test::Random;
+using test::Situation;
+
+constexpr int kBatches = 600;
+constexpr std::size_t kSize = 256;
+
+template <typename Number>
+class HalfPlanesIn : public testing::Test {
+ protected:
+  static constexpr bool kSingle = std::is_same_v<Number, float>;
+  // Of r. Double precision is off by as much near contact, where single precision takes its answer
+  // too; elsewhere that is never below.
+  static double overlap(const Pair& pair) {
+    return kSingle && norm(pair.position) > 1.001 * pair.radius ? 1e-9 : 1e-7;
+  }
+  // |sin| up to which p and v are parallel: kTie, and its rounding.
+  static constexpr double kParallel = kSingle ? 2e-6 : 2e-9;
+
+  Batch<Number> batch, other;
+};
+using Precisions = testing::Types<double, float>;
+TYPED_TEST_SUITE(HalfPlanesIn, Precisions);
+
+template <typename Map>
+std::vector<Situation> mapped(std::vector<Situation> all, Map map) {
+  for (Situation& s : all) {
+    s.pair.position = map(s.pair.position);
+    s.pair.velocity = map(s.pair.velocity);
+  }
+  return all;
+}
+
+// -0 is as good as 0.
+template <typename Map>
+void expect_mapped(const RelativeHalfPlane& found, const RelativeHalfPlane& original, Map map,
+                   const Situation& s) {
+  ASSERT_EQ(found.state, original.state) << s;
+  ASSERT_EQ(found.plane.normal, map(original.plane.normal)) << s;
+  ASSERT_EQ(found.plane.offset, original.plane.offset) << s;
+  ASSERT_EQ(found.excess, original.excess) << s;
+}
+
+// Nothing that is within reach and in the half-plane collides, on its line nor beyond; nothing at
+// all within reach where there is no half-plane.
+TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
+  Random random(31);
+  int constrained = 0, free = 0;
+  for (int k = 0; k < kBatches && !this->HasFailure(); ++k) {
+    const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
+    this->batch.solve(all, test::horizon_of(all));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Situation& s = all[i];
+      const RelativeHalfPlane found = this->batch[i];
+      const Obstacle obstacle = test::obstacle_of(s);
+      const auto expect_apart = [&](Vec2 w) {
+        const double distance = closest_approach(obstacle, s.pair.velocity + w).distance;
+        EXPECT_GE(distance, s.pair.radius * (1.0 - this->overlap(s.pair)))
+            << "w " << w.x << ", " << w.y << " h " << found.plane.offset << "\n"
+            << s;
+      };
+      if (found.state == PairState::free) {
+        ++free;
+        for (int j = 0; j < 4; ++j) expect_apart(test::in_disc(random, s.reach));
+      }
+      if (found.state != PairState::constrained) continue;
+      ++constrained;
+      const Vec2 n = found.plane.normal;
+      // n is a unit vector to rounding only: the line is where n . w = h all the same
+      const double length = norm(n), h = found.plane.offset / length;
+      if (std::abs(h) > s.reach) continue;
+      const double half = std::sqrt((s.reach - h) * (s.reach + h));
+      for (const double part : {0.0, -1.0, 1.0, random.uniform(-1.0, 1.0)}) {
+        expect_apart((1.0 / length) * (h * n + (part * half) * perpendicular(n)));
+      }
+      const Vec2 w = test::in_disc(random, s.reach);
+      if (dot(n, w) >= found.plane.offset) expect_apart(w);
+    }
+  }
+  EXPECT_GT(constrained, 40'000);
+  EXPECT_GT(free, 5'000);
+}
+
+TYPED_TEST(HalfPlanesIn, P7_exchanging_the_robots_negates_them_bit_for_bit) {
+  Random random(7);
+  const auto negated = [](Vec2 a) { return -a; };
+  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+    const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
+    this->batch.solve(all, test::horizon_of(all));
+    this->other.solve(mapped(all, negated), test::horizon_of(all));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      expect_mapped(this->other[i], this->batch[i], negated, all[i]);
+    }
+  }
+}
+
+TYPED_TEST(HalfPlanesIn, P6_turning_by_90_degrees_turns_them_bit_for_bit) {
+  Random random(6);
+  const auto turned = [](Vec2 a) { return perpendicular(a); };
+  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+    const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
+    this->batch.solve(all, test::horizon_of(all));
+    this->other.solve(mapped(all, turned), test::horizon_of(all));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      expect_mapped(this->other[i], this->batch[i], turned, all[i]);
+    }
+  }
+}
+
+TYPED_TEST(HalfPlanesIn, P6_mirroring_mirrors_them_bit_for_bit) {
+  Random random(66);
+  const auto mirrored = [](Vec2 a) { return Vec2{a.x, -a.y}; };
+  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+    const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
+    this->batch.solve(all, test::horizon_of(all));
+    this->other.solve(mapped(all, mirrored), test::horizon_of(all));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Vec2 p = all[i].pair.position, v = all[i].pair.velocity;
+      if (!(std::abs(cross(p, v)) > this->kParallel * norm(p) * norm(v))) continue;  // a tie
+      expect_mapped(this->other[i], this->batch[i], mirrored, all[i]);
+    }
+  }
+}
+
+TYPED_TEST(HalfPlanesIn, P6_ties_are_broken_towards_the_left_of_p) {
+  Random random(5);
+  std::size_t planes = 0;
+  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+    auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
+    for (Situation& s : all) {  // on an axis, so that p and v are parallel exactly
+      const double share = random.below(4) == 0 ? 0.0 : random.uniform(-2.0, 1.0);
+      const bool along_x = random.below(2) == 0;
+      const double d = norm(s.pair.position), speed = share * norm(s.pair.velocity);
+      s.pair.position = along_x ? Vec2{d, 0.0} : Vec2{0.0, d};
+      s.pair.velocity = along_x ? Vec2{speed, 0.0} : Vec2{0.0, speed};
+    }
+    this->batch.solve(all, test::horizon_of(all));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const RelativeHalfPlane found = this->batch[i];
+      if (found.state != PairState::constrained && found.state != PairState::unavoidable) continue;
+      ++planes;
+      ASSERT_GE(dot(found.plane.normal, perpendicular(all[i].pair.position)), 0.0) << all[i];
+    }
+  }
+  EXPECT_GT(planes, 10'000);
+}
+
+}  // namespace
+}  // namespace avo

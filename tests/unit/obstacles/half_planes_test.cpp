@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many half-planes at once: the bits of half_plane() in double precision, and in single precision
+// the same bits on every instruction set.
+#include "obstacles/half_planes.h"
+
+#include <bit>
+#include <gtest/gtest.h>
+#include <map>
+
+#include "support/half_plane_batches.h"
+
+namespace avo {
+namespace {
+
+using test::Batch;
+using test::Random;
+using test::Situation;
+
+constexpr std::size_t kPairs = 200'000;  // at least, on every target
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+bool same_bits(const RelativeHalfPlane& a, const RelativeHalfPlane& b) {
+  return a.state == b.state && same_bits(a.plane.normal.x, b.plane.normal.x) &&
+         same_bits(a.plane.normal.y, b.plane.normal.y) &&
+         same_bits(a.plane.offset, b.plane.offset) && same_bits(a.excess, b.excess);
+}
+
+std::string text(const RelativeHalfPlane& a) {
+  std::ostringstream out;
+  out << std::hexfloat << "state " << static_cast<int>(a.state) << " n " << a.plane.normal.x << ' '
+      << a.plane.normal.y << " h " << a.plane.offset << " excess " << a.excess;
+  return out.str();
+}
+
+// What has been seen: each case and each state has to be.
+struct Seen {
+  HalfPlaneCases cases;
+  std::size_t in_contact = 0, left_by_the_horn = 0;
+  std::map<PairState, std::size_t> states;
+
+  void add(const HalfPlaneCases& more, const std::vector<Situation>& all) {
+    cases.tip += more.tip, cases.convex += more.convex;
+    cases.horn += more.horn, cases.rest += more.rest;
+    std::size_t touching = 0;
+    for (const Situation& s : all) {
+      const double d = norm(s.pair.position);
+      touching += d < s.pair.radius || !(d > 0.0) ? 1 : 0;
+    }
+    in_contact += touching;
+    left_by_the_horn += more.rest - touching;
+  }
+};
+
+// Batches of all sizes, until there are enough pairs.
+template <typename Each>
+void for_each_batch(std::uint64_t seed, Each each) {
+  Random random(seed);
+  std::size_t pairs = 0;
+  for (std::size_t k = 0; pairs < kPairs && !testing::Test::HasFailure(); ++k) {
+    const std::size_t size = test::kBatchSizes[k % test::kBatchSizes.size()];
+    const std::vector<Situation> all = test::situations_of_one_horizon(random, size, k % 3 != 0);
+    each(all, test::horizon_of(all));
+    pairs += size;
+  }
+}
+
+TEST(HalfPlanes, double_precision_has_the_bits_of_one_pair_at_a_time_on_every_target) {
+  for (const char* target : simd_targets()) {
+    SCOPED_TRACE(target);
+    const test::OnTarget on(target);
+    Batch<double> batch;
+    Seen seen;
+    for_each_batch(1, [&](const std::vector<Situation>& all, const Horizon& horizon) {
+      batch.solve(all, horizon);
+      seen.add(batch.workspace.cases, all);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const Situation& s = all[i];
+        const RelativeHalfPlane alone = half_plane(s.pair, s.reach, horizon), found = batch[i];
+        ++seen.states[alone.state];
+        ASSERT_TRUE(same_bits(found, alone)) << i << " of " << all.size() << "\n"
+                                             << text(found) << "\n"
+                                             << text(alone) << "\n"
+                                             << s;
+      }
+    });
+    EXPECT_GT(seen.cases.tip, 10'000);
+    EXPECT_GT(seen.cases.convex, 10'000);
+    EXPECT_GT(seen.cases.horn, 10'000);
+    EXPECT_GT(seen.in_contact, 1'000);
+    EXPECT_GT(seen.left_by_the_horn, 1'000);
+    for (const PairState state : {PairState::free, PairState::constrained, PairState::unavoidable,
+                                  PairState::overlapping, PairState::coincident}) {
+      EXPECT_GT(seen.states[state], 100) << static_cast<int>(state);
+    }
+  }
+}
+
+TEST(HalfPlanes, single_precision_has_the_same_bits_on_every_target) {
+  Batch<float> batch, reference;
+  HalfPlaneCases cases;
+  for_each_batch(2, [&](const std::vector<Situation>& all, const Horizon& horizon) {
+    {
+      const test::OnTarget on("scalar");
+      reference.solve(all, horizon);
+    }
+    cases.tip += reference.workspace.cases.tip, cases.convex += reference.workspace.cases.convex;
+    cases.horn += reference.workspace.cases.horn, cases.rest += reference.workspace.cases.rest;
+    for (const char* target : simd_targets()) {
+      SCOPED_TRACE(target);
+      const test::OnTarget on(target);
+      batch.solve(all, horizon);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        ASSERT_TRUE(same_bits(batch[i], reference[i])) << i << " of " << all.size() << "\n"
+                                                       << text(batch[i]) << "\n"
+                                                       << text(reference[i]) << "\n"
+                                                       << all[i];
+      }
+      ASSERT_EQ(batch.workspace.cases.convex, reference.workspace.cases.convex);
+      ASSERT_EQ(batch.workspace.cases.rest, reference.workspace.cases.rest);
+    }
+  });
+  EXPECT_GT(cases.tip, 10'000);
+  EXPECT_GT(cases.convex, 10'000);
+  EXPECT_GT(cases.horn, 10'000);
+  EXPECT_GT(cases.rest, 1'000);
+}
+
+// A pair's answer does not depend on the company that it is in.
+TEST(HalfPlanes, order_does_not_matter) {
+  Random random(3);
+  for (int k = 0; k < 20; ++k) {
+    std::vector<Situation> all = test::situations_of_one_horizon(random, 200, false);
+    const Horizon horizon = test::horizon_of(all);
+    Batch<double> in_double, in_double_reversed;
+    Batch<float> in_single, in_single_reversed;
+    in_double.solve(all, horizon), in_single.solve(all, horizon);
+    std::reverse(all.begin(), all.end());
+    in_double_reversed.solve(all, horizon), in_single_reversed.solve(all, horizon);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_TRUE(same_bits(in_double[i], in_double_reversed[all.size() - 1 - i])) << all[i];
+      EXPECT_TRUE(same_bits(in_single[i], in_single_reversed[all.size() - 1 - i])) << all[i];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avo
