@@ -93,14 +93,19 @@ struct Passage {
 // approach t_m. It crosses R outwards only where `tangential` or `cusp` is negative.
 //   `tangential` > 0 if l > |v| g/g', and only matters up to T where R g' >= |v| (there the robot
 //      outruns the boundary). l² - (v g/g')² is concave in t: so it holds on all of [t_m, T]
-//      (or [0, T]) if it does at T.
+//      (or [0, T]) if it does at T. Exactly it reads l (|y|² + q z) > q r b, with q = |v| g/g', the
+//      miss distance b and z = |v| (s - t_m), and q <= κ |v| s, κ = (τ - s(τ))/s(τ). Receding,
+//      |y|² >= 2 b z and |v| s <= z: 2 l_0 >= κ r suffices. Else, m = |v| t_m, past the closest
+//      point of y: l_m >= κ r and b l_m >= 2 κ m r suffice; before it |y|² + q z is at least
+//      b² - m² κ²/(4 (1 + κ)), which is b²/2 or more if b >= m and κ <= 2.7.
 //   `cusp` > 0 if l² > |v| r s' g/g', and s' g/g' is at most s/2 and 0.271 δ. Receding, l² grows
 //      at least as (l_0 + z_0 |v|s...): l_0 + p . v/|v| > r/4 suffices. Else, with the miss
 //      distance b, b l_m >= 0.271 δ r |v|, or l_m² > r²/16 + r |v| t_m/2.
 // Else, if the closest approach is in reach, |b| <= |x|/g <= R from there on.
 template <typename Real>
-AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn,
+AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
                                  const ResponseTable<typename Real::Number>& table) {
+  const double kappa = (horizon_end.time - horizon_end.lag) / horizon_end.lag;
   const Local<Real>& pair = horn.pair;
   const Real delta = table.control_time, tau = table.end, zero = Real(0.0);
   const Real per_speed = Real(1.0) / max(horn.speed, Real(kSlowest<typename Real::Number>));
@@ -115,7 +120,13 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn,
   const Real outrun = delta * Real(2.0) * part / (half + sqrt(max(root, zero)));
   const At<Real> at_T = at(table, select((root >= zero) & (outrun < tau), outrun, tau));
   const Real lead = at_T.gain * at_T.per_rate;
-  const auto no_turn = horn.beyond(at_T.lag) >= horn.v2 * lead * lead;
+  const Real kappa_r = Real(kappa) * pair.r;
+  auto no_turn =
+      (horn.beyond(at_T.lag) >= horn.v2 * lead * lead) | ((!closing) & (Real(2.0) * l >= kappa_r));
+  if (kappa <= 2.7) {
+    no_turn = no_turn | (closing & (closest >= -z) & (l >= kappa_r) &
+                         (closest * l >= Real(-2.0) * z * kappa_r));
+  }
   const Real r_v = pair.r * horn.speed;
   const auto no_cusp =
       ((!closing) & (l + z > Real(0.25) * pair.r)) |
@@ -314,7 +325,7 @@ AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horiz
                                 const ResponseTable<typename Real::Number>& table, Look look) {
   const Horn<Real> shape = horn_of(pair);
   const At<Real> end = constant<Real>(horizon_end);
-  Passage<Real> way = passage(shape, table);
+  Passage<Real> way = passage(shape, horizon_end, table);
   if (look == Look::closely) walk(shape, table, way);
   const Vec<Real> x = pair.x(end);
   const Real length = norm(x);

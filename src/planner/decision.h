@@ -9,6 +9,8 @@
 namespace avo {
 
 /// Whether every number is finite and in range.
+bool is_valid(const Robot& robot);
+bool is_valid(const Neighbor& neighbor);
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors);
 
 /// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under

@@ -34,6 +34,8 @@ bool can_brake(const Robot& robot) {
          kSize.contains(robot.max_speed);
 }
 
+}  // namespace
+
 bool is_valid(const Robot& robot) {
   return can_brake(robot) && is_valid(robot.position) && is_valid(robot.preferred_velocity) &&
          kSize.contains(robot.radius) && robot.distance_to_goal >= 0.0 &&
@@ -48,8 +50,6 @@ bool is_valid(const Neighbor& neighbor) {
   return (known(p.x) & known(p.y) & known(v.x) & known(v.y) & known(a.x) & known(a.y) &
           (r >= kSize.min) & (r <= kSize.max) & (a_max >= 0.0) & (a_max <= kLargest)) != 0;
 }
-
-}  // namespace
 
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
   if (!is_valid(robot)) return false;

@@ -23,6 +23,7 @@ struct HalfPlaneBatch {
 struct Sensing {
   const Robot* robot = nullptr;
   std::span<const Neighbor> neighbors;
+  bool trusted = false;  ///< its neighbors are known to be finite and in range
 };
 
 /// Allocates only while it grows.

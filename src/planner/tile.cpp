@@ -9,6 +9,7 @@ void Tile::clear() {
   first.assign(1, 0);
   detours.clear();
   plans.clear();
+  trusted = true;
 }
 
 std::span<const Neighbor> Tile::neighbors_of(std::size_t i) const {
@@ -35,7 +36,7 @@ void plan_tile(const Planner& planner, Tile& tile, PlanWorkspace& workspace, Sta
   tile.deciding.clear();
   for (std::size_t i = 0; i < tile.size(); ++i) {
     tile.deciding.push_back(
-        {{&tile.robots[i], tile.neighbors_of(i)}, &tile.detours[i], &tile.plans[i]});
+        {{&tile.robots[i], tile.neighbors_of(i), tile.trusted}, &tile.detours[i], &tile.plans[i]});
   }
   plan_together(planner, tile.deciding, workspace, clock);
 }

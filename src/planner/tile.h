@@ -18,6 +18,7 @@ struct Tile {
   std::vector<std::size_t> first{0};  ///< of robot i: [first[i], first[i + 1]), into neighbors
   std::vector<Detour> detours;        ///< what each remembers; plan_tile() updates it
   std::vector<Plan> plans;            ///< by plan_tile()
+  bool trusted = true;                ///< all neighbors are known to be finite and in range
   std::vector<Deciding> deciding;     ///< scratch memory
 
   void clear();

@@ -88,8 +88,9 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   scratch.sensing.clear();
   scratch.deciding.clear();
   for (const Deciding& each : robots) {
-    const auto& [robot, neighbors] = each.sensing;
-    if (!all_valid(*robot, neighbors) || !can_follow(*robot, options)) {
+    const auto& [robot, neighbors, trusted] = each.sensing;
+    const bool valid = trusted ? is_valid(*robot) : all_valid(*robot, neighbors);
+    if (!valid || !can_follow(*robot, options)) {
       *each.plan = planner.brake(*robot, PlanStatus::invalid_input, 0.0);
       continue;
     }
@@ -102,7 +103,7 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   const CertificateLaw law = certificate_law(planner);
   scratch.wishes.clear();
   for (const Deciding& each : scratch.deciding) {
-    const auto& [robot, neighbors] = each.sensing;
+    const auto& [robot, neighbors, trusted] = each.sensing;
     scratch.wishes.push_back(certified
                                  ? wish_of(*robot, neighbors, law.step.time_step, *each.detour)
                                  : robot->preferred_velocity);

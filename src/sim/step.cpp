@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "planner/decision.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -16,6 +17,9 @@ namespace {
 constexpr std::int64_t kStepsInOrder = 16;
 constexpr std::size_t kFewestOrdered = 1024;
 
+// m: who is nearer to one that is no farther out is within the limits of all numbers.
+constexpr double kFarthestTrusted = 1e11;
+
 std::size_t threads_of(const World& world) {
   return world.fleet.size() < kFewestParallel ? 1 : world.workers.size();
 }
@@ -23,6 +27,13 @@ std::size_t threads_of(const World& world) {
 bool is_fast(const World& world, std::size_t slot) {
   const double limit = (1.0 + kSpeedRounding) * world.fleet.traits[slot].max_speed;
   return !(norm_squared(world.fleet.velocity[slot]) <= limit * limit);
+}
+
+// Whether whomever it senses is valid, however all have moved since they were looked at.
+bool is_trusted(const World& world, std::size_t slot) {
+  const Vec2 p = world.fleet.position[slot];
+  return world.valid && !world.fast && std::abs(p.x) <= kFarthestTrusted &&
+         std::abs(p.y) <= kFarthestTrusted;
 }
 
 // How far each robot has to look, as long as none is fast.
@@ -44,6 +55,10 @@ void find_ranges(World& world) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
     sum += std::min(fleet.range[slot], world.settings.sensing_radius);
     world.fast = world.fast || is_fast(world, slot);
+  }
+  world.valid = world.obstacles.setup.empty() && world.settings.sensing_radius <= kFarthestTrusted;
+  for (std::size_t i = 0; i < fleet.size(); ++i) {
+    world.valid = world.valid && is_valid(fleet.sensed(i));
   }
   world.near = fleet.size() > 0 ? sum / static_cast<double>(fleet.size()) : 0.0;
 }
@@ -207,6 +222,7 @@ void take_places(World& world, std::size_t first, std::size_t last, Worker& work
     const std::uint32_t slot = order[place];
     sense(world, slot, worker);
     worker.tile.first.push_back(worker.tile.neighbors.size());
+    worker.tile.trusted = worker.tile.trusted && is_trusted(world, slot);
     worker.slots.push_back(slot);
     if (worker.tile.neighbors.size() < kTileNeighbors && place + 1 < last) continue;
     worker.clock.lap(Stage::search);

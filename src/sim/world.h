@@ -47,6 +47,7 @@ struct World {
   std::vector<Worker> workers;
   bool changed = true;           // robots came or went
   bool fast = false;             // some robot exceeds its max_speed
+  bool valid = false;            // all robots were, when they came, and there is nobody else
   double near = 0.0;             // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
   std::int64_t robot_steps = 0;  // measured
