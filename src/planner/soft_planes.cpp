@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace avo {
 namespace {
@@ -41,7 +42,13 @@ void take(const PlannerOptions& options, const Sensing& sensing, std::size_t k,
 
 template <typename Number>
 RelativeHalfPlane plane_at(const PlaneColumns<Number>& planes, std::size_t i) {
-  return {planes.state[i], {{planes.n_x[i], planes.n_y[i]}, planes.h[i]}, planes.excess[i]};
+  HalfPlane plane{{planes.n_x[i], planes.n_y[i]}, planes.h[i]};
+  if constexpr (std::is_same_v<Number, float>) {
+    // the program counts on unit vectors: one step of Newton's iteration for 1/|n|
+    const double per_length = 1.5 - 0.5 * dot(plane.normal, plane.normal);
+    plane = {per_length * plane.normal, per_length * plane.offset};
+  }
+  return {planes.state[i], plane, planes.excess[i]};
 }
 
 template <typename Number>

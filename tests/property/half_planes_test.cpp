@@ -28,6 +28,7 @@ class HalfPlanesIn : public testing::Test {
   static double overlap(const Pair& pair) {
     return kSingle && norm(pair.position) > 1.001 * pair.radius ? 1e-9 : 1e-7;
   }
+  static constexpr double kRounding = kSingle ? 0x1p-24 : 0x1p-53;
   // |sin| up to which p and v are parallel: kTie, and its rounding.
   static constexpr double kParallel = kSingle ? 2e-6 : 2e-9;
 
@@ -82,6 +83,7 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
       const Vec2 n = found.plane.normal;
       // n is a unit vector to rounding only: the line is where n . w = h all the same
       const double length = norm(n), h = found.plane.offset / length;
+      ASSERT_NEAR(length, 1.0, 8.0 * this->kRounding) << s;
       if (std::abs(h) > s.reach) continue;
       const double half = std::sqrt((s.reach - h) * (s.reach + h));
       for (const double part : {0.0, -1.0, 1.0, random.uniform(-1.0, 1.0)}) {
