@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The half-planes of many pairs at once: half_plane() of avo/half_plane.h, bit for bit where
-// Number is double; in single precision sound all the same (docs/performance.md).
+// Number is double; in single precision sound all the same (docs/single_precision.md).
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -90,7 +90,7 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       open &= ~lanes;
       return lanes;
     };
-    push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local, Real(end.time)))));
+    push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local, end))));
     set_state<Real>(planes, i, take(bits(free)), PairState::free);
     const std::uint32_t tips = take(bits(last.nearest));
     set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);

@@ -42,9 +42,10 @@ template <typename Number>
 constexpr double kTie = std::is_same_v<Number, double> ? 1e-9 : 1e-6;
 // Of r: nearer than this, what is left is of the order of rounding.
 template <typename Number>
-constexpr double kContact = std::is_same_v<Number, double> ? 1e-9 : 1e-2;
-// Of d + |v| τ: what single precision may do to a path; and of that, the gap that is told apart.
-constexpr double kBlur = 0x1p-20, kDoubt = 64.0;
+constexpr double kContact = std::is_same_v<Number, double> ? 1e-9 : 1e-4;
+// Of d + |v| τ: what single precision may do to a path. Of that, the least gap and the most reach
+// times g(τ) that it is trusted with.
+constexpr double kBlur = 0x1p-19, kLeastGap = 32.0, kMostReach = 0x1p29;
 // m/s; slower is at rest.
 template <typename Number>
 constexpr double kSlowest = std::is_same_v<Number, double> ? 1e-100 : 1e-18;

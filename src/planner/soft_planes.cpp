@@ -57,13 +57,18 @@ const PlaneColumns<double>& widened(const PlaneColumns<double>& planes, std::siz
                                     PlaneColumns<double>&) {
   return planes;
 }
+// The program counts on unit normals: one step of Newton's iteration for 1/|n|.
 const PlaneColumns<double>& widened(const PlaneColumns<float>& planes, std::size_t count,
                                     PlaneColumns<double>& wide) {
   for (auto* column : {&wide.n_x, &wide.n_y, &wide.h, &wide.excess}) grow(*column, planes.h.size());
-  std::copy_n(planes.n_x.begin(), count, wide.n_x.begin());
-  std::copy_n(planes.n_y.begin(), count, wide.n_y.begin());
-  std::copy_n(planes.h.begin(), count, wide.h.begin());
-  std::copy_n(planes.excess.begin(), count, wide.excess.begin());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 n{planes.n_x[i], planes.n_y[i]};
+    const double per_length = 1.5 - 0.5 * dot(n, n);
+    wide.n_x[i] = per_length * n.x;
+    wide.n_y[i] = per_length * n.y;
+    wide.h[i] = per_length * planes.h[i];
+    wide.excess[i] = planes.excess[i];
+  }
   return wide;
 }
 

@@ -28,6 +28,7 @@ class HalfPlanesIn : public testing::Test {
   static double overlap(const Pair& pair) {
     return kSingle && norm(pair.position) > 1.001 * pair.radius ? 1e-9 : 1e-7;
   }
+  static constexpr double kRounding = kSingle ? 0x1p-24 : 0x1p-53;
   // |sin| up to which p and v are parallel: kTie, and its rounding.
   static constexpr double kParallel = kSingle ? 2e-6 : 2e-9;
 
@@ -82,6 +83,7 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
       const Vec2 n = found.plane.normal;
       // n is a unit vector to rounding only: the line is where n . w = h all the same
       const double length = norm(n), h = found.plane.offset / length;
+      ASSERT_NEAR(length, 1.0, 8.0 * this->kRounding) << s;
       if (std::abs(h) > s.reach) continue;
       const double half = std::sqrt((s.reach - h) * (s.reach + h));
       for (const double part : {0.0, -1.0, 1.0, random.uniform(-1.0, 1.0)}) {
@@ -93,6 +95,41 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
   }
   EXPECT_GT(constrained, 40'000);
   EXPECT_GT(free, 5'000);
+}
+
+// docs/single_precision.md: between the half-planes of double precision for r and r + 3 blurs.
+TEST(HalfPlanesInSingle, P3_offsets_are_those_of_a_radius_three_blurs_wider_at_most) {
+  Random random(24);
+  Batch<float> batch;
+  std::size_t compared = 0;
+  for (int k = 0; k < kBatches && !testing::Test::HasFailure(); ++k) {
+    const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
+    const Horizon horizon = test::horizon_of(all);
+    batch.solve(all, horizon);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Situation& s = all[i];
+      const RelativeHalfPlane found = batch[i];
+      const Vec2 p = s.pair.position, v = s.pair.velocity;
+      const double d = norm(p);
+      const double blur = 0x1p-19 * (d + s.time_horizon * (std::abs(v.x) + std::abs(v.y)));
+      Pair wider = s.pair;
+      wider.radius += 3.0 * blur;
+      // ties of single precision may be none of double precision
+      if (found.state != PairState::constrained || !(d > wider.radius) ||
+          std::abs(cross(p, v)) <= 2e-6 * d * norm(v)) {
+        continue;
+      }
+      const RelativeHalfPlane low = half_plane(s.pair, s.reach, horizon);
+      const RelativeHalfPlane high = half_plane(wider, s.reach, horizon);
+      ++compared;
+      const double rounding = 1e-7 * s.reach;
+      ASSERT_NE(high.state, PairState::free) << s;
+      EXPECT_LE(found.plane.offset, high.plane.offset + rounding) << s;
+      if (low.state == PairState::free) continue;
+      EXPECT_GE(found.plane.offset, low.plane.offset - rounding) << s;
+    }
+  }
+  EXPECT_GT(compared, 20'000);
 }
 
 TYPED_TEST(HalfPlanesIn, P7_exchanging_the_robots_negates_them_bit_for_bit) {
