@@ -65,7 +65,8 @@ void run(benchmark::State& state, Kind kind, double near, double far, double del
     half_planes(batches[k], horizon, workspace, planes);
     benchmark::DoNotOptimize(planes.h.data());
     all.tip += workspace.cases.tip, all.convex += workspace.cases.convex;
-    all.horn += workspace.cases.horn, all.rest += workspace.cases.rest;
+    all.horn += workspace.cases.horn, all.walk += workspace.cases.walk;
+    all.rest += workspace.cases.rest;
     k = (k + 1) % kBatches;
   }
   const auto pairs = static_cast<double>(state.iterations()) * static_cast<double>(kBatch);
@@ -75,6 +76,7 @@ void run(benchmark::State& state, Kind kind, double near, double far, double del
   state.counters["tip"] = static_cast<double>(all.tip) / pairs;
   state.counters["convex"] = static_cast<double>(all.convex) / pairs;
   state.counters["horn"] = static_cast<double>(all.horn) / pairs;
+  state.counters["walk"] = static_cast<double>(all.walk) / pairs;
   state.counters["rest"] = static_cast<double>(all.rest) / pairs;
   state.SetLabel(simd_target());
 }

@@ -224,15 +224,16 @@ AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::
 }
 
 /// Where |b| = R, falling: Newton's iteration for sqrt(R/|b|), which is nearly linear in time,
-/// guarded by bisection.
+/// guarded by bisection. Means something in the lanes that are wanted.
 template <typename Real>
 AVO_KERNEL NearSide<Real> crossing(const Horn<Real>& horn, const Passage<Real>& passage,
-                                   const ResponseTable<typename Real::Number>& table) {
+                                   const ResponseTable<typename Real::Number>& table,
+                                   decltype(Real() < Real()) wanted) {
   const Real R = horn.pair.R, per_R = Real(1.0) / R;
   Real low = passage.first, high = passage.last;
   Real t = passage.first + passage.first * passage.first * Real(table.per_control_time / 6.0);
   t = select((t > low) & (t < high), t, Real(0.5) * (low + high));
-  auto active = R > Real(0.0);
+  auto active = wanted;
   NearSide<Real> side;
   for (int i = 0; i < kMaxIterations; ++i) {
     side = near_side(horn, at(table, t), table);
@@ -337,12 +338,13 @@ AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horiz
   hull.disc_in_reach = length - pair.r < pair.R * end.gain;
   // |b| <= |x|/g: whoever is in reach at the end has crossed
   hull.has_crossing =
-      (way.last < end.time) | ((length <= pair.R * end.gain) & (shape.speed <= pair.R * end.rate));
+      way.crosses | ((length <= pair.R * end.gain) & (shape.speed <= pair.R * end.rate));
   if (any(!hull.has_crossing)) {
     const auto crossed = near_side(shape, end, table).length <= pair.R;
     hull.has_crossing = (hull.has_crossing | crossed) & (way.first < end.time);
   }
-  const NearSide<Real> side = crossing(shape, way, table);
+  const NearSide<Real> side =
+      crossing(shape, way, table, hull.has_crossing & way.once & way.ordinary);
   const TwoPoints<Real> ends = circle_points(shape, side.at);
   const Vec<Real> to_near = ends.near - side.b, to_far = ends.far - side.b;
   const auto on_near_end = dot(to_near, to_near) <= dot(to_far, to_far);
@@ -356,7 +358,7 @@ AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horiz
   HornPlane<Real> result;
   result.plane = least_support(hull);
   result.free = !(hull.disc_in_reach | hull.has_crossing);
-  result.settled =
-      way.once & ((hull.disc_in_reach & (on_near_end | (!hull.has_crossing))) | result.free);
+  result.settled = way.once & way.ordinary &
+                   ((hull.disc_in_reach & (on_near_end | (!hull.has_crossing))) | result.free);
   return result;
 }
