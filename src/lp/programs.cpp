@@ -134,14 +134,16 @@ void ProgramBatch<Number>::clear() {
 }
 
 template <typename Number>
-void ProgramBatch<Number>::reserve(std::size_t robots, std::size_t planes) {
+void ProgramBatch<Number>::reserve(std::size_t robots, std::size_t planes_each,
+                                   std::size_t planes) {
+  const std::size_t groups = robots / kProgramLanes + 1;
   for (Programs<Number>* programs : {&programs_, &infeasible_}) {
-    programs->group.reserve(robots / kProgramLanes + 1);
-    programs->row.reserve(planes);
+    programs->group.reserve(groups);
+    programs->row.reserve(std::min(groups * planes_each, planes));
   }
   preferred_.reserve(robots);
   robots_.reserve(robots);
-  scratch_.reserve(planes);
+  scratch_.reserve(3 * most_taken(planes_each));
 }
 
 template <typename Number>

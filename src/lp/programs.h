@@ -53,8 +53,8 @@ template <typename Number>
 class ProgramBatch {
  public:
   void clear();
-  /// Room for so many robots with so many half-planes in all.
-  void reserve(std::size_t robots, std::size_t planes);
+  /// Room for so many robots with at most so many half-planes each, and in all.
+  void reserve(std::size_t robots, std::size_t planes_each, std::size_t planes);
 
   /// The next robot. Nothing is required of the numbers.
   void add(const Disc& acceleration, double top_speed, Vec2 preferred);

@@ -99,20 +99,26 @@ void PairColumns<Number>::reserve(std::size_t pairs) {
 }
 
 template <typename Number>
-void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
-                 HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes) {
-  const std::size_t size = pairs.p_x.size();
-  for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess}) grow(*column, size);
-  grow(planes.state, size);
-  for (auto* column : {&workspace.d, &workspace.v_x, &workspace.v_y, &workspace.e_x, &workspace.e_y,
-                       &workspace.side}) {
+void reserve(std::size_t pairs, HalfPlaneWorkspace<Number>& workspace,
+             PlaneColumns<Number>& planes) {
+  const std::size_t size = pairs + kSparePairs;
+  for (auto* column :
+       {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.d, &workspace.v_x,
+        &workspace.v_y, &workspace.e_x, &workspace.e_y, &workspace.side, &workspace.convex.index,
+        &workspace.horn.index, &workspace.walk.index, &workspace.rest.index}) {
     grow(*column, size);
   }
+  grow(planes.state, size);
+}
+
+template <typename Number>
+void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
+                 HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes) {
+  reserve(pairs.p_x.size() - kSparePairs, workspace, planes);
   workspace.cases = {};
   for (HalfPlaneQueue<Number>* queue :
        {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.rest}) {
     queue->count = 0;
-    grow(queue->index, size);
   }
   solve(pairs, horizon, workspace, planes);
   workspace.cases.convex = workspace.convex.count;
@@ -144,6 +150,8 @@ void share_out(std::span<const OwnLimits> robots, std::span<const double> share,
   scalar::share_out<scalar::Pack<double>>(robots, share, relative, shared);
 }
 
+template void reserve(std::size_t, HalfPlaneWorkspace<double>&, PlaneColumns<double>&);
+template void reserve(std::size_t, HalfPlaneWorkspace<float>&, PlaneColumns<float>&);
 template struct PairColumns<double>;
 template struct PairColumns<float>;
 template void half_planes(PairColumns<double>&, const Horizon&, HalfPlaneWorkspace<double>&,

@@ -74,6 +74,11 @@ struct HalfPlaneWorkspace {
   HalfPlaneCases cases;  // of the last call
 };
 
+/// Room for so many pairs.
+template <typename Number>
+void reserve(std::size_t pairs, HalfPlaneWorkspace<Number>& workspace,
+             PlaneColumns<Number>& planes);
+
 /// Fills planes[0 .. pairs.count).
 template <typename Number>
 void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,

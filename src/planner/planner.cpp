@@ -91,7 +91,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   constexpr std::size_t kMostWalls = 16384;  // of more, memory grows when it is needed
   planes.reserve(neighbors);
   certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
-  reserve_together(1, neighbors, *this);
+  scratch_->projected.reserve(4 * neighbors);
   CertifiedWorkspace& certified = scratch_->certified;
   certified.hard.reserve(kMostCuts * neighbors);
   certified.projected.reserve(4 * kMostCuts * neighbors);

@@ -115,15 +115,21 @@ void keep(const PlannerOptions& options, std::span<const Sensing> robots,
 }
 
 template <typename Number>
+void reserve(std::size_t pairs, HalfPlaneBatch<Number>& batch, SoftPlanes& soft) {
+  if (batch.pairs.p_x.size() >= pairs + kSparePairs) return;
+  batch.pairs.reserve(pairs);
+  reserve(pairs, batch.workspace, batch.planes);
+  soft.share.resize(pairs + kSparePairs, 1.0);
+  soft.shared.offset.resize(pairs + kSparePairs);
+}
+
+template <typename Number>
 void collect_exact(const PlannerOptions& options, const Horizon& horizon,
                    std::span<const Sensing> robots, HalfPlaneBatch<Number>& batch,
                    SoftPlanes& soft) {
-  std::size_t most = soft.planes.capacity();
   std::size_t pairs = 0;
   for (const Sensing& sensing : robots) pairs += planned_with(options, sensing);
-  most = std::max(most, pairs);
-  batch.pairs.reserve(most);
-  if (soft.share.size() < most + kSparePairs) soft.share.resize(most + kSparePairs, 1.0);
+  reserve(pairs, batch, soft);
   soft.limits.clear();
   batch.pairs.count = fill_pairs(options, robots, batch.pairs, soft);
   half_planes(batch.pairs, horizon, batch.workspace, batch.planes);
@@ -194,7 +200,16 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
   return {index, plane, std::min(alpha * relative.excess, std::numeric_limits<double>::max())};
 }
 
-void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
+void reserve(std::size_t robots, std::size_t pairs, Precision precision, SoftPlanes& soft) {
+  if (precision == Precision::single_precision) {
+    reserve(pairs, soft.in_single, soft);
+    PlaneColumns<double>& wide = soft.in_double.planes;
+    for (auto* column : {&wide.n_x, &wide.n_y, &wide.h, &wide.excess}) {
+      grow(*column, pairs + kSparePairs);
+    }
+  } else {
+    reserve(pairs, soft.in_double, soft);
+  }
   soft.planes.reserve(pairs);
   soft.excess.reserve(pairs);
   soft.shared.kept.reserve(pairs);

@@ -63,7 +63,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative);
 
-void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
+void reserve(std::size_t robots, std::size_t pairs, Precision precision, SoftPlanes& soft);
 
 /// Of what either limit holds by itself nothing is kept: such a plane cannot cut.
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon,

@@ -136,15 +136,20 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   clock.lap(Stage::certificate);
 }
 
-void reserve_together(std::size_t robots, std::size_t neighbors, PlanWorkspace& workspace) {
+void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
+                      std::size_t planes, PlanWorkspace& workspace) {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   scratch.deciding.reserve(robots);
   scratch.sensing.reserve(robots);
   scratch.wishes.reserve(robots);
   scratch.results.reserve(robots);
-  scratch.projected.reserve(4 * neighbors);
-  scratch.in_double.reserve(robots, neighbors);
-  reserve(robots, neighbors, scratch.soft);
+  scratch.projected.reserve(4 * planes_each);
+  if (planner.options().precision == Precision::single_precision) {
+    scratch.in_single.reserve(robots, planes_each, planes);
+  } else if (robots > 1) {
+    scratch.in_double.reserve(robots, planes_each, planes);
+  }
+  reserve(robots, planes, planner.options().precision, scratch.soft);
 }
 
 }  // namespace avo

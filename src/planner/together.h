@@ -20,7 +20,8 @@ struct Deciding {
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
                    PlanWorkspace& workspace, StageClock& clock) noexcept;
 
-/// Room for so many robots, with so many neighbors in all.
-void reserve_together(std::size_t robots, std::size_t neighbors, PlanWorkspace& workspace);
+/// Room for so many robots with at most so many half-planes each, and in all.
+void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
+                      std::size_t planes, PlanWorkspace& workspace);
 
 }  // namespace avo

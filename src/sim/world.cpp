@@ -35,7 +35,9 @@ void reserve(const World& world, Worker& worker) {
   worker.slots.reserve(together);
   worker.tile.reserve(together, std::min(together * seen, kTileNeighbors + seen));
   worker.plan.reserve(seen, most_braking_steps(world));
-  reserve_together(together, std::min(together * seen, kTileNeighbors + seen), worker.plan);
+  const std::size_t each = std::min(seen, world.most_nearest());
+  reserve_together(world.planner, together, each, std::min(together * each, kTileNeighbors + each),
+                   worker.plan);
 }
 
 }  // namespace

@@ -89,6 +89,12 @@ TEST(Allocation, none_per_step_of_avo_under_any_certificate) {
   }
 }
 
+TEST(Allocation, none_per_step_in_single_precision) {
+  Scenario scene = test::dense_scene(280, Motion::held);
+  scene.precision = Precision::single_precision;
+  EXPECT_EQ(allocations_when_warm(scene, 2, 60, 60), 0);
+}
+
 TEST(Allocation, none_per_step_of_orca) {
   Scenario scene = test::dense_scene(200, Motion::held);
   scene.method = Method::orca;
