@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(avo) and pkg-config: the library alone, what it needs is the compiler and threads.
+# find_package(avo) and pkg-config: the library alone, what it needs is the compiler, threads
+# and, where found, Highway's libhwy.
 include(CMakePackageConfigHelpers)
 install(TARGETS avo EXPORT avo-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -3,7 +3,8 @@
 """Counts the instructions of a robot-step and fails where they are not those of expected.json.
 
     check.py                    compares; exits 1 where a count is more than 2 % off, either way, or
-                                where two SIMD targets do not end in the same state
+                                where two SIMD targets do not end in the same state; 2 where
+                                there is no valgrind to count with
     check.py --update REASON    writes the counts found as expected.json, with the reason
 
 Counts do not depend on a clock, on load or on the machine, but on the compiler: with another one
@@ -16,6 +17,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -127,6 +129,9 @@ def main():
     driver = arguments.build / "bench/avo_bench_instructions"
     if not driver.exists():
         sys.exit(f"{driver}: found no such file, build it first")
+    if shutil.which("valgrind") is None:
+        print("valgrind: found none in PATH, install it to count instructions", file=sys.stderr)
+        return 2
     found, skipped = count_all(driver)
     compiler = compiler_of(found)
     expected = json.loads(EXPECTED.read_text()) if EXPECTED.exists() else {"cases": {}}

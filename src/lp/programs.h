@@ -113,9 +113,8 @@ class ProgramBatch {
 ///  (1) |point - c| <= r + 8 ulp M for both discs: 4 as there, and at most half of one for each
 ///      number narrowed, two components of c and the radii of both discs;
 ///  (2) half-planes are violated by at most 34 ulp (M + violation) more than violation(): 32 as
-///  there,
-///      and narrowing moves n . u - offset by ulp / 2 (|n_x u_x| + |n_y u_y| + |offset|) at most,
-///      where |u| <= M and, of planes that matter, |offset| <= M + violation.
+///      there, and narrowing moves n . u - offset by ulp / 2 (|n_x u_x| + |n_y u_y| + |offset|) at
+///      most, where |u| <= M and, of planes that matter, |offset| <= M + violation.
 template <typename Number>
 void nearest_points(ProgramBatch<Number>& batch) noexcept;
 

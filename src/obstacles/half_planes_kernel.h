@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many pairs: what can be told at once is told at once, the rest waits in a queue for its case, so
-// that all lanes work on the same one. Included after horn_kernel.h, once per instruction set.
+// that all lanes work on the same one. Included after horn_walk_kernel.h, once per instruction set.
 
 /// A pair's own frame (see Local), and what is known of it without more ado.
 template <typename Real>

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The horn case where the near side may cross the circle |w| = R more than once: walked along.
+// Included after horn_kernel.h, once per instruction set.
+
+// The time whose lag is t_m, where y comes nearest, in two steps of Newton's iteration: what lies
+// between the cusps of a close pass lies around it.
+template <typename Real>
+AVO_KERNEL Real cusp_time(Real t_m, const ResponseTable<typename Real::Number>& table) {
+  const Real per_delta = table.per_control_time;
+  Real t = Real(2.0) * t_m * (Real(1.0) + t_m * per_delta * Real(1.0 / 3.0));
+  for (int i = 0; i < 2; ++i) {
+    const At<Real> now = at(table, min(t, Real(table.end)));
+    const Real lag_rate =
+        now.gain * (Real(1.0) - now.rate) * now.per_rate * now.per_rate * per_delta;
+    t = max(now.time + (t_m - now.lag) / max(lag_rate, Real(1e-3)), t_m);
+  }
+  return t;
+}
+
+template <typename Real>
+AVO_KERNEL auto signs_differ(Real a, Real b) {
+  const Real zero = Real(0.0);
+  return ((a < zero) & (b >= zero)) | ((a >= zero) & (b < zero));
+}
+
+// m/s², of |b|
+template <typename Real>
+AVO_KERNEL Real pace(const NearSide<Real>& side) {
+  return abs(side.tangential * side.cusp) * inverse(side.gain_l * side.length);
+}
+
+// Where more than one crossing cannot be excluded beforehand: looks at the near side at times as
+// close as the passage is wide. Between two of them |b| is monotone, or turns (`tangential` or
+// `cusp` changes its sign) too far from R to get there; a lane where neither is so, or where |b|
+// rises through R, is not `once`. Ends where |b| stays below R, or can only fall from there.
+template <typename Real>
+AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::Number>& table,
+                     Passage<Real>& passage) {
+  const Real R = horn.pair.R, tau = table.end, zero = Real(0.0), t_m = passage.t_m;
+  const auto closing = passage.z < zero;
+  const Real t_cusp = select(closing, cusp_time(t_m, table), zero);
+  const Real least = min(Real(0.125) * passage.closest * inverse(horn.speed), Real(0.25) * t_m);
+  auto once = (!passage.once) & passage.ordinary & (passage.first < tau);
+  auto active = once;
+  Real t = min(max(passage.first, t_m), tau);
+  NearSide<Real> from = near_side(horn, at(table, t), table);
+  auto inside = from.length <= R;  // |b| falls up to the closest approach
+  Real low = passage.first, high = select(inside, t, tau);
+  for (int i = 0; i < kMaxPieces; ++i) {
+    const auto outruns = horn.speed <= R * from.at.rate;
+    const auto settled = outruns & (from.at.lag >= t_m) & (from.cusp >= zero);
+    const auto stays = inside & outruns & (norm(horn.pair.x(from.at)) <= R * from.at.gain);
+    active = active & (!(settled | stays | (t >= tau)));
+    if (!any(active)) break;
+    Real next = select(closing, t + max(Real(0.5) * (t - t_m), least), Real(1.5) * t);
+    next = select((t < t_cusp) & (next > t_cusp), t_cusp, next);
+    next = select(active, min(next, tau), t);
+    const NearSide<Real> to = near_side(horn, at(table, next), table);
+    const auto turns =
+        signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
+    const auto near_R =
+        min(abs(from.length - R), abs(to.length - R)) <= (next - t) * max(pace(from), pace(to));
+    const auto now_inside = to.length <= R;
+    once = once & (!(active & ((turns & near_R) | (inside & (!now_inside)))));
+    const auto enters = active & now_inside & (!inside);
+    low = select(enters, t, low);
+    high = select(enters, next, high);
+    inside = inside | enters;
+    active = active & once;
+    t = next;
+    from = to;
+  }
+  once = once & (!active);
+  low = select(inside, low, t);  // it may still fall through R up to the end
+  passage.first = select(once, low, passage.first);
+  passage.last = select(once, high, passage.last);
+  passage.crosses = passage.crosses | (once & inside);
+  passage.once = passage.once | once;
+}
