@@ -61,8 +61,10 @@ bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLa
 
 /// The state of a robot's pairs before it decides.
 struct Invariant {
-  double slack = 0.0;  ///< m, least distance beyond contact while all brake; infinite if all far
-  int broken = -1;     ///< a neighbor with which braking collides, or -1
+  /// m, least distance beyond contact while all brake, of pairs and intervals that are near enough
+  /// to refuse anything; infinite if none is
+  double slack = 0.0;
+  int broken = -1;  ///< a neighbor with which braking collides, or -1
   /// One that does not decide is in contact, or braking does not avoid it: brake, and stay at rest.
   bool touched = false;
   bool unknown = false;  ///< one brakes for longer than kMostIntervals: brake

@@ -2,6 +2,7 @@
 // The half-planes of many pairs at once: half_plane() of avo/half_plane.h, bit for bit where
 // Number is double; in single precision sound all the same (docs/single_precision.md).
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -34,7 +35,8 @@ struct PairColumns {
     v_x[i] = static_cast<Number>(v.x), v_y[i] = static_cast<Number>(v.y);
     radius[i] = static_cast<Number>(r);
     if constexpr (std::is_same_v<Number, float>) {
-      reach[i] = static_cast<float>(R * (1.0 + 0x1p-23));  // not below
+      // not below, nor 0
+      reach[i] = static_cast<float>(std::max(R * (1.0 + 0x1p-23), 0x1p-126));
       wide[i] = {{p, v, r}, R};
     } else {
       reach[i] = R;

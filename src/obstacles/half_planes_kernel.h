@@ -134,7 +134,8 @@ AVO_KERNEL void put(const Frame<Real>& frame, const Plane<Real>& plane,
     planes.n_y[i] = n_y[k];
     planes.h[i] = h[k];
     planes.excess[i] = excess[k];
-    if ((unavoidable >> k & 1U) != 0) planes.state[i] = PairState::unavoidable;
+    planes.state[i] =
+        (unavoidable >> k & 1U) != 0 ? PairState::unavoidable : PairState::constrained;
   }
 }
 

@@ -164,12 +164,12 @@ double first_time(const Horn& horn, double t_m, double speed) {
 }
 
 // The time whose lag is t_m, where y comes nearest: the near side of a close pass has two cusps
-// around it if s' g/g' > b √(b² - r²)/(r |v|), b the miss distance. s' g/g' is below 0.271 δ
-// always.
+// around it at most if s' g/g' > b √(b² - r²)/(1.3 r |v|), b the miss distance (horn_kernel.h).
+// s' g/g' is below 0.271 δ always.
 double cusp_time(const Horn& horn, double t_m, double speed) {
   const double b = horn.pair.d * horn.pair.v.y / speed, r = horn.pair.r;
   const ResponseAt& last = horn.horizon.end();
-  const double l2 = std::max(0.0, (b - r) * (b + r)), most = 0.271 * horn.horizon.control_time();
+  const double l2 = std::max(0.0, (b - r) * (b + r)), most = 0.353 * horn.horizon.control_time();
   if (!(t_m > 0.0) || last.lag <= t_m || b * std::sqrt(l2) >= most * r * speed) return 0.0;
   return find_zero(horn.horizon, t_m, last.time, horn.horizon.at(t_m).lag - t_m, last.lag - t_m,
                    [&](const ResponseAt& at) { return at.lag - t_m; })

@@ -100,7 +100,8 @@ struct Passage {
 //      b² - m² κ²/(4 (1 + κ)), which is b²/2 or more if b >= m and κ <= 2.7.
 //   `cusp` > 0 if l² > |v| r s' g/g', and s' g/g' is at most s/2 and 0.271 δ. Receding, l² grows
 //      at least as (l_0 + z_0 |v|s...): l_0 + p . v/|v| > r/4 suffices. Else, with the miss
-//      distance b, b l_m >= 0.271 δ r |v|, or l_m² > r²/16 + r |v| t_m/2.
+//      distance b, l_m² > r²/16 + r |v| t_m/2, or b l_m >= 0.353 δ r |v|: n . v/|v| is
+//      (r z + l b)/(z² + b²), for which l² > c n . v/|v| at all z if b l_m >= 1.3 c.
 // Else, if the closest approach is in reach, |b| <= |x|/g <= R from there on.
 template <typename Real>
 AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
@@ -130,7 +131,7 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horiz
   const Real r_v = pair.r * horn.speed;
   const auto no_cusp =
       ((!closing) & (l + z > Real(0.25) * pair.r)) |
-      (closing & ((closest * l >= Real(0.271) * delta * r_v) |
+      (closing & ((closest * l >= Real(0.353) * delta * r_v) |
                   (l2 > pair.r * pair.r * Real(1.0 / 16.0) + Real(0.5) * r_v * t_m)));
 
   const At<Real> at_m = at(table, min(t_m, tau));

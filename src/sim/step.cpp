@@ -17,7 +17,7 @@ namespace {
 constexpr std::int64_t kStepsInOrder = 16;
 constexpr std::size_t kFewestOrdered = 1024;
 
-// m: who is nearer to one that is no farther out is within the limits of all numbers.
+// m, m/s: who is nearer to one that is no farther out is within the limits of all numbers.
 constexpr double kFarthestTrusted = 1e11;
 
 std::size_t threads_of(const World& world) {
@@ -58,7 +58,8 @@ void find_ranges(World& world) {
   }
   world.valid = world.obstacles.setup.empty() && world.settings.sensing_radius <= kFarthestTrusted;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
-    world.valid = world.valid && is_valid(fleet.sensed(i));
+    world.valid =
+        world.valid && is_valid(fleet.sensed(i)) && fleet.traits[i].max_speed <= kFarthestTrusted;
   }
   world.near = fleet.size() > 0 ? sum / static_cast<double>(fleet.size()) : 0.0;
 }
