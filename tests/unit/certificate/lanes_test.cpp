@@ -46,8 +46,14 @@ Crowd random_crowd(Random& random) {
   return crowd;
 }
 
+// What has been seen: each of it has to be.
+struct Seen {
+  std::size_t admitted = 0, refused = 0;
+  std::size_t first_intervals = 0, later_intervals = 0, of_movers = 0, cones = 0;  // walls
+};
+
 // Everything that a decision rests on.
-std::vector<std::uint64_t> bits_of(const Crowd& crowd) {
+std::vector<std::uint64_t> bits_of(const Crowd& crowd, Seen& seen) {
   std::vector<std::uint64_t> all;
   const auto add = [&all](double number) { all.push_back(std::bit_cast<std::uint64_t>(number)); };
   CertificateWalls walls;
@@ -57,9 +63,15 @@ std::vector<std::uint64_t> bits_of(const Crowd& crowd) {
     add(wall.neighbor), add(wall.interval), add(wall.only_in_motion ? 1.0 : 0.0);
     add(wall.normal.x), add(wall.normal.y), add(wall.cone), add(wall.bound);
     for (const double offset : wall.offset) add(offset);
+    const std::size_t other = static_cast<std::size_t>(wall.neighbor);
+    ++(wall.interval == 0 ? seen.first_intervals : seen.later_intervals);
+    seen.of_movers += crowd.neighbors[other].max_acceleration > 0.0 ? 0 : 1;
+    seen.cones += wall.cone > 0.0 ? 1 : 0;
   }
   for (const Vec2 candidate : crowd.candidates) {
-    add(admits(crowd.robot, candidate, crowd.law, walls) ? 1.0 : 0.0);
+    const bool admitted = admits(crowd.robot, candidate, crowd.law, walls);
+    ++(admitted ? seen.admitted : seen.refused);
+    add(admitted ? 1.0 : 0.0);
     const WorstWall worst = worst_wall(walls.trajectories, walls.path, crowd.law.step);
     add(worst.coefficient), add(worst.point), add(worst.lean.x), add(worst.lean.y);
   }
@@ -72,16 +84,21 @@ TEST(CertificateLanes, have_the_bits_of_the_scalar_text) {
   ASSERT_TRUE(use_simd_target("scalar"));
   for (const char* target : simd_targets()) {
     Random random(41);
-    std::size_t numbers = 0;
+    Seen seen;
     for (std::size_t i = 0; i < 2000; ++i) {
       const Crowd crowd = random_crowd(random);
-      if (expected.size() <= i) expected.push_back(bits_of(crowd));
+      Seen scalar;
+      if (expected.size() <= i) expected.push_back(bits_of(crowd, scalar));
       ASSERT_TRUE(use_simd_target(target));
-      ASSERT_EQ(bits_of(crowd), expected[i]) << target << ", crowd " << i;
+      ASSERT_EQ(bits_of(crowd, seen), expected[i]) << target << ", crowd " << i;
       ASSERT_TRUE(use_simd_target("scalar"));
-      numbers += expected[i].size();
     }
-    EXPECT_GT(numbers, 200000U);
+    EXPECT_GT(seen.admitted, 500U);
+    EXPECT_GT(seen.refused, 500U);
+    EXPECT_GT(seen.first_intervals, 1000U);
+    EXPECT_GT(seen.later_intervals, 10000U);
+    EXPECT_GT(seen.of_movers, 1000U);
+    EXPECT_GT(seen.cones, 1000U);
   }
   use_simd_target(before);
 }

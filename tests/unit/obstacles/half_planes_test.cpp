@@ -34,15 +34,19 @@ std::string text(const RelativeHalfPlane& a) {
   return out.str();
 }
 
+void add(HalfPlaneCases& sum, const HalfPlaneCases& more) {
+  sum.tip += more.tip, sum.convex += more.convex, sum.horn += more.horn;
+  sum.walk += more.walk, sum.rest += more.rest;
+}
+
 // What has been seen: each case and each state has to be.
 struct Seen {
   HalfPlaneCases cases;
   std::size_t in_contact = 0, left_by_the_horn = 0;
   std::map<PairState, std::size_t> states;
 
-  void add(const HalfPlaneCases& more, const std::vector<Situation>& all) {
-    cases.tip += more.tip, cases.convex += more.convex;
-    cases.horn += more.horn, cases.rest += more.rest;
+  void count(const HalfPlaneCases& more, const std::vector<Situation>& all) {
+    add(cases, more);
     std::size_t touching = 0;
     for (const Situation& s : all) {
       const double d = norm(s.pair.position);
@@ -74,7 +78,7 @@ TEST(HalfPlanes, double_precision_has_the_bits_of_one_pair_at_a_time_on_every_ta
     Seen seen;
     for_each_batch(1, [&](const std::vector<Situation>& all, const Horizon& horizon) {
       batch.solve(all, horizon);
-      seen.add(batch.workspace.cases, all);
+      seen.count(batch.workspace.cases, all);
       for (std::size_t i = 0; i < all.size(); ++i) {
         const Situation& s = all[i];
         const RelativeHalfPlane alone = half_plane(s.pair, s.reach, horizon), found = batch[i];
@@ -88,6 +92,7 @@ TEST(HalfPlanes, double_precision_has_the_bits_of_one_pair_at_a_time_on_every_ta
     EXPECT_GT(seen.cases.tip, 10'000);
     EXPECT_GT(seen.cases.convex, 10'000);
     EXPECT_GT(seen.cases.horn, 10'000);
+    EXPECT_GT(seen.cases.walk, 1'000);
     EXPECT_GT(seen.in_contact, 1'000);
     EXPECT_GT(seen.left_by_the_horn, 1'000);
     for (const PairState state : {PairState::free, PairState::constrained, PairState::unavoidable,
@@ -105,8 +110,7 @@ TEST(HalfPlanes, single_precision_has_the_same_bits_on_every_target) {
       const test::OnTarget on("scalar");
       reference.solve(all, horizon);
     }
-    cases.tip += reference.workspace.cases.tip, cases.convex += reference.workspace.cases.convex;
-    cases.horn += reference.workspace.cases.horn, cases.rest += reference.workspace.cases.rest;
+    add(cases, reference.workspace.cases);
     for (const char* target : simd_targets()) {
       SCOPED_TRACE(target);
       const test::OnTarget on(target);
@@ -122,12 +126,14 @@ TEST(HalfPlanes, single_precision_has_the_same_bits_on_every_target) {
       ASSERT_EQ(found.tip, expected.tip);
       ASSERT_EQ(found.convex, expected.convex);
       ASSERT_EQ(found.horn, expected.horn);
+      ASSERT_EQ(found.walk, expected.walk);
       ASSERT_EQ(found.rest, expected.rest);
     }
   });
   EXPECT_GT(cases.tip, 10'000);
   EXPECT_GT(cases.convex, 10'000);
   EXPECT_GT(cases.horn, 10'000);
+  EXPECT_GT(cases.walk, 1'000);
   EXPECT_GT(cases.rest, 1'000);
 }
 

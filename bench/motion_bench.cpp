@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time of what is left of a robot-step: the preferred velocity, the wish among ten neighbors, one
+// step of motion.
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "planner/decision.h"
+#include "robots/motion.h"
+#include "sim/goals.h"
+
+namespace avo {
+namespace {
+
+constexpr std::size_t kRobots = 1024;  // so many that no branch can be learned
+constexpr std::size_t kNeighbors = 10;
+
+double uniform(std::uint64_t& state, double a, double b) {
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return a + (b - a) * (static_cast<double>(state >> 11) * 0x1p-53);
+}
+
+Vec2 in_ring(std::uint64_t& state, double near, double far) {
+  const double angle = uniform(state, 0.0, 2.0 * std::numbers::pi);
+  return uniform(state, near, far) * Vec2{std::cos(angle), std::sin(angle)};
+}
+
+// A robot on its way or about to arrive, and ten others 1 to 7 m away.
+struct Scene {
+  Robot robot;
+  Vec2 goal;
+  std::vector<Neighbor> neighbors;
+  Plan plan;
+};
+
+std::vector<Scene> scenes(const Planner& planner) {
+  std::uint64_t state = 2011;
+  std::vector<Scene> all(kRobots);
+  for (Scene& scene : all) {
+    Robot& robot = scene.robot;
+    robot.velocity = in_ring(state, 0.0, 1.5);
+    scene.goal = in_ring(state, 0.0, 20.0);
+    scene.plan.new_velocity = in_ring(state, 0.0, 1.5);
+    const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
+    robot.preferred_velocity =
+        preferred_velocity(robot.position, robot.velocity, traits, scene.goal, planner);
+    for (std::size_t k = 0; k < kNeighbors; ++k) {
+      scene.neighbors.push_back({in_ring(state, 1.0, 7.0), in_ring(state, 0.0, 1.5), 0.5, 1.0, {}});
+    }
+  }
+  return all;
+}
+
+// What each(scene) takes, of one scene after the other.
+template <typename Each>
+void run(benchmark::State& state, const Planner& planner, Each each) {
+  const std::vector<Scene> all = scenes(planner);
+  std::size_t k = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(each(all[k]));
+    k = (k + 1) % kRobots;
+  }
+}
+
+void motion(benchmark::State& state) {
+  const Planner planner({});
+  const StepResponse response = step_response(planner);
+  run(state, planner, [&](const Scene& scene) {
+    return advance({scene.robot.position, scene.robot.velocity}, scene.plan, response);
+  });
+}
+BENCHMARK(motion);
+
+void towards_goal(benchmark::State& state) {
+  const Planner planner({});
+  run(state, planner, [&](const Scene& scene) {
+    const Robot& robot = scene.robot;
+    const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
+    return preferred_velocity(robot.position, robot.velocity, traits, scene.goal, planner);
+  });
+}
+BENCHMARK(towards_goal);
+
+void wish_among_ten(benchmark::State& state) {
+  const Planner planner({});
+  run(state, planner, [&](const Scene& scene) {
+    Detour detour;
+    return wish_of(scene.robot, scene.neighbors, planner.options().time_step, detour);
+  });
+}
+BENCHMARK(wish_among_ten);
+
+}  // namespace
+}  // namespace avo
