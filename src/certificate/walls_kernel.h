@@ -185,23 +185,25 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
                              p + (x_A.end - x_B.end)};
     const Real ahead = Real::load(&own.ahead[k]), across = Real::load(&own.across[k]);
     const Real anyhow = Real::load(&own.anyhow[k]), most = ahead + across + anyhow;
-    const auto counted = m < Real(static_cast<double>(of.intervals));
+    // those that are looked at closely: each for itself, so that no number of lanes has a say
+    auto close = m < Real(static_cast<double>(of.intervals));
     {
       const Real moved = one_norm(q.middle - q.start) + one_norm(q.end - q.middle);
       const PackMargin<Real> margin = error_margin(pair, law, m, contact, moved);
       const Real beyond = inflated + moved + margin.distance;
       const Real free = norm(q.start) - beyond;
-      if (!any(counted & !(share * free > (one + margin.cone) * most))) continue;
+      close = close & !(share * free > (one + margin.cone) * most);
+      if (!any(close)) continue;
     }
     const PackVec<Real> n = normal_of(q);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
     const auto holds = m < Real(of.moving);  // the invariant speaks of it
-    nearest = select(counted & holds & (distance < nearest), distance, nearest);
+    nearest = select(close & holds & (distance < nearest), distance, nearest);
     const Real moved = norm(q.middle - q.start) + norm(q.end - q.middle);
     PackMargin<Real> margin = error_margin(pair, law, m, distance, moved);
     const Real loss = max(-dot(n, d), zero) * ahead + abs(n.x * d.y - n.y * d.x) * across + anyhow +
                       margin.cone * most;
-    const auto kept = counted & !(share * (distance - inflated - margin.distance) > loss);
+    const auto kept = close & !(share * (distance - inflated - margin.distance) > loss);
     // of intervals at rest it says nothing: all three points stay clear along n there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
     push(walls_of(pair, x_A, q, n, distance, margin), k, bits(kept), of, walls);
