@@ -185,23 +185,14 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
                              p + (x_A.end - x_B.end)};
     const Real ahead = Real::load(&own.ahead[k]), across = Real::load(&own.across[k]);
     const Real anyhow = Real::load(&own.anyhow[k]), most = ahead + across + anyhow;
-<<<<<<< HEAD
-    const auto counted = m < Real(static_cast<double>(of.intervals));
-    auto close = counted;
-=======
     // those that are looked at closely: each for itself, so that no number of lanes has a say
     auto close = m < Real(static_cast<double>(of.intervals));
->>>>>>> work-g
     {
       const Real moved = one_norm(q.middle - q.start) + one_norm(q.end - q.middle);
       const PackMargin<Real> margin = error_margin(pair, law, m, contact, moved);
       const Real beyond = inflated + moved + margin.distance;
       const Real free = norm(q.start) - beyond;
-<<<<<<< HEAD
-      close = counted & !(share * free > (one + margin.cone) * most);
-=======
       close = close & !(share * free > (one + margin.cone) * most);
->>>>>>> work-g
       if (!any(close)) continue;
     }
     const PackVec<Real> n = normal_of(q);
