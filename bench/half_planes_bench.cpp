@@ -2,47 +2,18 @@
 // Time of a half-plane (Eqs. 15, 16) in batches of 640, by precision and kind of situation. The
 // instruction set is AVO_SIMD's.
 #include <benchmark/benchmark.h>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include "avo/simd.h"
 #include "obstacles/half_planes.h"
+#include "pairs.h"
 
 namespace avo {
 namespace {
 
 constexpr std::size_t kBatch = 640;  // ten neighbors of 64 robots
 constexpr std::size_t kBatches = 8;
-
-double uniform(std::uint64_t& state, double a, double b) {
-  state = state * 6364136223846793005u + 1442695040888963407u;
-  return a + (b - a) * (static_cast<double>(state >> 11) * 0x1p-53);
-}
-
-// Distances `near` to `far`, both robots with speeds up to 2 m/s.
-Pair random_pair(std::uint64_t& state, double near, double far) {
-  const auto direction = [&] {
-    const double angle = uniform(state, 0.0, 2.0 * std::numbers::pi);
-    return Vec2{std::cos(angle), std::sin(angle)};
-  };
-  const Vec2 p = uniform(state, near, far) * direction();
-  const Vec2 v_A = uniform(state, 0.0, 2.0) * direction();
-  return {p, v_A - uniform(state, 0.0, 2.0) * direction(), 1.0};
-}
-
-enum class Kind { mixed, tip, convex, horn };
-
-Kind kind_of(const Pair& pair, const Horizon& horizon) {
-  const Vec2 tip = pair.position + horizon.end().time * pair.velocity;
-  const Vec2 n = tip / norm(tip);
-  const Vec2 tangent = pair.position + horizon.end().lag * pair.velocity;
-  if (dot(n, pair.position) >= pair.radius && dot(n, tangent) >= pair.radius) return Kind::tip;
-  const double miss = std::abs(cross(pair.position, pair.velocity)) / norm(pair.velocity);
-  const bool closing = dot(pair.position, pair.velocity) < 0.0;
-  return closing && miss < pair.radius ? Kind::convex : Kind::horn;
-}
 
 template <typename Number>
 void run(benchmark::State& state, Kind kind, double near, double far, double delta, double tau) {

@@ -13,14 +13,14 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const WallColumns& walls, std::si
                                                const Braking& own, const CandidatePath& path,
                                                const StepLaw& law, bool has_cones) {
   const Real zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  const PackVec<Real> n{Real::load(&walls.normal_x[k]), Real::load(&walls.normal_y[k])};
+  const Vec<Real> n{Real::load(&walls.normal_x[k]), Real::load(&walls.normal_y[k])};
   const Real m = Real::load(&walls.interval[k]);
   const auto later = m > zero;  // than the step that is decided
   // the interval's points lie so far along the braking that follows the first step
   const PackProfile<Real> braking = constant<Real>(path.braking);
   const PackDistances<Real> before = distances(braking, law, max(m - one, zero));
   const Real end = distances(braking, law, m).start;
-  const PackVec<Real> first = constant<Real>(path.first), along = constant<Real>(path.direction);
+  const Vec<Real> first = constant<Real>(path.first), along = constant<Real>(path.direction);
   const Real base = dot(n, first), per_distance = dot(n, along);
   PackCoefficients<Real> result{
       base + per_distance * before.start + Real::load(&walls.offset[0][k]),
@@ -29,7 +29,7 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const WallColumns& walls, std::si
   if (has_cones) {
     const Real cone = Real::load(&walls.cone[k]);
     const PackPoints<Real> x = points(own.profile, own.direction, law, m);
-    const auto off = [&](Real distance, PackVec<Real> from) {
+    const auto off = [&](Real distance, Vec<Real> from) {
       return cone * norm(first + distance * along - from);
     };
     result = {result.start - off(before.start, x.start),

@@ -56,7 +56,7 @@ AVO_KERNEL Real stopping_length(const PackProfile<Real>& braking, const StepLaw&
 /// The three Bézier points of an interval.
 template <typename Real>
 struct PackPoints {
-  PackVec<Real> start, middle, end;
+  Vec<Real> start, middle, end;
 };
 
 template <typename Real>
@@ -65,6 +65,6 @@ AVO_KERNEL PackPoints<Real> points(const BrakingProfile& of, Vec2 direction, con
   const PackProfile<Real> braking = constant<Real>(of);
   const PackDistances<Real> now = distances(braking, law, steps);
   const PackDistances<Real> next = distances(braking, law, steps + Real(1.0));
-  const PackVec<Real> along = constant<Real>(direction);
+  const Vec<Real> along = constant<Real>(direction);
   return {now.start * along, now.middle * along, next.start * along};
 }

@@ -2,7 +2,6 @@
 // All of the certificate's kernels, in the order in which they use each other. Included into a
 // namespace that has Pack, once per instruction set.
 // clang-format off
-#include "core/vec_kernel.h"
 #include "certificate/braking_kernel.h"
 #include "certificate/pair_kernel.h"
 #include "certificate/walls_kernel.h"

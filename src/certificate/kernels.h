@@ -16,8 +16,6 @@
 #include "certificate/wall_columns.h"
 #include "core/scalar.h"
 
-#define AVO_KERNEL inline __attribute__((always_inline))
-
 namespace avo {
 
 inline constexpr std::array<double, kWallLanes> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};

@@ -15,7 +15,7 @@ BrakingProfile plain(const scalar::PackProfile<Real>& profile) {
   return {profile.speed.value, profile.decrement.value, profile.full_steps.value};
 }
 
-Vec2 plain(const scalar::PackVec<Real>& a) {
+Vec2 plain(const scalar::Vec<Real>& a) {
   return {a.x.value, a.y.value};
 }
 
@@ -24,7 +24,7 @@ Braking plain(const scalar::PackBraking<Real>& braking) {
           braking.reach.value, braking.intervals.value};
 }
 
-scalar::PackVec<Real> pack(Vec2 a) {
+scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
 

@@ -6,17 +6,17 @@
 template <typename Real>
 struct PackBraking {
   PackProfile<Real> profile;
-  PackVec<Real> direction;
+  Vec<Real> direction;
   Real length, reach, intervals;
 };
 
 template <typename Real>
-AVO_KERNEL PackBraking<Real> braking_of(PackVec<Real> velocity, Real max_acceleration,
+AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleration,
                                         const StepLaw& law) {
   const Real zero(0.0), one(1.0), speed = norm(velocity);
   const Real u = max_acceleration * Real(law.braking_time);
   const auto moves = speed > zero;
-  const PackVec<Real> direction = velocity / select(moves, speed, one);
+  const Vec<Real> direction = velocity / select(moves, speed, one);
   PackBraking<Real> result;
   result.profile = profile(speed, u);
   result.direction = {select(moves, direction.x, zero), select(moves, direction.y, zero)};
@@ -32,7 +32,7 @@ AVO_KERNEL PackBraking<Real> braking_of(PackVec<Real> velocity, Real max_acceler
 /// See BrakingPair, of one that decides.
 template <typename Real>
 struct PackPair {
-  PackVec<Real> p;
+  Vec<Real> p;
   Real distance, contact, inflated, error, share;
   PackBraking<Real> b;
 };
@@ -46,8 +46,8 @@ AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
 }
 
 template <typename Real>
-AVO_KERNEL PackPair<Real> pair_of(const Robot& robot, const Braking& a, PackVec<Real> position,
-                                  PackVec<Real> velocity, Real radius, Real max_acceleration,
+AVO_KERNEL PackPair<Real> pair_of(const Robot& robot, const Braking& a, Vec<Real> position,
+                                  Vec<Real> velocity, Real radius, Real max_acceleration,
                                   const StepLaw& law) {
   const Real a_A(robot.max_acceleration), one(1.0);
   PackPair<Real> pair;
@@ -70,10 +70,10 @@ AVO_KERNEL PackPair<Real> pair_of(const Robot& robot, const Braking& a, PackVec<
 /// does.
 template <typename Real>
 AVO_KERNEL auto refuses_nothing(const Robot& robot, const Braking& a, const Deviation& deviation,
-                                const PackPair<Real>& pair, PackVec<Real> velocity,
+                                const PackPair<Real>& pair, Vec<Real> velocity,
                                 Real max_acceleration, const StepLaw& law) {
   const Real zero(0.0), one(1.0), d = pair.distance, length_A(a.length);
-  const PackVec<Real> d_A = constant<Real>(a.direction), d_B = pair.b.direction;
+  const Vec<Real> d_A = constant<Real>(a.direction), d_B = pair.b.direction;
   const auto apart = d > zero;
   // along p, whenever each of them stops
   const Real towards =
@@ -103,7 +103,7 @@ void judge_pairs(const Robot& robot, const Braking& a, const Deviation& deviatio
   near.kept_count = 0;
   for (std::size_t k = 0; k < near.count; k += Real::kLanes) {
     const auto load = [k](const std::vector<double>& column) { return Real::load(&column[k]); };
-    const PackVec<Real> velocity{load(near.v_x), load(near.v_y)};
+    const Vec<Real> velocity{load(near.v_x), load(near.v_y)};
     const Real max_acceleration = load(near.max_acceleration);
     const PackPair<Real> pair = pair_of<Real>(robot, a, {load(near.x), load(near.y)}, velocity,
                                               load(near.radius), max_acceleration, law);

@@ -8,8 +8,8 @@ void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, 
   for (std::size_t k = 0; k <= own.count; k += Real::kLanes) {
     const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
     const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
-    const PackVec<Real> along = constant<Real>(a.direction);
-    const PackVec<Real> start = braking.start * along, middle = braking.middle * along;
+    const Vec<Real> along = constant<Real>(a.direction);
+    const Vec<Real> start = braking.start * along, middle = braking.middle * along;
     start.x.store(&own.start_x[k]);
     start.y.store(&own.start_y[k]);
     middle.x.store(&own.middle_x[k]);
@@ -44,18 +44,18 @@ struct MovingOther {
 
   AVO_KERNEL PackPoints<Real> operator()(Real m) const {
     const Real h(law.time_step), lag(law.lag), half(0.5), t = m * h;
-    const PackVec<Real> a = constant<Real>(neighbor.acceleration);
-    const PackVec<Real> v_0 = constant<Real>(neighbor.velocity), v = v_0 + t * a;
-    const PackVec<Real> x = t * v_0 + (half * t * t) * a;
+    const Vec<Real> a = constant<Real>(neighbor.acceleration);
+    const Vec<Real> v_0 = constant<Real>(neighbor.velocity), v = v_0 + t * a;
+    const Vec<Real> x = t * v_0 + (half * t * t) * a;
     return {x, x + lag * v, x + h * v + (half * h * h) * a};
   }
 };
 
 /// The point of a segment nearest to the origin; odd in (a, b), bit for bit.
 template <typename Real>
-AVO_KERNEL PackVec<Real> nearest_on_segment(PackVec<Real> a, PackVec<Real> b) {
+AVO_KERNEL Vec<Real> nearest_on_segment(Vec<Real> a, Vec<Real> b) {
   const Real zero(0.0), one(1.0);
-  const PackVec<Real> ab = b - a;
+  const Vec<Real> ab = b - a;
   const Real squared = dot(ab, ab);
   const auto is_long = squared > zero;
   const Real part = min(max(-dot(a, ab) / select(is_long, squared, one), zero), one);
@@ -66,11 +66,11 @@ AVO_KERNEL PackVec<Real> nearest_on_segment(PackVec<Real> a, PackVec<Real> b) {
 /// origin. Whether the origin lies inside is not asked: no sign of rounding noise decides anything,
 /// since any direction makes a sound wall, and its distance tells what it is worth.
 template <typename Real>
-AVO_KERNEL PackVec<Real> normal_of(const PackPoints<Real>& q) {
+AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q) {
   const Real zero(0.0), one(1.0);
-  PackVec<Real> nearest = nearest_on_segment(q.start, q.middle);
+  Vec<Real> nearest = nearest_on_segment(q.start, q.middle);
   Real squared = dot(nearest, nearest);
-  for (const PackVec<Real>& other :
+  for (const Vec<Real>& other :
        {nearest_on_segment(q.middle, q.end), nearest_on_segment(q.end, q.start)}) {
     const Real of_other = dot(other, other);
     const auto nearer = of_other < squared;
@@ -110,24 +110,24 @@ AVO_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw&
 }
 
 template <typename Real>
-AVO_KERNEL Real one_norm(PackVec<Real> a) {
+AVO_KERNEL Real one_norm(Vec<Real> a) {
   return abs(a.x) + abs(a.y);
 }
 
 /// What the walls of a pair are, before it is known which distance is held.
 template <typename Real>
 struct PackWalls {
-  PackVec<Real> normal;
+  Vec<Real> normal;
   Real cone, bound;
   std::array<Real, 3> offset;
 };
 
 template <typename Real>
 AVO_KERNEL PackWalls<Real> walls_of(const BrakingPair& pair, const PackPoints<Real>& own,
-                                    const PackPoints<Real>& q, PackVec<Real> n, Real distance,
+                                    const PackPoints<Real>& q, Vec<Real> n, Real distance,
                                     const PackMargin<Real>& margin) {
   const Real share(pair.share);
-  const auto offset = [&](PackVec<Real> of_q, PackVec<Real> of_x) {
+  const auto offset = [&](Vec<Real> of_q, Vec<Real> of_x) {
     return share * (dot(n, of_q) - margin.distance) - dot(n, of_x);
   };
   return {n,
@@ -170,9 +170,9 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
   const BrakingPair& pair = of.pair;
   const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
   const Real share(pair.share), inflated(of.inflated), contact(pair.contact);
-  const PackVec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
+  const Vec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
-    return PackVec<Real>{Real::load(&x[k]), Real::load(&y[k])};
+    return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
   };
   Real nearest = infinity;
   for (std::size_t k = 0; k < of.intervals; k += Real::kLanes) {
@@ -195,7 +195,7 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
       close = close & !(share * free > (one + margin.cone) * most);
       if (!any(close)) continue;
     }
-    const PackVec<Real> n = normal_of(q);
+    const Vec<Real> n = normal_of(q);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
     const auto holds = m < Real(of.moving);  // the invariant speaks of it
     nearest = select(close & holds & (distance < nearest), distance, nearest);

@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <hwy/highway.h>
 
+#include "core/scalar.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -152,6 +154,8 @@ template <typename Real>
 HWY_INLINE Real max(Real a, Real b) {
   return select(a > b, a, b);
 }
+
+#include "core/vec_kernel.h"
 
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -6,6 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "avo/vec.h"
+
+// Of all that kernels are made of: what is not inlined costs more than what it does.
+#define AVO_KERNEL inline __attribute__((always_inline))
+
 namespace avo::scalar {
 
 struct Mask {
@@ -80,5 +85,7 @@ template <typename T>
 Pack<T> max(Pack<T> a, Pack<T> b) {
   return select(a > b, a, b);
 }
+
+#include "core/vec_kernel.h"
 
 }  // namespace avo::scalar

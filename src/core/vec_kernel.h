@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane vectors of packs. Included into a namespace that has Pack, once per instruction set.
+// Plane vectors of packs. Included into a namespace that has Pack: by core/scalar.h, and by
+// core/lanes.h once per instruction set.
 
 template <typename Real>
-struct PackVec {
+struct Vec {
   Real x, y;
-  friend AVO_KERNEL PackVec operator+(PackVec a, PackVec b) { return {a.x + b.x, a.y + b.y}; }
-  friend AVO_KERNEL PackVec operator-(PackVec a, PackVec b) { return {a.x - b.x, a.y - b.y}; }
-  friend AVO_KERNEL PackVec operator*(Real s, PackVec a) { return {s * a.x, s * a.y}; }
-  friend AVO_KERNEL PackVec operator/(PackVec a, Real s) { return {a.x / s, a.y / s}; }
-  friend AVO_KERNEL Real dot(PackVec a, PackVec b) { return a.x * b.x + a.y * b.y; }
-  friend AVO_KERNEL Real norm(PackVec a) { return sqrt(dot(a, a)); }
+  friend AVO_KERNEL Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
+  friend AVO_KERNEL Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+  friend AVO_KERNEL Vec operator*(Real s, Vec a) { return {s * a.x, s * a.y}; }
+  friend AVO_KERNEL Vec operator/(Vec a, Real s) { return {a.x / s, a.y / s}; }
+  friend AVO_KERNEL Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
+  friend AVO_KERNEL Real cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
+  friend AVO_KERNEL Real norm(Vec a) { return sqrt(dot(a, a)); }
+  friend AVO_KERNEL Vec perpendicular(Vec a) { return {-a.y, a.x}; }
+  friend AVO_KERNEL Vec select(decltype(Real() < Real()) mask, Vec yes, Vec no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y)};
+  }
 };
 
 /// Every lane the same.
 template <typename Real>
-AVO_KERNEL PackVec<Real> constant(Vec2 a) {
+AVO_KERNEL Vec<Real> constant(Vec2 a) {
   return {Real(a.x), Real(a.y)};
 }

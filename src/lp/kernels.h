@@ -9,8 +9,6 @@
 #include "core/scalar.h"
 #include "lp/programs.h"
 
-#define AVO_KERNEL inline __attribute__((always_inline))
-
 namespace avo {
 
 template <typename Number>

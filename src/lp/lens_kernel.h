@@ -10,22 +10,6 @@ AVO_KERNEL Real clamp(Real a, Real lo, Real hi) {
   return select(a < lo, lo, select(hi < a, hi, a));
 }
 
-template <typename Real>
-struct Vec {
-  Real x, y;
-  friend AVO_KERNEL Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
-  friend AVO_KERNEL Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
-  friend AVO_KERNEL Vec operator*(Real s, Vec a) { return {s * a.x, s * a.y}; }
-  friend AVO_KERNEL Vec operator/(Vec a, Real s) { return {a.x / s, a.y / s}; }
-  friend AVO_KERNEL Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
-  friend AVO_KERNEL Real cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
-  friend AVO_KERNEL Real norm(Vec a) { return sqrt(dot(a, a)); }
-  friend AVO_KERNEL Vec perpendicular(Vec a) { return {-a.y, a.x}; }
-  friend AVO_KERNEL Vec select(Mask<Real> mask, Vec yes, Vec no) {
-    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y)};
-  }
-};
-
 /// The acceleration disc; the speed disc lies around 0.
 template <typename Real>
 struct Discs {

@@ -9,18 +9,7 @@
 //   tip     the disc of τ alone is nearest: n = x(τ)/|x(τ)|
 //   convex  on collision course the obstacle is convex: n = x(t)/|x(t)| where n . y = r
 //   horn    otherwise its near side is concave, and the hull closes it by a chord from Q, where the
-//           near side crosses the circle |w| = R: once if `crosses_once`, else see horn.cpp
-
-template <typename Real>
-struct Vec {
-  Real x, y;
-  friend AVO_KERNEL Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
-  friend AVO_KERNEL Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
-  friend AVO_KERNEL Vec operator*(Real s, Vec a) { return {s * a.x, s * a.y}; }
-  friend AVO_KERNEL Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
-  friend AVO_KERNEL Real norm(Vec a) { return sqrt(dot(a, a)); }
-  friend AVO_KERNEL Vec perpendicular(Vec a) { return {-a.y, a.x}; }
-};
+//           near side crosses the circle |w| = R: once where `Passage` says so, else see horn.cpp
 
 /// A pair in its own frame: first axis along p, second across it on v's side: p = (d, 0), v.y >= 0
 /// but for ties. Exchanging the robots turns this frame by 180 degrees and changes no number in it.

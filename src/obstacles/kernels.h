@@ -15,8 +15,6 @@
 #include "core/scalar.h"
 #include "obstacles/half_planes.h"
 
-#define AVO_KERNEL inline __attribute__((always_inline))
-
 namespace avo {
 
 // Of Newton's iterations; bisection alone would end by then.
