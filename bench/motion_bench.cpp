@@ -85,9 +85,11 @@ BENCHMARK(towards_goal);
 
 void wish_among_ten(benchmark::State& state) {
   const Planner planner({});
+  NeighborColumns seen;
   run(state, planner, [&](const Scene& scene) {
     Detour detour;
-    return wish_of(scene.robot, scene.neighbors, planner.options().time_step, detour);
+    return wish_of(scene.robot, in_columns(scene.neighbors, seen), planner.options().time_step,
+                   detour);
   });
 }
 BENCHMARK(wish_among_ten);

@@ -131,13 +131,13 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
 }
 
 // Those that decide and are not far. Returns whether there are others, that do not decide.
-bool gather(const Robot& robot, std::span<const Neighbor> neighbors, Whom whom, const Peers& peers,
+bool gather(const Robot& robot, const Neighbors& neighbors, Whom whom, const Peers& peers,
             NearColumns& near) {
   near.count = 0;
   near.reserve(neighbors.size());
   bool has_movers = false;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor& neighbor = neighbors[k];
+    const Neighbor neighbor = neighbors[k];
     const bool decides = neighbor.max_acceleration > 0.0;
     has_movers = has_movers || !decides;
     if (!decides || whom == Whom::movers) continue;
@@ -164,8 +164,8 @@ BrakingPair kept_pair(const Robot& robot, const Braking& a, const NearColumns& n
 
 }  // namespace
 
-void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom whom,
-                   const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
+void collect_walls(const Robot& robot, const Neighbors& neighbors, Whom whom, const StepLaw& law,
+                   TrajectoryWalls& walls, Invariant& invariant) {
   const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
   walls.columns.count = walls.own_columns.count = 0;
   walls.stays_at_rest = walls.has_cones = false;
@@ -180,7 +180,7 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom
                   walls, invariant);
   }
   for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
-    const Neighbor& mover = neighbors[k];
+    const Neighbor mover = neighbors[k];
     if (mover.max_acceleration > 0.0) continue;
     const BrakingPair pair = braking_pair(robot, mover, a, law);
     if (cannot_meet(pair, mover, law)) continue;

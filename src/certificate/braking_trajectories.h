@@ -11,6 +11,7 @@
 #include "certificate/braking_path.h"
 #include "certificate/pair.h"
 #include "certificate/wall_columns.h"
+#include "core/neighbor_columns.h"
 
 namespace avo {
 
@@ -48,8 +49,8 @@ TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
 /// Collects the walls that can refuse a candidate with |v_1 - v| <= u. A neighbor with
 /// max_acceleration 0 does not decide: it is taken to keep its acceleration, A's share is 1, and
 /// only the time counts in which A moves.
-void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors, Whom whom,
-                   const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
+void collect_walls(const Robot& robot, const Neighbors& neighbors, Whom whom, const StepLaw& law,
+                   TrajectoryWalls& walls, Invariant& invariant);
 
 /// Whether the path keeps all walls, and by how much or how little each of them.
 bool keeps(const CandidatePath& path, const StepLaw& law, TrajectoryWalls& walls);

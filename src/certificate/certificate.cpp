@@ -18,6 +18,11 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
 
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls) {
+  collect_walls(robot, in_columns(neighbors, walls.seen), law, walls);
+}
+
+void collect_walls(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+                   CertificateWalls& walls) {
   walls.invariant = {std::numeric_limits<double>::infinity()};
   walls.trajectories.columns.count = 0;
   walls.trajectories.stays_at_rest = false;

@@ -9,6 +9,7 @@
 #include "certificate/braking_trajectories.h"
 #include "certificate/linear_soft_stop.h"
 #include "certificate/stopping_capsules.h"
+#include "core/neighbor_columns.h"
 
 namespace avo {
 
@@ -25,13 +26,16 @@ struct CertificateWalls {
   TrajectoryWalls trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
   std::vector<CapsuleWall> capsules;
   std::vector<SoftStopWall> soft_stops;
-  CandidatePath path;  ///< of the last candidate asked about
+  CandidatePath path;    ///< of the last candidate asked about
+  NeighborColumns seen;  ///< where neighbors were not given in columns
 };
 
 /// Room for the walls of so many neighbors, each of which brakes for so many steps.
 void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
                    CertificateWalls& walls);
 
+void collect_walls(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+                   CertificateWalls& walls);
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls);
 

@@ -10,12 +10,12 @@
 
 namespace avo {
 
-void collect_soft_stops(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
+void collect_soft_stops(const Robot& robot, const Neighbors& neighbors, double time_step,
                         double soft_stop_time, std::vector<SoftStopWall>& walls,
                         Invariant& invariant) {
   const double ahead = soft_stop_time - 0.5 * time_step;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor& neighbor = neighbors[k];
+    const Neighbor neighbor = neighbors[k];
     const Vec2 p = robot.position - neighbor.position;
     const Vec2 to_z = ahead * (robot.velocity - neighbor.velocity);
     const Vec2 z = p + to_z;

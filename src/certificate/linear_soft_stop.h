@@ -8,6 +8,7 @@
 #include "avo/geometry.h"
 #include "avo/robot.h"
 #include "certificate/pair.h"
+#include "core/neighbor_columns.h"
 
 namespace avo {
 
@@ -19,7 +20,7 @@ struct SoftStopWall {
 /// Where a robot comes to rest by a = -v/d_s, half a step ahead: z = p + (d_s - Δt/2) v.
 /// Appends n . (v_A + d_s a_A) >= -β (n . z_AB - r)/Δt of all neighbors, n being the direction of
 /// the point of the segment [p_AB, z_AB] nearest to 0. soft_stop_time: [d_s] s, common to all.
-void collect_soft_stops(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
+void collect_soft_stops(const Robot& robot, const Neighbors& neighbors, double time_step,
                         double soft_stop_time, std::vector<SoftStopWall>& walls,
                         Invariant& invariant);
 

@@ -33,13 +33,14 @@ Vec2 separating_normal(const std::array<Vec2, 4>& corners) {
 
 }  // namespace
 
-void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, const StepLaw& law,
+void collect_capsules(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
                       std::vector<CapsuleWall>& walls, Invariant& invariant) {
   const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    if (!(neighbors[k].max_acceleration > 0.0)) continue;
-    const BrakingPair pair = braking_pair(robot, neighbors[k], a, law);
-    if (cannot_meet(pair, neighbors[k], law)) continue;
+    const Neighbor neighbor = neighbors[k];
+    if (!(neighbor.max_acceleration > 0.0)) continue;
+    const BrakingPair pair = braking_pair(robot, neighbor, a, law);
+    if (cannot_meet(pair, neighbor, law)) continue;
     const Vec2 s_A = pair.a.length * pair.a.direction, s_B = pair.b.length * pair.b.direction;
     const std::array<Vec2, 4> corners{pair.p, pair.p + s_A, pair.p + (s_A - s_B), pair.p - s_B};
     const Vec2 n = separating_normal(corners);

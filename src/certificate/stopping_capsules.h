@@ -8,6 +8,7 @@
 #include "avo/geometry.h"
 #include "certificate/braking_path.h"
 #include "certificate/pair.h"
+#include "core/neighbor_columns.h"
 
 namespace avo {
 
@@ -19,7 +20,7 @@ struct CapsuleWall {
 };
 
 /// Appends the walls of the neighbors that decide and whose capsules can come to meet A's.
-void collect_capsules(const Robot& robot, std::span<const Neighbor> neighbors, const StepLaw& law,
+void collect_capsules(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
                       std::vector<CapsuleWall>& walls, Invariant& invariant);
 
 /// Whether the capsule after the candidate's first step, and with it that step, keeps to all walls.

@@ -43,7 +43,7 @@ double traffic_range(const Robot& robot) {
 
 // Robots ahead that close in or are nearly at rest, weighted by how near they are, 0 to 1. Which
 // ones is not foreseeable: they are picked without a branch, some at a time.
-double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 way) {
+double congestion(const Robot& robot, const Neighbors& neighbors, Vec2 way) {
   const double range = traffic_range(robot), slow = kSlow * robot.max_speed;
   const double range_squared = range * range, slow_squared = slow * slow, per_range = 1.0 / range;
   constexpr std::size_t kTogether = 16;
@@ -51,8 +51,8 @@ double congestion(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 
   double total = 0.0;
   for (std::size_t first = 0; first < neighbors.size(); first += kTogether) {
     std::size_t count = 0;
-    for (const Neighbor& neighbor :
-         neighbors.subspan(first, std::min(kTogether, neighbors.size() - first))) {
+    for (std::size_t k = first; k < std::min(first + kTogether, neighbors.size()); ++k) {
+      const Neighbor neighbor = neighbors[k];
       const Vec2 towards = neighbor.position - robot.position;
       const bool ahead = dot(towards, way) > 0.0;
       const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
@@ -83,17 +83,17 @@ Vec2 turned_right(Vec2 a, double angle) {
   return {c * a.x + s * a.y, c * a.y - s * a.x};
 }
 
-Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors) {
+Vec2 keep_right(const Robot& robot, const Neighbors& neighbors) {
   const Vec2 wish = robot.preferred_velocity;
   if (robot.distance_to_goal < stopping_distance(robot)) return wish;
   const double part = congestion(robot, neighbors, wish);
   return part > 0.0 ? turned_right(wish, part * kMostKeepRight) : wish;
 }
 
-Vec2 give_way(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
-              Detour& detour) {
+Vec2 give_way(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour) {
   Vec2 push;
-  for (const Neighbor& neighbor : neighbors) {
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor neighbor = neighbors[k];
     const Vec2 away = robot.position - neighbor.position;
     const double contact = robot.radius + neighbor.radius, room = kRoom * contact;
     const double reach = contact + room;

@@ -3,9 +3,8 @@
 // turns the preferred velocity, so that safety never depends on it; local, deterministic, the same
 // for every robot.
 #pragma once
-#include <span>
-
 #include "avo/planner.h"
+#include "core/neighbor_columns.h"
 
 namespace avo {
 
@@ -14,12 +13,11 @@ double arrival_range(const Robot& robot, double largest_radius);
 
 /// The preferred velocity turned to the right by how congested the way ahead is; as it is on the
 /// last of the way to the goal.
-Vec2 keep_right(const Robot& robot, std::span<const Neighbor> neighbors);
+Vec2 keep_right(const Robot& robot, const Neighbors& neighbors);
 
 /// [m/s] to add to the wish: away from those that are nearly in contact, most of all where the
 /// robot has all but arrived. It does so for a while: who stays beside it has come to rest as well.
-Vec2 give_way(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
-              Detour& detour);
+Vec2 give_way(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour);
 
 /// Whether it is something that a robot can remember.
 bool is_sound(const Detour& detour);

@@ -108,15 +108,14 @@ PlanStatus status_of(const Choice& choice, const Invariant& invariant, bool over
 
 }  // namespace
 
-Vec2 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
-             Detour& detour) {
+Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour) {
   if (!is_sound(detour)) detour = {};
   const Vec2 push = give_way(robot, neighbors, time_step, detour);
   return has_settled(robot, detour) ? Vec2{} : keep_right(robot, neighbors) + push;
 }
 
-Plan Planner::choose(const Robot& robot, std::span<const Neighbor> neighbors,
-                     const CertificateLaw& law, const Wished& wished, PlanWorkspace& workspace,
+Plan Planner::choose(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+                     const Wished& wished, PlanWorkspace& workspace,
                      Detour& detour) const noexcept {
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const Decision decision{

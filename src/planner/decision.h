@@ -4,6 +4,7 @@
 #include <span>
 
 #include "avo/planner.h"
+#include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 
 namespace avo {
@@ -12,14 +13,14 @@ namespace avo {
 bool is_valid(const Robot& robot);
 bool is_valid(const Neighbor& neighbor);
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors);
+bool all_valid(const Robot& robot, const Neighbors& neighbors);
 
 /// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under
 /// every option.
 bool can_follow(const Robot& robot, const PlannerOptions& options);
 
 /// [m/s] which way a robot of method avo wishes to go: keep right and give way, or rest.
-Vec2 wish_of(const Robot& robot, std::span<const Neighbor> neighbors, double time_step,
-             Detour& detour);
+Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour);
 
 /// What the paper's program made of a wish.
 struct Wished {

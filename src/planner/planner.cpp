@@ -52,9 +52,14 @@ bool is_valid(const Neighbor& neighbor) {
 }
 
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
+  return is_valid(robot) && std::all_of(neighbors.begin(), neighbors.end(),
+                                        [](const Neighbor& n) { return is_valid(n); });
+}
+
+bool all_valid(const Robot& robot, const Neighbors& neighbors) {
   if (!is_valid(robot)) return false;
-  for (const Neighbor& neighbor : neighbors) {
-    if (!is_valid(neighbor)) return false;
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    if (!is_valid(neighbors[k])) return false;
   }
   return true;
 }
@@ -175,9 +180,11 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   if (options_.method == Method::velocity_obstacle) {
     return plan_among_obstacles(robot, neighbors, workspace);
   }
+  if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
   Plan plan;
   StageClock clock;
-  const Deciding alone{{&robot, neighbors}, &detour, &plan};
+  const Neighbors seen = in_columns(neighbors, workspace.scratch_->seen);
+  const Deciding alone{{&robot, seen, true}, &detour, &plan};
   plan_together(*this, {&alone, 1}, workspace, clock);
   return plan;
 }

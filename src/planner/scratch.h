@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "avo/planner.h"
+#include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 #include "lp/programs.h"
 #include "planner/certified.h"
@@ -28,6 +29,7 @@ struct PlanWorkspace::Scratch {
   ProgramBatch<float> in_single;
   std::vector<HalfPlane> projected;
   std::vector<PassiveObstacle> obstacles;
+  NeighborColumns seen;
   std::vector<Neighbor> movers;
   PassiveWorkspace passive;
   CertifiedWorkspace certified;

@@ -39,7 +39,7 @@ std::size_t fill_pairs(const PlannerOptions& options, std::span<const Sensing> r
     OwnLimits own = limits_of(options, *sensing.robot);
     own.end = count;
     for (std::size_t i = begin; i < count; ++i) {
-      const Neighbor& neighbor = sensing.neighbors[i - begin];
+      const Neighbor neighbor = sensing.neighbors[i - begin];
       const Pair pair = relative(*sensing.robot, neighbor);
       pairs.put(i, pair.position, pair.velocity, pair.radius,
                 pair_reach(options, *sensing.robot, neighbor));
@@ -148,7 +148,7 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon,
     soft.overlapping.push_back(0);
     const std::size_t count = planned_with(options, sensing);
     for (std::size_t k = 0; k < count; ++k) {
-      const Neighbor& neighbor = sensing.neighbors[k];
+      const Neighbor neighbor = sensing.neighbors[k];
       const RelativeHalfPlane relative =
           relative_half_plane(options, horizon, *sensing.robot, neighbor);
       if (relative.state == PairState::free) continue;

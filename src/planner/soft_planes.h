@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "avo/planner.h"
+#include "core/neighbor_columns.h"
 #include "obstacles/half_planes.h"
 
 namespace avo {
@@ -22,7 +23,7 @@ struct HalfPlaneBatch {
 /// What a robot senses: views of what others own.
 struct Sensing {
   const Robot* robot = nullptr;
-  std::span<const Neighbor> neighbors;
+  Neighbors neighbors;
   bool trusted = false;  ///< its neighbors are known to be finite and in range
 };
 

@@ -5,15 +5,17 @@ namespace avo {
 
 void Tile::clear() {
   robots.clear();
-  neighbors.clear();
+  neighbors.count = 0;
   first.assign(1, 0);
   detours.clear();
   plans.clear();
   trusted = true;
 }
 
-std::span<const Neighbor> Tile::neighbors_of(std::size_t i) const {
-  return std::span(neighbors).subspan(first[i], first[i + 1] - first[i]);
+std::span<const Neighbor> Tile::list_neighbors_of(std::size_t i) {
+  listed.clear();
+  for (std::size_t k = first[i]; k < first[i + 1]; ++k) listed.push_back(neighbors[k]);
+  return listed;
 }
 
 void Tile::reserve(std::size_t most_robots, std::size_t most_neighbors) {
@@ -29,7 +31,7 @@ void plan_tile(const Planner& planner, Tile& tile, PlanWorkspace& workspace, Sta
   tile.plans.resize(tile.size());
   if (planner.options().method == Method::velocity_obstacle) {
     for (std::size_t i = 0; i < tile.size(); ++i) {
-      tile.plans[i] = planner.plan(tile.robots[i], tile.neighbors_of(i), workspace);
+      tile.plans[i] = planner.plan(tile.robots[i], tile.list_neighbors_of(i), workspace);
     }
     return clock.lap(Stage::program);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avo/planner.h"
+#include "core/neighbor_columns.h"
 #include "core/stage_clock.h"
 #include "planner/together.h"
 
@@ -14,16 +15,21 @@ namespace avo {
 /// What robots know and sense, and what they decide. Allocates only while it grows.
 struct Tile {
   std::vector<Robot> robots;
-  std::vector<Neighbor> neighbors;    ///< of all the robots, each by distance and id
+  NeighborColumns neighbors;          ///< of all the robots, each by distance and id
   std::vector<std::size_t> first{0};  ///< of robot i: [first[i], first[i + 1]), into neighbors
   std::vector<Detour> detours;        ///< what each remembers; plan_tile() updates it
   std::vector<Plan> plans;            ///< by plan_tile()
   bool trusted = true;                ///< all neighbors are known to be finite and in range
   std::vector<Deciding> deciding;     ///< scratch memory
+  std::vector<Neighbor> listed;       ///< likewise
 
   void clear();
   [[nodiscard]] std::size_t size() const { return robots.size(); }
-  [[nodiscard]] std::span<const Neighbor> neighbors_of(std::size_t i) const;
+  [[nodiscard]] Neighbors neighbors_of(std::size_t i) const {
+    return {&neighbors, first[i], first[i + 1] - first[i]};
+  }
+  /// One after the other, in scratch memory.
+  [[nodiscard]] std::span<const Neighbor> list_neighbors_of(std::size_t i);
   void reserve(std::size_t most_robots, std::size_t most_neighbors);
 };
 

@@ -119,13 +119,18 @@ double near_range(const World& world, std::size_t slot) {
   return world.fleet.range[slot];
 }
 
-Neighbor robot_at(const World& world, std::uint32_t place) {
-  const Sensed& sensed = world.snapshot.sensed[place];
-  return {world.snapshot.grid.position(place),
-          sensed.velocity,
-          sensed.radius,
-          sensed.max_acceleration,
-          {}};
+void append(const World& world, std::span<const NeighborHit> robots, NeighborColumns& to) {
+  const Snapshot& snapshot = world.snapshot;
+  std::size_t i = to.count;
+  for (const NeighborHit& hit : robots) {
+    const Vec2 p = snapshot.grid.position(hit.place);
+    const Sensed& sensed = snapshot.sensed[hit.place];
+    to.x[i] = p.x, to.y[i] = p.y;
+    to.v_x[i] = sensed.velocity.x, to.v_y[i] = sensed.velocity.y;
+    to.radius[i] = sensed.radius, to.max_acceleration[i] = sensed.max_acceleration;
+    ++i;
+  }
+  to.count = i;
 }
 
 // Appends the neighbors of a robot to those of the tile: all that can matter within the sensing
@@ -141,24 +146,20 @@ void sense(const World& world, std::uint32_t slot, Worker& worker) {
   constexpr double kMargin = 1.25 * 1.25;
   worker.guess =
       robots.size() < nearest ? radius : std::sqrt(kMargin * robots[nearest - 1].distance_squared);
-  std::vector<Neighbor>& neighbors = worker.tile.neighbors;
+  NeighborColumns& neighbors = worker.tile.neighbors;
   const std::size_t most = world.all_matter() ? std::numeric_limits<std::size_t>::max() : nearest;
   const std::span<const NeighborHit> obstacles =
       world.obstacle_grid.gather(position, -1, most, worker.obstacles);
-  const std::size_t before = neighbors.size();
-  neighbors.resize(before + std::min(robots.size() + obstacles.size(), most));
-  Neighbor* next = neighbors.data() + before;
-  if (obstacles.empty()) {
-    for (const NeighborHit& hit : robots) *next++ = robot_at(world, hit.place);
-    return;
-  }
+  const std::size_t end = neighbors.count + std::min(robots.size() + obstacles.size(), most);
+  neighbors.reserve(end);
+  if (obstacles.empty()) return append(world, robots, neighbors);
   auto robot = robots.begin(), obstacle = obstacles.begin();
-  for (; next != neighbors.data() + neighbors.size(); ++next) {
+  while (neighbors.count < end) {
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      *next = robot_at(world, (robot++)->place);
+      append(world, {robot++, 1}, neighbors);
     } else {
-      *next = world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index));
+      neighbors.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
     }
   }
 }
@@ -199,7 +200,8 @@ void plan_and_move(World& world, Worker& worker) {
   worker.clock.lap(Stage::motion);
   if (world.alone()) {
     tile.plans.resize(1);
-    tile.plans[0] = world.planner.plan_among_obstacles(tile.robots[0], tile.neighbors, worker.plan);
+    tile.plans[0] =
+        world.planner.plan_among_obstacles(tile.robots[0], tile.list_neighbors_of(0), worker.plan);
     worker.clock.lap(Stage::program);
   } else {
     plan_tile(world.planner, tile, worker.plan, worker.clock);
@@ -222,10 +224,10 @@ void take_places(World& world, std::size_t first, std::size_t last, Worker& work
   for (std::size_t place = first; place < last; ++place) {
     const std::uint32_t slot = order[place];
     sense(world, slot, worker);
-    worker.tile.first.push_back(worker.tile.neighbors.size());
+    worker.tile.first.push_back(worker.tile.neighbors.count);
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slot);
     worker.slots.push_back(slot);
-    if (worker.tile.neighbors.size() < kTileNeighbors && place + 1 < last) continue;
+    if (worker.tile.neighbors.count < kTileNeighbors && place + 1 < last) continue;
     worker.clock.lap(Stage::search);
     plan_and_move(world, worker);
   }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/neighbor_columns.h"
+
+#include <algorithm>
+
+namespace avo {
+
+void NeighborColumns::grow(std::size_t size) {
+  size = std::max(size, x.size() + x.size() / 2);
+  for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration}) column->resize(size, 1.0);
+  acceleration.resize(size);
+}
+
+Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns) {
+  columns.reserve(neighbors.size());
+  columns.count = 0;
+  for (const Neighbor& each : neighbors) columns.add(each);
+  return {&columns, 0, neighbors.size()};
+}
+
+}  // namespace avo
