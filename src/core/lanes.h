@@ -58,6 +58,7 @@ struct Pack {
   friend HWY_INLINE Mask operator<=(Pack a, Pack b) { return {hn::Le(a.raw, b.raw)}; }
   friend HWY_INLINE Mask operator>(Pack a, Pack b) { return {hn::Gt(a.raw, b.raw)}; }
   friend HWY_INLINE Mask operator>=(Pack a, Pack b) { return {hn::Ge(a.raw, b.raw)}; }
+  friend HWY_INLINE Mask operator!=(Pack a, Pack b) { return {hn::Ne(a.raw, b.raw)}; }
   friend HWY_INLINE Pack sqrt(Pack a) { return Pack(hn::Sqrt(a.raw)); }
   friend HWY_INLINE Pack abs(Pack a) { return Pack(hn::Abs(a.raw)); }
   friend HWY_INLINE Pack select(Mask mask, Pack yes, Pack no) {
@@ -70,6 +71,12 @@ struct Pack {
     return Pack(hn::ConvertTo(D(), hn::ConvertTo(hn::RebindToSigned<D>(), a.raw)));
   }
 };
+
+/// Of numbers whose sum is exact.
+template <typename T>
+HWY_INLINE T sum_of(Pack<T> a) {
+  return hn::GetLane(hn::SumOfLanes(hn::ScalableTag<T>(), a.raw));
+}
 
 /// Stores the chosen lanes side by side and returns how many those are; may write all lanes.
 /// (Highway's own compresses into memory, which is slow on some processors, or by tables that g++

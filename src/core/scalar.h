@@ -54,6 +54,7 @@ struct Pack {
   friend Mask operator<=(Pack a, Pack b) { return {a.value <= b.value}; }
   friend Mask operator>(Pack a, Pack b) { return {a.value > b.value}; }
   friend Mask operator>=(Pack a, Pack b) { return {a.value >= b.value}; }
+  friend Mask operator!=(Pack a, Pack b) { return {a.value != b.value}; }
   friend Pack sqrt(Pack a) { return make(std::sqrt(a.value)); }
   friend Pack abs(Pack a) { return make(std::abs(a.value)); }
   friend Pack select(Mask mask, Pack yes, Pack no) { return mask.bit ? yes : no; }
@@ -69,6 +70,11 @@ struct Pack {
     return pack;
   }
 };
+
+template <typename T>
+T sum_of(Pack<T> a) {
+  return a.value;
+}
 
 template <typename T>
 std::size_t store_chosen(Mask chosen, Pack<T> a, T* to) {

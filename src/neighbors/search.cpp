@@ -3,6 +3,9 @@
 // hwy/foreach_target.h, and the fittest is chosen at run time.
 #include "neighbors/search.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "core/simd_target.h"
 #include "neighbors/search_steps.h"
 
@@ -18,9 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "neighbors/search_kernel.h"
 
-std::size_t collect_lanes(const Search& search, const PlacedPoints& points,
-                          SearchScratch& scratch) {
-  return collect<Pack<double>>(search, points, scratch);
+std::size_t find_in_lanes(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch) {
+  return find_candidates<Pack<double>, Pack<float>>(points, enough, scratch);
 }
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -34,39 +36,26 @@ namespace scalar {
 namespace {
 
 #ifdef AVO_HIGHWAY
-HWY_EXPORT(collect_lanes);
+HWY_EXPORT(find_in_lanes);
 #endif
-
-std::size_t collect(const Search& search, const PlacedPoints& points, SearchScratch& scratch) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(collect_lanes)(search, points, scratch);
-#endif
-  return scalar::collect<scalar::Pack<double>>(search, points, scratch);
-}
 
 }  // namespace
 
 void SearchScratch::grow(std::size_t size) {
-  for (std::vector<double>* column : {&distance_squared, &place, &rank}) column->resize(size);
-  hits.resize(size);
+  size = std::max(size, order.size() + order.size() / 2);
+  for (std::vector<double>* column : {&distance_squared, &place}) column->resize(size);
+  for (std::vector<std::uint32_t>* column : {&rank, &order}) column->resize(size);
+  narrow.resize(size);
 }
 
-std::span<const NeighborHit> search_within(const Search& search, const PlacedPoints& points,
-                                           SearchScratch& scratch) {
-  const std::size_t count = collect(search, points, scratch);
-  if (count <= kFewHits) {
-    for (std::size_t k = 0; k < count; ++k) {
-      scratch.hits[static_cast<std::size_t>(scratch.rank[k])] = candidate(points, scratch, k);
-    }
-    settle_ties(std::span(scratch.hits.data(), count));
-  } else {
-    for (std::size_t k = 0; k < count; ++k) scratch.hits[k] = candidate(points, scratch, k);
-    std::sort(scratch.hits.begin(), scratch.hits.begin() + static_cast<std::ptrdiff_t>(count));
-  }
-  const double near_squared = squared(search.near);
-  std::size_t kept = std::min(count, search.most);
-  while (kept < count && scratch.hits[kept].distance_squared <= near_squared) ++kept;
-  return {scratch.hits.data(), kept};
+std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch) {
+  scratch.used = 0;
+  scratch.found.resize(scratch.queries.size());
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(find_in_lanes)(points, enough, scratch);
+#endif
+  return scalar::find_candidates<scalar::Pack<double>, scalar::Pack<float>>(points, enough,
+                                                                            scratch);
 }
 
 }  // namespace avo

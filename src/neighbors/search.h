@@ -28,7 +28,7 @@ struct NeighborHit {
 };
 
 /// Columns of points have room for so many more, which are read but do not count.
-inline constexpr std::size_t kMostSearchLanes = 8;
+inline constexpr std::size_t kSparePoints = 16;
 
 /// Points in the order of their cells.
 struct PlacedPoints {
@@ -39,30 +39,57 @@ struct PlacedPoints {
   const double* index;  ///< numbers of 32 bits
 };
 
-struct Search {
-  Vec2 position;  ///< finite
-  int self = -1;  ///< index of a point that is not found
+/// Whom a search is to find: all within `near`, and of those within `far` the `most` first.
+struct NeighborQuery {
+  Vec2 position;
+  int self = -1;  ///< index of a point that is not found, -1: none
   std::size_t most = std::numeric_limits<std::size_t>::max();
-  double near = -1.0;   ///< m, <= radius; all within it are found
-  double radius = 0.0;  ///< m, of those within it the `most` first are found
+  double near = -1.0;  ///< m; negative: nobody for being near
+  double far = 0.0;    ///< m, at most kMostSides sides of a cell
+  double guess = 0.0;  ///< m, where to look first; only the time depends on it
 };
 
-/// Allocates only while it grows.
-struct SearchScratch {
-  std::vector<double> distance_squared, place, rank;  // of candidates
-  std::vector<NeighborHit> hits;
+/// The candidates of one search, [first, first + candidates) among those of all. Those whose rank
+/// is below `count` are found: it is their number in canonical order.
+struct Found {
+  std::size_t first = 0, candidates = 0, count = 0;
+};
 
+/// Of searches that are made together. Allocates only while it grows.
+struct SearchScratch {
+  std::vector<NeighborQuery> queries;
+  std::vector<Found> found;  // of each
+
+  std::size_t used = 0;                         // of the following columns
+  std::vector<double> distance_squared, place;  // of candidates
+  std::vector<float> narrow;                    // likewise
+  std::vector<std::uint32_t> rank, order;       // likewise
+  std::vector<NeighborHit> hits;                // of UniformGrid::gather()
+
+  /// Room for so many queries with so many candidates in all, and what it takes to find them.
+  void reserve(std::size_t most_queries, std::size_t candidates) {
+    constexpr std::size_t kInTransit = 256;
+    queries.reserve(most_queries);
+    found.reserve(most_queries);
+    hits.reserve(candidates);
+    reserve(candidates + most_queries * kSparePoints + kInTransit);
+  }
   /// Room for so many candidates.
   void reserve(std::size_t count) {
-    if (distance_squared.size() < count + kMostSearchLanes) grow(count + kMostSearchLanes);
+    if (order.size() < count + 2 * kSparePoints) grow(count + 2 * kSparePoints);
+  }
+  /// Of a candidate, in the order of the cells.
+  [[nodiscard]] std::uint32_t place_of(std::size_t candidate) const {
+    // signed: what processors convert to
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(place[candidate]));
   }
 
  private:
   void grow(std::size_t size);
 };
 
-/// In canonical order, in the scratch memory.
-std::span<const NeighborHit> search_within(const Search& search, const PlacedPoints& points,
-                                           SearchScratch& scratch);
+/// Answers scratch.queries, one after the other, until all are answered or there are `enough`
+/// candidates; returns how many were. Positions are finite, near and guess at most far.
+std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch);
 
 }  // namespace avo

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 #include "core/scalar.h"
 #include "neighbors/search.h"
@@ -12,9 +13,7 @@ namespace avo {
 
 // Candidates are thinned out when there are so many beyond those kept last...
 inline constexpr std::size_t kManyHits = 64;
-// ...which is asked after so many places.
-inline constexpr std::size_t kBlock = 256;
-// So many are ranked by comparing all.
+// ...and so many are ranked by comparing all.
 inline constexpr std::size_t kFewHits = 48;
 
 /// Those that may still be found: nearer than the limit, or as near and of a lower index.
@@ -36,59 +35,62 @@ struct CellRange {
   std::int64_t first_column, first_row, last_row;
   std::size_t columns;
 };
-inline CellRange cells_within(const Search& search, const Cells& cells) {
+inline CellRange cells_within(Vec2 p, double radius, const Cells& cells) {
   constexpr double kTiniest = 0x1p-511;  // squares of smaller distances underflow
   // a distance within the radius as computed exceeds it by less than 4 ulp, or underflows
-  const double reach =
-      search.radius * (1.0 + 4.0 * std::numeric_limits<double>::epsilon()) + kTiniest;
-  const Vec2 p = search.position;
+  const double reach = radius * (1.0 + 4.0 * std::numeric_limits<double>::epsilon()) + kTiniest;
   const std::int64_t column = cells.cell(p.x - reach);
   return {column, cells.cell(p.y - reach), cells.cell(p.y + reach),
           static_cast<std::size_t>(cells.cell(p.x + reach) - column) + 1};
 }
 
-inline NeighborHit candidate(const PlacedPoints& points, const SearchScratch& scratch,
-                             std::size_t k) {
-  const auto place = static_cast<std::int64_t>(scratch.place[k]);
-  return {scratch.distance_squared[k], static_cast<int>(points.index[place]),
-          static_cast<std::uint32_t>(place)};
+/// The canonical order of candidates.
+inline auto nearer(const PlacedPoints& points, const SearchScratch& scratch) {
+  return [&points, &scratch](std::uint32_t a, std::uint32_t b) {
+    const double* const distances = scratch.distance_squared.data();
+    if (distances[a] != distances[b]) return distances[a] < distances[b];
+    return points.index[scratch.place_of(a)] < points.index[scratch.place_of(b)];
+  };
 }
 
-/// Leaves of the candidates the `most` first, and whoever else is near; the limit becomes that of
-/// the candidates yet to come.
-inline std::size_t keep_nearest(const Search& search, const PlacedPoints& points, std::size_t count,
-                                HitLimit& limit, SearchScratch& scratch) {
-  if (count <= search.most) return count;
-  const auto hits = scratch.hits.begin(), end = hits + static_cast<std::ptrdiff_t>(count);
-  for (std::size_t k = 0; k < count; ++k) scratch.hits[k] = candidate(points, scratch, k);
-  const double near_squared = squared(search.near);
+/// Leaves of the candidates [first, end) the `most` first, and whoever else is near; the limit
+/// becomes that of the candidates yet to come. Returns where they end then.
+inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& points,
+                                std::size_t first, std::size_t end, HitLimit& limit,
+                                SearchScratch& scratch) {
+  if (end - first <= query.most) return end;
+  const auto at = [&](std::size_t k) {
+    return scratch.order.begin() + static_cast<std::ptrdiff_t>(k);
+  };
+  std::iota(at(first), at(end), static_cast<std::uint32_t>(first));
+  const double near_squared = squared(query.near);
   limit = {near_squared, std::numeric_limits<int>::max()};
-  auto rest = hits;
-  if (search.most > 0) {
-    rest = hits + static_cast<std::ptrdiff_t>(search.most);
-    const auto last = rest - 1;
-    std::nth_element(hits, last, end);
-    if (last->distance_squared > near_squared) limit = {last->distance_squared, last->index};
+  if (query.most > 0) {
+    const std::size_t last = first + query.most - 1;
+    std::nth_element(at(first), at(last), at(end), nearer(points, scratch));
+    const double distance_squared = scratch.distance_squared[*at(last)];
+    if (distance_squared > near_squared) {
+      limit = {distance_squared, static_cast<int>(points.index[scratch.place_of(*at(last))])};
+    }
   }
-  const auto kept = std::partition(
-      rest, end, [&](const NeighborHit& hit) { return hit.distance_squared <= near_squared; });
-  const auto left = static_cast<std::size_t>(kept - hits);
-  for (std::size_t k = 0; k < left; ++k) {
-    scratch.distance_squared[k] = scratch.hits[k].distance_squared;
-    scratch.place[k] = scratch.hits[k].place;
+  const auto kept = std::partition(at(first + query.most), at(end), [&](std::uint32_t k) {
+    return scratch.distance_squared[k] <= near_squared;
+  });
+  std::sort(at(first), kept);  // each moves to where nobody is that still has to
+  for (auto k = at(first); k != kept; ++k, ++first) {
+    scratch.distance_squared[first] = scratch.distance_squared[*k];
+    scratch.place[first] = scratch.place[*k];
   }
-  return left;
+  return first;
 }
 
-/// Sorts hits that are in order of their distances already.
-inline void settle_ties(std::span<NeighborHit> hits) {
-  for (std::size_t i = 1; i < hits.size(); ++i) {
-    if (hits[i - 1].distance_squared < hits[i].distance_squared) continue;
-    const NeighborHit hit = hits[i];
-    std::size_t k = i;
-    for (; k > 0 && hit < hits[k - 1]; --k) hits[k] = hits[k - 1];
-    hits[k] = hit;
-  }
+inline void rank_by_sorting(const Found& found, const PlacedPoints& points,
+                            SearchScratch& scratch) {
+  const auto first = scratch.order.begin() + static_cast<std::ptrdiff_t>(found.first);
+  const auto end = first + static_cast<std::ptrdiff_t>(found.candidates);
+  std::iota(first, end, static_cast<std::uint32_t>(found.first));
+  std::sort(first, end, nearer(points, scratch));
+  for (auto k = first; k != end; ++k) scratch.rank[*k] = static_cast<std::uint32_t>(k - first);
 }
 
 }  // namespace avo

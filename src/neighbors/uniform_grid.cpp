@@ -41,7 +41,7 @@ void UniformGrid::build(std::span<const Vec2> positions, double radius) {
 void UniformGrid::prepare(const Cells& cells, std::size_t count) {
   cells_ = cells;
   sort_.resize(cells.table(), count);
-  for (std::vector<double>* column : {&x_, &y_, &index_}) column->resize(count + kMostSearchLanes);
+  for (std::vector<double>* column : {&x_, &y_, &index_}) column->resize(count + kSparePoints);
 }
 
 SortedPart UniformGrid::build_part(std::span<const std::uint32_t> keys,
@@ -61,24 +61,38 @@ void UniformGrid::forget_order() {
   std::iota(sort_.order.begin(), sort_.order.end(), 0U);
 }
 
-std::span<const NeighborHit> UniformGrid::find(const NeighborQuery& query,
-                                               SearchScratch& scratch) const {
-  if (!is_finite(query.position) || sort_.order.empty()) return {};
-  const double far = searchable(query.far), near = std::min(query.near, far);
-  Search search{query.position, query.self, query.most, near, 0.0};
-  search.radius = std::min(std::max({near, query.guess, kLeastGuess * far}), far);
-  const PlacedPoints points{cells_, sort_.begin, x_.data(), y_.data(), index_.data()};
-  std::span<const NeighborHit> hits = search_within(search, points, scratch);
-  while (hits.size() < query.most && search.radius < far) {
-    search.radius = std::min(2.0 * search.radius, far);
-    hits = search_within(search, points, scratch);
+std::size_t UniformGrid::find(std::span<const NeighborQuery> queries, std::size_t enough,
+                              SearchScratch& scratch) const {
+  scratch.queries.assign(queries.begin(), queries.end());
+  if (sort_.order.empty()) {
+    scratch.found.assign(queries.size(), {});
+    return queries.size();
   }
-  return hits;
+  for (NeighborQuery& query : scratch.queries) {
+    if (!is_finite(query.position)) query = {{}, -1, 0};
+    query.far = searchable(query.far);
+    query.near = std::min(query.near, query.far);
+    query.guess = std::min(std::max({query.near, query.guess, kLeastGuess * query.far}), query.far);
+  }
+  const PlacedPoints points{cells_, sort_.begin, x_.data(), y_.data(), index_.data()};
+  return search_within(points, enough, scratch);
 }
 
 std::span<const NeighborHit> UniformGrid::gather(Vec2 position, int self, std::size_t most,
                                                  SearchScratch& scratch) const {
-  return find({position, self, most, -1.0, radius_, radius_}, scratch);
+  const NeighborQuery query{position, self, most, -1.0, radius_, radius_};
+  find({&query, 1}, 1, scratch);
+  return list(scratch.found[0], scratch);
+}
+
+std::span<const NeighborHit> UniformGrid::list(const Found& found, SearchScratch& scratch) const {
+  scratch.hits.resize(found.count);
+  for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
+    if (scratch.rank[k] >= found.count) continue;
+    const std::uint32_t place = scratch.place_of(k);
+    scratch.hits[scratch.rank[k]] = {scratch.distance_squared[k], index(place), place};
+  }
+  return scratch.hits;
 }
 
 }  // namespace avo

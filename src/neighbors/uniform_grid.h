@@ -14,16 +14,6 @@
 
 namespace avo {
 
-/// Whom a search is to find: all within `near`, and of those within `far` the `most` first.
-struct NeighborQuery {
-  Vec2 position;
-  int self = -1;  ///< index of a point that is not found, -1: none
-  std::size_t most = std::numeric_limits<std::size_t>::max();
-  double near = -1.0;  ///< m; negative: nobody for being near
-  double far = 0.0;    ///< m, at most kMostSides sides of a cell
-  double guess = 0.0;  ///< m, where to look first; only the time depends on it
-};
-
 /// Finds exactly those that comparing all pairs finds: |p_i - position|² <= radius² as computed in
 /// double, in canonical order. Positions that are not finite are never found.
 class UniformGrid {
@@ -42,14 +32,20 @@ class UniformGrid {
   SortedPart build_part(std::span<const std::uint32_t> keys, std::span<const Vec2> positions,
                         std::span<const int> indices, std::size_t part, std::size_t parts);
 
-  /// The result lies in the scratch memory. Safe to call from several threads.
-  std::span<const NeighborHit> find(const NeighborQuery& query, SearchScratch& scratch) const;
+  /// Searches for one after the other until all are done or there are `enough` candidates: how many
+  /// were done, and what was found, in the scratch memory. Safe to call from several threads.
+  std::size_t find(std::span<const NeighborQuery> queries, std::size_t enough,
+                   SearchScratch& scratch) const;
+  /// In canonical order, in the scratch memory.
+  std::span<const NeighborHit> list(const Found& found, SearchScratch& scratch) const;
 
   /// Which of the points given is at each place.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return sort_.order; }
   /// Once whoever gave the points has put them in that order.
   void forget_order();
   [[nodiscard]] Vec2 position(std::size_t place) const { return {x_[place], y_[place]}; }
+  /// What the point there is called.
+  [[nodiscard]] int index(std::size_t place) const { return static_cast<int>(index_[place]); }
 
  private:
   Cells cells_;

@@ -119,49 +119,94 @@ double near_range(const World& world, std::size_t slot) {
   return world.fleet.range[slot];
 }
 
-void append(const World& world, std::span<const NeighborHit> robots, NeighborColumns& to) {
+// In canonical order, behind the others.
+void append(const World& world, const Found& found, const SearchScratch& search,
+            NeighborColumns& to) {
   const Snapshot& snapshot = world.snapshot;
-  std::size_t i = to.count;
-  for (const NeighborHit& hit : robots) {
-    const Vec2 p = snapshot.grid.position(hit.place);
-    const Sensed& sensed = snapshot.sensed[hit.place];
+  to.reserve(to.count + found.count);
+  for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
+    const std::uint32_t place = search.place_of(k);
+    const Vec2 p = snapshot.grid.position(place);
+    const Sensed& sensed = snapshot.sensed[place];
+    // who is not found is overwritten by the next robot's neighbors
+    const std::size_t i = to.count + std::min<std::size_t>(search.rank[k], found.count);
     to.x[i] = p.x, to.y[i] = p.y;
     to.v_x[i] = sensed.velocity.x, to.v_y[i] = sensed.velocity.y;
     to.radius[i] = sensed.radius, to.max_acceleration[i] = sensed.max_acceleration;
-    ++i;
   }
-  to.count = i;
+  to.count += found.count;
 }
 
-// Appends the neighbors of a robot to those of the tile: all that can matter within the sensing
-// radius, nearest first (robots first and by id where distances are equal).
-void sense(const World& world, std::uint32_t slot, Worker& worker) {
-  const Vec2 position = world.fleet.position[slot];
-  const double radius = world.settings.sensing_radius;
-  const std::size_t nearest = world.most_nearest();
-  const std::span<const NeighborHit> robots = world.snapshot.grid.find(
-      {position, world.fleet.rank[slot], nearest, near_range(world, slot), radius, worker.guess},
-      worker.robots);
-  // whoever comes next has its neighbors about as far away
-  constexpr double kMargin = 1.25 * 1.25;
-  worker.guess =
-      robots.size() < nearest ? radius : std::sqrt(kMargin * robots[nearest - 1].distance_squared);
-  NeighborColumns& neighbors = worker.tile.neighbors;
-  const std::size_t most = world.all_matter() ? std::numeric_limits<std::size_t>::max() : nearest;
+// The same among moving obstacles: robots first where distances are equal.
+void append_with_obstacles(const World& world, Vec2 position, const Found& found, Worker& worker) {
+  NeighborColumns& to = worker.tile.neighbors;
+  const std::size_t most =
+      world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
+  const std::span<const NeighborHit> robots = world.snapshot.grid.list(found, worker.search);
   const std::span<const NeighborHit> obstacles =
       world.obstacle_grid.gather(position, -1, most, worker.obstacles);
-  const std::size_t end = neighbors.count + std::min(robots.size() + obstacles.size(), most);
-  neighbors.reserve(end);
-  if (obstacles.empty()) return append(world, robots, neighbors);
+  const std::size_t end = to.count + std::min(robots.size() + obstacles.size(), most);
+  to.reserve(end);
   auto robot = robots.begin(), obstacle = obstacles.begin();
-  while (neighbors.count < end) {
+  while (to.count < end) {
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      append(world, {robot++, 1}, neighbors);
+      const Sensed& sensed = world.snapshot.sensed[robot->place];
+      to.add({world.snapshot.grid.position(robot->place),
+              sensed.velocity,
+              sensed.radius,
+              sensed.max_acceleration,
+              {}});
+      ++robot;
     } else {
-      neighbors.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
+      to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
     }
   }
+}
+
+// m: whoever comes next has its neighbors about as far away as these, on average of some.
+double guess_from(const World& world, std::size_t robots, const SearchScratch& search) {
+  constexpr double kMargin = 1.25 * 1.25;
+  constexpr std::size_t kEvery = 8;
+  const double radius = world.settings.sensing_radius;
+  const std::size_t nearest = world.most_nearest();
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < robots; i += kEvery, count += 1.0) {
+    const Found& found = search.found[i];
+    double farthest = found.candidates < nearest ? radius * radius : 0.0;
+    for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
+      const double looked_at = search.rank[k] < nearest ? search.distance_squared[k] : 0.0;
+      farthest = std::max(farthest, looked_at);
+    }
+    sum += farthest;
+  }
+  return std::sqrt(kMargin * sum / count);
+}
+
+// Fills the tile's neighbors: all that can matter within the sensing radius. Returns how many
+// robots there was room for.
+std::size_t sense(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+  const Fleet& fleet = world.fleet;
+  worker.queries.clear();
+  for (const std::uint32_t slot : slots) {
+    worker.queries.push_back({fleet.position[slot], fleet.rank[slot], world.most_nearest(),
+                              near_range(world, slot), world.settings.sensing_radius,
+                              worker.guess});
+  }
+  const std::size_t robots =
+      world.snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
+  worker.guess = guess_from(world, robots, worker.search);
+  for (std::size_t i = 0; i < robots; ++i) {
+    const Found& found = worker.search.found[i];
+    if (world.obstacles.setup.empty()) {
+      append(world, found, worker.search, worker.tile.neighbors);
+    } else {
+      append_with_obstacles(world, fleet.position[slots[i]], found, worker);
+    }
+    worker.tile.first.push_back(worker.tile.neighbors.count);
+    worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
+  }
+  return robots;
 }
 
 void count(const World& world, Worker& worker) {
@@ -191,9 +236,9 @@ void move(World& world, std::size_t slot, Worker& worker) {
 }
 
 // Decides for the robots of the tile, whose neighbors are known, moves them, and empties it.
-void plan_and_move(World& world, Worker& worker) {
+void plan_and_move(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   Tile& tile = worker.tile;
-  for (const std::uint32_t slot : worker.slots) {
+  for (const std::uint32_t slot : slots) {
     tile.robots.push_back(world.robot(slot));
     tile.detours.push_back(world.fleet.detour[slot]);
   }
@@ -208,28 +253,22 @@ void plan_and_move(World& world, Worker& worker) {
   }
   count(world, worker);
   for (std::size_t k = 0; k < tile.size(); ++k) {
-    const std::uint32_t slot = worker.slots[k];
+    const std::uint32_t slot = slots[k];
     world.fleet.plan[slot] = tile.plans[k];
     world.fleet.detour[slot] = tile.detours[k];
     move(world, slot, worker);
   }
   tile.clear();
-  worker.slots.clear();
   worker.clock.lap(Stage::motion);
 }
 
-void take_places(World& world, std::size_t first, std::size_t last, Worker& worker) {
+void take_slots(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   worker.clock.start();
-  const std::span<const std::uint32_t> order = world.snapshot.grid.order();
-  for (std::size_t place = first; place < last; ++place) {
-    const std::uint32_t slot = order[place];
-    sense(world, slot, worker);
-    worker.tile.first.push_back(worker.tile.neighbors.count);
-    worker.tile.trusted = worker.tile.trusted && is_trusted(world, slot);
-    worker.slots.push_back(slot);
-    if (worker.tile.neighbors.count < kTileNeighbors && place + 1 < last) continue;
+  while (!slots.empty()) {
+    const std::size_t robots = sense(world, slots, worker);
     worker.clock.lap(Stage::search);
-    plan_and_move(world, worker);
+    plan_and_move(world, slots.first(robots), worker);
+    slots = slots.subspan(robots);
   }
 }
 
@@ -238,11 +277,12 @@ void take_places(World& world, std::size_t first, std::size_t last, Worker& work
 void step(World& world) {
   const std::size_t robots = world.fleet.size(), threads = threads_of(world);
   index(world, threads);
-  parallel_for((robots + kTileRobots - 1) / kTileRobots, threads,
-               [&](std::size_t tile, std::size_t worker) {
-                 take_places(world, tile * kTileRobots, std::min((tile + 1) * kTileRobots, robots),
-                             world.workers[worker]);
-               });
+  parallel_for(
+      (robots + kTileRobots - 1) / kTileRobots, threads, [&](std::size_t tile, std::size_t worker) {
+        const std::size_t first = tile * kTileRobots;
+        const std::size_t count = std::min(kTileRobots, robots - first);
+        take_slots(world, world.snapshot.grid.order().subspan(first, count), world.workers[worker]);
+      });
   world.fast = false;
   for (Worker& worker : world.workers) {
     world.fast = world.fast || worker.fast;

@@ -27,16 +27,17 @@ std::size_t most_braking_steps(const World& world) {
 void reserve(const World& world, Worker& worker) {
   constexpr std::size_t kMostAhead = 4096;  // of more, memory grows when it is needed
   const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
-  worker.robots.reserve(std::min(robots, kMostAhead));
-  worker.obstacles.reserve(std::min(obstacles, kMostAhead));
+  worker.obstacles.reserve(1, std::min(obstacles, kMostAhead));
   std::size_t seen = std::min(robots + obstacles, kMostAhead);
   if (!world.all_matter()) seen = std::min(seen, world.most_nearest());
   const std::size_t together = std::min(kTileRobots, robots);
-  worker.slots.reserve(together);
-  worker.tile.reserve(together, std::min(together * seen, kTileNeighbors + seen));
+  worker.queries.reserve(together);
+  worker.search.reserve(
+      together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
+  worker.tile.reserve(together, std::min(together * seen, kTileCandidates + seen));
   worker.plan.reserve(seen, most_braking_steps(world));
   const std::size_t each = std::min(seen, world.most_nearest());
-  reserve_together(world.planner, together, each, std::min(together * each, kTileNeighbors + each),
+  reserve_together(world.planner, together, each, std::min(together * each, kTileCandidates + each),
                    worker.plan);
 }
 

@@ -15,17 +15,17 @@
 namespace avo {
 
 /// With ten neighbors each, what is planned at a time stays in the cache; and no more at a time
-/// than so many neighbors.
-inline constexpr std::size_t kTileRobots = 64, kTileNeighbors = 4096;
+/// than so many candidates for being one.
+inline constexpr std::size_t kTileRobots = 64, kTileCandidates = 4096;
 
 /// What one worker needs to take robots through a step without allocating, and its sums. No two
 /// workers write to one line of the cache.
 struct alignas(128) Worker {
   PlanWorkspace plan;
   Tile tile;
-  std::vector<std::uint32_t> slots;  // of the robots of the tile
-  SearchScratch robots, obstacles;
-  double guess = 0.0;  // m, within which the last robot found its nearest neighbors
+  std::vector<NeighborQuery> queries;
+  SearchScratch search, obstacles;
+  double guess = 0.0;  // m, within which the robots of the last tile found their nearest neighbors
   bool fast = false;   // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
