@@ -65,7 +65,7 @@ struct HalfPlaneQueue {
 
 /// How many pairs each case had.
 struct HalfPlaneCases {
-  std::size_t tip = 0, convex = 0, horn = 0, walk = 0, rest = 0;
+  std::size_t contact = 0, tip = 0, convex = 0, horn = 0, walk = 0, rest = 0;
 };
 
 /// Scratch memory.
