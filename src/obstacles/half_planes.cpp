@@ -9,6 +9,7 @@
 
 #include "core/simd_target.h"
 #include "obstacles/kernels.h"
+#include "obstacles/local_pair.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
@@ -86,7 +87,10 @@ void solve_rest(const PairColumns<double>& pairs, const Horizon& horizon,
   for (std::size_t k = 0; k < workspace.rest.count; ++k) {
     const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
     const Pair pair{{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]};
-    const RelativeHalfPlane plane = half_plane(pair, pairs.reach[i], horizon);
+    const bool equal_centers = !(workspace.d[i] > kTiniest<double>);
+    const RelativeHalfPlane plane = equal_centers
+                                        ? half_plane(pair, pairs.reach[i], horizon)
+                                        : searched_half_plane(pair, pairs.reach[i], horizon);
     planes.state[i] = plane.state;
     planes.n_x[i] = plane.plane.normal.x;
     planes.n_y[i] = plane.plane.normal.y;
