@@ -37,13 +37,14 @@ void run(benchmark::State& state, Kind kind, double near, double far, double del
     benchmark::DoNotOptimize(planes.h.data());
     all.tip += workspace.cases.tip, all.convex += workspace.cases.convex;
     all.horn += workspace.cases.horn, all.walk += workspace.cases.walk;
-    all.rest += workspace.cases.rest;
+    all.contact += workspace.cases.contact, all.rest += workspace.cases.rest;
     k = (k + 1) % kBatches;
   }
   const auto pairs = static_cast<double>(state.iterations()) * static_cast<double>(kBatch);
   state.SetItemsProcessed(static_cast<std::int64_t>(pairs));
   state.counters["ns"] =
       benchmark::Counter(pairs * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["contact"] = static_cast<double>(all.contact) / pairs;
   state.counters["tip"] = static_cast<double>(all.tip) / pairs;
   state.counters["convex"] = static_cast<double>(all.convex) / pairs;
   state.counters["horn"] = static_cast<double>(all.horn) / pairs;

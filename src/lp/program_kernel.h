@@ -50,10 +50,11 @@ AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real>& p
   return select(worst > lens.tolerance, select(largest > zero, largest, worst), zero);
 }
 
-/// The programs of one pack. kAll: to the end, the least unsafe ones too.
-template <bool kAll, typename Real>
+/// The programs of one pack. Where as many as `enough` have no solution, the least unsafe points of
+/// these are found as well, else they are left and marked as failed.
+template <typename Real>
 AVO_KERNEL void solve_pack(ProgramGroup<typename Real::Number>& group, Row<Real>* rows,
-                           Row<Real>* scratch, std::size_t first) {
+                           Row<Real>* scratch, std::size_t first, int enough) {
   const Discs<Real> discs{{Real::load(group.c_x + first), Real::load(group.c_y + first)},
                           Real::load(group.radius + first),
                           Real::load(group.top_speed + first)};
@@ -72,32 +73,36 @@ AVO_KERNEL void solve_pack(ProgramGroup<typename Real::Number>& group, Row<Real>
   Vec<Real> u = start.point;
   Planes<Real> taken{scratch, first, 0};
   const Outcome<Real> outcome = solve_planar<false>(lens, planes, goal, ordinary, taken, u);
-  if constexpr (kAll) {
+  std::uint32_t failed = bits(outcome.failed);
+  const bool to_the_end = std::popcount(failed) >= enough;
+  if (to_the_end) {
     least_unsafe(lens, planes, outcome.next, goal.preferred, outcome.failed, taken,
                  scratch + most_taken(group.count), u);
   }
   const Vec<Real> point = absolute_point(lens, discs, u);
   point.x.store(group.x + first);
   point.y.store(group.y + first);
-  if constexpr (kAll) {
-    select(outcome.failed, reported_violation(lens, planes, u, point), Real(0.0))
-        .store(group.violation + first);
-  } else {
-    Real(0.0).store(group.violation + first);
+  Real worst = 0.0;
+  if (to_the_end) {
+    worst = select(outcome.failed, reported_violation(lens, planes, u, point), worst);
+    failed = 0;
   }
-  group.settled |= bits(kAll ? ordinary : ordinary & !outcome.failed) << first;
-  group.failed |= bits(outcome.failed) << first;
+  worst.store(group.violation + first);
+  group.settled |= (bits(ordinary) & ~failed) << first;
+  group.failed |= failed << first;
   group.moved |= bits(start.moved | outcome.moved | outcome.failed) << first;
 }
 
-template <bool kAll, typename Real>
-void solve_programs(Programs<typename Real::Number>& programs, Row<Real>* scratch) {
+/// Unless all are solved, few in a pack that have no solution are left.
+template <typename Real>
+void solve_programs(Programs<typename Real::Number>& programs, Row<Real>* scratch, bool all) {
+  const int enough = all ? 1 : static_cast<int>(Real::kLanes * 3 / 4 + 1);
   for (std::size_t g = 0; g < programs.groups; ++g) {
     ProgramGroup<typename Real::Number>& group = programs.group[g];
     group.settled = group.failed = group.moved = 0;
     Row<Real>* const rows = programs.row.data() + group.first;
     for (std::size_t lane = 0; lane < kProgramLanes; lane += Real::kLanes) {
-      solve_pack<kAll, Real>(group, rows, scratch, lane);
+      solve_pack<Real>(group, rows, scratch, lane, enough);
     }
   }
 }

@@ -23,17 +23,11 @@ namespace planar {
 #include "lp/program_kernels.h"
 }  // namespace planar
 
-void solve_feasible_double(Programs<double>& programs, ProgramRow<double>* scratch) {
-  planar::solve_programs<false, Pack<double>>(programs, scratch);
+void solve_double(Programs<double>& programs, ProgramRow<double>* scratch, bool all) {
+  planar::solve_programs<Pack<double>>(programs, scratch, all);
 }
-void solve_feasible_single(Programs<float>& programs, ProgramRow<float>* scratch) {
-  planar::solve_programs<false, Pack<float>>(programs, scratch);
-}
-void solve_infeasible_double(Programs<double>& programs, ProgramRow<double>* scratch) {
-  planar::solve_programs<true, Pack<double>>(programs, scratch);
-}
-void solve_infeasible_single(Programs<float>& programs, ProgramRow<float>* scratch) {
-  planar::solve_programs<true, Pack<float>>(programs, scratch);
+void solve_single(Programs<float>& programs, ProgramRow<float>* scratch, bool all) {
+  planar::solve_programs<Pack<float>>(programs, scratch, all);
 }
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -44,35 +38,21 @@ namespace avo {
 namespace {
 
 #ifdef AVO_HIGHWAY
-HWY_EXPORT(solve_feasible_double);
-HWY_EXPORT(solve_feasible_single);
-HWY_EXPORT(solve_infeasible_double);
-HWY_EXPORT(solve_infeasible_single);
+HWY_EXPORT(solve_double);
+HWY_EXPORT(solve_single);
 #endif
 
-void solve_feasible(Programs<double>& programs, ProgramRow<double>* scratch) {
+void solve(Programs<double>& programs, ProgramRow<double>* scratch, bool all) {
 #ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_feasible_double)(programs, scratch);
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_double)(programs, scratch, all);
 #endif
-  scalar::planar::solve_programs<false, scalar::Pack<double>>(programs, scratch);
+  scalar::planar::solve_programs<scalar::Pack<double>>(programs, scratch, all);
 }
-void solve_feasible(Programs<float>& programs, ProgramRow<float>* scratch) {
+void solve(Programs<float>& programs, ProgramRow<float>* scratch, bool all) {
 #ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_feasible_single)(programs, scratch);
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_single)(programs, scratch, all);
 #endif
-  scalar::planar::solve_programs<false, scalar::Pack<float>>(programs, scratch);
-}
-void solve_infeasible(Programs<double>& programs, ProgramRow<double>* scratch) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_infeasible_double)(programs, scratch);
-#endif
-  scalar::planar::solve_programs<true, scalar::Pack<double>>(programs, scratch);
-}
-void solve_infeasible(Programs<float>& programs, ProgramRow<float>* scratch) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_infeasible_single)(programs, scratch);
-#endif
-  scalar::planar::solve_programs<true, scalar::Pack<float>>(programs, scratch);
+  scalar::planar::solve_programs<scalar::Pack<float>>(programs, scratch, all);
 }
 
 template <typename Number>
@@ -161,7 +141,7 @@ void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 
 }
 
 // Those that half-planes leave nothing to need far more time: gathered, they fill lanes of their
-// own.
+// own, unless they nearly do already.
 template <typename Number>
 void nearest_points(ProgramBatch<Number>& batch) noexcept {
   Programs<Number>& all = batch.programs_;
@@ -169,7 +149,7 @@ void nearest_points(ProgramBatch<Number>& batch) noexcept {
   std::vector<std::size_t>& robots = batch.robots_;
   std::vector<ProgramRow<Number>>& scratch = batch.scratch_;
   scratch.resize(std::max(scratch.size(), 3 * most_taken(most_rows(all))));
-  solve_feasible(all, scratch.data());
+  solve(all, scratch.data(), false);
   infeasible.clear();
   robots.clear();
   for (std::size_t g = 0; g < all.groups; ++g) {
@@ -178,7 +158,7 @@ void nearest_points(ProgramBatch<Number>& batch) noexcept {
       copy(all, robots.back(), infeasible);
     }
   }
-  solve_infeasible(infeasible, scratch.data());
+  solve(infeasible, scratch.data(), true);
   for (std::size_t k = 0; k < robots.size(); ++k) {
     const std::size_t from_lane = k % kProgramLanes, lane = robots[k] % kProgramLanes;
     const ProgramGroup<Number>& from = infeasible.group[k / kProgramLanes];

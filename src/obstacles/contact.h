@@ -6,9 +6,9 @@
 namespace avo {
 
 /// Requires |p| < r. The wall n = p/|p| over the shortest window in [Δt, τ] at whose end the pair
-/// can be apart: n . w >= (r - |p| - T n . v) / g(T). If even τ is too short, h = reach, and
-/// excess says by how much more. Equal
-/// centers separate along the relative velocity; at rest they have no direction (coincident).
+/// can be apart, see contact_kernel.h. If even τ is too short, h = reach, and excess says by how
+/// much more. Equal centers separate along the relative velocity; at rest they have no direction
+/// (coincident).
 RelativeHalfPlane separate(const Pair& pair, double reach, const Horizon& horizon) noexcept;
 
 }  // namespace avo

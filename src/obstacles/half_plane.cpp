@@ -17,15 +17,19 @@ struct Found {
   bool free = false;
 };
 
+Found searched(const scalar::Local<Real>& local, const Horizon& horizon) {
+  const LocalPlane plane = horn_half_plane(
+      {local.d.value, {local.v.x.value, local.v.y.value}, local.r.value, local.R.value}, horizon);
+  return {{{plane.n.x, plane.n.y}, plane.h}, plane.free};
+}
+
 Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {
   for (const Look look : {Look::quickly, Look::closely}) {
     const scalar::HornPlane<Real> found =
         scalar::horn(local, horizon.end(), horizon.table<double>(), look);
     if (found.settled.bit) return {found.plane, found.free.bit};
   }
-  const LocalPlane plane = horn_half_plane(
-      {local.d.value, {local.v.x.value, local.v.y.value}, local.r.value, local.R.value}, horizon);
-  return {{{plane.n.x, plane.n.y}, plane.h}, plane.free};
+  return searched(local, horizon);
 }
 
 Found local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon) {
@@ -35,21 +39,33 @@ Found local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon)
   return {scalar::convex(frame.local, horizon.table<double>())};
 }
 
-}  // namespace
-
-RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& horizon) noexcept {
+scalar::Frame<Real> frame_of(const Pair& pair, double reach, const Horizon& horizon) {
   const Vec2 p = pair.position, v = pair.velocity;
-  const auto frame =
-      scalar::frame_of<Real>({p.x, p.y}, {v.x, v.y}, pair.radius, reach, horizon.end());
-  if (frame.in_contact.bit) return separate(pair, reach, horizon);
-  if (frame.too_far.bit) return {};
-  const Found found = local_half_plane(frame, horizon);
+  return scalar::frame_of<Real>({p.x, p.y}, {v.x, v.y}, pair.radius, reach, horizon.end());
+}
+
+RelativeHalfPlane turned_back(const Found& found, const scalar::Frame<Real>& frame, double reach) {
   if (found.free) return {};
   const scalar::Vec<Real> n = frame.turned_back(found.plane.n);
   const Vec2 normal{n.x.value, n.y.value};
   const double h = found.plane.h.value;
   if (h > reach) return {PairState::unavoidable, {normal, reach}, h - reach};
   return {PairState::constrained, {normal, h}};
+}
+
+}  // namespace
+
+RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& horizon) noexcept {
+  const scalar::Frame<Real> frame = frame_of(pair, reach, horizon);
+  if (frame.in_contact.bit) return separate(pair, reach, horizon);
+  if (frame.too_far.bit) return {};
+  return turned_back(local_half_plane(frame, horizon), frame, reach);
+}
+
+RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
+                                      const Horizon& horizon) noexcept {
+  const scalar::Frame<Real> frame = frame_of(pair, reach, horizon);
+  return turned_back(searched(frame.local, horizon), frame, reach);
 }
 
 }  // namespace avo

@@ -4,6 +4,7 @@
 // clang-format off
 #include "obstacles/response_kernel.h"
 #include "obstacles/single_kernel.h"
+#include "obstacles/contact_kernel.h"
 #include "obstacles/half_plane_kernel.h"
 #include "obstacles/horn_kernel.h"
 #include "obstacles/horn_walk_kernel.h"

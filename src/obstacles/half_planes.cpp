@@ -9,6 +9,7 @@
 
 #include "core/simd_target.h"
 #include "obstacles/kernels.h"
+#include "obstacles/local_pair.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
@@ -68,24 +69,54 @@ void grow(std::vector<T>& column, std::size_t size) {
   if (column.size() < size) column.resize(size);
 }
 
-bool has_plane(PairState state) {
-  return state != PairState::free && state != PairState::coincident;
-}
-
-// The least number of this type that is not below.
-template <typename Number>
-Number not_below(double value) {
-  const auto rounded = static_cast<Number>(value);
-  return rounded < value ? std::nextafter(rounded, std::numeric_limits<Number>::infinity())
+// The least float that is not below.
+float not_below(double value) {
+  const auto rounded = static_cast<float>(value);
+  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
                          : rounded;
 }
 
 // A normal narrowed to float turns by half an ulp at most, which moves no w within reach farther.
-double offset_of_narrowed(double h, double) {
-  return h;
-}
 float offset_of_narrowed(double h, float reach) {
-  return std::min(not_below<float>(h + 0x1p-24 * static_cast<double>(reach)), reach);
+  return std::min(not_below(h + 0x1p-24 * static_cast<double>(reach)), reach);
+}
+
+// Equal centers, and what the general search of the horn is for.
+void solve_rest(const PairColumns<double>& pairs, const Horizon& horizon,
+                HalfPlaneWorkspace<double>& workspace, PlaneColumns<double>& planes) {
+  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
+    const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
+    const Pair pair{{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]};
+    const bool equal_centers = !(workspace.d[i] > kTiniest<double>);
+    const RelativeHalfPlane plane = equal_centers
+                                        ? half_plane(pair, pairs.reach[i], horizon)
+                                        : searched_half_plane(pair, pairs.reach[i], horizon);
+    planes.state[i] = plane.state;
+    planes.n_x[i] = plane.plane.normal.x;
+    planes.n_y[i] = plane.plane.normal.y;
+    const bool none = plane.state == PairState::free || plane.state == PairState::coincident;
+    planes.h[i] = none ? -std::numeric_limits<double>::infinity() : plane.plane.offset;
+    planes.excess[i] = plane.excess;
+  }
+}
+
+void solve_rest(const PairColumns<float>& pairs, const Horizon& horizon,
+                HalfPlaneWorkspace<float>& workspace, PlaneColumns<float>& planes) {
+  LeftToDouble<float>& left = workspace.left;
+  left.pairs.count = 0;
+  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
+    const auto& [pair, reach] = pairs.wide[static_cast<std::size_t>(workspace.rest.index[k])];
+    left.pairs.add(pair.position, pair.velocity, pair.radius, reach);
+  }
+  half_planes(left.pairs, horizon, left.workspace, left.planes);
+  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
+    const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
+    planes.state[i] = left.planes.state[k];
+    planes.n_x[i] = static_cast<float>(left.planes.n_x[k]);
+    planes.n_y[i] = static_cast<float>(left.planes.n_y[k]);
+    planes.h[i] = offset_of_narrowed(left.planes.h[k], pairs.reach[i]);
+    planes.excess[i] = not_below(left.planes.excess[k]);
+  }
 }
 
 }  // namespace
@@ -109,6 +140,10 @@ void reserve(std::size_t pairs, HalfPlaneWorkspace<Number>& workspace,
     grow(*column, size);
   }
   grow(planes.state, size);
+  if constexpr (std::is_same_v<Number, float>) {
+    workspace.left.pairs.reserve(pairs);
+    reserve(pairs, workspace.left.workspace, workspace.left.planes);
+  }
 }
 
 template <typename Number>
@@ -125,17 +160,7 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
   workspace.cases.horn = workspace.horn.count;
   workspace.cases.walk = workspace.walk.count;
   workspace.cases.rest = workspace.rest.count;
-  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
-    const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
-    const PairInReach exact = pairs.at(i);
-    const RelativeHalfPlane plane = half_plane(exact.pair, exact.reach, horizon);
-    planes.state[i] = plane.state;
-    planes.n_x[i] = static_cast<Number>(plane.plane.normal.x);
-    planes.n_y[i] = static_cast<Number>(plane.plane.normal.y);
-    planes.h[i] = has_plane(plane.state) ? offset_of_narrowed(plane.plane.offset, pairs.reach[i])
-                                         : -std::numeric_limits<Number>::infinity();
-    planes.excess[i] = not_below<Number>(plane.excess);
-  }
+  solve_rest(pairs, horizon, workspace, planes);
 }
 
 void share_out(std::span<const OwnLimits> robots, std::span<const double> share,

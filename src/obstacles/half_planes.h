@@ -43,10 +43,6 @@ struct PairColumns {
     }
   }
   void add(Vec2 p, Vec2 v, double r, double R) { put(count++, p, v, r, R); }
-  [[nodiscard]] PairInReach at(std::size_t i) const {
-    if constexpr (std::is_same_v<Number, float>) return wide[i];
-    return {{{p_x[i], p_y[i]}, {v_x[i], v_y[i]}, radius[i]}, reach[i]};
-  }
 };
 
 /// See RelativeHalfPlane; h is -infinity where there is no half-plane.
@@ -65,8 +61,12 @@ struct HalfPlaneQueue {
 
 /// How many pairs each case had.
 struct HalfPlaneCases {
-  std::size_t tip = 0, convex = 0, horn = 0, walk = 0, rest = 0;
+  std::size_t contact = 0, tip = 0, convex = 0, horn = 0, walk = 0, rest = 0;
 };
+
+/// What single precision leaves to double: pairs, solved in lanes as well.
+template <typename Number>
+struct LeftToDouble;
 
 /// Scratch memory.
 template <typename Number>
@@ -74,6 +74,16 @@ struct HalfPlaneWorkspace {
   std::vector<Number> d, v_x, v_y, e_x, e_y, side;  // frames
   HalfPlaneQueue<Number> convex, horn, walk, rest;
   HalfPlaneCases cases;  // of the last call
+  LeftToDouble<Number> left;
+};
+
+template <>
+struct LeftToDouble<double> {};
+template <>
+struct LeftToDouble<float> {
+  PairColumns<double> pairs;
+  HalfPlaneWorkspace<double> workspace;
+  PlaneColumns<double> planes;
 };
 
 /// Room for so many pairs.

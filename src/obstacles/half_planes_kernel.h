@@ -54,7 +54,15 @@ AVO_KERNEL void set_state(PlaneColumns<typename Real::Number>& planes, std::size
   }
 }
 
-/// Frames of all pairs, half-planes of those that the tip decides, queues of the others.
+/// Pairs in contact, but for equal centers and what single precision leaves to double.
+template <typename Real>
+AVO_KERNEL auto overlaps(const Frame<Real>& frame) {
+  if constexpr (kSingle<Real>) return frame.local.d < Real(0.0);
+  return frame.in_contact & (frame.local.d > Real(kTiniest<typename Real::Number>));
+}
+
+/// Frames of all pairs, half-planes of those in contact and of those that the tip decides, queues
+/// of the others.
 template <typename Real>
 void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
               HalfPlaneWorkspace<typename Real::Number>& work,
@@ -72,14 +80,21 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     frame.e.x.store(&work.e_x[i]);
     frame.e.y.store(&work.e_y[i]);
     frame.side.store(&work.side[i]);
-    const Vec<Real> n = frame.turned_back(last.plane.n);
+    const auto overlapping = overlaps(frame);
+    Vec<Real> n = frame.turned_back(last.plane.n);
+    Real h = last.plane.h;
+    if (any(overlapping)) {
+      const Real depth = frame.local.r - frame.local.d;
+      n = select(overlapping, frame.e, n);
+      h = select(overlapping, separating(depth, frame.local.v.x, R, horizon), h);
+    }
     n.x.store(&planes.n_x[i]);
     n.y.store(&planes.n_y[i]);
-    const auto free = frame.too_far | (last.nearest & (last.plane.h <= -R));
-    const auto beyond_reach = (last.plane.h > R) & (!free);
+    const auto free = (!overlapping) & (frame.too_far | (last.nearest & (h <= -R)));
+    const auto beyond_reach = (h > R) & (!free);
     const Real none = -std::numeric_limits<typename Real::Number>::infinity();
-    select(free, none, select(beyond_reach, R, last.plane.h)).store(&planes.h[i]);
-    select(beyond_reach, last.plane.h - R, Real(0.0)).store(&planes.excess[i]);
+    select(free, none, select(beyond_reach, R, h)).store(&planes.h[i]);
+    select(beyond_reach, h - R, Real(0.0)).store(&planes.excess[i]);
     std::fill_n(&planes.state[i], Real::kLanes, PairState::constrained);
 
     const std::size_t left = pairs.count - i;
@@ -90,6 +105,9 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       open &= ~lanes;
       return lanes;
     };
+    const std::uint32_t in_contact = take(bits(overlapping));
+    set_state<Real>(planes, i, in_contact, PairState::overlapping);
+    work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
     push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local, end))));
     set_state<Real>(planes, i, take(bits(free)), PairState::free);
     const std::uint32_t tips = take(bits(last.nearest));

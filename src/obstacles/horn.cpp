@@ -46,7 +46,8 @@ struct Horn {
 struct Touch {
   ResponseAt at;
   Vec2 b;             // m/s
-  double length;      // |b|
+  double length;      // |b|, m/s
+  double l;           // m
   double tangential;  // m/s
   double cusp;        // l² g'/g - r s' n . v, m²/s
 };
@@ -62,8 +63,11 @@ Touch touch_at(const Horn& horn, const ResponseAt& at) {
   const double tangential = l * per_gain - dot(perpendicular(n), v) * per_rate;
   const double lag_rate =
       at.gain * (1.0 - at.rate) * per_rate * per_rate / horn.horizon.control_time();
-  return {at, normal * n + tangential * perpendicular(n),
-          std::sqrt(normal * normal + tangential * tangential), tangential,
+  return {at,
+          normal * n + tangential * perpendicular(n),
+          std::sqrt(normal * normal + tangential * tangential),
+          l,
+          tangential,
           l2 * at.rate * per_gain - r * lag_rate * n_v};
 }
 
@@ -115,18 +119,34 @@ struct Corners {
   }
 };
 
-// The crossing of a piece on which |b| is monotone, if there is one.
+// The only time between two at which |b| = R: Newton's iteration for |b|^{-1/2}, which is nearly
+// linear in t, then bisection.
+Touch crossing(const Horn& horn, const Touch& from, const Touch& to) {
+  const double R = horn.pair.R;
+  // the limit keeps the first step, one of false position, in balance
+  const auto f = [&](double length) { return std::sqrt(std::min(R / length, 9.0)) - 1.0; };
+  double low = from.at.time, high = to.at.time;
+  const double f_low = f(from.length), f_high = f(to.length);
+  double t = (low * f_high - high * f_low) / (f_high - f_low);
+  for (int i = 0;; ++i) {
+    if (!(t > low && t < high) || i > 16) t = 0.5 * (low + high);
+    const Touch touch = touch_at(horn, horn.horizon.at(t));
+    ((touch.length > R) == (from.length > R) ? low : high) = t;
+    const double fall = touch.tangential * touch.cusp / (touch.at.gain * touch.l * touch.length);
+    const double next = t + 2.0 * (std::sqrt(touch.length / R) - 1.0) * touch.length / fall;
+    const bool close = touch.l > 0.0 && std::abs(next - t) <= kTimeTolerance * t;
+    if (close || high - low <= kTimeTolerance * high || i == kMaxIterations) return touch;
+    t = next;
+  }
+}
+
+// The crossing of a piece that has one at most, if there is one.
 void cross(const Horn& horn, const Touch& from, const Touch& to, Corners& corners) {
   const double R = horn.pair.R;
   if ((from.length > R) == (to.length > R)) return;
-  // |b|^{-1/2} is nearly linear in t; its limit keeps false position in balance
-  const auto f = [&](double length) { return std::sqrt(std::min(R / length, 9.0)) - 1.0; };
-  const ResponseAt at =
-      find_zero(horn.horizon, from.at.time, to.at.time, f(from.length), f(to.length),
-                [&](const ResponseAt& each) { return f(touch_at(horn, each).length); });
-  const Vec2 b = touch_at(horn, at).b;
-  const auto ends = circle_points(horn, at);
-  const bool on_near_end = norm_squared(ends[0] - b) <= norm_squared(ends[1] - b);
+  const Touch touch = crossing(horn, from, to);
+  const auto ends = circle_points(horn, touch.at);
+  const bool on_near_end = norm_squared(ends[0] - touch.b) <= norm_squared(ends[1] - touch.b);
   // In contact, the first disc's edge can be the near side, up to where the others take over.
   if (!on_near_end && corners.count == 0) corners.add(ends[0]);
   corners.add(on_near_end ? ends[0] : ends[1]);
@@ -134,6 +154,13 @@ void cross(const Horn& horn, const Touch& from, const Touch& to, Corners& corner
 
 // The crossings of a piece on which |b| may turn once by either sign.
 void cross_turning(const Horn& horn, const Touch& from, const Touch& to, Corners& corners) {
+  const bool falls = (from.tangential < 0.0) == (from.cusp < 0.0);
+  const bool falls_later = (to.tangential < 0.0) == (to.cusp < 0.0);
+  const bool outside = from.length > horn.pair.R, outside_later = to.length > horn.pair.R;
+  // it turns once, and not through R and back: down from outside, or up from inside
+  if (falls != falls_later && (outside != outside_later || outside != falls)) {
+    return cross(horn, from, to, corners);
+  }
   const auto turn = [&](double Touch::*sign) {
     if ((from.*sign < 0.0) == (to.*sign < 0.0)) return from;
     return touch_at(horn,

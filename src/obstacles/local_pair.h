@@ -3,8 +3,7 @@
 #pragma once
 #include <cmath>
 
-#include "avo/geometry.h"
-#include "avo/horizon.h"
+#include "avo/half_plane.h"
 
 namespace avo {
 
@@ -40,5 +39,9 @@ struct LocalPlane {
 /// The horn case: v does not lead into a collision (p . v >= 0 or a miss distance >= r, and
 /// d >= r), and the disc of τ alone is not nearest.
 LocalPlane horn_half_plane(const LocalPair& pair, const Horizon& horizon);
+
+/// half_plane() of a pair in the horn case that no kernel settles.
+RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
+                                      const Horizon& horizon) noexcept;
 
 }  // namespace avo

@@ -72,18 +72,15 @@ const PlaneColumns<double>& widened(const PlaneColumns<float>& planes, std::size
   return wide;
 }
 
-// Robots in contact, by the few pairs that no kernel settles.
-template <typename Number>
-void mark_overlaps(const HalfPlaneBatch<Number>& batch, SoftPlanes& soft) {
-  const auto& [rest_count, rest] = batch.workspace.rest;
-  for (std::size_t k = 0; k < rest_count; ++k) {
-    const auto i = static_cast<std::size_t>(rest[k]);
-    const PairState state = batch.planes.state[i];
-    if (state != PairState::overlapping && state != PairState::coincident) continue;
-    const auto robot =
-        std::upper_bound(soft.limits.begin(), soft.limits.end(), i,
-                         [](std::size_t pair, const OwnLimits& own) { return pair < own.end; });
-    soft.overlapping[static_cast<std::size_t>(robot - soft.limits.begin())] = 1;
+// Robots in contact. Without an early end, several pairs are looked at in one instruction.
+void mark_overlaps(const std::vector<PairState>& states, SoftPlanes& soft) {
+  std::size_t i = 0;
+  for (std::size_t r = 0; r < soft.limits.size(); ++r) {
+    bool found = false;
+    for (; i < soft.limits[r].end; ++i) {
+      found |= states[i] == PairState::overlapping || states[i] == PairState::coincident;
+    }
+    soft.overlapping[r] = found ? 1 : 0;
   }
 }
 
@@ -137,7 +134,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon,
       widened(batch.planes, batch.pairs.count, soft.in_double.planes);
   share_out(soft.limits, soft.share, relative, soft.shared);
   soft.overlapping.assign(robots.size(), 0);
-  mark_overlaps(batch, soft);
+  mark_overlaps(batch.planes.state, soft);
   keep(options, robots, relative, soft);
 }
 

@@ -132,6 +132,48 @@ TEST(HalfPlanesInSingle, P3_offsets_are_those_of_a_radius_three_blurs_wider_at_m
   EXPECT_GT(compared, 20'000);
 }
 
+// The wall of the first time, among many, at whose end the pair can be apart; the demand of a
+// window falls as that grows. Without any, that of the last one.
+TYPED_TEST(HalfPlanesIn, overlapping_pairs_part_within_the_shortest_window) {
+  constexpr int kTimes = 1000;
+  Random random(60);
+  int at_once = 0, later = 0, never = 0;
+  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+    auto all = test::situations_of_one_horizon(random, 16, k % 2 == 0);
+    for (Situation& s : all) s = test::touching(random, s);
+    this->batch.solve(all, test::horizon_of(all));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Situation& s = all[i];
+      const double d = norm(s.pair.position), R = s.reach;
+      const double step = 0.1, last = std::max(step, s.time_horizon);
+      const RelativeHalfPlane found = this->batch[i];
+      if (found.state != PairState::overlapping || !(d > 0.0)) continue;
+      const Vec2 n = s.pair.position / d;
+      ASSERT_LE(norm(found.plane.normal - n), 8.0 * this->kRounding) << s;
+      const Response response = Response::proportional(s.control_time);
+      const auto demand = [&](double T) {
+        return (s.pair.radius - d - T * dot(n, s.pair.velocity)) / response.gain(T);
+      };
+      const auto time = [&](int j) { return step + (last - step) * j / kTimes; };
+      int first = 0;
+      while (first <= kTimes && demand(time(first)) > R) ++first;
+      const double rounding =
+          64.0 * this->kRounding *
+          (R + (s.pair.radius + step * norm(s.pair.velocity)) / response.gain(step));
+      const double least = first <= kTimes ? std::min(demand(time(first)), R) : R;
+      const double most = first == 0 ? least : R;
+      ASSERT_GE(found.plane.offset, least - rounding) << s;
+      ASSERT_LE(found.plane.offset, most + rounding) << s;
+      const double excess = first <= kTimes ? 0.0 : demand(last) - R;
+      ASSERT_NEAR(found.excess, excess, rounding) << s;
+      ++(first == 0 ? at_once : first <= kTimes ? later : never);
+    }
+  }
+  EXPECT_GT(at_once, 500);
+  EXPECT_GT(later, 500);
+  EXPECT_GT(never, 500);
+}
+
 TYPED_TEST(HalfPlanesIn, P7_exchanging_the_robots_negates_them_bit_for_bit) {
   Random random(7);
   const auto negated = [](Vec2 a) { return -a; };
