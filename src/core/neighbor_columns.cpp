@@ -13,7 +13,7 @@ void NeighborColumns::grow(std::size_t size) {
 
 Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns) {
   columns.reserve(neighbors.size());
-  columns.count = 0;
+  columns.clear();
   for (const Neighbor& each : neighbors) columns.add(each);
   return {&columns, 0, neighbors.size()};
 }

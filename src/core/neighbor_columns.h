@@ -15,6 +15,7 @@ inline constexpr std::size_t kSpareNeighbors = 16;
 /// Neighbors of one robot or of several; allocates only while it grows.
 struct NeighborColumns {
   std::size_t count = 0;
+  bool has_movers = false;                       // some do not decide
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
   std::vector<Vec2> acceleration;                // m/s², of those that do not decide
@@ -28,6 +29,11 @@ struct NeighborColumns {
     v_x[count] = of.velocity.x, v_y[count] = of.velocity.y;
     radius[count] = of.radius, max_acceleration[count] = of.max_acceleration;
     acceleration[count++] = of.acceleration;
+    has_movers = has_movers || !(of.max_acceleration > 0.0);
+  }
+  void clear() {
+    count = 0;
+    has_movers = false;
   }
   Neighbor operator[](std::size_t i) const {
     const bool decides = max_acceleration[i] > 0.0;

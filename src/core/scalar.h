@@ -2,6 +2,7 @@
 // One number in the shape of many: kernels written over a pack of lanes run on these one at a
 // time. core/lanes.h has the same names for Highway's vectors.
 #pragma once
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,11 @@
 
 // Of all that kernels are made of: what is not inlined costs more than what it does.
 #define AVO_KERNEL inline __attribute__((always_inline))
+
+namespace avo {
+/// Of doubles, as many as any vector has.
+inline constexpr std::array<double, 8> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+}  // namespace avo
 
 namespace avo::scalar {
 

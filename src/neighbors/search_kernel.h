@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lanes of a search. Included into a namespace that has Pack, once per instruction set.
 
-inline constexpr double kLane[] = {0, 1, 2, 3, 4, 5, 6, 7};
-
 // Lanes are filled by so many places at a time: how many cells hold cannot be foreseen, and a
 // processor that guesses wrong loses more than what it does for nothing.
 template <typename Real>
@@ -16,7 +14,7 @@ AVO_KERNEL std::size_t append_candidates(const NeighborQuery& query, const Place
                                          std::size_t end, SearchScratch& scratch) {
   const Real x(query.position.x), y(query.position.y), self(query.self);
   const Real nearest(limit.distance_squared), lowest(limit.index);
-  const Real beyond(static_cast<double>(last)), lane = Real::load(kLane);
+  const Real beyond(static_cast<double>(last)), lane = Real::load(kLaneNumbers.data());
   for (std::size_t k = first; k < first + kTogether<Real>; k += Real::kLanes) {
     const Real dx = Real::load(points.x + k) - x, dy = Real::load(points.y + k) - y;
     const Real distance_squared = dx * dx + dy * dy, index = Real::load(points.index + k);

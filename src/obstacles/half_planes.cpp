@@ -31,7 +31,11 @@ void solve_single(const PairColumns<float>& pairs, const Horizon& horizon,
                   HalfPlaneWorkspace<float>& work, PlaneColumns<float>& planes) {
   solve<Pack<float>, TwoPacks<float>>(pairs, horizon, work, planes);
 }
-void share_out_in_lanes(std::span<const OwnLimits> robots, std::span<const double> share,
+void relate_in_lanes(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
+                     double control_time, PairColumns<double>& pairs, std::vector<double>& share) {
+  relate<Pack<double>>(robots, neighbors, control_time, pairs, share);
+}
+void share_out_in_lanes(std::span<const PairOwner> robots, std::span<const double> share,
                         const PlaneColumns<double>& relative, SharedPlanes& shared) {
   share_out<Pack<double>>(robots, share, relative, shared);
 }
@@ -46,6 +50,7 @@ namespace {
 #ifdef AVO_HIGHWAY
 HWY_EXPORT(solve_double);
 HWY_EXPORT(solve_single);
+HWY_EXPORT(relate_in_lanes);
 HWY_EXPORT(share_out_in_lanes);
 #endif
 
@@ -163,10 +168,21 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
   solve_rest(pairs, horizon, workspace, planes);
 }
 
-void share_out(std::span<const OwnLimits> robots, std::span<const double> share,
+void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
+            double control_time, PairColumns<double>& pairs, std::vector<double>& share) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) {
+    return HWY_DYNAMIC_DISPATCH(relate_in_lanes)(robots, neighbors, control_time, pairs, share);
+  }
+#endif
+  scalar::relate<scalar::Pack<double>>(robots, neighbors, control_time, pairs, share);
+}
+
+void share_out(std::span<const PairOwner> robots, std::span<const double> share,
                const PlaneColumns<double>& relative, SharedPlanes& shared) {
   grow(shared.offset, relative.h.size());
-  shared.kept_end.clear();
+  grow(shared.kept, relative.h.size());
+  grow(shared.kept_end, robots.size());
 #ifdef AVO_HIGHWAY
   if (!simd_is_scalar()) {
     return HWY_DYNAMIC_DISPATCH(share_out_in_lanes)(robots, share, relative, shared);

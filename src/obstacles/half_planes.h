@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "avo/half_plane.h"
+#include "core/neighbor_columns.h"
 
 namespace avo {
 
@@ -96,26 +97,34 @@ template <typename Number>
 void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
                  HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes);
 
-/// What a robot may choose from, and where the next one's pairs begin.
-struct OwnLimits {
-  Vec2 velocity;           ///< [v_A] m/s
-  double velocity_change;  ///< [δ a_max] m/s
-  double max_speed;        ///< [v_max] m/s
-  double raise = 0.0;      ///< m/s, most by which its offsets are raised later
-  std::size_t end = 0;     ///< behind its pairs
+/// Robot A of pairs that follow each other, and what it may choose from.
+struct PairOwner {
+  Vec2 position, velocity;  ///< [p_A] m, [v_A] m/s
+  double radius;            ///< [r_A] m
+  double max_acceleration;  ///< [a_max] m/s²
+  double velocity_change;   ///< [δ a_max] m/s
+  double max_speed;         ///< [v_max] m/s
+  double raise;             ///< m/s, most by which its offsets are raised later
+  std::size_t neighbor;     ///< of its first pair, among those of all; the others follow
+  std::size_t end;          ///< behind its pairs, which begin where those of the robot before end
 };
+
+/// Eqs. (2), (3), (20): the pairs of robots with their neighbors, and A's share of each. All
+/// neighbors decide. δ in s; columns have room for kSparePairs more.
+void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
+            double control_time, PairColumns<double>& pairs, std::vector<double>& share);
 
 /// Scratch memory and result of share_out().
 struct SharedPlanes {
   std::vector<double> offset;         ///< m/s, of A's half-planes, by pair
-  std::vector<std::uint32_t> kept;    ///< pairs whose half-plane can cut, robot by robot
+  std::vector<double> kept;           ///< pairs whose half-plane can cut, robot by robot
   std::vector<std::size_t> kept_end;  ///< behind those of each robot
 };
 
-/// Eq. (17): the relative half-planes of pairs that follow each other robot by robot as their own,
-/// apportioned by the share of Eq. (20). A half-plane is kept unless one of the robot's limits
-/// alone keeps to it. Columns have room for kSparePairs more.
-void share_out(std::span<const OwnLimits> robots, std::span<const double> share,
+/// Eq. (17): the relative half-planes of pairs as their robots' own, apportioned by the share of
+/// Eq. (20). A half-plane is kept unless one of the robot's limits alone keeps to it. Columns have
+/// room for kSparePairs more.
+void share_out(std::span<const PairOwner> robots, std::span<const double> share,
                const PlaneColumns<double>& relative, SharedPlanes& shared);
 
 }  // namespace avo

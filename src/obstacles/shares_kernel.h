@@ -1,30 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eqs. (17)-(20) for many robots. Included after half_planes_kernel.h, once per instruction set.
+// Eqs. (2), (3), (17)-(20) for many robots. Included after half_planes_kernel.h, once per
+// instruction set. What lanes write beyond a robot's last pair is the next robot's to write.
+
+template <typename Real>
+void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
+            double control_time, PairColumns<double>& pairs, std::vector<double>& share) {
+  const Real delta = control_time;
+  std::size_t first = 0;
+  for (const PairOwner& own : robots) {
+    const Real x = own.position.x, y = own.position.y, v_x = own.velocity.x, v_y = own.velocity.y;
+    const Real radius = own.radius, acceleration = own.max_acceleration;
+    std::size_t k = own.neighbor;
+    for (std::size_t i = first; i < own.end; i += Real::kLanes, k += Real::kLanes) {
+      (x - Real::load(&neighbors.x[k])).store(&pairs.p_x[i]);
+      (y - Real::load(&neighbors.y[k])).store(&pairs.p_y[i]);
+      (v_x - Real::load(&neighbors.v_x[k])).store(&pairs.v_x[i]);
+      (v_y - Real::load(&neighbors.v_y[k])).store(&pairs.v_y[i]);
+      (radius + Real::load(&neighbors.radius[k])).store(&pairs.radius[i]);
+      const Real both = acceleration + Real::load(&neighbors.max_acceleration[k]);
+      (delta * both).store(&pairs.reach[i]);
+      (acceleration / both).store(&share[i]);
+    }
+    first = own.end;
+  }
+  pairs.count = first;
+}
 
 /// {A's plane is n . v' >= n . v_A + α h}; kept unless D(0, v_max) or D(v_A, δ a_max) by itself
 /// keeps to it.
 template <typename Real>
-void share_out(std::span<const OwnLimits> robots, std::span<const double> share,
+void share_out(std::span<const PairOwner> robots, std::span<const double> share,
                const PlaneColumns<double>& relative, SharedPlanes& shared) {
-  shared.kept.clear();
-  std::size_t first = 0;
-  for (const OwnLimits& own : robots) {
+  const Real lane = Real::load(kLaneNumbers.data());
+  std::size_t first = 0, kept = 0;
+  for (std::size_t r = 0; r < robots.size(); ++r) {
+    const PairOwner& own = robots[r];
     const Real v_x = own.velocity.x, v_y = own.velocity.y, change = own.velocity_change;
-    const Real slowest = -own.max_speed, raise = own.raise;
+    const Real slowest = -own.max_speed, raise = own.raise, end(static_cast<double>(own.end));
     for (std::size_t i = first; i < own.end; i += Real::kLanes) {
       const Real along = Real::load(&relative.n_x[i]) * v_x + Real::load(&relative.n_y[i]) * v_y;
       const Real offset = along + Real::load(&share[i]) * Real::load(&relative.h[i]);
       offset.store(&shared.offset[i]);
-      const auto cuts = (offset + raise > max(slowest, along - change)) |
-                        (Real::load(&relative.excess[i]) > Real(0.0));
-      std::uint32_t lanes = bits(cuts);
-      if (own.end - i < Real::kLanes) lanes &= (1U << (own.end - i)) - 1U;
-      for (; lanes != 0; lanes &= lanes - 1) {
-        shared.kept.push_back(
-            static_cast<std::uint32_t>(i + static_cast<std::size_t>(std::countr_zero(lanes))));
-      }
+      const Real pair = Real(static_cast<double>(i)) + lane;
+      const auto cuts = ((offset + raise > max(slowest, along - change)) |
+                         (Real::load(&relative.excess[i]) > Real(0.0))) &
+                        (pair < end);
+      kept += store_chosen(cuts, pair, &shared.kept[kept]);
     }
     first = own.end;
-    shared.kept_end.push_back(shared.kept.size());
+    shared.kept_end[r] = kept;
   }
 }

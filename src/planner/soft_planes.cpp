@@ -21,36 +21,33 @@ std::size_t planned_with(const PlannerOptions& options, const Sensing& sensing) 
                                : all;
 }
 
-OwnLimits limits_of(const PlannerOptions& options, const Robot& robot) {
-  const double change = adopts_at_once(options.method)
-                            ? std::numeric_limits<double>::infinity()
-                            : options.control_time * robot.max_acceleration;
-  return {robot.velocity, change, robot.max_speed};
+// Fills soft.owners; returns the number of pairs.
+std::size_t list_owners(const PlannerOptions& options, std::span<const Sensing> robots,
+                        SoftPlanes& soft) {
+  soft.owners.clear();
+  std::size_t end = 0;
+  for (const Sensing& sensing : robots) {
+    const Robot& robot = *sensing.robot;
+    end += planned_with(options, sensing);
+    soft.owners.push_back({robot.position, robot.velocity, robot.radius, robot.max_acceleration,
+                           options.control_time * robot.max_acceleration, robot.max_speed, 0.0,
+                           sensing.neighbors.first, end});
+  }
+  return end;
 }
 
-// Returns the number of pairs.
-template <typename Number>
-std::size_t fill_pairs(const PlannerOptions& options, std::span<const Sensing> robots,
-                       PairColumns<Number>& pairs, SoftPlanes& soft) {
-  std::size_t count = 0;
-  for (const Sensing& sensing : robots) {
-    const std::size_t begin = count;
-    count += planned_with(options, sensing);
-    OwnLimits own = limits_of(options, *sensing.robot);
-    own.end = count;
-    for (std::size_t i = begin; i < count; ++i) {
-      const Neighbor neighbor = sensing.neighbors[i - begin];
-      const Pair pair = relative(*sensing.robot, neighbor);
-      pairs.put(i, pair.position, pair.velocity, pair.radius,
-                pair_reach(options, *sensing.robot, neighbor));
-      soft.share[i] = reciprocal_share(sensing.robot->max_acceleration, neighbor.max_acceleration);
-      if (soft.share[i] == 1.0) {
-        own.raise = std::max(own.raise, options.control_time * norm(neighbor.acceleration));
-      }
+// What those that do not decide add to a pair, and by how much it can raise the offset.
+void add_movers(const PlannerOptions& options, const NeighborColumns& neighbors,
+                PairColumns<double>& pairs, std::vector<PairOwner>& owners) {
+  std::size_t i = 0;
+  for (PairOwner& own : owners) {
+    for (std::size_t k = own.neighbor; i < own.end; ++i, ++k) {
+      if (neighbors.max_acceleration[k] > 0.0) continue;
+      const double acceleration = norm(neighbors.acceleration[k]);
+      pairs.reach[i] = options.control_time * (own.max_acceleration + acceleration);
+      own.raise = std::max(own.raise, options.control_time * acceleration);
     }
-    soft.limits.push_back(own);
   }
-  return count;
 }
 
 const PlaneColumns<double>& widened(const PlaneColumns<double>& planes, std::size_t,
@@ -73,11 +70,13 @@ const PlaneColumns<double>& widened(const PlaneColumns<float>& planes, std::size
 }
 
 // Robots in contact. Without an early end, several pairs are looked at in one instruction.
-void mark_overlaps(const std::vector<PairState>& states, SoftPlanes& soft) {
+void mark_overlaps(const std::vector<PairState>& states, const HalfPlaneCases& cases,
+                   SoftPlanes& soft) {
+  if (cases.contact + cases.rest == 0) return;
   std::size_t i = 0;
-  for (std::size_t r = 0; r < soft.limits.size(); ++r) {
+  for (std::size_t r = 0; r < soft.owners.size(); ++r) {
     bool found = false;
-    for (; i < soft.limits[r].end; ++i) {
+    for (; i < soft.owners[r].end; ++i) {
       found |= states[i] == PairState::overlapping || states[i] == PairState::coincident;
     }
     soft.overlapping[r] = found ? 1 : 0;
@@ -91,56 +90,83 @@ double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec
              : options.control_time * dot(normal, neighbor.acceleration);
 }
 
-void keep(const PlannerOptions& options, std::span<const Sensing> robots,
-          const PlaneColumns<double>& relative, SoftPlanes& soft) {
-  std::size_t next = 0, begin = 0;
+void keep(const PlaneColumns<double>& relative, std::size_t robots, SoftPlanes& soft) {
+  const std::size_t count = robots > 0 ? soft.shared.kept_end[robots - 1] : 0;
+  soft.planes.resize(count);
+  soft.excess.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    // signed: what processors convert to
+    const auto i = static_cast<std::size_t>(static_cast<std::int64_t>(soft.shared.kept[k]));
+    soft.planes[k] = {{relative.n_x[i], relative.n_y[i]}, soft.shared.offset[i]};
+    // near contact it has no bound; finite all the same
+    soft.excess[k] =
+        std::min(soft.share[i] * relative.excess[i], std::numeric_limits<double>::max());
+  }
+  soft.first.assign(1, 0);
+  soft.first.insert(soft.first.end(), soft.shared.kept_end.begin(),
+                    soft.shared.kept_end.begin() + static_cast<std::ptrdiff_t>(robots));
+}
+
+void raise_for_movers(const PlannerOptions& options, std::span<const Sensing> robots,
+                      SoftPlanes& soft) {
+  std::size_t begin = 0;
   for (std::size_t r = 0; r < robots.size(); ++r) {
-    for (; next < soft.shared.kept_end[r]; ++next) {
-      const std::size_t i = soft.shared.kept[next];
-      const double share = soft.share[i];
-      const Vec2 normal{relative.n_x[i], relative.n_y[i]};
-      double offset = soft.shared.offset[i];
-      if (share == 1.0) offset += mover_offset(options, robots[r].neighbors[i - begin], normal);
-      soft.planes.push_back({normal, offset});
-      // near contact it has no bound; finite all the same
-      soft.excess.push_back(
-          std::min(share * relative.excess[i], std::numeric_limits<double>::max()));
+    for (std::size_t k = soft.first[r]; k < soft.first[r + 1]; ++k) {
+      const std::size_t pair = static_cast<std::size_t>(soft.shared.kept[k]) - begin;
+      HalfPlane& plane = soft.planes[k];
+      plane.offset += mover_offset(options, robots[r].neighbors[pair], plane.normal);
     }
-    begin = soft.limits[r].end;
-    soft.first.push_back(soft.planes.size());
+    begin = soft.owners[r].end;
   }
 }
 
-template <typename Number>
-void reserve(std::size_t pairs, HalfPlaneBatch<Number>& batch, SoftPlanes& soft) {
-  if (batch.pairs.p_x.size() >= pairs + kSparePairs) return;
-  batch.pairs.reserve(pairs);
-  reserve(pairs, batch.workspace, batch.planes);
-  soft.share.resize(pairs + kSparePairs, 1.0);
-  soft.shared.offset.resize(pairs + kSparePairs);
+void reserve(std::size_t pairs, PairColumns<double>& columns, SoftPlanes& soft) {
+  columns.reserve(pairs);
+  if (soft.share.size() < pairs + kSparePairs) soft.share.resize(pairs + kSparePairs, 1.0);
+  grow(soft.shared.offset, pairs + kSparePairs);
+  grow(soft.shared.kept, pairs + kSparePairs);
+}
+
+PairColumns<double>& narrowed(PairColumns<double>& pairs, PairColumns<double>&) {
+  return pairs;
+}
+PairColumns<float>& narrowed(PairColumns<double>& pairs, PairColumns<float>& narrow) {
+  narrow.reserve(pairs.count);
+  for (std::size_t i = 0; i < pairs.count; ++i) {
+    narrow.put(i, {pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i],
+               pairs.reach[i]);
+  }
+  narrow.count = pairs.count;
+  return narrow;
 }
 
 template <typename Number>
 void collect_exact(const PlannerOptions& options, const Horizon& horizon,
                    std::span<const Sensing> robots, HalfPlaneBatch<Number>& batch,
                    SoftPlanes& soft) {
-  std::size_t pairs = 0;
-  for (const Sensing& sensing : robots) pairs += planned_with(options, sensing);
-  reserve(pairs, batch, soft);
-  soft.limits.clear();
-  batch.pairs.count = fill_pairs(options, robots, batch.pairs, soft);
-  half_planes(batch.pairs, horizon, batch.workspace, batch.planes);
-  const PlaneColumns<double>& relative =
-      widened(batch.planes, batch.pairs.count, soft.in_double.planes);
-  share_out(soft.limits, soft.share, relative, soft.shared);
   soft.overlapping.assign(robots.size(), 0);
-  mark_overlaps(batch.planes.state, soft);
-  keep(options, robots, relative, soft);
+  if (robots.empty()) return;
+  const NeighborColumns& neighbors = *robots[0].neighbors.columns;
+  PairColumns<double>& exact = soft.in_double.pairs;
+  reserve(list_owners(options, robots, soft), exact, soft);
+  relate(soft.owners, neighbors, options.control_time, exact, soft.share);
+  if (neighbors.has_movers) add_movers(options, neighbors, exact, soft.owners);
+  PairColumns<Number>& pairs = narrowed(exact, batch.pairs);
+  half_planes(pairs, horizon, batch.workspace, batch.planes);
+  const PlaneColumns<double>& relative = widened(batch.planes, pairs.count, soft.in_double.planes);
+  share_out(soft.owners, soft.share, relative, soft.shared);
+  mark_overlaps(batch.planes.state, batch.workspace.cases, soft);
+  keep(relative, robots.size(), soft);
+  if (neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
 
 // ORCA's half-planes, and those of the paper's samples.
 void collect_others(const PlannerOptions& options, const Horizon& horizon,
                     std::span<const Sensing> robots, SoftPlanes& soft) {
+  soft.planes.clear();
+  soft.excess.clear();
+  soft.first.assign(1, 0);
+  soft.overlapping.clear();
   for (const Sensing& sensing : robots) {
     soft.overlapping.push_back(0);
     const std::size_t count = planned_with(options, sensing);
@@ -198,30 +224,27 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
 }
 
 void reserve(std::size_t robots, std::size_t pairs, Precision precision, SoftPlanes& soft) {
+  reserve(pairs, soft.in_double.pairs, soft);
   if (precision == Precision::single_precision) {
-    reserve(pairs, soft.in_single, soft);
+    soft.in_single.pairs.reserve(pairs);
+    reserve(pairs, soft.in_single.workspace, soft.in_single.planes);
     PlaneColumns<double>& wide = soft.in_double.planes;
     for (auto* column : {&wide.n_x, &wide.n_y, &wide.h, &wide.excess}) {
       grow(*column, pairs + kSparePairs);
     }
   } else {
-    reserve(pairs, soft.in_double, soft);
+    reserve(pairs, soft.in_double.workspace, soft.in_double.planes);
   }
   soft.planes.reserve(pairs);
   soft.excess.reserve(pairs);
-  soft.shared.kept.reserve(pairs);
-  soft.shared.kept_end.reserve(robots);
-  soft.limits.reserve(robots);
+  grow(soft.shared.kept_end, robots);
+  soft.owners.reserve(robots);
   soft.first.reserve(robots + 1);
   soft.overlapping.reserve(robots);
 }
 
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon,
                          std::span<const Sensing> robots, SoftPlanes& soft) {
-  soft.planes.clear();
-  soft.excess.clear();
-  soft.first.assign(1, 0);
-  soft.overlapping.clear();
   if (options.method == Method::orca || options.samples > 0) {
     collect_others(options, horizon, robots, soft);
   } else if (options.precision == Precision::single_precision) {

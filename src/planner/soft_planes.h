@@ -36,7 +36,7 @@ struct SoftPlanes {
 
   // scratch memory
   std::vector<double> share;  // of each pair, Eq. (20)
-  std::vector<OwnLimits> limits;
+  std::vector<PairOwner> owners;
   SharedPlanes shared;
   HalfPlaneBatch<double> in_double;
   HalfPlaneBatch<float> in_single;

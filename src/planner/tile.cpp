@@ -5,7 +5,7 @@ namespace avo {
 
 void Tile::clear() {
   robots.clear();
-  neighbors.count = 0;
+  neighbors.clear();
   first.assign(1, 0);
   detours.clear();
   plans.clear();
