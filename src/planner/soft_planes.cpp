@@ -73,7 +73,10 @@ const PlaneColumns<double>& widened(const PlaneColumns<float>& planes, std::size
 }
 
 // Robots in contact. Without an early end, several pairs are looked at in one instruction.
-void mark_overlaps(const std::vector<PairState>& states, SoftPlanes& soft) {
+template <typename Number>
+void mark_overlaps(const HalfPlaneBatch<Number>& batch, SoftPlanes& soft) {
+  if (batch.workspace.cases.contact == 0) return;
+  const std::vector<PairState>& states = batch.planes.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.limits.size(); ++r) {
     bool found = false;
@@ -134,7 +137,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon,
       widened(batch.planes, batch.pairs.count, soft.in_double.planes);
   share_out(soft.limits, soft.share, relative, soft.shared);
   soft.overlapping.assign(robots.size(), 0);
-  mark_overlaps(batch.planes.state, soft);
+  mark_overlaps(batch, soft);
   keep(options, robots, relative, soft);
 }
 
