@@ -60,7 +60,7 @@ struct HalfPlaneQueue {
   std::vector<Number> index;
 };
 
-/// How many pairs each case had.
+/// How many pairs each case had; in contact or, of single precision, too near it to tell.
 struct HalfPlaneCases {
   std::size_t contact = 0, tip = 0, convex = 0, horn = 0, walk = 0, rest = 0;
 };

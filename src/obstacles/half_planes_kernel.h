@@ -105,10 +105,13 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       open &= ~lanes;
       return lanes;
     };
-    const std::uint32_t in_contact = take(bits(overlapping));
-    set_state<Real>(planes, i, in_contact, PairState::overlapping);
-    work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
-    push(work.rest, i, take(bits(frame.in_contact | in_doubt(frame.local, end))));
+    const std::uint32_t in_contact = take(bits(frame.in_contact | in_doubt(frame.local, end)));
+    if (in_contact != 0) {
+      const std::uint32_t settled = in_contact & bits(overlapping);
+      set_state<Real>(planes, i, settled, PairState::overlapping);
+      push(work.rest, i, in_contact & ~settled);
+      work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
+    }
     set_state<Real>(planes, i, take(bits(free)), PairState::free);
     const std::uint32_t tips = take(bits(last.nearest));
     set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);

@@ -70,9 +70,10 @@ const PlaneColumns<double>& widened(const PlaneColumns<float>& planes, std::size
 }
 
 // Robots in contact. Without an early end, several pairs are looked at in one instruction.
-void mark_overlaps(const std::vector<PairState>& states, const HalfPlaneCases& cases,
-                   SoftPlanes& soft) {
-  if (cases.contact + cases.rest == 0) return;
+template <typename Number>
+void mark_overlaps(const HalfPlaneBatch<Number>& batch, SoftPlanes& soft) {
+  if (batch.workspace.cases.contact == 0) return;
+  const std::vector<PairState>& states = batch.planes.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.owners.size(); ++r) {
     bool found = false;
@@ -155,7 +156,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon,
   half_planes(pairs, horizon, batch.workspace, batch.planes);
   const PlaneColumns<double>& relative = widened(batch.planes, pairs.count, soft.in_double.planes);
   share_out(soft.owners, soft.share, relative, soft.shared);
-  mark_overlaps(batch.planes.state, batch.workspace.cases, soft);
+  mark_overlaps(batch, soft);
   keep(relative, robots.size(), soft);
   if (neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
