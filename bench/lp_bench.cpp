@@ -100,8 +100,7 @@ void lanes(benchmark::State& state) {
   std::vector<ProgramBatch<Number>> batches(all.size() / 256);
   for (std::size_t k = 0; k < all.size(); ++k) {
     ProgramBatch<Number>& batch = batches[k / 256];
-    batch.add(all[k].acceleration, 2.0, all[k].preferred);
-    for (const HalfPlane& plane : all[k].soft) batch.add(plane);
+    batch.add(all[k].acceleration, 2.0, all[k].preferred, all[k].soft);
   }
   std::size_t settled = 0;
   for (ProgramBatch<Number>& batch : batches) {
@@ -123,8 +122,7 @@ void fill(benchmark::State& state) {
   while (state.KeepRunningBatch(256)) {
     batch.clear();
     for (std::size_t k = 0; k < 256; ++k) {
-      batch.add(all[k].acceleration, 2.0, all[k].preferred);
-      for (const HalfPlane& plane : all[k].soft) batch.add(plane);
+      batch.add(all[k].acceleration, 2.0, all[k].preferred, all[k].soft);
     }
     benchmark::DoNotOptimize(batch.size());
   }

@@ -62,6 +62,10 @@ std::size_t most_rows(const Programs<Number>& programs) {
   return most;
 }
 
+// How many half-planes a robot has cannot be foreseen, and a processor that guesses wrong loses
+// more than what writing a few for nothing costs.
+constexpr std::size_t kRowsAtOnce = 4;
+
 // Copies one robot's program to the end of others.
 template <typename Number>
 void copy(const Programs<Number>& from, std::size_t robot, Programs<Number>& to) {
@@ -76,7 +80,7 @@ void copy(const Programs<Number>& from, std::size_t robot, Programs<Number>& to)
     (target.*column)[new_lane] = (source.*column)[lane];
   }
   const auto planes = static_cast<std::size_t>(source.planes[lane]);
-  while (target.count < planes) to.add_row();
+  to.add_rows(planes);
   for (std::size_t i = 0; i < planes; ++i) {
     const ProgramRow<Number>& row = from.row[source.first + i];
     ProgramRow<Number>& copied = to.row[target.first + i];
@@ -101,10 +105,11 @@ ProgramGroup<Number>& Programs<Number>::add_robot() {
 }
 
 template <typename Number>
-void Programs<Number>::add_row() {
-  if (rows == row.size()) row.emplace_back();
-  ++rows;
-  ++group[groups - 1].count;
+void Programs<Number>::add_rows(std::size_t count) {
+  ProgramGroup<Number>& last = group[groups - 1];
+  last.count = std::max(last.count, count);
+  rows = last.first + last.count;
+  if (row.size() < rows + kRowsAtOnce) row.resize(rows + kRowsAtOnce);
 }
 
 template <typename Number>
@@ -119,7 +124,7 @@ void ProgramBatch<Number>::reserve(std::size_t robots, std::size_t planes_each,
   const std::size_t groups = robots / kProgramLanes + 1;
   for (Programs<Number>* programs : {&programs_, &infeasible_}) {
     programs->group.reserve(groups);
-    programs->row.reserve(std::min(groups * planes_each, planes));
+    programs->row.reserve(std::min(groups * planes_each, planes) + kRowsAtOnce);
   }
   preferred_.reserve(robots);
   robots_.reserve(robots);
@@ -127,17 +132,28 @@ void ProgramBatch<Number>::reserve(std::size_t robots, std::size_t planes_each,
 }
 
 template <typename Number>
-void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 preferred) {
-  lane_ = programs_.robots % kProgramLanes;
-  planes_ = 0;
+void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 preferred,
+                               std::span<const HalfPlane> planes) {
+  const std::size_t lane = programs_.robots % kProgramLanes;
   ProgramGroup<Number>& group = programs_.add_robot();
-  group.c_x[lane_] = static_cast<Number>(acceleration.center.x);
-  group.c_y[lane_] = static_cast<Number>(acceleration.center.y);
-  group.radius[lane_] = static_cast<Number>(acceleration.radius);
-  group.top_speed[lane_] = static_cast<Number>(top_speed);
-  group.p_x[lane_] = static_cast<Number>(preferred.x);
-  group.p_y[lane_] = static_cast<Number>(preferred.y);
+  group.c_x[lane] = static_cast<Number>(acceleration.center.x);
+  group.c_y[lane] = static_cast<Number>(acceleration.center.y);
+  group.radius[lane] = static_cast<Number>(acceleration.radius);
+  group.top_speed[lane] = static_cast<Number>(top_speed);
+  group.p_x[lane] = static_cast<Number>(preferred.x);
+  group.p_y[lane] = static_cast<Number>(preferred.y);
+  group.planes[lane] = static_cast<Number>(planes.size());
   preferred_.push_back(preferred);
+  programs_.add_rows(planes.size());
+  ProgramRow<Number>* const rows = programs_.row.data() + group.first;
+  for (std::size_t first = 0; first < planes.size(); first += kRowsAtOnce) {
+    for (std::size_t i = first; i < first + kRowsAtOnce; ++i) {
+      const HalfPlane& plane = planes[std::min(i, planes.size() - 1)];
+      rows[i].n_x[lane] = static_cast<Number>(plane.normal.x);
+      rows[i].n_y[lane] = static_cast<Number>(plane.normal.y);
+      rows[i].offset[lane] = static_cast<Number>(plane.offset);
+    }
+  }
 }
 
 // Those that half-planes leave nothing to need far more time: gathered, they fill lanes of their

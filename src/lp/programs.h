@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "avo/geometry.h"
@@ -44,8 +45,8 @@ struct Programs {
 
   /// The group of the next robot; its lane is robots % kProgramLanes before the call.
   ProgramGroup<Number>& add_robot();
-  /// One more row for the last group.
-  void add_row();
+  /// Room for so many rows in the last group.
+  void add_rows(std::size_t count);
 };
 
 /// Programs to be solved at once, filled robot by robot; allocates only while it grows.
@@ -56,19 +57,9 @@ class ProgramBatch {
   /// Room for so many robots with at most so many half-planes each, and in all.
   void reserve(std::size_t robots, std::size_t planes_each, std::size_t planes);
 
-  /// The next robot. Nothing is required of the numbers.
-  void add(const Disc& acceleration, double top_speed, Vec2 preferred);
-
-  /// The next half-plane of the robot added last, |normal| = 1.
-  void add(const HalfPlane& plane) {
-    ProgramGroup<Number>& group = programs_.group[programs_.groups - 1];
-    if (planes_ == group.count) programs_.add_row();
-    ProgramRow<Number>& row = programs_.row[group.first + planes_++];
-    row.n_x[lane_] = static_cast<Number>(plane.normal.x);
-    row.n_y[lane_] = static_cast<Number>(plane.normal.y);
-    row.offset[lane_] = static_cast<Number>(plane.offset);
-    group.planes[lane_] = static_cast<Number>(planes_);
-  }
+  /// The next robot. Nothing is required of the numbers but |normal| = 1.
+  void add(const Disc& acceleration, double top_speed, Vec2 preferred,
+           std::span<const HalfPlane> planes);
 
   [[nodiscard]] std::size_t size() const { return programs_.robots; }
 
@@ -97,10 +88,9 @@ class ProgramBatch {
   }
 
   Programs<Number> programs_;
-  std::size_t lane_ = 0, planes_ = 0;  // of the robot added last
-  std::vector<Vec2> preferred_;        // as given
-  Programs<Number> infeasible_;        // those that failed, side by side
-  std::vector<std::size_t> robots_;    // whose these are
+  std::vector<Vec2> preferred_;      // as given
+  Programs<Number> infeasible_;      // those that failed, side by side
+  std::vector<std::size_t> robots_;  // whose these are
   std::vector<ProgramRow<Number>> scratch_;
 };
 

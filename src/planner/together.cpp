@@ -41,8 +41,7 @@ void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, con
   batch.clear();
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const Robot& robot = *robots[i].robot;
-    batch.add(planner.acceleration_disc(robot), robot.max_speed, wishes[i]);
-    for (const HalfPlane& plane : soft.of(i)) batch.add(plane);
+    batch.add(planner.acceleration_disc(robot), robot.max_speed, wishes[i], soft.of(i));
   }
   nearest_points(batch);
   for (std::size_t i = 0; i < robots.size(); ++i) {

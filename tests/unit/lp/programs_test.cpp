@@ -43,8 +43,7 @@ template <typename Number>
 void solve(const std::vector<Program>& all, ProgramBatch<Number>& batch) {
   batch.clear();
   for (const Program& p : all) {
-    batch.add(p.acceleration, p.speed.radius, p.preferred);
-    for (const HalfPlane& plane : p.soft) batch.add(plane);
+    batch.add(p.acceleration, p.speed.radius, p.preferred, p.soft);
   }
   nearest_points(batch);
 }
@@ -168,8 +167,8 @@ TEST(Batch, leaves_alone_what_is_out_of_the_ordinary) {
   const auto settled = [](const Disc& acceleration, double top_speed, Vec2 preferred) {
     ProgramBatch<double> batch;
     ProgramBatch<float> single;
-    batch.add(acceleration, top_speed, preferred);
-    single.add(acceleration, top_speed, preferred);
+    batch.add(acceleration, top_speed, preferred, {});
+    single.add(acceleration, top_speed, preferred, {});
     nearest_points(batch);
     nearest_points(single);
     return batch.settled(0) || single.settled(0);
