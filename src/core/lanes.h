@@ -9,6 +9,7 @@
 #define AVO_CORE_LANES_H
 #endif
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <hwy/highway.h>
@@ -99,6 +100,22 @@ HWY_INLINE std::size_t store_chosen(MaskOf<T> chosen, Pack<T> a, T* to) {
   }
   return count;
 }
+
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE std::size_t store_chosen(std::uint32_t chosen, const Pack<double> (&values)[2],
+                                    std::uint32_t first, float* to, std::uint32_t* number) {
+  const auto lanes = static_cast<__mmask16>(chosen);
+  const __m512 narrow = _mm512_castpd_ps(_mm512_insertf64x4(
+      _mm512_castpd256_pd512(_mm256_castps_pd(_mm512_cvtpd_ps(values[0].raw.raw))),
+      _mm256_castps_pd(_mm512_cvtpd_ps(values[1].raw.raw)), 1));
+  const __m512i numbers =
+      _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(first)),
+                       _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
+  _mm512_storeu_ps(to, _mm512_maskz_compress_ps(lanes, narrow));
+  _mm512_storeu_si512(number, _mm512_maskz_compress_epi32(lanes, numbers));
+  return static_cast<std::size_t>(std::popcount(chosen));
+}
+#endif
 
 /// Two packs as one: while the one waits for its divisions the other goes on.
 template <typename T>

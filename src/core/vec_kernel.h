@@ -23,3 +23,19 @@ template <typename Real>
 AVO_KERNEL Vec<Real> constant(Vec2 a) {
   return {Real(a.x), Real(a.y)};
 }
+
+/// Stores of `values`, narrowed, those whose bits are set side by side, and beside them their
+/// numbers, the first one being `first`; returns how many those are. May write all.
+template <typename Real, std::size_t N>
+AVO_KERNEL std::size_t store_chosen(std::uint32_t chosen, const Real (&values)[N],
+                                    std::uint32_t first, float* to, std::uint32_t* number) {
+  alignas(64) double lanes[N * Real::kLanes];
+  for (std::size_t k = 0; k < N; ++k) values[k].store(lanes + k * Real::kLanes);
+  std::size_t count = 0;
+  for (std::uint32_t k = 0; k < N * Real::kLanes; ++k) {
+    to[count] = static_cast<float>(lanes[k]);
+    number[count] = first + k;
+    count += chosen >> k & 1U;
+  }
+  return count;
+}

@@ -43,9 +43,8 @@ HWY_EXPORT(find_in_lanes);
 
 void SearchScratch::grow(std::size_t size) {
   size = std::max(size, order.size() + order.size() / 2);
-  for (std::vector<double>* column : {&distance_squared, &place}) column->resize(size);
-  for (std::vector<std::uint32_t>* column : {&rank, &order}) column->resize(size);
-  narrow.resize(size);
+  distance_squared.resize(size);
+  for (std::vector<std::uint32_t>* column : {&place, &rank, &order}) column->resize(size);
 }
 
 std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch) {

@@ -60,11 +60,12 @@ struct SearchScratch {
   std::vector<NeighborQuery> queries;
   std::vector<Found> found;  // of each
 
-  std::size_t used = 0;                         // of the following columns
-  std::vector<double> distance_squared, place;  // of candidates
-  std::vector<float> narrow;                    // likewise
-  std::vector<std::uint32_t> rank, order;       // likewise
-  std::vector<NeighborHit> hits;                // of UniformGrid::gather()
+  std::size_t used = 0;                 // of the following columns, one entry a candidate
+  std::vector<float> distance_squared;  // m², narrowed
+  std::vector<std::uint32_t> place;     // in the order of the cells
+  std::vector<std::uint32_t> rank;      // see Found
+  std::vector<std::uint32_t> order;     // while they are sorted
+  std::vector<NeighborHit> hits;        // of UniformGrid::list()
 
   /// Room for so many queries with so many candidates in all, and what it takes to find them.
   void reserve(std::size_t most_queries, std::size_t candidates) {
@@ -77,11 +78,6 @@ struct SearchScratch {
   /// Room for so many candidates.
   void reserve(std::size_t count) {
     if (order.size() < count + 2 * kSparePoints) grow(count + 2 * kSparePoints);
-  }
-  /// Of a candidate, in the order of the cells.
-  [[nodiscard]] std::uint32_t place_of(std::size_t candidate) const {
-    // signed: what processors convert to
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(place[candidate]));
   }
 
  private:

@@ -1,53 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lanes of a search. Included into a namespace that has Pack, once per instruction set.
 
-// Lanes are filled by so many places at a time: how many cells hold cannot be foreseen, and a
-// processor that guesses wrong loses more than what it does for nothing.
+// So many places are looked at together: how many cells hold cannot be foreseen, and a processor
+// that guesses wrong loses more than what it does for nothing.
 template <typename Real>
 constexpr std::size_t kTogether = Real::kLanes >= 4 ? 16 : Real::kLanes;
 
+/// Candidates while they are collected, and how many of them are near.
+struct Collected {
+  std::size_t end, near;
+};
+
 /// Appends those of the points at [first, first + kTogether) that lie before `last` and the limit
-/// admits to the candidates, which end there then. kThinned: the limit is that of somebody found.
+/// admits. kThinned: the limit is that of somebody found.
 template <bool kThinned, typename Real>
-AVO_KERNEL std::size_t append_candidates(const NeighborQuery& query, const PlacedPoints& points,
-                                         const HitLimit& limit, std::size_t first, std::size_t last,
-                                         std::size_t end, SearchScratch& scratch) {
+AVO_KERNEL void append_candidates(const NeighborQuery& query, const PlacedPoints& points,
+                                  const HitLimit& limit, std::size_t first, std::size_t last,
+                                  SearchScratch& scratch, Collected& collected) {
   const Real x(query.position.x), y(query.position.y), self(query.self);
   const Real nearest(limit.distance_squared), lowest(limit.index);
-  const Real beyond(static_cast<double>(last)), lane = Real::load(kLaneNumbers.data());
-  for (std::size_t k = first; k < first + kTogether<Real>; k += Real::kLanes) {
+  const Real near(squared(query.near));
+  Real distances[kTogether<Real> / Real::kLanes];
+  std::uint32_t chosen = 0, near_ones = 0;
+  for (std::size_t i = 0; i < kTogether<Real>; i += Real::kLanes) {
+    const std::size_t k = first + i;
     const Real dx = Real::load(points.x + k) - x, dy = Real::load(points.y + k) - y;
-    const Real distance_squared = dx * dx + dy * dy, index = Real::load(points.index + k);
-    const Real place = Real(static_cast<double>(k)) + lane;
-    auto chosen = (distance_squared <= nearest) & (index != self) & (place < beyond);
-    if constexpr (kThinned) chosen = chosen & ((distance_squared < nearest) | (index < lowest));
-    store_chosen(chosen, distance_squared, scratch.distance_squared.data() + end);
-    end += store_chosen(chosen, place, scratch.place.data() + end);
+    const Real distance = dx * dx + dy * dy, index = Real::load(points.index + k);
+    auto lanes = (distance <= nearest) & (index != self);
+    if constexpr (kThinned) lanes = lanes & ((distance < nearest) | (index < lowest));
+    chosen |= bits(lanes) << i;
+    if (query.near >= 0.0) near_ones |= bits(distance <= near) << i;
+    distances[i / Real::kLanes] = distance;
   }
-  return end;
+  if (last - first < kTogether<Real>) chosen &= (1U << (last - first)) - 1U;
+  const std::size_t end = collected.end;
+  collected.end += store_chosen(chosen, distances, static_cast<std::uint32_t>(first),
+                                &scratch.distance_squared[end], &scratch.place[end]);
+  collected.near += static_cast<std::size_t>(std::popcount(chosen & near_ones));
 }
 
-/// All candidates within the radius behind those of the others, in no order. Returns where they
-/// end.
+/// All candidates within the radius behind those of the others, in no order.
 template <typename Real>
-AVO_KERNEL std::size_t collect(const NeighborQuery& query, double radius,
-                               const PlacedPoints& points, std::size_t begin,
-                               SearchScratch& scratch) {
+AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const PlacedPoints& points,
+                             std::size_t begin, SearchScratch& scratch) {
   const CellRange range = cells_within(query.position, radius, points.cells);
   HitLimit limit{radius * radius};
-  std::size_t end = begin, many = more_than(query.most, kManyHits);
+  Collected found{begin, 0};
+  std::size_t many = more_than(query.most, kManyHits);
   bool thinned = false;
   const auto look = [&](std::size_t first_slot, std::size_t last_slot) {
     const std::size_t last = points.begin[last_slot];
     for (std::size_t place = points.begin[first_slot]; place < last; place += kTogether<Real>) {
-      scratch.reserve(end + kTogether<Real>);
-      end = thinned
-                ? append_candidates<true, Real>(query, points, limit, place, last, end, scratch)
-                : append_candidates<false, Real>(query, points, limit, place, last, end, scratch);
-      if (end - begin < many) continue;
-      end = keep_nearest(query, points, begin, end, limit, scratch);
+      scratch.reserve(found.end + kTogether<Real>);
+      if (thinned) {
+        append_candidates<true, Real>(query, points, limit, place, last, scratch, found);
+      } else {
+        append_candidates<false, Real>(query, points, limit, place, last, scratch, found);
+      }
+      if (found.end - begin < many) continue;
+      found.end = keep_nearest(query, points, begin, found.end, limit, scratch);
       thinned = true;
-      many = 2 * (end - begin) + kManyHits;
+      many = 2 * (found.end - begin) + kManyHits;
     }
   };
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
@@ -56,30 +69,17 @@ AVO_KERNEL std::size_t collect(const NeighborQuery& query, double radius,
     look(first, std::min(last, points.cells.table()));
     if (last > points.cells.table()) look(0, last - points.cells.table());
   }
-  if (end - begin > more_than(query.most, kManyHits / 4)) {
-    end = keep_nearest(query, points, begin, end, limit, scratch);
+  if (found.end - begin > more_than(query.most, kManyHits / 4)) {
+    found.end = keep_nearest(query, points, begin, found.end, limit, scratch);
   }
-  return end;
-}
-
-/// How many candidates are near.
-template <typename Real>
-AVO_KERNEL std::size_t count_near(double near, const Found& found, const SearchScratch& scratch) {
-  if (near < 0.0) return 0;
-  const Real near_squared(near * near);
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < found.candidates; k += Real::kLanes) {
-    const Real distance = Real::load(scratch.distance_squared.data() + found.first + k);
-    count += static_cast<std::size_t>(std::popcount(bits(distance <= near_squared)));
-  }
-  return std::min(count, found.candidates);  // of those beyond, if near is infinite
+  return found;
 }
 
 /// The ranks of few candidates by distance, where single precision tells all of them apart; false
 /// elsewhere. Columns end in infinite distances.
 template <typename Real>
 AVO_KERNEL bool rank_candidates(const Found& found, SearchScratch& scratch) {
-  const float* const distances = scratch.narrow.data() + found.first;
+  const float* const distances = scratch.distance_squared.data() + found.first;
   const std::size_t count = found.candidates;
   const Real one(1.0), zero(0.0);
   Real sum(0.0);
@@ -117,27 +117,23 @@ std::size_t find_candidates(const PlacedPoints& points, std::size_t enough,
     const NeighborQuery& query = scratch.queries[answered];
     const std::size_t first = scratch.used;
     double radius = query.guess;
-    std::size_t end = collect<Real>(query, radius, points, first, scratch);
-    while (end - first < query.most && radius < query.far) {
+    Collected collected = collect<Real>(query, radius, points, first, scratch);
+    while (collected.end - first < query.most && radius < query.far) {
       radius = std::min(2.0 * radius, query.far);
-      end = collect<Real>(query, radius, points, first, scratch);
+      collected = collect<Real>(query, radius, points, first, scratch);
     }
-    scratch.found[answered] = {first, end - first, 0};
-    scratch.reserve(end);
-    std::fill_n(scratch.distance_squared.data() + end, kSparePoints,
-                std::numeric_limits<double>::infinity());
-    scratch.used = end + kSparePoints;
-  }
-  for (std::size_t k = 0; k < scratch.used; ++k) {
-    scratch.narrow[k] = static_cast<float>(scratch.distance_squared[k]);
+    const std::size_t candidates = collected.end - first;
+    scratch.found[answered] = {first, candidates,
+                               std::max(std::min(candidates, query.most), collected.near)};
+    scratch.reserve(collected.end);
+    std::fill_n(scratch.distance_squared.data() + collected.end, kSparePoints,
+                std::numeric_limits<float>::infinity());
+    scratch.used = collected.end + kSparePoints;
   }
   for (std::size_t i = 0; i < answered; ++i) {
-    const NeighborQuery& query = scratch.queries[i];
-    Found& found = scratch.found[i];
-    found.count = std::max(std::min(found.candidates, query.most),
-                           count_near<Real>(query.near, found, scratch));
+    const Found& found = scratch.found[i];
     if (found.candidates > kFewHits || !rank_candidates<Narrow>(found, scratch)) {
-      rank_by_sorting(found, points, scratch);
+      rank_by_sorting(scratch.queries[i], found, points, scratch);
     }
   }
   return answered;

@@ -44,12 +44,21 @@ inline CellRange cells_within(Vec2 p, double radius, const Cells& cells) {
           static_cast<std::size_t>(cells.cell(p.x + reach) - column) + 1};
 }
 
+/// m², of a candidate.
+inline double exact_distance_squared(const NeighborQuery& query, const PlacedPoints& points,
+                                     const SearchScratch& scratch, std::size_t candidate) {
+  const std::uint32_t place = scratch.place[candidate];
+  return norm_squared(Vec2{points.x[place], points.y[place]} - query.position);
+}
+
 /// The canonical order of candidates.
-inline auto nearer(const PlacedPoints& points, const SearchScratch& scratch) {
-  return [&points, &scratch](std::uint32_t a, std::uint32_t b) {
-    const double* const distances = scratch.distance_squared.data();
-    if (distances[a] != distances[b]) return distances[a] < distances[b];
-    return points.index[scratch.place_of(a)] < points.index[scratch.place_of(b)];
+inline auto nearer(const NeighborQuery& query, const PlacedPoints& points,
+                   const SearchScratch& scratch) {
+  return [&](std::uint32_t a, std::uint32_t b) {
+    const double to_a = exact_distance_squared(query, points, scratch, a);
+    const double to_b = exact_distance_squared(query, points, scratch, b);
+    if (to_a != to_b) return to_a < to_b;
+    return points.index[scratch.place[a]] < points.index[scratch.place[b]];
   };
 }
 
@@ -67,14 +76,14 @@ inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& 
   limit = {near_squared, std::numeric_limits<int>::max()};
   if (query.most > 0) {
     const std::size_t last = first + query.most - 1;
-    std::nth_element(at(first), at(last), at(end), nearer(points, scratch));
-    const double distance_squared = scratch.distance_squared[*at(last)];
+    std::nth_element(at(first), at(last), at(end), nearer(query, points, scratch));
+    const double distance_squared = exact_distance_squared(query, points, scratch, *at(last));
     if (distance_squared > near_squared) {
-      limit = {distance_squared, static_cast<int>(points.index[scratch.place_of(*at(last))])};
+      limit = {distance_squared, static_cast<int>(points.index[scratch.place[*at(last)]])};
     }
   }
   const auto kept = std::partition(at(first + query.most), at(end), [&](std::uint32_t k) {
-    return scratch.distance_squared[k] <= near_squared;
+    return exact_distance_squared(query, points, scratch, k) <= near_squared;
   });
   std::sort(at(first), kept);  // each moves to where nobody is that still has to
   for (auto k = at(first); k != kept; ++k, ++first) {
@@ -84,12 +93,12 @@ inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& 
   return first;
 }
 
-inline void rank_by_sorting(const Found& found, const PlacedPoints& points,
-                            SearchScratch& scratch) {
+inline void rank_by_sorting(const NeighborQuery& query, const Found& found,
+                            const PlacedPoints& points, SearchScratch& scratch) {
   const auto first = scratch.order.begin() + static_cast<std::ptrdiff_t>(found.first);
   const auto end = first + static_cast<std::ptrdiff_t>(found.candidates);
   std::iota(first, end, static_cast<std::uint32_t>(found.first));
-  std::sort(first, end, nearer(points, scratch));
+  std::sort(first, end, nearer(query, points, scratch));
   for (auto k = first; k != end; ++k) scratch.rank[*k] = static_cast<std::uint32_t>(k - first);
 }
 

@@ -82,15 +82,17 @@ std::span<const NeighborHit> UniformGrid::gather(Vec2 position, int self, std::s
                                                  SearchScratch& scratch) const {
   const NeighborQuery query{position, self, most, -1.0, radius_, radius_};
   find({&query, 1}, 1, scratch);
-  return list(scratch.found[0], scratch);
+  return list(0, scratch);
 }
 
-std::span<const NeighborHit> UniformGrid::list(const Found& found, SearchScratch& scratch) const {
+std::span<const NeighborHit> UniformGrid::list(std::size_t query, SearchScratch& scratch) const {
+  const Found& found = scratch.found[query];
   scratch.hits.resize(found.count);
   for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
     if (scratch.rank[k] >= found.count) continue;
-    const std::uint32_t place = scratch.place_of(k);
-    scratch.hits[scratch.rank[k]] = {scratch.distance_squared[k], index(place), place};
+    const std::uint32_t place = scratch.place[k];
+    scratch.hits[scratch.rank[k]] = {
+        norm_squared(position(place) - scratch.queries[query].position), index(place), place};
   }
   return scratch.hits;
 }

@@ -36,8 +36,8 @@ class UniformGrid {
   /// were done, and what was found, in the scratch memory. Safe to call from several threads.
   std::size_t find(std::span<const NeighborQuery> queries, std::size_t enough,
                    SearchScratch& scratch) const;
-  /// In canonical order, in the scratch memory.
-  std::span<const NeighborHit> list(const Found& found, SearchScratch& scratch) const;
+  /// What a query found, in canonical order, in the scratch memory.
+  std::span<const NeighborHit> list(std::size_t query, SearchScratch& scratch) const;
 
   /// Which of the points given is at each place.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return sort_.order; }

@@ -125,7 +125,7 @@ void append(const World& world, const Found& found, const SearchScratch& search,
   const Snapshot& snapshot = world.snapshot;
   to.reserve(to.count + found.count);
   for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
-    const std::uint32_t place = search.place_of(k);
+    const std::uint32_t place = search.place[k];
     const Vec2 p = snapshot.grid.position(place);
     const Sensed& sensed = snapshot.sensed[place];
     // who is not found is overwritten by the next robot's neighbors
@@ -138,11 +138,11 @@ void append(const World& world, const Found& found, const SearchScratch& search,
 }
 
 // The same among moving obstacles: robots first where distances are equal.
-void append_with_obstacles(const World& world, Vec2 position, const Found& found, Worker& worker) {
+void append_with_obstacles(const World& world, Vec2 position, std::size_t query, Worker& worker) {
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
       world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
-  const std::span<const NeighborHit> robots = world.snapshot.grid.list(found, worker.search);
+  const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
   const std::span<const NeighborHit> obstacles =
       world.obstacle_grid.gather(position, -1, most, worker.obstacles);
   const std::size_t end = to.count + std::min(robots.size() + obstacles.size(), most);
@@ -175,7 +175,8 @@ double guess_from(const World& world, std::size_t robots, const SearchScratch& s
     const Found& found = search.found[i];
     double farthest = found.candidates < nearest ? radius * radius : 0.0;
     for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
-      const double looked_at = search.rank[k] < nearest ? search.distance_squared[k] : 0.0;
+      const double looked_at =
+          search.rank[k] < nearest ? static_cast<double>(search.distance_squared[k]) : 0.0;
       farthest = std::max(farthest, looked_at);
     }
     sum += farthest;
@@ -197,11 +198,10 @@ std::size_t sense(const World& world, std::span<const std::uint32_t> slots, Work
       world.snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   worker.guess = guess_from(world, robots, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
-    const Found& found = worker.search.found[i];
     if (world.obstacles.setup.empty()) {
-      append(world, found, worker.search, worker.tile.neighbors);
+      append(world, worker.search.found[i], worker.search, worker.tile.neighbors);
     } else {
-      append_with_obstacles(world, fleet.position[slots[i]], found, worker);
+      append_with_obstacles(world, fleet.position[slots[i]], i, worker);
     }
     worker.tile.first.push_back(worker.tile.neighbors.count);
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);

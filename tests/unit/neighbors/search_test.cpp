@@ -58,7 +58,7 @@ std::vector<NeighborHit> by_comparing_all(const Points& points, const NeighborQu
 std::vector<NeighborHit> found(const Points& points, const NeighborQuery& query) {
   SearchScratch scratch;
   EXPECT_EQ(points.grid.find({&query, 1}, 1, scratch), 1u);
-  const std::span<const NeighborHit> hits = points.grid.list(scratch.found[0], scratch);
+  const std::span<const NeighborHit> hits = points.grid.list(0, scratch);
   for (const NeighborHit& hit : hits) {  // the place is where it is
     EXPECT_EQ(norm_squared(points.grid.position(hit.place) - query.position), hit.distance_squared);
   }
