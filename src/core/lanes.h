@@ -68,8 +68,7 @@ struct Pack {
     const hn::RebindToSigned<D> whole;
     const auto shift = hn::Set(D(), static_cast<T>(sizeof(T) == 8 ? 0x1p52 : 0x1p23));
     return Pack(hn::GatherIndex(
-        D(), table,
-        hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
+        D(), table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
   }
   friend HWY_INLINE Pack floor(Pack a) { return Pack(hn::Trunc(a.raw)); }
 };

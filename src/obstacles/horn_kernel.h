@@ -2,9 +2,9 @@
 // The horn case where the near side crosses the circle |w| = R once at most: that is nearly always.
 // Included into a namespace that has half_plane_kernel.h, once per instruction set.
 
-/// A pair along its relative motion. On its way μ, |v| t or |v| s, the distance squared is
-/// closest² + rise(μ): of terms that do not cancel, closest being |p| or, closing in, the miss
-/// distance.
+/// A pair along its relative motion. After a way of |v| t the distance squared is closest² +
+/// rise(|v| t), of terms that do not cancel: `closest` is the miss distance, or |p| where p . v >=
+/// 0.
 template <typename Real>
 struct Horn {
   Local<Real> pair;
@@ -104,8 +104,9 @@ struct Passage {
 // approach t_m. It crosses R outwards only where `tangential` or `cusp` is negative.
 //   `tangential` > 0 if l > |v| g/g', and only matters up to T where R g' >= |v| (there the robot
 //      outruns the boundary). l² - (v g/g')² is concave in t: so it holds on all of [t_m, T]
-//      (or [0, T]) if it does at T. Exactly it reads l (|y|² + q z) > q r b, with q = |v| g/g', the
-//      miss distance b and z = |v| (s - t_m), and q <= κ |v| s, κ = (τ - s(τ))/s(τ). Receding,
+//      (or [0, T]) if it does at T; larger bounds of T and g/g', by Padé's of ln and t/2 + t²/(12
+//      δ), only make it stricter there. Exactly it reads l (|y|² + q z) > q r b, with q = |v| g/g',
+//      the miss distance b and z = |v| (s - t_m), and q <= κ |v| s, κ = (τ - s(τ))/s(τ). Receding,
 //      |y|² >= 2 b z and |v| s <= z: 2 l_0 >= κ r suffices. Else, m = |v| t_m, past the closest
 //      point of y: l_m >= κ r and b l_m >= 2 κ m r suffice; before it |y|² + q z is at least
 //      b² - m² κ²/(4 (1 + κ)), which is b²/2 or more if b >= m and κ <= 2.7.
@@ -124,11 +125,11 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horiz
   const Real t_m = max(-z * horn.per_speed, zero);
   const auto closing = z < zero;
 
-  const Real lag_T = pair.R - horn.speed;
+  const Real spare = pair.R - horn.speed;
   const Real outrun = Real(0.5) * delta * horn.speed *
                       (Real(6.0) * pair.R - Real(5.0) * horn.speed) /
-                      (lag_T * (Real(3.0) * pair.R - horn.speed));
-  const Real T = select((lag_T > zero) & (outrun < tau), outrun, tau);
+                      (spare * (Real(3.0) * pair.R - horn.speed));
+  const Real T = select((spare > zero) & (outrun < tau), outrun, tau);
   const Real lead = T * (Real(0.5) + T * Real(table.per_control_time / 12.0));
   const Real ahead = horn.speed * lead, kappa_r = Real(kappa) * pair.r;
   auto no_turn = (horn.gap2 + horn.rise(horn.speed * (T - lead)) >= ahead * ahead) |
@@ -153,11 +154,6 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horiz
           clear > Real(kContact<typename Real::Number>) * pair.r,
           t_m};
 }
-
-/// See horn_walk_kernel.h.
-template <typename Real>
-AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::Number>& table,
-                     Passage<Real>& passage);
 
 /// About where |b| = R. |g b|² is near l² at t = 0 and |v t|² at last: here the parabola with both
 /// and the slope at t = 0, and g is t²/(2 δ k²), k = 1 + t/(6 δ).
@@ -184,6 +180,16 @@ AVO_KERNEL Real first_time(const Horn<Real>& horn,
     t = t + min(max(step, Real(-0.5) * t), t);
   }
   return t;
+}
+
+/// A zero of f by the slopes dt/df at two times: how far beyond Newton's step from the second the
+/// cubic t(f) through both has it. `back` is from the second time to the first.
+template <typename Real>
+AVO_KERNEL Real beyond_newton(Real back, Real first_f, Real first_pace, Real f, Real pace) {
+  const Real per_df = Real(1.0) / (first_f - f), secant = back * per_df;
+  const Real bend = (secant - pace) * per_df;
+  const Real twist = ((first_pace - secant) - (secant - pace)) * per_df * per_df;
+  return f * f * (bend - first_f * twist);
 }
 
 /// Where |b| = R, falling, that is f = 0 where f = (|b|² - R²)/(|b|² + 3/5 R²), which is nearly
@@ -219,13 +225,12 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     const Real base = R2 * select(falls, fall, one), per = one / (sum * base);
     const Real f = excess * base * per;
     // dt/df
-    const Real pace = Real(-1.0 / 3.2) * sum * sum * (side.l2 * side.per_y2 * side.lead) * sum * per;
+    const Real pace =
+        Real(-1.0 / 3.2) * sum * sum * (side.l2 * side.per_y2 * side.lead) * sum * per;
     const Real direct = f * pace;  // Newton's
-    Real step = -direct;
-    const Real per_df = one / select(again, last_f - f, one);
-    const Real secant = (last_t - t) * per_df, bend = (secant - pace) * per_df;
-    const Real twist = ((last_pace - secant) - (secant - pace)) * per_df * per_df;
-    step = select(again, step + f * f * (bend - last_f * twist), step);
+    const auto curved = again & (abs(last_f - f) > zero);
+    const Real step =
+        select(curved, beyond_newton(last_t - t, last_f, last_pace, f, pace), zero) - direct;
     const Real newton = t + step;
     const Real error = max(abs(step), abs(direct));
     const Real least = Real(kTimeTolerance<Number>) * t;
@@ -240,111 +245,5 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     if (!any(active)) break;
   }
   result.time = t;
-  return result;
-}
-
-// Normal on the left of the way from a to b, and to the tangent point of a disc.
-template <typename Real>
-AVO_KERNEL Vec<Real> chord_normal(Vec<Real> a, Vec<Real> b) {
-  const Vec<Real> m = b - a;
-  return inverse(norm(m)) * perpendicular(m);
-}
-template <typename Real>
-AVO_KERNEL Vec<Real> tangent_normal(Vec<Real> a, Vec<Real> center, Real radius) {
-  const Vec<Real> m = center - a;
-  const Real m2 = dot(m, m), per_m2 = inverse(m2);
-  const Real l = sqrt(max(Real(0.0), m2 - radius * radius));
-  return {(-radius * m.x - l * m.y) * per_m2, (-radius * m.y + l * m.x) * per_m2};
-}
-
-template <typename Real>
-struct HornPlane {
-  using Mask = decltype(Real() < Real());
-  Plane<Real> plane;
-  Mask settled;  // else look more closely, and then by the general search (horn.cpp)
-  Mask free;     // the obstacle is out of reach
-};
-
-/// The corners of the hull on its near side, and the least supports among its edges.
-template <typename Real>
-struct Hull {
-  using Mask = decltype(Real() < Real());
-  Vec<Real> center, crossing, near, far;  // of the disc of τ; the corner Q; the disc's corners
-  Real radius, R;
-  Mask disc_in_reach, has_crossing, is_cut;
-
-  // Of the points within reach: where the disc's extreme point is not, its corners take its place.
-  AVO_KERNEL Real support(Vec<Real> n) const {
-    const Real none = Real(-std::numeric_limits<typename Real::Number>::infinity());
-    const Vec<Real> extreme = center + radius * n;
-    Real h = select(disc_in_reach & (dot(extreme, extreme) <= R * R), dot(n, center) + radius, none);
-    h = max(h, select(has_crossing, dot(n, crossing), none));
-    const Real corners = max(dot(n, near), dot(n, far));
-    return max(h, select(is_cut, corners, none));
-  }
-  AVO_KERNEL void offer(Vec<Real> n, Mask valid, Plane<Real>& best) const {
-    const Real h = support(n);
-    const auto better = valid & (h < best.h);
-    best.n.x = select(better, n.x, best.n.x);
-    best.n.y = select(better, n.y, best.n.y);
-    best.h = select(better, h, best.h);
-  }
-};
-
-template <typename Real>
-AVO_KERNEL Plane<Real> least_support(const Hull<Real>& hull) {
-  using Number = typename Real::Number;
-  const Real infinity = Real(std::numeric_limits<Number>::infinity());
-  Plane<Real> best{{Real(0.0), Real(0.0)}, infinity};
-  const Real length = norm(hull.center);
-  hull.offer(-inverse(length) * hull.center, hull.disc_in_reach, best);
-  const Vec<Real> to_disc = hull.crossing - hull.center;
-  const auto outside = dot(to_disc, to_disc) > hull.radius * hull.radius;
-  hull.offer(tangent_normal(hull.crossing, hull.center, hull.radius),
-             hull.disc_in_reach & hull.has_crossing & outside, best);
-  if (any(hull.is_cut & hull.has_crossing)) {
-    hull.offer(chord_normal(hull.crossing, hull.near), hull.is_cut & hull.has_crossing, best);
-    hull.offer(chord_normal(hull.crossing, hull.far), hull.is_cut & hull.has_crossing, best);
-  }
-  return best;
-}
-
-template <typename Real>
-AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                const ResponseTable<typename Real::Number>& table, Look look) {
-  const Horn<Real> shape = horn_of(pair);
-  const At<Real> end = constant<Real>(horizon_end);
-  Passage<Real> way = passage(shape, horizon_end, table);
-  if (look == Look::closely) walk(shape, table, way);
-  const Vec<Real> x = pair.x(end);
-  const Real length = norm(x);
-
-  Hull<Real> hull;
-  hull.R = pair.R;
-  hull.center = Real(-1.0 / horizon_end.gain) * x;
-  hull.radius = pair.r * Real(1.0 / horizon_end.gain);
-  hull.disc_in_reach = length - pair.r < pair.R * end.gain;
-  // |b| <= |x|/g: whoever is in reach at the end has crossed
-  hull.has_crossing =
-      way.crosses | ((length <= pair.R * end.gain) & (shape.speed <= pair.R * end.rate));
-  if (any(!hull.has_crossing)) {
-    const Real reach = pair.R * end.gain;
-    const auto crossed = near_side(shape, end, table).b2 <= reach * reach;
-    hull.has_crossing = (hull.has_crossing | crossed) & (way.first < end.time);
-  }
-  const Crossing<Real> cross =
-      crossing(shape, way, table, hull.has_crossing & way.once & way.ordinary);
-  hull.crossing = circle_points(shape, at(table, cross.time)).near;
-  hull.is_cut = hull.disc_in_reach & (norm(hull.center) + hull.radius > pair.R);
-  hull.near = hull.far = hull.crossing;
-  if (any(hull.is_cut)) {
-    const TwoPoints<Real> corners = circle_points(shape, end);
-    hull.near = corners.near, hull.far = corners.far;
-  }
-  HornPlane<Real> result;
-  result.plane = least_support(hull);
-  result.free = !(hull.disc_in_reach | hull.has_crossing);
-  result.settled = way.once & way.ordinary &
-                   ((hull.disc_in_reach & ((cross.tangential >= Real(0.0)) | (!hull.has_crossing))) | result.free);
   return result;
 }

@@ -19,8 +19,8 @@ struct At {
 template <typename Real>
 AVO_KERNEL Real response_series(Real u) {
   const Real u2 = u * u;
-  const Real low = (Real(1.0) - u * Real(1.0 / 3.0)) +
-                   u2 * (Real(1.0 / 12.0) - u * Real(1.0 / 60.0));
+  const Real low =
+      (Real(1.0) - u * Real(1.0 / 3.0)) + u2 * (Real(1.0 / 12.0) - u * Real(1.0 / 60.0));
   if constexpr (std::is_same_v<typename Real::Number, float>) return low;
   const Real high = (Real(1.0 / 360.0) - u * Real(1.0 / 2520.0)) +
                     u2 * (Real(1.0 / 20160.0) - u * Real(1.0 / 181440.0));
