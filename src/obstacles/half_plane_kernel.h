@@ -113,7 +113,7 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
                                  found.gain * found.per_rate * (Real(1.0) - found.rate) *
                                      found.per_rate * Real(table.per_control_time),
                                  Real(0.5));  // at t = 0
-    const Real slope = b2 * (m - sigma) / x2 + sigma * lag_rate;
+    const Real slope = b2 * (m - sigma) * inverse(x2) + sigma * lag_rate;
     const auto rises = slope > Real(0.0);
     const Real newton = sigma - excess / select(rises, slope, Real(1.0));
     // the last step is taken too, but for the guard's, where rounding is all that is left

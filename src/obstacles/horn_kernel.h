@@ -229,8 +229,9 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
         Real(-1.0 / 3.2) * sum * sum * (side.l2 * side.per_y2 * side.lead) * sum * per;
     const Real direct = f * pace;  // Newton's
     const auto curved = again & (abs(last_f - f) > zero);
-    const Real step =
-        select(curved, beyond_newton(last_t - t, last_f, last_pace, f, pace), zero) - direct;
+    const Real first_f = select(curved, last_f, f + one);
+    const Real beyond = beyond_newton(last_t - t, first_f, last_pace, f, pace);
+    const Real step = select(curved, beyond, zero) - direct;
     const Real newton = t + step;
     const Real error = max(abs(step), abs(direct));
     const Real least = Real(kTimeTolerance<Number>) * t;
