@@ -65,12 +65,14 @@ struct Pack {
   friend HWY_INLINE Pack select(Mask mask, Pack yes, Pack no) {
     return Pack(hn::IfThenElse(mask.raw, yes.raw, no.raw));
   }
+  /// Of whole a below 2^23: added to 2^23, or 2^52, they are its last bits.
   friend HWY_INLINE Pack lookup(const T* table, Pack a) {
-    return Pack(hn::GatherIndex(D(), table, hn::ConvertTo(hn::RebindToSigned<D>(), a.raw)));
+    const hn::RebindToSigned<D> whole;
+    const auto shift = hn::Set(D(), static_cast<T>(sizeof(T) == 8 ? 0x1p52 : 0x1p23));
+    return Pack(hn::GatherIndex(
+        D(), table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
   }
-  friend HWY_INLINE Pack floor(Pack a) {
-    return Pack(hn::ConvertTo(D(), hn::ConvertTo(hn::RebindToSigned<D>(), a.raw)));
-  }
+  friend HWY_INLINE Pack floor(Pack a) { return Pack(hn::Trunc(a.raw)); }
 };
 
 /// Of numbers whose sum is exact.
@@ -169,14 +171,30 @@ struct TwoPacks {
   }
 };
 
-// Both of these return the second where the comparison fails.
-template <typename Real>
-HWY_INLINE Real min(Real a, Real b) {
+// Both of these return the second where the comparison fails, as x86 has them.
+template <typename T>
+HWY_INLINE Pack<T> min(Pack<T> a, Pack<T> b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+  return Pack<T>(hn::Min(a.raw, b.raw));
+#else
   return select(a < b, a, b);
+#endif
 }
-template <typename Real>
-HWY_INLINE Real max(Real a, Real b) {
+template <typename T>
+HWY_INLINE Pack<T> max(Pack<T> a, Pack<T> b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+  return Pack<T>(hn::Max(a.raw, b.raw));
+#else
   return select(a > b, a, b);
+#endif
+}
+template <typename T>
+HWY_INLINE TwoPacks<T> min(TwoPacks<T> x, TwoPacks<T> y) {
+  return {min(x.a, y.a), min(x.b, y.b)};
+}
+template <typename T>
+HWY_INLINE TwoPacks<T> max(TwoPacks<T> x, TwoPacks<T> y) {
+  return {max(x.a, y.a), max(x.b, y.b)};
 }
 
 #include "core/vec_kernel.h"

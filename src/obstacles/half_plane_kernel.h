@@ -92,8 +92,8 @@ AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& appro
   return select((sigma > low) & (sigma < high), sigma, Real(0.5) * (low + high));
 }
 
-// The σ at which n . y = r. The left side of (σ m + b²)/|x| increases in σ (in t it would have a
-// kink near t_m): Newton's iteration, guarded by bisection.
+// The σ at which n . y = r, where (σ m + b²)/|x| increases in σ (in t it would have a kink near
+// t_m): Newton's iteration, guarded by bisection; excess and slope are times |x|.
 template <typename Real>
 AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
                                const ResponseTable<typename Real::Number>& table) {
@@ -106,15 +106,14 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
     const At<Real> found = at(table, approach.time(sigma, tau));
     const Real m = approach.m(found);
     const Real x2 = sigma * sigma + b2;
-    const Real x = sqrt(x2), per_x = inverse(x);
-    const Real excess = (sigma * m + b2) * per_x - pair.r;
+    const Real excess = sigma * m + b2 - pair.r * sqrt(x2);
     low = select(excess < Real(0.0), sigma, low);
     high = select(excess < Real(0.0), high, sigma);
     const Real lag_rate = select(found.rate > Real(0.0),
-                                 found.gain * (Real(1.0) - found.rate) * found.per_rate *
+                                 found.gain * found.per_rate * (Real(1.0) - found.rate) *
                                      found.per_rate * Real(table.per_control_time),
                                  Real(0.5));  // at t = 0
-    const Real slope = (b2 * (m - sigma) * per_x * per_x + sigma * lag_rate) * per_x;
+    const Real slope = b2 * (m - sigma) * inverse(x2) + sigma * lag_rate;
     const auto rises = slope > Real(0.0);
     const Real newton = sigma - excess / select(rises, slope, Real(1.0));
     // the last step is taken too, but for the guard's, where rounding is all that is left
@@ -136,10 +135,10 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   const Approach<Real> course = approach(pair);
   const Real tau = table.end;
   const At<Real> latest = at(table, min(course.t_m, tau));
-  const Real cosine = pair.r / course.m(latest);
+  const Real per_m = Real(1.0) / course.m(latest), cosine = pair.r * per_m;
 
-  const Real sigma = solve_approach(
-      pair, course, min((pair.r - abs(course.b)) / course.m(latest), Real(0.95)), table);
+  const Real sigma =
+      solve_approach(pair, course, min((pair.r - abs(course.b)) * per_m, Real(0.95)), table);
   const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = inverse(x);
   // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
   // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
@@ -151,9 +150,10 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   h = select(touching, max(h, course.speed * (sigma * per_x) * found.per_rate), h);
   Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
 
-  // head-on, both sides are equally near, and n is where n . y = r at t_m itself; so it is for a
-  // tie that rounding has put on the other side
-  const auto head_on = (course.b <= Real(0.0)) & (course.t_m <= tau) & (cosine < Real(1.0));
+  // head-on, both sides are equally near, and n is where n . y = r at t_m itself; so it is where a
+  // miss distance, of either side, is one of rounding
+  const Real rounding = Real(std::numeric_limits<Number>::epsilon()) * pair.d;
+  const auto head_on = (course.b <= rounding) & (course.t_m <= tau) & (cosine < Real(1.0));
   const Real sine = sqrt(max(Real(1.0) - cosine * cosine, Real(0.0)));
   const Vec<Real> side = cosine * course.u + sine * course.e;
   n.x = select(head_on, side.x, n.x);

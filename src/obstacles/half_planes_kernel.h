@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many pairs: what can be told at once is told at once, the rest waits in a queue for its case, so
-// that all lanes work on the same one. Included after horn_walk_kernel.h, once per instruction set.
+// that all lanes work on the same one. Included after horn_hull_kernel.h, once per instruction set.
 
 /// A pair's own frame (see Local), and what is known of it without more ado.
 template <typename Real>
@@ -21,20 +21,20 @@ struct Frame {
 // to survive rounding, or robots on a circle would each choose a side at random.
 template <typename Real>
 AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const ResponseAt& end) {
-  const Real d = norm(p), speed = norm(v), per_d = inverse(d);
-  const Real across = p.x * v.y - p.y * v.x;
-  const Real tie = Real(-kTie<typename Real::Number>) * d * speed;
+  using Number = typename Real::Number;
+  const Real d = norm(p), per_d = inverse(d), v2 = dot(v, v);
+  const Real across = (p.x * v.y - p.y * v.x) * per_d;
+  const Real across2 = across * abs(across);
   Frame<Real> frame;
-  frame.side = select(across < tie, Real(-1.0), Real(1.0));
+  frame.side = select(across2 < Real(-kTie<Number> * kTie<Number>) * v2, Real(-1.0), Real(1.0));
   frame.e = per_d * p;
-  frame.local =
-      widened<Real>({d, {dot(p, v) * per_d, frame.side * across * per_d}, r, R}, end.time);
+  frame.local = widened<Real>({d, {dot(p, v) * per_d, frame.side * across}, r, R}, end.time);
   r = frame.local.r;
   frame.in_contact = (d < r) | !(d > Real(0.0));
   // too far to touch before τ whatever both do: |p + t v| > r + R g(t) on the whole window
-  frame.too_far = d - r > speed * Real(end.time) + R * Real(end.gain);
-  frame.on_collision_course =
-      (frame.local.v.x < Real(0.0)) & (d * abs(frame.local.v.y) < r * speed);
+  const Real gap = d - r - R * Real(end.gain), sine = r * per_d;
+  frame.too_far = gap * abs(gap) > v2 * Real(end.time * end.time);
+  frame.on_collision_course = (frame.local.v.x < Real(0.0)) & (abs(across2) < sine * sine * v2);
   return frame;
 }
 

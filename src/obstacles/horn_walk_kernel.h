@@ -23,10 +23,16 @@ AVO_KERNEL auto signs_differ(Real a, Real b) {
   return ((a < zero) & (b >= zero)) | ((a >= zero) & (b < zero));
 }
 
+// m/s, of b
+template <typename Real>
+AVO_KERNEL Real length_of(const NearSide<Real>& side) {
+  return sqrt(side.b2) * inverse(side.at.gain);
+}
 // m/s², of |b|
 template <typename Real>
 AVO_KERNEL Real pace(const NearSide<Real>& side) {
-  return abs(side.tangential * side.cusp) * inverse(side.gain_l * side.length);
+  return abs(side.tangential * inverse(side.at.gain * side.lead)) *
+         abs(side.cusp * inverse(side.l * sqrt(side.b2)));
 }
 
 // Where more than one crossing cannot be excluded beforehand: looks at the near side at times as
@@ -37,14 +43,15 @@ template <typename Real>
 AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::Number>& table,
                      Passage<Real>& passage) {
   const Real R = horn.pair.R, tau = table.end, zero = Real(0.0), t_m = passage.t_m;
-  const auto closing = passage.z < zero;
+  const auto closing = horn.z < zero;
   const Real t_cusp = select(closing, cusp_time(t_m, table), zero);
-  const Real least = min(Real(0.125) * passage.closest * inverse(horn.speed), Real(0.25) * t_m);
+  const Real least = min(Real(0.125) * horn.closest * horn.per_speed, Real(0.25) * t_m);
   auto once = (!passage.once) & passage.ordinary & (passage.first < tau);
   auto active = once;
   Real t = min(max(passage.first, t_m), tau);
   NearSide<Real> from = near_side(horn, at(table, t), table);
-  auto inside = from.length <= R;  // |b| falls up to the closest approach
+  Real from_length = length_of(from);
+  auto inside = from_length <= R;  // |b| falls up to the closest approach
   Real low = passage.first, high = select(inside, t, tau);
   for (int i = 0; i < kMaxPieces; ++i) {
     const auto outruns = horn.speed <= R * from.at.rate;
@@ -56,11 +63,12 @@ AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::
     next = select((t < t_cusp) & (next > t_cusp), t_cusp, next);
     next = select(active, min(next, tau), t);
     const NearSide<Real> to = near_side(horn, at(table, next), table);
+    const Real to_length = length_of(to);
     const auto turns =
         signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
     const auto near_R =
-        min(abs(from.length - R), abs(to.length - R)) <= (next - t) * max(pace(from), pace(to));
-    const auto now_inside = to.length <= R;
+        min(abs(from_length - R), abs(to_length - R)) <= (next - t) * max(pace(from), pace(to));
+    const auto now_inside = to_length <= R;
     once = once & (!(active & ((turns & near_R) | (inside & (!now_inside)))));
     const auto enters = active & now_inside & (!inside);
     low = select(enters, t, low);
@@ -68,7 +76,7 @@ AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::
     inside = inside | enters;
     active = active & once;
     t = next;
-    from = to;
+    from = to, from_length = to_length;
   }
   once = once & (!active);
   low = select(inside, low, t);  // it may still fall through R up to the end

@@ -23,15 +23,12 @@ constexpr int kMaxIterations = 64;
 enum class Look : unsigned char { quickly, closely };
 // Of the near side that a walk along it looks at.
 constexpr int kMaxPieces = 24;
-// Relative; its use is of second order in the time.
+// Of the last two steps' product, relative, which leaves about its square: a use of second order.
 template <typename Number>
-constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-7 : 1e-4;
+constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-4 : 3e-4;
 // Relative, of Newton's last step in σ, which leaves about its square.
 template <typename Number>
 constexpr double kConvexTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-4;
-// Of the series of u + e^{-u} - 1 up to u = 1/32: to u^9, 2^-58 of it, and to u^5, 2^-28.
-template <typename Number>
-constexpr int kResponseTerms = std::is_same_v<Number, double> ? 9 : 5;
 // Its square does not underflow.
 template <typename Number>
 constexpr double kTiniest = std::is_same_v<Number, double> ? 1e-150 : 1e-18;

@@ -15,18 +15,27 @@ struct At {
   Real time, gain, rate, per_rate, lag;
 };
 
+/// 2 (u + e^{-u} - 1)/u² for 0 <= u <= 1/32: up to u^7, 2^-58 of it, and to u^3, 2^-28.
+template <typename Real>
+AVO_KERNEL Real response_series(Real u) {
+  const Real u2 = u * u;
+  const Real low =
+      (Real(1.0) - u * Real(1.0 / 3.0)) + u2 * (Real(1.0 / 12.0) - u * Real(1.0 / 60.0));
+  if constexpr (std::is_same_v<typename Real::Number, float>) return low;
+  const Real high = (Real(1.0 / 360.0) - u * Real(1.0 / 2520.0)) +
+                    u2 * (Real(1.0 / 20160.0) - u * Real(1.0 / 181440.0));
+  return low + u2 * u2 * high;
+}
+
 /// Where t >= 0. Past the table, at 40 δ, g grows by the time itself.
 template <typename Real>
 AVO_KERNEL At<Real> at(const ResponseTable<typename Real::Number>& table, Real t) {
   const Real k = floor(min(t * Real(table.nodes_per_second), Real(table.last)));
   const Real h = max(t - k * Real(table.seconds_per_node), Real(0.0));
   const Real node_rate = lookup(table.rate, k), decay = Real(1.0) - node_rate;
-  // u + e^{-u} - 1 for 0 <= u <= 1/32 (and a rounding more): a series
+  // at most 1/32 and a rounding more
   const Real u = min(h * Real(table.per_control_time), Real(1.0 / 16.0));
-  Real sum = Real(1.0);
-  for (int n = kResponseTerms<typename Real::Number>; n >= 3; --n) {
-    sum = Real(1.0) - u * Real(1.0 / n) * sum;
-  }
+  const Real sum = response_series(u);
   const Real extra = Real(0.5) * u * u * sum;
   At<Real> result;
   result.time = t;
