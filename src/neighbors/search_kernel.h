@@ -69,7 +69,7 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
     look(first, std::min(last, points.cells.table()));
     if (last > points.cells.table()) look(0, last - points.cells.table());
   }
-  if (found.end - begin > more_than(query.most, kManyHits / 4)) {
+  if (found.end - begin > std::max(kFewHits, more_than(query.most, kManyHits / 4))) {
     found.end = keep_nearest(query, points, begin, found.end, limit, scratch);
   }
   return found;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -40,7 +41,8 @@ RobotTraits traits_of(const RobotSetup& setup) {
 
 template <typename Action>
 void Fleet::for_each_column(const Action& action) {
-  action(id), action(rank), action(traits), action(range), action(goal), action(position);
+  action(id), action(rank), action(traits), action(range), action(nearest), action(goal),
+      action(position);
   action(velocity), action(heading), action(detour), action(plan), action(applied_acceleration);
   action(cell);
 }
@@ -66,6 +68,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   goal[slot] = setup.goal;
   position[slot] = setup.position;
   velocity[slot] = v;
+  nearest[slot] = std::numeric_limits<float>::infinity();
   heading[slot] = angle;
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }

@@ -25,7 +25,8 @@ struct Fleet {
   std::vector<RobotId> id;
   std::vector<int> rank;
   std::vector<RobotTraits> traits;
-  std::vector<double> range;  // m, see relevant_range()
+  std::vector<double> range;   // m, see relevant_range()
+  std::vector<float> nearest;  // m, within which it found its nearest neighbors in the last step
   std::vector<Vec2> goal;
   std::vector<Vec2> position;
   std::vector<Vec2> velocity;

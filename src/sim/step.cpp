@@ -164,45 +164,37 @@ void append_with_obstacles(const World& world, Vec2 position, std::size_t query,
   }
 }
 
-// m: whoever comes next has its neighbors about as far away as these, on average of some.
-double guess_from(const World& world, std::size_t robots, const SearchScratch& search) {
-  constexpr double kMargin = 1.25 * 1.25;
-  constexpr std::size_t kEvery = 8;
-  const double radius = world.settings.sensing_radius;
-  const std::size_t nearest = world.most_nearest();
-  double sum = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < robots; i += kEvery, count += 1.0) {
-    const Found& found = search.found[i];
-    double farthest = found.candidates < nearest ? radius * radius : 0.0;
-    for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
-      const double looked_at =
-          search.rank[k] < nearest ? static_cast<double>(search.distance_squared[k]) : 0.0;
-      farthest = std::max(farthest, looked_at);
-    }
-    sum += farthest;
+// m, within which are the nearest, or all if those are fewer.
+float reach_of_nearest(const Found& found, std::size_t nearest, const SearchScratch& search) {
+  if (found.candidates < nearest) return std::numeric_limits<float>::infinity();
+  float farthest = 0.0F;
+  for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
+    farthest = std::max(farthest, search.rank[k] < nearest ? search.distance_squared[k] : 0.0F);
   }
-  return std::sqrt(kMargin * sum / count);
+  return std::sqrt(farthest);
 }
 
 // Fills the tile's neighbors: all that can matter within the sensing radius. Returns how many
 // robots there was room for.
-std::size_t sense(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
-  const Fleet& fleet = world.fleet;
+std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+  constexpr double kMargin = 1.125;  // for having moved since
+  Fleet& fleet = world.fleet;
   worker.queries.clear();
   for (const std::uint32_t slot : slots) {
     worker.queries.push_back({fleet.position[slot], fleet.rank[slot], world.most_nearest(),
                               near_range(world, slot), world.settings.sensing_radius,
-                              worker.guess});
+                              kMargin * static_cast<double>(fleet.nearest[slot])});
   }
   const std::size_t robots =
       world.snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
-  worker.guess = guess_from(world, robots, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
     if (world.obstacles.setup.empty()) {
       append(world, worker.search.found[i], worker.search, worker.tile.neighbors);
     } else {
       append_with_obstacles(world, fleet.position[slots[i]], i, worker);
     }
+    fleet.nearest[slots[i]] =
+        reach_of_nearest(worker.search.found[i], world.most_nearest(), worker.search);
     worker.tile.first.push_back(worker.tile.neighbors.count);
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
   }

@@ -25,8 +25,7 @@ struct alignas(128) Worker {
   Tile tile;
   std::vector<NeighborQuery> queries;
   SearchScratch search, obstacles;
-  double guess = 0.0;  // m, within which the robots of the last tile found their nearest neighbors
-  bool fast = false;   // moved a robot that exceeds its max_speed
+  bool fast = false;  // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
   StageClock clock;
