@@ -75,16 +75,15 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
   return found;
 }
 
-/// The ranks of few candidates by distance, where single precision tells all of them apart; false
-/// elsewhere. Columns end in infinite distances.
+/// The ranks of few candidates, by distances that end in infinite ones. False where some are equal.
 template <typename Real>
-AVO_KERNEL bool rank_candidates(const Found& found, SearchScratch& scratch) {
-  const float* const distances = scratch.distance_squared.data() + found.first;
-  const std::size_t count = found.candidates;
+AVO_KERNEL bool rank_candidates(const typename Real::Number* distances, std::size_t count,
+                                std::uint32_t* ranks) {
+  using Number = typename Real::Number;
   const Real one(1.0), zero(0.0);
   Real sum(0.0);
   std::size_t k = 0;
-  alignas(64) float ranks[Real::kLanes] = {};
+  alignas(64) Number lanes[Real::kLanes] = {};
   for (; k < count; k += Real::kLanes) {
     const Real mine = Real::load(distances + k);
     const auto before = [&](std::size_t j) {
@@ -94,16 +93,31 @@ AVO_KERNEL bool rank_candidates(const Found& found, SearchScratch& scratch) {
     for (std::size_t j = 0; j < count; j += 4) {
       rank = rank + ((before(j) + before(j + 1)) + (before(j + 2) + before(j + 3)));
     }
-    rank.store(ranks);
+    rank.store(lanes);
     for (std::size_t lane = 0; lane < Real::kLanes; ++lane) {
-      scratch.rank[found.first + k + lane] =
-          static_cast<std::uint32_t>(static_cast<std::int32_t>(ranks[lane]));
+      ranks[k + lane] = static_cast<std::uint32_t>(static_cast<std::int32_t>(lanes[lane]));
     }
     sum = sum + rank;
   }
   // all ranks there are, and `count` of each beyond
   const std::size_t all = (count * count - count) / 2 + count * (k - count);
-  return sum_of(sum) == static_cast<float>(all);
+  return sum_of(sum) == static_cast<Number>(all);
+}
+
+/// In single precision where that tells all apart, in double where that does, by sorting elsewhere.
+template <typename Real, typename Narrow>
+AVO_KERNEL void rank_found(const NeighborQuery& query, const Found& found,
+                           const PlacedPoints& points, SearchScratch& scratch) {
+  const std::size_t count = found.candidates;
+  std::uint32_t* const ranks = scratch.rank.data() + found.first;
+  if (count > kFewHits) return rank_by_sorting(query, found, points, scratch);
+  if (rank_candidates<Narrow>(scratch.distance_squared.data() + found.first, count, ranks)) return;
+  alignas(64) double exact[kFewHits + kSparePoints];
+  for (std::size_t k = 0; k < count; ++k) {
+    exact[k] = exact_distance_squared(query, points, scratch, found.first + k);
+  }
+  std::fill_n(exact + count, kSparePoints, std::numeric_limits<double>::infinity());
+  if (!rank_candidates<Real>(exact, count, ranks)) rank_by_sorting(query, found, points, scratch);
 }
 
 /// Returns how many queries were answered. Each step is made for all of them before the next one:
@@ -131,10 +145,7 @@ std::size_t find_candidates(const PlacedPoints& points, std::size_t enough,
     scratch.used = collected.end + kSparePoints;
   }
   for (std::size_t i = 0; i < answered; ++i) {
-    const Found& found = scratch.found[i];
-    if (found.candidates > kFewHits || !rank_candidates<Narrow>(found, scratch)) {
-      rank_by_sorting(scratch.queries[i], found, points, scratch);
-    }
+    rank_found<Real, Narrow>(scratch.queries[i], scratch.found[i], points, scratch);
   }
   return answered;
 }
