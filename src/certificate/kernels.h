@@ -18,8 +18,6 @@
 
 namespace avo {
 
-inline constexpr std::array<double, kWallLanes> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
-
 /// One pair whose walls are wanted.
 struct PairWalls {
   const BrakingPair& pair;

@@ -11,6 +11,13 @@
 // Of all that kernels are made of: what is not inlined costs more than what it does.
 #define AVO_KERNEL inline __attribute__((always_inline))
 
+namespace avo {
+
+/// Of as many lanes as any instruction set has.
+inline constexpr double kLaneNumbers[] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+}  // namespace avo
+
 namespace avo::scalar {
 
 struct Mask {

@@ -110,8 +110,9 @@ PlanStatus status_of(const Choice& choice, const Invariant& invariant, bool over
 
 Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour) {
   if (!is_sound(detour)) detour = {};
-  const Vec2 push = give_way(robot, neighbors, time_step, detour);
-  return has_settled(robot, detour) ? Vec2{} : keep_right(robot, neighbors) + push;
+  const Traffic traffic = look_around(robot, neighbors);
+  const Vec2 push = give_way(robot, traffic, time_step, detour);
+  return has_settled(robot, detour) ? Vec2{} : keep_right(robot, traffic) + push;
 }
 
 Plan Planner::choose(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
