@@ -11,7 +11,7 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
                    CertificateWalls& walls) {
   walls.capsules.reserve(neighbors);
   walls.soft_stops.reserve(neighbors);
-  walls.trajectories.near.reserve(neighbors);
+  walls.trajectories.pairs.reserve(neighbors);
   walls.trajectories.columns.reserve(std::min(neighbors * braking_steps, most_walls));
   walls.trajectories.own_columns.reserve(std::min(braking_steps, most_walls));
 }

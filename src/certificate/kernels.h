@@ -14,9 +14,23 @@
 #include "certificate/braking_path.h"
 #include "certificate/pair.h"
 #include "certificate/wall_columns.h"
+#include "core/neighbor_columns.h"
 #include "core/scalar.h"
 
 namespace avo {
+
+/// Who is no faster than A may be and just as able need not be looked at beyond a distance, the sum
+/// of this, its radius and its reach: the most of a fleet, told by little arithmetic.
+struct Peers {
+  double distance;              ///< m
+  std::array<double, 3> reach;  ///< of one's speed, a polynomial: m, s, s²/m
+  double max_acceleration, speed_squared;
+};
+
+/// Whether any neighbor that decides is not far, and whether any does not decide.
+struct Present {
+  bool near, movers;
+};
 
 /// One pair whose walls are wanted.
 struct PairWalls {
@@ -33,8 +47,10 @@ namespace scalar {
 }  // namespace scalar
 
 /// See pair_kernel.h.
-void judge_pairs(const Robot& robot, const Braking& a, const Deviation& deviation,
-                 const StepLaw& law, NearColumns& near);
+Present look_for(const Robot& robot, const Neighbors& neighbors, const Peers& peers);
+void judge_pairs(const Robot& robot, const Neighbors& neighbors, const Peers& peers,
+                 const Braking& a, const Deviation& deviation, const StepLaw& law,
+                 NearColumns& pairs);
 
 /// own.count is known, the columns have room for it.
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);

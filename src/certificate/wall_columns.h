@@ -13,33 +13,21 @@ namespace avo {
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kWallLanes = 8;
 
-/// Neighbors that decide and are not far: what is known of them, and of the pair with each where it
-/// is kept (see BrakingPair, Braking).
+/// By neighbor: what is known of the pair with it where it is kept (see BrakingPair, Braking).
 struct NearColumns {
-  std::size_t count = 0, kept_count = 0;
-  std::vector<std::uint32_t> index;  ///< among all neighbors
-  std::vector<double> x, y, v_x, v_y, radius, max_acceleration;
-  std::vector<double> contact, inflated, error, share;
+  std::size_t kept_count = 0;
+  std::vector<std::uint32_t> kept;  ///< neighbors
+  std::vector<double> p_x, p_y, contact, inflated, error, share;
   std::vector<double> speed, decrement, full_steps, direction_x, direction_y;
   std::vector<double> length, reach, intervals;
-  std::vector<std::uint32_t> kept;  ///< columns
 
   void reserve(std::size_t neighbors) {
-    if (x.size() >= neighbors + kWallLanes) return;
-    for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &contact, &inflated,
-                         &error, &share, &speed, &decrement, &full_steps, &direction_x,
-                         &direction_y, &length, &reach, &intervals}) {
-      column->resize(neighbors + kWallLanes, 1.0);
+    if (p_x.size() >= neighbors + kWallLanes) return;
+    for (auto* column : {&p_x, &p_y, &contact, &inflated, &error, &share, &speed, &decrement,
+                         &full_steps, &direction_x, &direction_y, &length, &reach, &intervals}) {
+      column->resize(neighbors + kWallLanes);
     }
-    index.resize(neighbors + kWallLanes);
     kept.resize(neighbors + kWallLanes);
-  }
-  void add(std::size_t neighbor, const Neighbor& of) {
-    index[count] = static_cast<std::uint32_t>(neighbor);
-    x[count] = of.position.x, y[count] = of.position.y;
-    v_x[count] = of.velocity.x, v_y[count] = of.velocity.y;
-    radius[count] = of.radius, max_acceleration[count] = of.max_acceleration;
-    ++count;
   }
 };
 
