@@ -59,18 +59,15 @@ void allow_braking(const Braking& own, const StepLaw& law, WallColumns& walls, s
   }
 }
 
-// What is known of a pair's walls once all of them are: the distance that is held.
-void hold(const PairWalls& of, double held, std::size_t first, const StepLaw& law,
-          TrajectoryWalls& walls) {
+// What errors and movers take off the pair's walls.
+void take_off(const PairWalls& of, std::size_t first, const StepLaw& law, TrajectoryWalls& walls) {
   WallColumns& columns = walls.columns;
-  const double share = of.pair.share;
   const std::array<double, 3> times{0.0, law.lag, law.time_step};
   for (std::size_t k = first; k < columns.count; ++k) {
+    if (!columns.is_wall(k)) continue;
     const double m = columns.interval[k];
     const bool holds = m < of.moving;
-    columns.bound[k] += share * held;
     for (std::size_t i = 0; i < 3; ++i) {
-      columns.offset[i][k] -= share * held;
       if (!holds) columns.offset[i][k] -= error_at(law, m * law.time_step + times[i]);
     }
     if (columns.cone[k] > 0.0) {
@@ -80,7 +77,7 @@ void hold(const PairWalls& of, double held, std::size_t first, const StepLaw& la
     if (holds || m > 0.0) continue;
     // Where A starts cannot be inflated: at rest beside what does not decide it could never leave.
     for (std::size_t i = 0; i < 2; ++i) {
-      columns.offset[i][k] += held - (of.inflated - of.pair.inflated) - of.pair.contact;
+      columns.offset[i][k] += of.held - (of.inflated - of.pair.inflated) - of.pair.contact;
       if (!(columns.offset[i][k] >= 0.0)) walls.stays_at_rest = true;
     }
   }
@@ -89,21 +86,26 @@ void hold(const PairWalls& of, double held, std::size_t first, const StepLaw& la
 void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
                   TrajectoryWalls& walls, Invariant& invariant) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const double inflation = parabola_error(neighbor, law);
-  const PairWalls of{pair,
-                     neighbor,
-                     index,
-                     static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
-                     pair.inflated + inflation,
-                     pair.decides
-                         ? infinity
-                         : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
+  const double inflation = parabola_error(neighbor, law), inflated = pair.inflated + inflation;
+  PairWalls of{pair,
+               neighbor,
+               index,
+               static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
+               inflated,
+               inflated,
+               pair.decides
+                   ? infinity
+                   : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
   const std::size_t first = walls.columns.count;
   walls.columns.reserve(first + of.intervals);
   const double nearest = append_walls(of, law, walls.own_columns, walls.columns);
-  const double held = held_distance(pair, nearest, index, invariant) + inflation;
+  of.held = held_distance(pair, nearest, index, invariant) + inflation;
+  if (of.held != inflated) {
+    walls.columns.count = first;
+    append_walls(of, law, walls.own_columns, walls.columns);
+  }
   if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
-  hold(of, held, first, law, walls);
+  if (!pair.decides || law.sensing_error != SensingError{}) take_off(of, first, law, walls);
 }
 
 // Where the pair is worth it.

@@ -39,6 +39,7 @@ struct PairWalls {
   int neighbor;           ///< its index
   std::size_t intervals;  ///< that are looked at
   double inflated;        ///< m, contact and all that is known to be uncertain
+  double held;            ///< m, the distance that is held
   double moving;          ///< the invariant speaks of the intervals below
 };
 

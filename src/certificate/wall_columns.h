@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "avo/robot.h"
@@ -36,16 +37,20 @@ struct NearColumns {
 struct OwnColumns {
   std::size_t count = 0;
   std::vector<double> start_x, start_y, middle_x, middle_y;  ///< m
-  std::vector<double> ahead, across, anyhow;                 ///< m
+  std::vector<double> ahead, across, anyhow, most;           ///< m; most: their sum
 
   /// Room for so many intervals, and where the last of them ends; allocates only while it grows.
   void reserve(std::size_t intervals) {
     if (start_x.size() >= intervals + 1 + kWallLanes) return;
-    for (auto* column : {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow}) {
+    for (auto* column :
+         {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow, &most}) {
       column->resize(intervals + 1 + kWallLanes);
     }
   }
 };
+
+/// Of an entry that is no wall, it only takes up room: what it needs.
+inline constexpr double kNoWall = std::numeric_limits<double>::infinity();
 
 /// See TrajectoryWall.
 struct WallColumns {
@@ -55,6 +60,8 @@ struct WallColumns {
   std::vector<double> interval, needs;  ///< needs: moving > needs, or the wall is not asked
   std::vector<double> coefficient;      ///< m, of the path asked about last
   std::vector<int> neighbor;
+
+  bool is_wall(std::size_t k) const { return needs[k] < kNoWall; }
 
   void reserve(std::size_t walls) {
     if (normal_x.size() >= walls + kWallLanes) return;
