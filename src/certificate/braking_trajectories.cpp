@@ -145,7 +145,7 @@ BrakingPair kept_pair(const Braking& a, const NearColumns& pairs, std::size_t k)
 
 void collect_walls(const Robot& robot, const Neighbors& neighbors, Whom whom, const StepLaw& law,
                    TrajectoryWalls& walls, Invariant& invariant) {
-  walls.columns.count = walls.own_columns.count = 0;
+  walls.columns.count = walls.own_columns.count = walls.own_columns.filled = 0;
   walls.stays_at_rest = walls.has_cones = false;
   const Peers peers = peers_of(robot, law);
   Present present = look_for(robot, neighbors, peers);

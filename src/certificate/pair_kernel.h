@@ -168,13 +168,15 @@ void judge_pairs(const Robot& robot, const Neighbors& neighbors, const Peers& pe
                  const Braking& a, const Deviation& deviation, const StepLaw& law,
                  NearColumns& pairs) {
   const bool exact = law.sensing_error == SensingError{};
+  const Real zero(0.0), one(1.0);
   pairs.kept_count = 0;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
-    const PackNeighbor<Real> of = load<Real>(neighbors, k);
+    PackNeighbor<Real> of = load<Real>(neighbors, k);
+    const auto decides = of.max_acceleration > zero;
     const Vec<Real> p = constant<Real>(robot.position) - of.position;
-    auto kept =
-        counted<Real>(neighbors, k) & (of.max_acceleration > Real(0.0)) & !are_far(peers, p, of);
+    auto kept = counted<Real>(neighbors, k) & decides & !are_far(peers, p, of);
     if (!any(kept)) continue;
+    of.max_acceleration = select(decides, of.max_acceleration, one);  // a divisor
     const PackPair<Real> pair = pair_of<Real>(robot, a, of, law);
     kept = kept & !(pair.distance - (Real(a.reach) + pair.b.reach) > pair.inflated + pair.error);
     if (exact) kept = kept & !refuses_nothing(robot, a, deviation, pair, of, law);

@@ -35,7 +35,7 @@ struct NearColumns {
 /// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
 /// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").
 struct OwnColumns {
-  std::size_t count = 0;
+  std::size_t count = 0, filled = 0;
   std::vector<double> start_x, start_y, middle_x, middle_y;  ///< m
   std::vector<double> ahead, across, anyhow, most;           ///< m; most: their sum
 

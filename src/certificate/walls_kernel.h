@@ -5,7 +5,8 @@
 /// A's braking path and what its candidates can deviate from it.
 template <typename Real>
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
-  for (std::size_t k = 0; k <= own.count; k += Real::kLanes) {
+  for (; own.filled <= own.count; own.filled += Real::kLanes) {
+    const std::size_t k = own.filled;
     const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
     const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
     const Vec<Real> along = constant<Real>(a.direction);
@@ -181,11 +182,19 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
     // those that are looked at closely: each for itself, so that no number of lanes has a say
     auto close = m < Real(static_cast<double>(of.intervals));
     {
-      const Real moved = one_norm(q.middle - q.start) + one_norm(q.end - q.middle);
-      const PackMargin<Real> margin = error_margin(pair, law, m, contact, moved);
-      const Real beyond = inflated + moved + margin.distance;
-      const Real free = norm(q.start) - beyond;
-      close = close & !(share * free > (one + margin.cone) * most);
+      const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
+      const PackMargin<Real> margin = error_margin(pair, law, m, contact, before + after);
+      const Real around = max(before, after), length = norm(q.middle);
+      const Real gap = share * (length - (inflated + around + margin.distance));
+      const Real left = gap - margin.cone * most;
+      close = close & !(left > most);
+      if (!any(close)) continue;
+      // n points to what is so near to q_1 that it is turned by less than around/w
+      const Real w = length - Real(0.5) * around;
+      const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
+      const Real loss = max(-dot(q.middle, d), zero) * E + abs(cross(q.middle, d)) * F;
+      close = close & !((left > zero) &
+                        ((left - Real::load(&own.anyhow[k])) * w > loss + around * (E + F)));
       if (!any(close)) continue;
     }
     const Vec<Real> n = normal_of(q);
