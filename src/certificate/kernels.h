@@ -19,6 +19,9 @@
 
 namespace avo {
 
+/// Covers rounding of squares, and of the margin for it what grows with the distance.
+inline constexpr double kFarther = 1.0 + 0x1p-27;
+
 /// Who is no faster than A may be and just as able need not be looked at beyond a distance, the sum
 /// of this, its radius and its reach: the most of a fleet, told by little arithmetic.
 struct Peers {
@@ -26,6 +29,8 @@ struct Peers {
   std::array<double, 3> reach;  ///< of one's speed, a polynomial: m, s, s²/m
   double max_acceleration, speed_squared;
 };
+
+Peers peers_of(const Robot& robot, const StepLaw& law);
 
 /// Whether any neighbor that decides is not far, and whether any does not decide.
 struct Present {

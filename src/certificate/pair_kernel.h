@@ -125,8 +125,9 @@ AVO_KERNEL auto are_far(const Peers& peers, Vec<Real> p, const PackNeighbor<Real
   const Real reach =
       Real(peers.reach[0]) + Real(peers.reach[1]) * sqrt(squared) + Real(peers.reach[2]) * squared;
   const Real distance = Real(peers.distance) + of.radius + reach;
-  return (dot(p, p) > distance * distance) & (squared <= Real(peers.speed_squared)) &
-         (of.max_acceleration <= a_max) & (of.max_acceleration >= a_max);
+  return (dot(p, p) > Real(kFarther) * (distance * distance)) &
+         (squared <= Real(peers.speed_squared)) & (of.max_acceleration <= a_max) &
+         (of.max_acceleration >= a_max);
 }
 
 template <typename Real>
