@@ -2,12 +2,6 @@
 // Straight full braking in steps, in closed form, for as many intervals at once as Pack has lanes.
 // Included into a namespace that has Pack, once per instruction set.
 
-/// 0, 1, 2, ...
-template <typename Real>
-AVO_KERNEL Real lane_numbers() {
-  return Real::load(kLaneNumbers.data());
-}
-
 /// See BrakingProfile.
 template <typename Real>
 struct PackProfile {

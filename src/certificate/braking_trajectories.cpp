@@ -24,36 +24,6 @@ double parabola_error(const Neighbor& neighbor, const StepLaw& law) {
   return 0.125 * law.time_step * law.time_step * norm(neighbor.acceleration);
 }
 
-// Who is no larger, no faster and no less able than A may be need not be looked at beyond a
-// distance: the most of a fleet, told by comparisons alone.
-struct Peers {
-  double distance_squared;  // m²
-  double radius, max_acceleration, speed_squared;
-
-  bool are_far(Vec2 p, const Neighbor& neighbor) const {
-    return norm_squared(p) > distance_squared && neighbor.max_acceleration == max_acceleration &&
-           neighbor.radius <= radius && norm_squared(neighbor.velocity) <= speed_squared;
-  }
-};
-
-Peers peers_of(const Robot& robot, const Braking& a, const StepLaw& law) {
-  constexpr double kRounding = 1.0 + 0x1p-30;
-  const double u = a.profile.decrement, h = law.time_step;
-  const double speed = kRounding * std::max(robot.max_speed, a.profile.speed);
-  const double top = speed + law.sensing_error.velocity + u, steps = top / u;
-  // at least what it takes to stop: v²/2a and what is lost by stopping in steps
-  const double length = h * (0.5 * top * steps + 0.125 * u) + std::abs(law.lag - 0.5 * h) * top;
-  const double reach = law.lag * speed + (h - law.lag) * top + length;
-  const double lengths = 2.0 * robot.radius + a.reach + reach, intervals = 3.0 + steps;
-  const double error = law.sensing_error.position + law.sensing_error.velocity * h * intervals;
-  // of the rounding margin, what does not grow with the distance; the rest is less than kRounding
-  const double margin = 0x1p-46 * (norm(robot.position) + lengths) * intervals;
-  const double distance = kRounding * (lengths + error + margin);
-  const bool is_known = intervals <= kMostIntervals;
-  return {is_known ? distance * distance : std::numeric_limits<double>::infinity(), robot.radius,
-          robot.max_acceleration, speed * speed};
-}
-
 // Where braking is seen to leave less than the margin, A may not lose more of it.
 void allow_braking(const Braking& own, const StepLaw& law, WallColumns& walls, std::size_t k) {
   const auto [start, middle, end] =
@@ -65,18 +35,15 @@ void allow_braking(const Braking& own, const StepLaw& law, WallColumns& walls, s
   }
 }
 
-// What is known of a pair's walls once all of them are: the distance that is held.
-void hold(const PairWalls& of, double held, std::size_t first, const StepLaw& law,
-          TrajectoryWalls& walls) {
+// What errors and movers take off the pair's walls.
+void take_off(const PairWalls& of, std::size_t first, const StepLaw& law, TrajectoryWalls& walls) {
   WallColumns& columns = walls.columns;
-  const double share = of.pair.share;
   const std::array<double, 3> times{0.0, law.lag, law.time_step};
   for (std::size_t k = first; k < columns.count; ++k) {
+    if (!columns.is_wall(k)) continue;
     const double m = columns.interval[k];
     const bool holds = m < of.moving;
-    columns.bound[k] += share * held;
     for (std::size_t i = 0; i < 3; ++i) {
-      columns.offset[i][k] -= share * held;
       if (!holds) columns.offset[i][k] -= error_at(law, m * law.time_step + times[i]);
     }
     if (columns.cone[k] > 0.0) {
@@ -86,7 +53,7 @@ void hold(const PairWalls& of, double held, std::size_t first, const StepLaw& la
     if (holds || m > 0.0) continue;
     // Where A starts cannot be inflated: at rest beside what does not decide it could never leave.
     for (std::size_t i = 0; i < 2; ++i) {
-      columns.offset[i][k] += held - (of.inflated - of.pair.inflated) - of.pair.contact;
+      columns.offset[i][k] += of.held - (of.inflated - of.pair.inflated) - of.pair.contact;
       if (!(columns.offset[i][k] >= 0.0)) walls.stays_at_rest = true;
     }
   }
@@ -95,21 +62,26 @@ void hold(const PairWalls& of, double held, std::size_t first, const StepLaw& la
 void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
                   TrajectoryWalls& walls, Invariant& invariant) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const double inflation = parabola_error(neighbor, law);
-  const PairWalls of{pair,
-                     neighbor,
-                     index,
-                     static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
-                     pair.inflated + inflation,
-                     pair.decides
-                         ? infinity
-                         : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
+  const double inflation = parabola_error(neighbor, law), inflated = pair.inflated + inflation;
+  PairWalls of{pair,
+               neighbor,
+               index,
+               static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
+               inflated,
+               inflated,
+               pair.decides
+                   ? infinity
+                   : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
   const std::size_t first = walls.columns.count;
   walls.columns.reserve(first + of.intervals);
   const double nearest = append_walls(of, law, walls.own_columns, walls.columns);
-  const double held = held_distance(pair, nearest, index, invariant) + inflation;
+  of.held = held_distance(pair, nearest, index, invariant) + inflation;
+  if (of.held != inflated) {
+    walls.columns.count = first;
+    append_walls(of, law, walls.own_columns, walls.columns);
+  }
   if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
-  hold(of, held, first, law, walls);
+  if (!pair.decides || law.sensing_error != SensingError{}) take_off(of, first, law, walls);
 }
 
 // Where the pair is worth it.
@@ -130,56 +102,64 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
   collect_pair(pair, neighbor, static_cast<int>(index), law, walls, invariant);
 }
 
-// Those that decide and are not far. Returns whether there are others, that do not decide.
-bool gather(const Robot& robot, const Neighbors& neighbors, Whom whom, const Peers& peers,
-            NearColumns& near) {
-  near.count = 0;
-  near.reserve(neighbors.size());
-  bool has_movers = false;
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor neighbor = neighbors[k];
-    const bool decides = neighbor.max_acceleration > 0.0;
-    has_movers = has_movers || !decides;
-    if (!decides || whom == Whom::movers) continue;
-    if (!peers.are_far(robot.position - neighbor.position, neighbor)) near.add(k, neighbor);
-  }
-  return has_movers;
-}
-
-BrakingPair kept_pair(const Robot& robot, const Braking& a, const NearColumns& near,
-                      std::size_t k) {
-  return {robot.position - Vec2{near.x[k], near.y[k]},
-          near.contact[k],
-          near.inflated[k],
-          near.error[k],
-          near.share[k],
+BrakingPair kept_pair(const Braking& a, const NearColumns& pairs, std::size_t k) {
+  return {{pairs.p_x[k], pairs.p_y[k]},
+          pairs.contact[k],
+          pairs.inflated[k],
+          pairs.error[k],
+          pairs.share[k],
           true,
           a,
-          {{near.speed[k], near.decrement[k], near.full_steps[k]},
-           {near.direction_x[k], near.direction_y[k]},
-           near.length[k],
-           near.reach[k],
-           near.intervals[k]}};
+          {{pairs.speed[k], pairs.decrement[k], pairs.full_steps[k]},
+           {pairs.direction_x[k], pairs.direction_y[k]},
+           pairs.length[k],
+           pairs.reach[k],
+           pairs.intervals[k]}};
 }
 
 }  // namespace
 
+FarBound far_bound_of(const Robot& robot, const StepLaw& law) {
+  const double h = law.time_step, u = braking_decrement(robot.max_acceleration, law);
+  const double per_u = 1.0 / u, top = law.sensing_error.velocity + u;  // that one at rest may have
+  const double lost = std::abs(law.lag - 0.5 * h);
+  // at least what one step and stopping take: v²/2a and what is lost by stopping in steps
+  const std::array<double, 3> reach{
+      (h - law.lag + lost) * top + h * (0.5 * top * top * per_u + 0.125 * u),
+      h + h * top * per_u + lost, 0.5 * h * per_u};
+  const auto reach_at = [&reach](double v) { return reach[0] + v * (reach[1] + v * reach[2]); };
+  const double own = norm(robot.velocity);
+  const double speed = kFarther * std::max(robot.max_speed, own);
+  const double intervals = 3.0 + (speed + top) * per_u;
+  const double error = law.sensing_error.position + law.sensing_error.velocity * h * intervals;
+  // of the rounding margin, what does not grow with the distance
+  const double places = std::abs(robot.position.x) + std::abs(robot.position.y);
+  const double lengths = robot.radius + reach_at(own);
+  const double margin = 0x1p-46 * (places + lengths + robot.radius + reach_at(speed)) * intervals;
+  const bool is_known = intervals <= kMostIntervals;
+  return {is_known ? lengths + error + margin : std::numeric_limits<double>::infinity(), reach,
+          robot.max_acceleration, speed * speed};
+}
+
 void collect_walls(const Robot& robot, const Neighbors& neighbors, Whom whom, const StepLaw& law,
                    TrajectoryWalls& walls, Invariant& invariant) {
-  const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
-  walls.columns.count = walls.own_columns.count = 0;
+  walls.columns.count = walls.own_columns.count = walls.own_columns.filled = 0;
   walls.stays_at_rest = walls.has_cones = false;
-  walls.own = a;
-  const bool has_movers = gather(robot, neighbors, whom, peers_of(robot, a, law), walls.near);
-  if (walls.near.count == 0 && !has_movers) return;
+  const FarBound bound = far_bound_of(robot, law);
+  Present present = look_for(robot, neighbors, bound);
+  if (whom == Whom::movers) present.near = false;
+  if (!present.near && !present.movers) return;
+  const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
   const Deviation deviation = deviation_of(a, robot.car.has_value(), law);
-  judge_pairs(robot, a, deviation, law, walls.near);
-  for (std::size_t i = 0; i < walls.near.kept_count; ++i) {
-    const std::size_t k = walls.near.kept[i], index = walls.near.index[k];
-    collect_close(kept_pair(robot, a, walls.near, k), neighbors[index], index, deviation, law,
-                  walls, invariant);
+  walls.own = a;
+  walls.pairs.reserve(neighbors.size());
+  walls.pairs.kept_count = 0;
+  if (present.near) judge_pairs(robot, neighbors, bound, a, deviation, law, walls.pairs);
+  for (std::size_t i = 0; i < walls.pairs.kept_count; ++i) {
+    const std::size_t k = walls.pairs.kept[i];
+    collect_close(kept_pair(a, walls.pairs, k), neighbors[k], k, deviation, law, walls, invariant);
   }
-  for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
+  for (std::size_t k = 0; present.movers && k < neighbors.size(); ++k) {
     const Neighbor mover = neighbors[k];
     if (mover.max_acceleration > 0.0) continue;
     const BrakingPair pair = braking_pair(robot, mover, a, law);

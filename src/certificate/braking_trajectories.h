@@ -36,7 +36,7 @@ enum class Whom : unsigned char { everyone, movers };
 /// Scratch memory; allocates only while it grows.
 struct TrajectoryWalls {
   WallColumns columns;  ///< a neighbor's follow each other
-  NearColumns near;
+  NearColumns pairs;
   Braking own;
   OwnColumns own_columns;
   /// A rests beside one that does not decide, so near that it may not begin to move.

@@ -11,7 +11,7 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
                    CertificateWalls& walls) {
   walls.capsules.reserve(neighbors);
   walls.soft_stops.reserve(neighbors);
-  walls.trajectories.near.reserve(neighbors);
+  walls.trajectories.pairs.reserve(neighbors);
   walls.trajectories.columns.reserve(std::min(neighbors * braking_steps, most_walls));
   walls.trajectories.own_columns.reserve(std::min(braking_steps, most_walls));
 }
@@ -49,6 +49,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
     return keeps(walls.soft_stops, soft_stop_velocity(robot.velocity, next_velocity,
                                                       law.step.time_step, law.soft_stop_time));
   }
+  if (walls.demand_nothing()) return true;
   walls.path = follow(robot, next_velocity, law.step);
   const bool trajectories_kept = keeps(walls.path, law.step, walls.trajectories);
   if (walls.invariant.unknown || (walls.invariant.touched && walls.path.moving > 0)) return false;
@@ -67,6 +68,7 @@ Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
 void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<CertificateWall>& list) {
   list.clear();
   for (std::size_t k = 0; k < walls.trajectories.columns.count; ++k) {
+    if (!walls.trajectories.columns.is_wall(k)) continue;
     const TrajectoryWall wall = wall_at(walls.trajectories.columns, k);
     list.push_back({wall.neighbor, wall.interval, wall.normal, wall.bound});
   }

@@ -28,6 +28,11 @@ struct CertificateWalls {
   std::vector<SoftStopWall> soft_stops;
   CandidatePath path;    ///< of the last candidate asked about
   NeighborColumns seen;  ///< where neighbors were not given in columns
+
+  bool demand_nothing() const {
+    return trajectories.columns.count == 0 && capsules.empty() && soft_stops.empty() &&
+           !invariant.unknown && !invariant.touched;
+  }
 };
 
 /// Room for the walls of so many neighbors, each of which brakes for so many steps.

@@ -17,9 +17,13 @@ HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "certificate/certificate_kernels.h"
 
-void judge_pairs_lanes(const Robot& robot, const Braking& a, const Deviation& deviation,
-                       const StepLaw& law, NearColumns& near) {
-  judge_pairs<Pack<double>>(robot, a, deviation, law, near);
+Present look_for_lanes(const Robot& robot, const Neighbors& neighbors, const FarBound& bound) {
+  return look_for<Pack<double>>(robot, neighbors, bound);
+}
+void judge_pairs_lanes(const Robot& robot, const Neighbors& neighbors, const FarBound& bound,
+                       const Braking& a, const Deviation& deviation, const StepLaw& law,
+                       NearColumns& pairs) {
+  judge_pairs<Pack<double>>(robot, neighbors, bound, a, deviation, law, pairs);
 }
 void fill_own_lanes(const Braking& a, const Deviation& deviation, const StepLaw& law,
                     OwnColumns& own) {
@@ -41,20 +45,30 @@ HWY_AFTER_NAMESPACE();
 namespace avo {
 
 #ifdef AVO_HIGHWAY
+HWY_EXPORT(look_for_lanes);
 HWY_EXPORT(judge_pairs_lanes);
 HWY_EXPORT(fill_own_lanes);
 HWY_EXPORT(append_walls_lanes);
 HWY_EXPORT(keeps_lanes);
 #endif
 
-void judge_pairs(const Robot& robot, const Braking& a, const Deviation& deviation,
-                 const StepLaw& law, NearColumns& near) {
+Present look_for(const Robot& robot, const Neighbors& neighbors, const FarBound& bound) {
+#ifdef AVO_HIGHWAY
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(look_for_lanes)(robot, neighbors, bound);
+#endif
+  return scalar::look_for<scalar::Pack<double>>(robot, neighbors, bound);
+}
+
+void judge_pairs(const Robot& robot, const Neighbors& neighbors, const FarBound& bound,
+                 const Braking& a, const Deviation& deviation, const StepLaw& law,
+                 NearColumns& pairs) {
 #ifdef AVO_HIGHWAY
   if (!simd_is_scalar()) {
-    return HWY_DYNAMIC_DISPATCH(judge_pairs_lanes)(robot, a, deviation, law, near);
+    return HWY_DYNAMIC_DISPATCH(judge_pairs_lanes)(robot, neighbors, bound, a, deviation, law,
+                                                   pairs);
   }
 #endif
-  scalar::judge_pairs<scalar::Pack<double>>(robot, a, deviation, law, near);
+  scalar::judge_pairs<scalar::Pack<double>>(robot, neighbors, bound, a, deviation, law, pairs);
 }
 
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {

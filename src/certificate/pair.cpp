@@ -66,8 +66,10 @@ Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law) {
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.max_acceleration > 0.0) {
-    const auto found = scalar::pair_of(robot, a, pack(neighbor.position), pack(neighbor.velocity),
-                                       Real(neighbor.radius), Real(neighbor.max_acceleration), law);
+    const auto found = scalar::pair_of<Real>(robot, a,
+                                             {pack(neighbor.position), pack(neighbor.velocity),
+                                              neighbor.radius, neighbor.max_acceleration},
+                                             law);
     return {plain(found.p),
             found.contact.value,
             found.inflated.value,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "avo/robot.h"
@@ -13,51 +14,43 @@ namespace avo {
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kWallLanes = 8;
 
-/// Neighbors that decide and are not far: what is known of them, and of the pair with each where it
-/// is kept (see BrakingPair, Braking).
+/// By neighbor: what is known of the pair with it where it is kept (see BrakingPair, Braking).
 struct NearColumns {
-  std::size_t count = 0, kept_count = 0;
-  std::vector<std::uint32_t> index;  ///< among all neighbors
-  std::vector<double> x, y, v_x, v_y, radius, max_acceleration;
-  std::vector<double> contact, inflated, error, share;
+  std::size_t kept_count = 0;
+  std::vector<std::uint32_t> kept;  ///< neighbors
+  std::vector<double> p_x, p_y, contact, inflated, error, share;
   std::vector<double> speed, decrement, full_steps, direction_x, direction_y;
   std::vector<double> length, reach, intervals;
-  std::vector<std::uint32_t> kept;  ///< columns
 
   void reserve(std::size_t neighbors) {
-    if (x.size() >= neighbors + kWallLanes) return;
-    for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &contact, &inflated,
-                         &error, &share, &speed, &decrement, &full_steps, &direction_x,
-                         &direction_y, &length, &reach, &intervals}) {
-      column->resize(neighbors + kWallLanes, 1.0);
+    if (p_x.size() >= neighbors + kWallLanes) return;
+    for (auto* column : {&p_x, &p_y, &contact, &inflated, &error, &share, &speed, &decrement,
+                         &full_steps, &direction_x, &direction_y, &length, &reach, &intervals}) {
+      column->resize(neighbors + kWallLanes);
     }
-    index.resize(neighbors + kWallLanes);
     kept.resize(neighbors + kWallLanes);
-  }
-  void add(std::size_t neighbor, const Neighbor& of) {
-    index[count] = static_cast<std::uint32_t>(neighbor);
-    x[count] = of.position.x, y[count] = of.position.y;
-    v_x[count] = of.velocity.x, v_y[count] = of.velocity.y;
-    radius[count] = of.radius, max_acceleration[count] = of.max_acceleration;
-    ++count;
   }
 };
 
 /// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
 /// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").
 struct OwnColumns {
-  std::size_t count = 0;
+  std::size_t count = 0, filled = 0;
   std::vector<double> start_x, start_y, middle_x, middle_y;  ///< m
-  std::vector<double> ahead, across, anyhow;                 ///< m
+  std::vector<double> ahead, across, anyhow, most;           ///< m; most: their sum
 
   /// Room for so many intervals, and where the last of them ends; allocates only while it grows.
   void reserve(std::size_t intervals) {
     if (start_x.size() >= intervals + 1 + kWallLanes) return;
-    for (auto* column : {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow}) {
+    for (auto* column :
+         {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow, &most}) {
       column->resize(intervals + 1 + kWallLanes);
     }
   }
 };
+
+/// Of an entry that is no wall, it only takes up room: what it needs.
+inline constexpr double kNoWall = std::numeric_limits<double>::infinity();
 
 /// See TrajectoryWall.
 struct WallColumns {
@@ -67,6 +60,8 @@ struct WallColumns {
   std::vector<double> interval, needs;  ///< needs: moving > needs, or the wall is not asked
   std::vector<double> coefficient;      ///< m, of the path asked about last
   std::vector<int> neighbor;
+
+  bool is_wall(std::size_t k) const { return needs[k] < kNoWall; }
 
   void reserve(std::size_t walls) {
     if (normal_x.size() >= walls + kWallLanes) return;

@@ -5,7 +5,8 @@
 /// A's braking path and what its candidates can deviate from it.
 template <typename Real>
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
-  for (std::size_t k = 0; k <= own.count; k += Real::kLanes) {
+  for (; own.filled <= own.count; own.filled += Real::kLanes) {
+    const std::size_t k = own.filled;
     const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
     const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
     const Vec<Real> along = constant<Real>(a.direction);
@@ -19,9 +20,12 @@ void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, 
     const auto bound = [](const Deviation::Line& line, Real distance) {
       return Real(line.start) + Real(line.per_distance) * distance;
     };
-    bound(deviation.ahead, gained).store(&own.ahead[k]);
-    bound(deviation.across, fast).store(&own.across[k]);
-    bound(deviation.anyhow, fast).store(&own.anyhow[k]);
+    const Real ahead = bound(deviation.ahead, gained), across = bound(deviation.across, fast);
+    const Real anyhow = bound(deviation.anyhow, fast);
+    ahead.store(&own.ahead[k]);
+    across.store(&own.across[k]);
+    anyhow.store(&own.anyhow[k]);
+    (ahead + across + anyhow).store(&own.most[k]);
   }
 }
 
@@ -57,9 +61,8 @@ AVO_KERNEL Vec<Real> nearest_on_segment(Vec<Real> a, Vec<Real> b) {
   const Real zero(0.0), one(1.0);
   const Vec<Real> ab = b - a;
   const Real squared = dot(ab, ab);
-  const auto is_long = squared > zero;
-  const Real part = min(max(-dot(a, ab) / select(is_long, squared, one), zero), one);
-  return a + select(is_long, part, zero) * ab;
+  const Real part = -dot(a, ab) / select(squared > zero, squared, one);
+  return a + min(max(part, zero), one) * ab;
 }
 
 /// Direction of the point of the triangle's edges nearest to the origin; 0 where that is the
@@ -114,7 +117,7 @@ AVO_KERNEL Real one_norm(Vec<Real> a) {
   return abs(a.x) + abs(a.y);
 }
 
-/// What the walls of a pair are, before it is known which distance is held.
+/// What the walls of a pair are.
 template <typename Real>
 struct PackWalls {
   Vec<Real> normal;
@@ -123,47 +126,39 @@ struct PackWalls {
 };
 
 template <typename Real>
-AVO_KERNEL PackWalls<Real> walls_of(const BrakingPair& pair, const PackPoints<Real>& own,
+AVO_KERNEL PackWalls<Real> walls_of(const PairWalls& of, const PackPoints<Real>& own,
                                     const PackPoints<Real>& q, Vec<Real> n, Real distance,
                                     const PackMargin<Real>& margin) {
-  const Real share(pair.share);
+  const Real share(of.pair.share), held(of.pair.share * of.held);
   const auto offset = [&](Vec<Real> of_q, Vec<Real> of_x) {
-    return share * (dot(n, of_q) - margin.distance) - dot(n, of_x);
+    return share * (dot(n, of_q) - margin.distance) - dot(n, of_x) - held;
   };
   return {n,
           margin.cone,
-          share * (margin.distance - distance),
+          share * (margin.distance - distance) + held,
           {offset(q.start, own.start), offset(q.middle, own.middle), offset(q.end, own.end)}};
 }
 
-/// Those of the lanes that are asked for, one after the other.
-template <typename Real>
-AVO_KERNEL void push(const PackWalls<Real>& found, std::size_t first, std::uint32_t lanes,
-                     const PairWalls& of, WallColumns& walls) {
-  if (lanes == 0) return;
-  alignas(64) std::array<std::array<double, Real::kLanes>, 7> row;
-  found.normal.x.store(row[0].data());
-  found.normal.y.store(row[1].data());
-  found.cone.store(row[2].data());
-  found.bound.store(row[3].data());
-  for (std::size_t i = 0; i < 3; ++i) found.offset[i].store(row[4 + i].data());
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(lanes));
-    const std::size_t w = walls.count++;
-    const auto m = static_cast<double>(first + k);
-    walls.normal_x[w] = row[0][k];
-    walls.normal_y[w] = row[1][k];
-    walls.cone[w] = row[2][k];
-    walls.bound[w] = row[3][k];
-    for (std::size_t i = 0; i < 3; ++i) walls.offset[i][w] = row[4 + i][k];
-    walls.interval[w] = m;
-    walls.needs[w] = m < of.moving ? -1.0 : m;
-    walls.neighbor[w] = of.neighbor;
-  }
+/// Those of the lanes that are kept. The others take up room without being walls: nothing has to be
+/// moved.
+template <typename Real, typename Mask>
+AVO_KERNEL void push(const PackWalls<Real>& found, Real m, Mask kept, const PairWalls& of,
+                     WallColumns& walls) {
+  const std::size_t w = walls.count;
+  found.normal.x.store(&walls.normal_x[w]);
+  found.normal.y.store(&walls.normal_y[w]);
+  found.cone.store(&walls.cone[w]);
+  found.bound.store(&walls.bound[w]);
+  for (std::size_t i = 0; i < 3; ++i) found.offset[i].store(&walls.offset[i][w]);
+  m.store(&walls.interval[w]);
+  const Real needs = select(m < Real(of.moving), Real(-1.0), m);
+  select(kept, needs, Real(kNoWall)).store(&walls.needs[w]);
+  for (std::size_t k = 0; k < Real::kLanes; ++k) walls.neighbor[w + k] = of.neighbor;
+  walls.count += Real::kLanes;
 }
 
-/// Appends the walls that can refuse a candidate, without the held distance. Returns the least
-/// distance of the intervals that are looked at closely; of the others it is beyond contact.
+/// Appends the walls that can refuse a candidate. Returns the least distance of the intervals that
+/// are looked at closely; of the others it is beyond contact.
 template <typename Real, typename Other>
 double append(const PairWalls& of, const Other& other, const StepLaw& law, const OwnColumns& own,
               WallColumns& walls) {
@@ -183,16 +178,23 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
     const PackPoints<Real> x_B = other(m);
     const PackPoints<Real> q{p + (x_A.start - x_B.start), p + (x_A.middle - x_B.middle),
                              p + (x_A.end - x_B.end)};
-    const Real ahead = Real::load(&own.ahead[k]), across = Real::load(&own.across[k]);
-    const Real anyhow = Real::load(&own.anyhow[k]), most = ahead + across + anyhow;
+    const Real most = Real::load(&own.most[k]);
     // those that are looked at closely: each for itself, so that no number of lanes has a say
     auto close = m < Real(static_cast<double>(of.intervals));
     {
-      const Real moved = one_norm(q.middle - q.start) + one_norm(q.end - q.middle);
-      const PackMargin<Real> margin = error_margin(pair, law, m, contact, moved);
-      const Real beyond = inflated + moved + margin.distance;
-      const Real free = norm(q.start) - beyond;
-      close = close & !(share * free > (one + margin.cone) * most);
+      const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
+      const PackMargin<Real> margin = error_margin(pair, law, m, contact, before + after);
+      const Real around = max(before, after), length = norm(q.middle);
+      const Real gap = share * (length - (inflated + around + margin.distance));
+      const Real left = gap - margin.cone * most;
+      close = close & !(left > most);
+      if (!any(close)) continue;
+      // n points to what is so near to q_1 that it is turned by less than around/w
+      const Real w = length - Real(0.5) * around;
+      const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
+      const Real loss = max(-dot(q.middle, d), zero) * E + abs(cross(q.middle, d)) * F;
+      close = close & !((left > zero) &
+                        ((left - Real::load(&own.anyhow[k])) * w > loss + around * (E + F)));
       if (!any(close)) continue;
     }
     const Vec<Real> n = normal_of(q);
@@ -201,12 +203,13 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
     nearest = select(close & holds & (distance < nearest), distance, nearest);
     const Real moved = norm(q.middle - q.start) + norm(q.end - q.middle);
     PackMargin<Real> margin = error_margin(pair, law, m, distance, moved);
-    const Real loss = max(-dot(n, d), zero) * ahead + abs(n.x * d.y - n.y * d.x) * across + anyhow +
+    const Real loss = max(-dot(n, d), zero) * Real::load(&own.ahead[k]) +
+                      abs(cross(n, d)) * Real::load(&own.across[k]) + Real::load(&own.anyhow[k]) +
                       margin.cone * most;
     const auto kept = close & !(share * (distance - inflated - margin.distance) > loss);
     // of intervals at rest it says nothing: all three points stay clear along n there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
-    push(walls_of(pair, x_A, q, n, distance, margin), k, bits(kept), of, walls);
+    if (any(kept)) push(walls_of(of, x_A, q, n, distance, margin), m, kept, of, walls);
   }
   alignas(64) std::array<double, Real::kLanes> lanes;
   nearest.store(lanes.data());

@@ -18,6 +18,12 @@ struct Vec {
   }
 };
 
+/// 0, 1, 2, ... in packs of double.
+template <typename Real>
+AVO_KERNEL Real lane_numbers() {
+  return Real::load(kLaneNumbers.data());
+}
+
 /// Every lane the same.
 template <typename Real>
 AVO_KERNEL Vec<Real> constant(Vec2 a) {

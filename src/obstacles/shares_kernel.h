@@ -31,7 +31,7 @@ void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
 template <typename Real>
 void share_out(std::span<const PairOwner> robots, std::span<const double> share,
                const PlaneColumns<double>& relative, SharedPlanes& shared) {
-  const Real lane = Real::load(kLaneNumbers.data());
+  const Real lane = lane_numbers<Real>();
   std::size_t first = 0, kept = 0;
   for (std::size_t r = 0; r < robots.size(); ++r) {
     const PairOwner& own = robots[r];

@@ -4,9 +4,7 @@
 #include "planner/arrival.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace avo {
 namespace {
@@ -15,7 +13,6 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kMostKeepRight = 30.0 * kDegree;
 constexpr double kCongestion = 5.0;  // robots right ahead that make the way fully congested
 constexpr double kSlow = 0.05;       // of v_max: nearly at rest
-constexpr double kRoom = 0.25;       // of r_A + r_B: the clearance that is nearly contact
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
 constexpr double kLeastWeight = 0.3;      // of giving way on the way
 constexpr double kPush = 2.0;             // v_max, in contact
@@ -41,35 +38,11 @@ double traffic_range(const Robot& robot) {
   return std::max(4.0 * stopping_distance(robot), 8.0 * robot.radius);
 }
 
-// Robots ahead that close in or are nearly at rest, weighted by how near they are, 0 to 1. Which
-// ones is not foreseeable: they are picked without a branch, some at a time.
-double congestion(const Robot& robot, const Neighbors& neighbors, Vec2 way) {
-  const double range = traffic_range(robot), slow = kSlow * robot.max_speed;
-  const double range_squared = range * range, slow_squared = slow * slow, per_range = 1.0 / range;
-  constexpr std::size_t kTogether = 16;
-  std::array<double, kTogether> squared;  // of those that are picked
-  double total = 0.0;
-  for (std::size_t first = 0; first < neighbors.size(); first += kTogether) {
-    std::size_t count = 0;
-    for (std::size_t k = first; k < std::min(first + kTogether, neighbors.size()); ++k) {
-      const Neighbor neighbor = neighbors[k];
-      const Vec2 towards = neighbor.position - robot.position;
-      const bool ahead = dot(towards, way) > 0.0;
-      const bool closing = dot(towards, neighbor.velocity - robot.velocity) < 0.0;
-      const bool rests = norm_squared(neighbor.velocity) < slow_squared;
-      squared[count] = norm_squared(towards);
-      const bool near = squared[count] < range_squared;
-      count += static_cast<std::size_t>(near & ahead & (closing | rests));
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      total += 1.0 - per_range * std::sqrt(squared[k]);
-      if (total >= kCongestion) return 1.0;
-    }
-  }
-  return total / kCongestion;
-}
-
 }  // namespace
+
+Traffic look_around(const Robot& robot, const Neighbors& neighbors) {
+  return look_around(robot, neighbors, {traffic_range(robot), kSlow * robot.max_speed});
+}
 
 double arrival_range(const Robot& robot, double largest_radius) {
   return std::max(traffic_range(robot), (1.0 + kRoom) * (robot.radius + largest_radius));
@@ -83,27 +56,24 @@ Vec2 turned_right(Vec2 a, double angle) {
   return {c * a.x + s * a.y, c * a.y - s * a.x};
 }
 
-Vec2 keep_right(const Robot& robot, const Neighbors& neighbors) {
+Vec2 keep_right(const Robot& robot, const Traffic& traffic) {
   const Vec2 wish = robot.preferred_velocity;
-  if (robot.distance_to_goal < stopping_distance(robot)) return wish;
-  const double part = congestion(robot, neighbors, wish);
-  return part > 0.0 ? turned_right(wish, part * kMostKeepRight) : wish;
+  if (robot.distance_to_goal < stopping_distance(robot) || !(traffic.ahead > 0.0)) return wish;
+  const double part = std::min(traffic.ahead, kCongestion) / kCongestion;
+  return turned_right(wish, part * kMostKeepRight);
 }
 
-Vec2 give_way(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour) {
-  Vec2 push;
-  for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor neighbor = neighbors[k];
-    const Vec2 away = robot.position - neighbor.position;
-    const double contact = robot.radius + neighbor.radius, room = kRoom * contact;
-    const double reach = contact + room;
-    const double distance_squared = norm_squared(away);
-    if (distance_squared >= reach * reach || !(distance_squared > 0.0)) continue;
-    const double distance = std::sqrt(distance_squared);
-    const double nearness = std::min((reach - distance) / room, 1.0);
-    const double weight = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
-    push = push + (weight * nearness / distance) * away;
-  }
+Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
+  const Vec2 away = robot.position - neighbor.position;
+  const double contact = robot.radius + neighbor.radius, room = kRoom * contact;
+  const double distance = norm(away);
+  const double nearness = std::min((contact + room - distance) / room, 1.0);
+  const double weight = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
+  return (weight * nearness / distance) * away;
+}
+
+Vec2 give_way(const Robot& robot, const Traffic& traffic, double time_step, Detour& detour) {
+  const Vec2 push = traffic.push;
   if (push == Vec2{} && detour.yielded == 0.0) return push;
   const double elapsed = time_step / time_to_speed(robot);
   const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;

@@ -5,19 +5,25 @@
 #pragma once
 #include "avo/planner.h"
 #include "core/neighbor_columns.h"
+#include "planner/traffic.h"
 
 namespace avo {
 
 /// m, as far as the two rules below look at any neighbor of at most that radius.
 double arrival_range(const Robot& robot, double largest_radius);
 
+Traffic look_around(const Robot& robot, const Neighbors& neighbors);
+
 /// The preferred velocity turned to the right by how congested the way ahead is; as it is on the
 /// last of the way to the goal.
-Vec2 keep_right(const Robot& robot, const Neighbors& neighbors);
+Vec2 keep_right(const Robot& robot, const Traffic& traffic);
 
-/// [m/s] to add to the wish: away from those that are nearly in contact, most of all where the
-/// robot has all but arrived. It does so for a while: who stays beside it has come to rest as well.
-Vec2 give_way(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour);
+/// Away from a neighbor that is nearly in contact, most of all where the robot has all but arrived.
+Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
+
+/// [m/s] to add to the wish. It gives way for a while: who stays beside it has come to rest as
+/// well.
+Vec2 give_way(const Robot& robot, const Traffic& traffic, double time_step, Detour& detour);
 
 /// Whether it is something that a robot can remember.
 bool is_sound(const Detour& detour);

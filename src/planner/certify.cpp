@@ -30,6 +30,7 @@ namespace {
 // One way of choosing: towards the wish as the paper's program allows, or as the limits do.
 struct Choice {
   CertifiedChoice certified;
+  Vec2 target;             // m/s, what the program chose
   double violation = 0.0;  // m/s, of the half-planes by what the program chose
 };
 
@@ -47,7 +48,7 @@ struct Decision {
 // The nearest admitted to what Eq. (23) chose.
 Choice choose(const Decision& decision, const ProgramResult& result) {
   const Vec2 wanted = approach(decision.robot.velocity, result.point, decision.decrement());
-  return {choose_certified(decision.robot, wanted, decision.law, decision.certified),
+  return {choose_certified(decision.robot, wanted, decision.law, decision.certified), result.point,
           result.violation};
 }
 
@@ -57,9 +58,11 @@ Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, 
 }
 
 bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
+  const bool turns = decision.robot.car && decision.robot.velocity == Vec2{};
+  if (!turns && choice.target == wish && choice.certified.chosen == Chosen::wanted) return false;
   const Vec2 unhindered = approach(decision.robot.velocity, wish, decision.decrement());
   Vec2 next_velocity = choice.certified.next_velocity;
-  if (decision.robot.car && decision.robot.velocity == Vec2{}) {
+  if (turns) {
     // it turns before it drives: could it, once it has turned?
     Robot turned = decision.robot;
     turned.car.reset();
@@ -106,12 +109,20 @@ PlanStatus status_of(const Choice& choice, const Invariant& invariant, bool over
   return choice.violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
 }
 
+Plan step(const Robot& robot, const CertificateLaw& law, const Choice& choice, PlanStatus status) {
+  Plan plan = plan_to(robot, choice.certified.next_velocity, law.step);
+  plan.status = status;
+  plan.violation = choice.violation;
+  return plan;
+}
+
 }  // namespace
 
 Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour) {
   if (!is_sound(detour)) detour = {};
-  const Vec2 push = give_way(robot, neighbors, time_step, detour);
-  return has_settled(robot, detour) ? Vec2{} : keep_right(robot, neighbors) + push;
+  const Traffic traffic = look_around(robot, neighbors);
+  const Vec2 push = give_way(robot, traffic, time_step, detour);
+  return has_settled(robot, detour) ? Vec2{} : keep_right(robot, traffic) + push;
 }
 
 Plan Planner::choose(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
@@ -123,9 +134,7 @@ Plan Planner::choose(const Robot& robot, const Neighbors& neighbors, const Certi
   collect_walls(robot, neighbors, law, certified.walls);
   Choice choice = choose_and_arrive(decision, wished, detour);
   for (const double excess : wished.excess) choice.violation = std::max(choice.violation, excess);
-  return step_to(robot, choice.certified.next_velocity,
-                 status_of(choice, certified.walls.invariant, wished.overlapping),
-                 choice.violation);
+  return step(robot, law, choice, status_of(choice, certified.walls.invariant, wished.overlapping));
 }
 
 Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
@@ -142,9 +151,8 @@ Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, V
   collect_walls(robot, movers, law, certified.walls);
   const Vec2 wanted =
       approach(robot.velocity, target, braking_decrement(robot.max_acceleration, law.step));
-  const Choice choice{choose_certified(robot, wanted, law, certified), violation};
-  return step_to(robot, choice.certified.next_velocity,
-                 status_of(choice, certified.walls.invariant, overlapping), violation);
+  const Choice choice{choose_certified(robot, wanted, law, certified), target, violation};
+  return step(robot, law, choice, status_of(choice, certified.walls.invariant, overlapping));
 }
 
 void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,

@@ -41,7 +41,9 @@ inline Neighbor seen(const Robot& robot) {
 
 inline std::vector<TrajectoryWall> all_walls(const TrajectoryWalls& walls) {
   std::vector<TrajectoryWall> all;
-  for (std::size_t k = 0; k < walls.columns.count; ++k) all.push_back(wall_at(walls.columns, k));
+  for (std::size_t k = 0; k < walls.columns.count; ++k) {
+    if (walls.columns.is_wall(k)) all.push_back(wall_at(walls.columns, k));
+  }
   return all;
 }
 

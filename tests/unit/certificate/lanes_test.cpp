@@ -139,5 +139,30 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   EXPECT_GT(tight, 500);
 }
 
+// And all but a few where none can.
+TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
+  Random random(43);
+  int far = 0, beyond = 0;
+  for (int i = 0; i < 8000; ++i) {
+    PairSituation s = random_pair(random, kS3, i % 2 == 0 ? Motion::held : Motion::exponential);
+    if (i % 8 == 0) s.law.step.sensing_error = {0.01, 0.02};
+    s.b.max_acceleration = s.a.max_acceleration;
+    if (norm(s.b.velocity) > s.a.max_speed) s.b.velocity = {};
+    const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, s.law.step);
+    const auto pair = [&] { return braking_pair(s.a, seen(s.b), a, s.law.step); };
+    const double reaches = pair().a.reach + pair().b.reach + pair().inflated + pair().error;
+    const double part = random.uniform(0.9, 1.1);
+    s.b.position = s.a.position + (part * reaches) * random.direction();
+    NeighborColumns columns;
+    const Neighbor other = seen(s.b);
+    const Neighbors neighbors = in_columns({&other, 1}, columns);
+    const bool is_far = !look_for(s.a, neighbors, far_bound_of(s.a, s.law.step)).near;
+    EXPECT_TRUE(!is_far || cannot_meet(pair(), other, s.law.step)) << "pair " << i;
+    far += is_far ? 1 : 0;
+    beyond += part > 1.05 ? 1 : 0;
+  }
+  EXPECT_GT(far, beyond / 2);
+}
+
 }  // namespace
 }  // namespace avo::test
