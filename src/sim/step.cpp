@@ -2,6 +2,7 @@
 // The sensing-acting cycle of a fleet (paper §IV-D): all robots decide from the same snapshot, each
 // alone, and move.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -164,14 +165,17 @@ void append_with_obstacles(const World& world, Vec2 position, std::size_t query,
   }
 }
 
-// m, within which are the nearest, or all if those are fewer.
+// m, within which are the nearest, or all if those are fewer. Distances are as large as their bits,
+// which can be masked: whose rank is low cannot be foreseen.
 float reach_of_nearest(const Found& found, std::size_t nearest, const SearchScratch& search) {
   if (found.candidates < nearest) return std::numeric_limits<float>::infinity();
-  float farthest = 0.0F;
+  std::uint32_t farthest = 0;
   for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
-    farthest = std::max(farthest, search.rank[k] < nearest ? search.distance_squared[k] : 0.0F);
+    const std::uint32_t counts = 0U - static_cast<std::uint32_t>(search.rank[k] < nearest);
+    farthest =
+        std::max(farthest, std::bit_cast<std::uint32_t>(search.distance_squared[k]) & counts);
   }
-  return std::sqrt(farthest);
+  return std::sqrt(std::bit_cast<float>(farthest));
 }
 
 // Fills the tile's neighbors: all that can matter within the sensing radius. Returns how many
