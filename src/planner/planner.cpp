@@ -93,7 +93,7 @@ PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
 PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
-  constexpr std::size_t kMostWalls = 16384;  // of more, memory grows when it is needed
+  constexpr std::size_t kMostWalls = 8192;  // of more, memory grows when it is needed
   planes.reserve(neighbors);
   certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
   scratch_->projected.reserve(4 * neighbors);

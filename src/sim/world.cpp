@@ -25,7 +25,7 @@ std::size_t most_braking_steps(const World& world) {
 
 // Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
 void reserve(const World& world, Worker& worker) {
-  constexpr std::size_t kMostAhead = 4096;  // of more, memory grows when it is needed
+  constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
   const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
   worker.obstacles.reserve(1, std::min(obstacles, kMostAhead));
   std::size_t seen = std::min(robots + obstacles, kMostAhead);
