@@ -45,7 +45,7 @@ std::vector<Scene> scenes(const Planner& planner) {
     scene.plan.new_velocity = in_ring(state, 0.0, 1.5);
     const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
     robot.preferred_velocity =
-        preferred_velocity(robot.position, robot.velocity, traits, scene.goal, planner);
+        preferred_velocity(robot.position, robot.velocity, traits, scene.goal, law);
     for (std::size_t k = 0; k < kNeighbors; ++k) {
       scene.neighbors.push_back({in_ring(state, 1.0, 7.0), in_ring(state, 0.0, 1.5), 0.5, 1.0, {}});
     }
@@ -78,7 +78,7 @@ void towards_goal(benchmark::State& state) {
   run(state, planner, [&](const Scene& scene) {
     const Robot& robot = scene.robot;
     const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
-    return preferred_velocity(robot.position, robot.velocity, traits, scene.goal, planner);
+    return preferred_velocity(robot.position, robot.velocity, traits, scene.goal, law);
   });
 }
 BENCHMARK(towards_goal);
