@@ -22,33 +22,40 @@ namespace avo {
 namespace {
 
 // Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
-constexpr Range kSize{1e-60, kLargest, false};
+constexpr double kSmallest = 1e-60;
 
-bool is_valid(Vec2 value) {
-  return kAnyValue.contains(value.x) && kAnyValue.contains(value.y);
+bool is_known(double value) {
+  return std::abs(value) <= kLargest;
+}
+
+bool is_size(double value) {
+  return (value >= kSmallest) & (value <= kLargest);
+}
+
+// One after the other without a branch: nearly all are.
+bool are_known(Vec2 a, Vec2 b) {
+  return is_known(a.x) & is_known(a.y) & is_known(b.x) & is_known(b.y);
 }
 
 // Where the robot is does not matter for slowing down.
 bool can_brake(const Robot& robot) {
-  return is_valid(robot.velocity) && kSize.contains(robot.max_acceleration) &&
-         kSize.contains(robot.max_speed);
+  const Vec2 v = robot.velocity;
+  return is_known(v.x) & is_known(v.y) & is_size(robot.max_acceleration) & is_size(robot.max_speed);
 }
 
 }  // namespace
 
 bool is_valid(const Robot& robot) {
-  return can_brake(robot) && is_valid(robot.position) && is_valid(robot.preferred_velocity) &&
-         kSize.contains(robot.radius) && robot.distance_to_goal >= 0.0 &&
-         (!robot.car ||
-          (kAnyValue.contains(robot.car->heading) && kSize.contains(robot.car->wheelbase)));
+  const bool valid = can_brake(robot) & are_known(robot.position, robot.preferred_velocity) &
+                     is_size(robot.radius) & (robot.distance_to_goal >= 0.0);
+  return valid &&
+         (!robot.car || (is_known(robot.car->heading) && is_size(robot.car->wheelbase)));
 }
 
-// One after the other without a branch: nearly all are.
 bool is_valid(const Neighbor& neighbor) {
-  const auto known = [](double value) { return std::abs(value) <= kLargest; };
   const auto [p, v, r, a_max, a] = neighbor;
-  return (known(p.x) & known(p.y) & known(v.x) & known(v.y) & known(a.x) & known(a.y) &
-          (r >= kSize.min) & (r <= kSize.max) & (a_max >= 0.0) & (a_max <= kLargest)) != 0;
+  return are_known(p, v) & is_known(a.x) & is_known(a.y) & is_size(r) & (a_max >= 0.0) &
+         (a_max <= kLargest);
 }
 
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
@@ -151,12 +158,6 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
     }
     workspace.planes.push_back(own);
   }
-}
-
-Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
-                     double violation) const noexcept {
-  const double time = adopts_at_once(options_.method) ? options_.time_step : options_.control_time;
-  return {new_velocity, (new_velocity - robot.velocity) / time, status, violation};
 }
 
 Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const noexcept {
