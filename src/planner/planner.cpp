@@ -24,38 +24,36 @@ namespace {
 // Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
 constexpr double kSmallest = 1e-60;
 
-bool is_known(double value) {
-  return std::abs(value) <= kLargest;
+// 1 or 0, to be joined without a branch: nearly all are.
+int is_known(double value) {
+  return static_cast<int>(std::abs(value) <= kLargest);
 }
-
-bool is_size(double value) {
-  return (value >= kSmallest) & (value <= kLargest);
+int is_known(Vec2 value) {
+  return is_known(value.x) & is_known(value.y);
 }
-
-// One after the other without a branch: nearly all are.
-bool are_known(Vec2 a, Vec2 b) {
-  return is_known(a.x) & is_known(a.y) & is_known(b.x) & is_known(b.y);
+int is_size(double value) {
+  return static_cast<int>(value >= kSmallest) & static_cast<int>(value <= kLargest);
 }
 
 // Where the robot is does not matter for slowing down.
 bool can_brake(const Robot& robot) {
-  const Vec2 v = robot.velocity;
-  return is_known(v.x) & is_known(v.y) & is_size(robot.max_acceleration) & is_size(robot.max_speed);
+  const int velocity = is_known(robot.velocity);
+  return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed)) != 0;
 }
 
 }  // namespace
 
 bool is_valid(const Robot& robot) {
-  const bool valid = can_brake(robot) & are_known(robot.position, robot.preferred_velocity) &
-                     is_size(robot.radius) & (robot.distance_to_goal >= 0.0);
-  return valid &&
-         (!robot.car || (is_known(robot.car->heading) && is_size(robot.car->wheelbase)));
+  const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
+  const int lengths = is_size(robot.radius) & static_cast<int>(robot.distance_to_goal >= 0.0);
+  return can_brake(robot) && (places & lengths) != 0 &&
+         (!robot.car || (is_known(robot.car->heading) & is_size(robot.car->wheelbase)) != 0);
 }
 
 bool is_valid(const Neighbor& neighbor) {
   const auto [p, v, r, a_max, a] = neighbor;
-  return are_known(p, v) & is_known(a.x) & is_known(a.y) & is_size(r) & (a_max >= 0.0) &
-         (a_max <= kLargest);
+  const int decides = static_cast<int>(a_max >= 0.0) & static_cast<int>(a_max <= kLargest);
+  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & decides) != 0;
 }
 
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {

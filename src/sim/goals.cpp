@@ -74,8 +74,8 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, 
                                 2.0 * distance / law.control_time);
   if (speed >= robot.preferred_speed) return robot.preferred_speed * direction;
 
-  const Vec2 wanted = limited((speed * direction - velocity) / law.rate,
-                              law.control_time * robot.max_acceleration);
+  const Vec2 wanted =
+      limited((speed * direction - velocity) / law.rate, law.control_time * robot.max_acceleration);
   const Vec2 v_new = velocity + wanted;
   if (speed < way.along.value) return v_new;
   return limited(v_new, std::min(robot.preferred_speed, std::max(speed, norm(velocity))));

@@ -11,11 +11,11 @@ struct Traveller {
 
 template <typename Real>
 struct Way {
-  Real distance;         // m, to the goal
-  Vec<Real> direction;   // unit, or 0 at the goal
-  Real along;            // m/s, velocity in that direction
-  Real left;             // m, of the distance, where the next decision takes effect
-  Vec<Real> preferred;   // m/s, see preferred_velocity()
+  Real distance;                    // m, to the goal
+  Vec<Real> direction;              // unit, or 0 at the goal
+  Real along;                       // m/s, velocity in that direction
+  Real left;                        // m, of the distance, where the next decision takes effect
+  Vec<Real> preferred;              // m/s, see preferred_velocity()
   decltype(Real() < Real()) known;  // whether that is it, which it is but near the goal
 };
 
@@ -47,8 +47,9 @@ AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const GoalLaw& law) {
     const Vec<Real> p = robot.position, goal = robot.goal;
     // more than the norms that preferred_velocity() compares it with
     const Real farthest = (abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y));
-    of.known = surely_admits(of.left, speed, rate * control_time * robot.max_acceleration, time_step) &
-               (of.distance > Real(0x1p-45) * farthest);
+    of.known =
+        surely_admits(of.left, speed, rate * control_time * robot.max_acceleration, time_step) &
+        (of.distance > Real(0x1p-45) * farthest);
   } else {
     const Real change = min(robot.max_speed, control_time * robot.max_acceleration);
     of.known = surely_admits(of.left, speed, rate * change, time_step) &

@@ -20,10 +20,10 @@ struct alignas(64) MovingColumns {
   Column x{}, y{}, v_x{}, v_y{}, goal_x{}, goal_y{};  // m, m/s
   Column preferred_speed{}, max_acceleration{}, max_speed{};
 
-  Column distance{};                      // m, to the goal; by choose_ways()
-  Column preferred_x{}, preferred_y{};    // m/s, likewise
-  Column new_x{}, new_y{};                // m/s, v'
-  Column acceleration{};                  // m/s^2, see MotionStep; by advance()
+  Column distance{};                    // m, to the goal; by choose_ways()
+  Column preferred_x{}, preferred_y{};  // m/s, likewise
+  Column new_x{}, new_y{};              // m/s, v'
+  Column acceleration{};                // m/s^2, see MotionStep; by advance()
 
   Vec2 position(std::size_t k) const { return {x[k], y[k]}; }
   Vec2 velocity(std::size_t k) const { return {v_x[k], v_y[k]}; }

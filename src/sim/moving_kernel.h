@@ -33,9 +33,9 @@ std::uint64_t advance(const StepResponse& response, MovingColumns& robots) {
   std::uint64_t fast = 0;
   for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
     const auto load = [k](const MovingColumns::Column& of) { return Real::load(&of[k]); };
-    const Moved<Real> next = moved<Real>({load(robots.x), load(robots.y)},
-                                         {load(robots.v_x), load(robots.v_y)},
-                                         {load(robots.new_x), load(robots.new_y)}, response);
+    const Moved<Real> next =
+        moved<Real>({load(robots.x), load(robots.y)}, {load(robots.v_x), load(robots.v_y)},
+                    {load(robots.new_x), load(robots.new_y)}, response);
     next.position.x.store(&robots.x[k]), next.position.y.store(&robots.y[k]);
     next.velocity.x.store(&robots.v_x[k]), next.velocity.y.store(&robots.v_y[k]);
     next.acceleration.store(&robots.acceleration[k]);

@@ -56,10 +56,9 @@ void count(const World& world, Worker& worker) {
 void move_car(World& world, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const RobotTraits& its = fleet.traits[slot];
-  const MotionStep step =
-      advance_car({fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]},
-                  fleet.plan[slot], {its.wheelbase, its.max_acceleration, its.max_speed},
-                  world.settings.time_step);
+  const MotionStep step = advance_car(
+      {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]}, fleet.plan[slot],
+      {its.wheelbase, its.max_acceleration, its.max_speed}, world.settings.time_step);
   fleet.position[slot] = step.next.position;
   fleet.velocity[slot] = step.next.velocity;
   fleet.heading[slot] = step.next.heading;
