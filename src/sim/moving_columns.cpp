@@ -20,8 +20,8 @@ namespace avo::HWY_NAMESPACE {
 #include "sim/goals_kernel.h"
 #include "sim/moving_kernel.h"
 
-std::uint64_t choose_ways_in_lanes(const GoalLaw& law, MovingColumns& robots) {
-  return choose_ways<Pack<double>>(law, robots);
+void choose_ways_in_lanes(const GoalLaw& law, MovingColumns& robots) {
+  choose_ways<Pack<double>>(law, robots);
 }
 std::uint64_t advance_in_lanes(const StepResponse& response, MovingColumns& robots) {
   return advance<Pack<double>>(response, robots);
@@ -45,11 +45,11 @@ HWY_EXPORT(choose_ways_in_lanes);
 HWY_EXPORT(advance_in_lanes);
 #endif
 
-std::uint64_t choose_ways(const GoalLaw& law, MovingColumns& robots) {
+void choose_ways(const GoalLaw& law, MovingColumns& robots) {
 #ifdef AVO_HIGHWAY
   if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(choose_ways_in_lanes)(law, robots);
 #endif
-  return scalar::choose_ways<scalar::Pack<double>>(law, robots);
+  scalar::choose_ways<scalar::Pack<double>>(law, robots);
 }
 
 std::uint64_t advance(const StepResponse& response, MovingColumns& robots) {

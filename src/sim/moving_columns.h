@@ -37,9 +37,8 @@ struct alignas(64) MovingColumns {
   }
 };
 
-/// preferred_velocity() of all but those near their goals, and how far all are from them. Bit k is
-/// set where robot k's preferred velocity is left to find.
-std::uint64_t choose_ways(const GoalLaw& law, MovingColumns& robots);
+/// preferred_velocity() of all, and how far they are from their goals.
+void choose_ways(const GoalLaw& law, MovingColumns& robots);
 
 /// advance() of all, from v' on. Bit k is set where robot k then exceeds its max_speed.
 std::uint64_t advance(const StepResponse& response, MovingColumns& robots);

@@ -2,15 +2,9 @@
 // Kernels over the columns of a tile. Included into a namespace that has Pack, once per instruction
 // set, behind sim/goals_kernel.h and robots/holonomic_kernel.h.
 
-/// Bits of robots that there are.
-AVO_KERNEL std::uint64_t all_of(const MovingColumns& robots) {
-  return robots.count == 0 ? 0 : ~std::uint64_t{0} >> (kTileRobots - robots.count);
-}
-
 template <typename Real>
-std::uint64_t choose_ways(const GoalLaw& law, MovingColumns& robots) {
-  static_assert(kTileRobots == 64 && kTileRobots % Real::kLanes == 0);
-  std::uint64_t open = 0;
+void choose_ways(const GoalLaw& law, MovingColumns& robots) {
+  static_assert(kTileRobots % Real::kLanes == 0);
   for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
     const auto load = [k](const MovingColumns::Column& of) { return Real::load(&of[k]); };
     const Traveller<Real> robot{{load(robots.x), load(robots.y)},
@@ -21,11 +15,9 @@ std::uint64_t choose_ways(const GoalLaw& law, MovingColumns& robots) {
                                 load(robots.max_speed)};
     const Way<Real> way = way_of(robot, law);
     way.distance.store(&robots.distance[k]);
-    way.preferred.x.store(&robots.preferred_x[k]);
-    way.preferred.y.store(&robots.preferred_y[k]);
-    open |= std::uint64_t{bits(!way.known)} << k;
+    const Vec<Real> v = preferred_velocity(robot, way, law);
+    v.x.store(&robots.preferred_x[k]), v.y.store(&robots.preferred_y[k]);
   }
-  return open & all_of(robots);
 }
 
 template <typename Real>
@@ -43,5 +35,5 @@ std::uint64_t advance(const StepResponse& response, MovingColumns& robots) {
     const auto keeps = dot(next.velocity, next.velocity) <= limit * limit;
     fast |= std::uint64_t{bits(!keeps)} << k;
   }
-  return fast & all_of(robots);
+  return robots.count == 0 ? 0 : fast & ~std::uint64_t{0} >> (kTileRobots - robots.count);
 }

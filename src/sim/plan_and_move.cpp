@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tile of robots from what they sense to where they are next.
 #include <algorithm>
-#include <bit>
 
 #include "sim/world.h"
 
@@ -17,14 +16,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     const std::uint32_t slot = slots[k];
     moving.set(k, fleet.position[slot], fleet.velocity[slot], fleet.goal[slot], fleet.traits[slot]);
   }
-  const GoalLaw law = goal_law(world.planner);
-  for (std::uint64_t open = choose_ways(law, moving); open != 0; open &= open - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(open));
-    const std::uint32_t slot = slots[k];
-    const Vec2 v = preferred_velocity(fleet.position[slot], fleet.velocity[slot],
-                                      fleet.traits[slot], fleet.goal[slot], law);
-    moving.preferred_x[k] = v.x, moving.preferred_y[k] = v.y;
-  }
+  choose_ways(goal_law(world.planner), moving);
 
   Tile& tile = worker.tile;
   tile.robots.resize(slots.size());
