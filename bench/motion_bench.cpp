@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "planner/decision.h"
-#include "robots/motion.h"
-#include "sim/goals.h"
+#include "sim/moving_columns.h"
 
 namespace avo {
 namespace {
@@ -37,6 +36,7 @@ struct Scene {
 
 std::vector<Scene> scenes(const Planner& planner) {
   std::uint64_t state = 2011;
+  const GoalLaw law = goal_law(planner);
   std::vector<Scene> all(kRobots);
   for (Scene& scene : all) {
     Robot& robot = scene.robot;
@@ -45,7 +45,7 @@ std::vector<Scene> scenes(const Planner& planner) {
     scene.plan.new_velocity = in_ring(state, 0.0, 1.5);
     const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
     robot.preferred_velocity =
-        preferred_velocity(robot.position, robot.velocity, traits, scene.goal, planner);
+        preferred_velocity(robot.position, robot.velocity, traits, scene.goal, law);
     for (std::size_t k = 0; k < kNeighbors; ++k) {
       scene.neighbors.push_back({in_ring(state, 1.0, 7.0), in_ring(state, 0.0, 1.5), 0.5, 1.0, {}});
     }
@@ -64,21 +64,51 @@ void run(benchmark::State& state, const Planner& planner, Each each) {
   }
 }
 
-void motion(benchmark::State& state) {
+// Of a tile of robots, each() of one after the other; a whole tile is one iteration.
+template <typename Each>
+void run_tiles(benchmark::State& state, const Planner& planner, Each each) {
+  const std::vector<Scene> all = scenes(planner);
+  std::vector<MovingColumns> tiles(kRobots / kTileRobots);
+  for (std::size_t i = 0; i < kRobots; ++i) {
+    const auto& [robot, goal, neighbors, plan] = all[i];
+    MovingColumns& tile = tiles[i / kTileRobots];
+    tile.set(tile.count, robot.position, robot.velocity, goal,
+             {robot.radius, robot.max_speed, robot.max_acceleration, 1.5});
+    tile.new_x[tile.count] = plan.new_velocity.x, tile.new_y[tile.count++] = plan.new_velocity.y;
+  }
+  std::size_t k = 0;
+  for (auto _ : state) {
+    MovingColumns tile = tiles[k];
+    benchmark::DoNotOptimize(each(tile));
+    k = (k + 1) % tiles.size();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kTileRobots));
+}
+
+void motion_of_tile(benchmark::State& state) {
   const Planner planner({});
   const StepResponse response = step_response(planner);
-  run(state, planner, [&](const Scene& scene) {
-    return advance({scene.robot.position, scene.robot.velocity}, scene.plan, response);
+  run_tiles(state, planner, [&](MovingColumns& tile) { return advance(response, tile); });
+}
+BENCHMARK(motion_of_tile);
+
+void ways_of_tile(benchmark::State& state) {
+  const Planner planner({});
+  const GoalLaw law = goal_law(planner);
+  run_tiles(state, planner, [&](MovingColumns& tile) {
+    choose_ways(law, tile);
+    return tile.preferred_x[0];
   });
 }
-BENCHMARK(motion);
+BENCHMARK(ways_of_tile);
 
 void towards_goal(benchmark::State& state) {
   const Planner planner({});
+  const GoalLaw law = goal_law(planner);
   run(state, planner, [&](const Scene& scene) {
     const Robot& robot = scene.robot;
     const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
-    return preferred_velocity(robot.position, robot.velocity, traits, scene.goal, planner);
+    return preferred_velocity(robot.position, robot.velocity, traits, scene.goal, law);
   });
 }
 BENCHMARK(towards_goal);

@@ -31,4 +31,11 @@ struct Wished {
   bool overlapping = false;        ///< with whom it does not matter
 };
 
+// Here to be inlined: passing a vector by value costs more than the division.
+inline Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
+                            double violation) const noexcept {
+  const double time = adopts_at_once(options_.method) ? options_.time_step : options_.control_time;
+  return {new_velocity, (new_velocity - robot.velocity) / time, status, violation};
+}
+
 }  // namespace avo

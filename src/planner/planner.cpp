@@ -22,33 +22,38 @@ namespace avo {
 namespace {
 
 // Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
-constexpr Range kSize{1e-60, kLargest, false};
+constexpr double kSmallest = 1e-60;
 
-bool is_valid(Vec2 value) {
-  return kAnyValue.contains(value.x) && kAnyValue.contains(value.y);
+// 1 or 0, to be joined without a branch: nearly all are.
+int is_known(double value) {
+  return static_cast<int>(std::abs(value) <= kLargest);
+}
+int is_known(Vec2 value) {
+  return is_known(value.x) & is_known(value.y);
+}
+int is_size(double value) {
+  return static_cast<int>(value >= kSmallest) & static_cast<int>(value <= kLargest);
 }
 
 // Where the robot is does not matter for slowing down.
 bool can_brake(const Robot& robot) {
-  return is_valid(robot.velocity) && kSize.contains(robot.max_acceleration) &&
-         kSize.contains(robot.max_speed);
+  const int velocity = is_known(robot.velocity);
+  return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed)) != 0;
 }
 
 }  // namespace
 
 bool is_valid(const Robot& robot) {
-  return can_brake(robot) && is_valid(robot.position) && is_valid(robot.preferred_velocity) &&
-         kSize.contains(robot.radius) && robot.distance_to_goal >= 0.0 &&
-         (!robot.car ||
-          (kAnyValue.contains(robot.car->heading) && kSize.contains(robot.car->wheelbase)));
+  const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
+  const int lengths = is_size(robot.radius) & static_cast<int>(robot.distance_to_goal >= 0.0);
+  return can_brake(robot) && (places & lengths) != 0 &&
+         (!robot.car || (is_known(robot.car->heading) & is_size(robot.car->wheelbase)) != 0);
 }
 
-// One after the other without a branch: nearly all are.
 bool is_valid(const Neighbor& neighbor) {
-  const auto known = [](double value) { return std::abs(value) <= kLargest; };
   const auto [p, v, r, a_max, a] = neighbor;
-  return (known(p.x) & known(p.y) & known(v.x) & known(v.y) & known(a.x) & known(a.y) &
-          (r >= kSize.min) & (r <= kSize.max) & (a_max >= 0.0) & (a_max <= kLargest)) != 0;
+  const int decides = static_cast<int>(a_max >= 0.0) & static_cast<int>(a_max <= kLargest);
+  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & decides) != 0;
 }
 
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
@@ -151,12 +156,6 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
     }
     workspace.planes.push_back(own);
   }
-}
-
-Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
-                     double violation) const noexcept {
-  const double time = adopts_at_once(options_.method) ? options_.time_step : options_.control_time;
-  return {new_velocity, (new_velocity - robot.velocity) / time, status, violation};
 }
 
 Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const noexcept {

@@ -95,6 +95,7 @@ void keep(const PlaneColumns<double>& relative, std::size_t robots, SoftPlanes& 
   const std::size_t count = robots > 0 ? soft.shared.kept_end[robots - 1] : 0;
   soft.planes.resize(count);
   soft.excess.resize(count);
+  bool exceeding = false;
   for (std::size_t k = 0; k < count; ++k) {
     // signed: what processors convert to
     const auto i = static_cast<std::size_t>(static_cast<std::int64_t>(soft.shared.kept[k]));
@@ -102,7 +103,9 @@ void keep(const PlaneColumns<double>& relative, std::size_t robots, SoftPlanes& 
     // near contact it has no bound; finite all the same
     soft.excess[k] =
         std::min(soft.share[i] * relative.excess[i], std::numeric_limits<double>::max());
+    exceeding |= soft.excess[k] > 0.0;
   }
+  soft.exceeding = exceeding;
   soft.first.assign(1, 0);
   soft.first.insert(soft.first.end(), soft.shared.kept_end.begin(),
                     soft.shared.kept_end.begin() + static_cast<std::ptrdiff_t>(robots));
@@ -166,6 +169,7 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon,
                     std::span<const Sensing> robots, SoftPlanes& soft) {
   soft.planes.clear();
   soft.excess.clear();
+  soft.exceeding = false;
   soft.first.assign(1, 0);
   soft.overlapping.clear();
   for (const Sensing& sensing : robots) {
@@ -184,6 +188,7 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon,
           share_of(options, *sensing.robot, neighbor, static_cast<int>(k), relative);
       soft.planes.push_back(own.plane);
       soft.excess.push_back(own.excess);
+      soft.exceeding |= own.excess > 0.0;
     }
     soft.first.push_back(soft.planes.size());
   }

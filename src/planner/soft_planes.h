@@ -31,6 +31,7 @@ struct Sensing {
 struct SoftPlanes {
   std::vector<HalfPlane> planes;          ///< of all robots, each in the order of its neighbors
   std::vector<double> excess;             ///< m/s, of each plane, see NeighborPlane
+  bool exceeding = false;                 ///< some of it is not 0
   std::vector<std::size_t> first{0};      ///< of robot i: [first[i], first[i + 1])
   std::vector<std::uint8_t> overlapping;  ///< whether robot i is in contact already
 

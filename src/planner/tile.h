@@ -12,19 +12,17 @@
 
 namespace avo {
 
-/// What robots know and sense, and what they decide. Allocates only while it grows.
+/// What robots know and sense, and where their decisions go. Allocates only while it grows.
 struct Tile {
-  std::vector<Robot> robots;
+  std::vector<Robot> robots;          ///< those of deciding
   NeighborColumns neighbors;          ///< of all the robots, each by distance and id
   std::vector<std::size_t> first{0};  ///< of robot i: [first[i], first[i + 1]), into neighbors
-  std::vector<Detour> detours;        ///< what each remembers; plan_tile() updates it
-  std::vector<Plan> plans;            ///< by plan_tile()
+  std::vector<Deciding> deciding;     ///< what each remembers and decides, by plan_tile()
   bool trusted = true;                ///< all neighbors are known to be finite and in range
-  std::vector<Deciding> deciding;     ///< scratch memory
-  std::vector<Neighbor> listed;       ///< likewise
+  std::vector<Neighbor> listed;       ///< scratch memory
 
   void clear();
-  [[nodiscard]] std::size_t size() const { return robots.size(); }
+  [[nodiscard]] std::size_t size() const { return deciding.size(); }
   [[nodiscard]] Neighbors neighbors_of(std::size_t i) const {
     return {&neighbors, first[i], first[i + 1] - first[i]};
   }

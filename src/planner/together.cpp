@@ -18,6 +18,7 @@ double worst_violation(const SoftPlanes& soft, std::size_t i, const ProgramResul
   const std::span<const HalfPlane> planes = soft.of(i);
   const std::span<const double> excess = soft.excess_of(i);
   double worst = result.violation;
+  if (!soft.exceeding) return worst;
   for (std::size_t k = 0; k < planes.size(); ++k) {
     if (excess[k] > 0.0) {
       worst = std::max(worst, excess[k] + std::max(0.0, violation(planes[k], result.point)));

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion of a robot that can accelerate in any direction, Eqs. (7)-(9).
+#include "core/scalar.h"
 #include "robots/motion.h"
 
 namespace avo {
+namespace scalar {
+#include "robots/holonomic_kernel.h"
+}  // namespace scalar
 
 StepResponse step_response(const Planner& planner) {
   const PlannerOptions& options = planner.options();
@@ -14,15 +18,14 @@ StepResponse step_response(const Planner& planner) {
 }
 
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response) {
-  const Vec2 w = plan.new_velocity - state.velocity;
+  using Real = scalar::Pack<double>;
+  const auto in_lane = [](Vec2 a) { return scalar::constant<Real>(a); };
+  const scalar::Moved<Real> next = scalar::moved(in_lane(state.position), in_lane(state.velocity),
+                                                 in_lane(plan.new_velocity), response);
   MotionStep step;
-  step.next.position = state.position + response.time_step * state.velocity + response.gain * w;
-  step.next.velocity = state.velocity + response.rate * w;
-  // less than the rounding of its making is rest
-  if (norm_squared(step.next.velocity) < 0x1p-100 * norm_squared(state.velocity)) {
-    step.next.velocity = {};
-  }
-  step.acceleration = norm(w) / response.control_time;
+  step.next.position = {next.position.x.value, next.position.y.value};
+  step.next.velocity = {next.velocity.x.value, next.velocity.y.value};
+  step.acceleration = next.acceleration.value;
   return step;
 }
 

@@ -25,11 +25,6 @@ std::size_t threads_of(const World& world) {
   return world.fleet.size() < kFewestParallel ? 1 : world.workers.size();
 }
 
-bool is_fast(const World& world, std::size_t slot) {
-  const double limit = (1.0 + kSpeedRounding) * world.fleet.traits[slot].max_speed;
-  return !(norm_squared(world.fleet.velocity[slot]) <= limit * limit);
-}
-
 // Whether whomever it senses is valid, however all have moved since they were looked at.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
@@ -55,7 +50,7 @@ void find_ranges(World& world) {
   for (const std::uint32_t slot : fleet.slot_of) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
     sum += std::min(fleet.range[slot], world.settings.sensing_radius);
-    world.fast = world.fast || is_fast(world, slot);
+    world.fast = world.fast || world.is_fast(slot);
   }
   world.valid = world.obstacles.setup.empty() && world.settings.sensing_radius <= kFarthestTrusted;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
@@ -203,59 +198,6 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
   }
   return robots;
-}
-
-void count(const World& world, Worker& worker) {
-  if (!worker.clock.is_on()) return;
-  const std::size_t most = world.most_nearest();
-  for (std::size_t k = 0; k < worker.tile.size(); ++k) {
-    worker.pairs += static_cast<std::int64_t>(std::min(worker.tile.neighbors_of(k).size(), most));
-    worker.infeasible += worker.tile.plans[k].violation > 0.0 ? 1 : 0;
-  }
-}
-
-void move(World& world, std::size_t slot, Worker& worker) {
-  Fleet& fleet = world.fleet;
-  const RobotTraits& its = fleet.traits[slot];
-  const MotionState state{fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
-  const MotionStep step = its.wheelbase > 0.0
-                              ? advance_car(state, fleet.plan[slot],
-                                            {its.wheelbase, its.max_acceleration, its.max_speed},
-                                            world.settings.time_step)
-                              : advance(state, fleet.plan[slot], world.response);
-  fleet.position[slot] = step.next.position;
-  fleet.velocity[slot] = step.next.velocity;
-  fleet.heading[slot] = step.next.heading;
-  fleet.applied_acceleration[slot] = step.acceleration;
-  fleet.cell[slot] = world.snapshot.cells.key(step.next.position);
-  worker.fast = worker.fast || is_fast(world, slot);
-}
-
-// Decides for the robots of the tile, whose neighbors are known, moves them, and empties it.
-void plan_and_move(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
-  Tile& tile = worker.tile;
-  for (const std::uint32_t slot : slots) {
-    tile.robots.push_back(world.robot(slot));
-    tile.detours.push_back(world.fleet.detour[slot]);
-  }
-  worker.clock.lap(Stage::motion);
-  if (world.alone()) {
-    tile.plans.resize(1);
-    tile.plans[0] =
-        world.planner.plan_among_obstacles(tile.robots[0], tile.list_neighbors_of(0), worker.plan);
-    worker.clock.lap(Stage::program);
-  } else {
-    plan_tile(world.planner, tile, worker.plan, worker.clock);
-  }
-  count(world, worker);
-  for (std::size_t k = 0; k < tile.size(); ++k) {
-    const std::uint32_t slot = slots[k];
-    world.fleet.plan[slot] = tile.plans[k];
-    world.fleet.detour[slot] = tile.detours[k];
-    move(world, slot, worker);
-  }
-  tile.clear();
-  worker.clock.lap(Stage::motion);
 }
 
 void take_slots(World& world, std::span<const std::uint32_t> slots, Worker& worker) {

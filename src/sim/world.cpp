@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/parallel.h"
-#include "sim/goals.h"
 
 namespace avo {
 namespace {
@@ -59,12 +58,17 @@ std::size_t World::most_nearest() const {
   return most ? static_cast<std::size_t>(*most) : std::numeric_limits<std::size_t>::max();
 }
 
+bool World::is_fast(std::size_t slot) const {
+  const double limit = (1.0 + kSpeedRounding) * fleet.traits[slot].max_speed;
+  return !(norm_squared(fleet.velocity[slot]) <= limit * limit);
+}
+
 Robot World::robot(std::size_t slot) const {
   const RobotTraits& its = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Robot robot{p,
               v,
-              preferred_velocity(p, v, its, goal, planner),
+              preferred_velocity(p, v, its, goal, goal_law(planner)),
               its.radius,
               its.max_acceleration,
               its.max_speed,

@@ -4,25 +4,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "planner/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"
 #include "sim/fleet.h"
+#include "sim/moving_columns.h"
 #include "sim/snapshot.h"
 
 namespace avo {
 
-/// With ten neighbors each, what is planned at a time stays in the cache; and no more at a time
-/// than so many candidates for being one.
-inline constexpr std::size_t kTileRobots = 64, kTileCandidates = 4096;
+/// Candidates for being a neighbor, of a tile.
+inline constexpr std::size_t kTileCandidates = 4096;
 
 /// What one worker needs to take robots through a step without allocating, and its sums. No two
 /// workers write to one line of the cache.
 struct alignas(128) Worker {
   PlanWorkspace plan;
   Tile tile;
+  MovingColumns moving;
   std::vector<NeighborQuery> queries;
   SearchScratch search, obstacles;
   bool fast = false;  // moved a robot that exceeds its max_speed
@@ -60,8 +62,13 @@ struct World {
   std::size_t most_nearest() const;
   /// A certificate has to know all others within the sensing radius as well.
   bool all_matter() const { return planner.options().certificate != Certificate::none; }
+  bool is_fast(std::size_t slot) const;
   Robot robot(std::size_t slot) const;
 };
+
+/// Decides for the robots of the worker's tile, whose neighbors are known, moves them, and empties
+/// it.
+void plan_and_move(World& world, std::span<const std::uint32_t> slots, Worker& worker);
 
 /// One sensing-acting cycle of all robots.
 void step(World& world);

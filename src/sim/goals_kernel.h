@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Coming to rest at a goal under Eq. (7)'s control, in discrete steps. Included into a namespace
+// that has Pack, once per instruction set.
+
+/// What preferred_velocity() depends on.
+template <typename Real>
+struct Traveller {
+  Vec<Real> position, velocity, goal;
+  Real preferred_speed, max_acceleration, max_speed;
+};
+
+template <typename Real>
+struct Way {
+  Real distance;        // m, to the goal
+  Vec<Real> direction;  // unit, or 0 at the goal
+  Real along;           // m/s, velocity in that direction
+  Real left;            // m, of the distance, where the next decision takes effect
+};
+
+/// Highest next speed from which full braking, `decrement` m/s a step, ends within `distance`
+/// of where the robot will be. Braking from (k + f) q, q = decrement, after a step that ends with
+/// this speed, takes Δt q (k + 1)(k/2 + f) in all.
+template <typename Real>
+AVO_KERNEL Real admissible_speed(Real distance, Real decrement, Real time_step) {
+  const Real zero(0.0), half(0.5), one(1.0), most(0x1p30);
+  const Real y = distance / (decrement * time_step);
+  const Real steps = half * (sqrt(one + Real(8.0) * y) - one);
+  // of so many, a part of one does not matter
+  const Real k = select(steps < most, floor(select(steps < most, steps, zero)), steps);
+  const Real f = (y - half * k * (k + one)) / (k + one);
+  return select(distance > zero, (k + f) * decrement, zero);
+}
+
+/// Whether admissible_speed() is at least `speed`, told without root or floor: with x = k + f,
+/// (k + 1)(k/2 + f) <= (x + 1) x. False where it is not as clear as that.
+template <typename Real>
+AVO_KERNEL auto surely_admits(Real distance, Real speed, Real decrement, Real time_step) {
+  const Real margin(1.001);  // for rounding
+  return distance * decrement > margin * time_step * speed * (speed + decrement);
+}
+
+template <typename Real>
+AVO_KERNEL Vec<Real> limited(Vec<Real> a, Real length) {
+  const Real n = norm(a);
+  return select(n > length, (length / n) * a, a);
+}
+
+template <typename Real>
+AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const GoalLaw& law) {
+  const Vec<Real> way = robot.goal - robot.position;
+  Way<Real> of;
+  of.distance = norm(way);
+  of.direction = select(of.distance > Real(0.0), way / of.distance, constant<Real>({}));
+  of.along = dot(robot.velocity, of.direction);
+  of.left = of.distance - Real(law.lag) * of.along;
+  return of;
+}
+
+/// Method avo approaches v' as fast as it can, so v' needs no lead.
+template <typename Real>
+AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
+                              const GoalLaw& law) {
+  const Real speed = robot.preferred_speed, time_step(law.time_step);
+  const Real u = Real(law.rate) * Real(law.control_time) * robot.max_acceleration;
+  const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
+  // more than twice the sum of norms below
+  const Real around = Real(0x1p-45) * ((abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y)));
+  const auto known = surely_admits(way.left, speed, u, time_step) & (way.distance > around);
+  if (!any(!known)) return at_speed;
+  // nearer than rounding can tell: there
+  const auto there = way.distance <= Real(0x1p-46) * (norm(p) + norm(goal));
+  const Vec<Real> slower = min(admissible_speed(way.left, u, time_step), speed) * way.direction;
+  return select(known, at_speed, select(there, constant<Real>({}), slower));
+}
+
+/// The paper's method approaches v' with the lag of Eq. (7).
+template <typename Real>
+AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way, const GoalLaw& law) {
+  const Real top = robot.preferred_speed, time_step(law.time_step), rate(law.rate);
+  const Real control_time(law.control_time), reach = control_time * robot.max_acceleration;
+  // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
+  const Real change = min(robot.max_speed, reach);
+  const Vec<Real> at_speed = top * way.direction;
+  const auto known = surely_admits(way.left, top, rate * change, time_step) &
+                     (Real(2.0) * way.distance >= Real(1.001) * control_time * top);
+  if (!any(!known)) return at_speed;
+  // 2 distance/δ: among parked robots less than the full deceleration is left, and a robot that
+  // counts on it swings about its goal for ever
+  const Real speed = min(Real(2.0) * way.distance / control_time,
+                         admissible_speed(way.left, rate * change, time_step));
+  const Vec<Real> v = robot.velocity;
+  const Vec<Real> v_new = v + limited((speed * way.direction - v) / rate, reach);
+  const Vec<Real> slower = limited(v_new, min(max(norm(v), speed), top));
+  return select(known | (speed >= top), at_speed, select(speed < way.along, v_new, slower));
+}
+
+/// See preferred_velocity().
+template <typename Real>
+AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const Way<Real>& way,
+                                        const GoalLaw& law) {
+  if (law.method == Method::avo) return approach(robot, way, law);
+  if (law.method == Method::avo_paper) return lead(robot, way, law);
+  return min(way.distance / Real(law.time_step), robot.preferred_speed) * way.direction;
+}

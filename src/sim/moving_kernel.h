@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kernels over the columns of a tile. Included into a namespace that has Pack, once per instruction
+// set, behind sim/goals_kernel.h and robots/holonomic_kernel.h.
+
+template <typename Real>
+void choose_ways(const GoalLaw& law, MovingColumns& robots) {
+  static_assert(kTileRobots % Real::kLanes == 0);
+  for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
+    const auto load = [k](const MovingColumns::Column& of) { return Real::load(&of[k]); };
+    const Traveller<Real> robot{{load(robots.x), load(robots.y)},
+                                {load(robots.v_x), load(robots.v_y)},
+                                {load(robots.goal_x), load(robots.goal_y)},
+                                load(robots.preferred_speed),
+                                load(robots.max_acceleration),
+                                load(robots.max_speed)};
+    const Way<Real> way = way_of(robot, law);
+    way.distance.store(&robots.distance[k]);
+    const Vec<Real> v = preferred_velocity(robot, way, law);
+    v.x.store(&robots.preferred_x[k]), v.y.store(&robots.preferred_y[k]);
+  }
+}
+
+template <typename Real>
+std::uint64_t advance(const StepResponse& response, MovingColumns& robots) {
+  std::uint64_t fast = 0;
+  for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
+    const auto load = [k](const MovingColumns::Column& of) { return Real::load(&of[k]); };
+    const Moved<Real> next =
+        moved<Real>({load(robots.x), load(robots.y)}, {load(robots.v_x), load(robots.v_y)},
+                    {load(robots.new_x), load(robots.new_y)}, response);
+    next.position.x.store(&robots.x[k]), next.position.y.store(&robots.y[k]);
+    next.velocity.x.store(&robots.v_x[k]), next.velocity.y.store(&robots.v_y[k]);
+    next.acceleration.store(&robots.acceleration[k]);
+    const Real limit = Real(1.0 + kSpeedRounding) * load(robots.max_speed);
+    const auto keeps = dot(next.velocity, next.velocity) <= limit * limit;
+    fast |= std::uint64_t{bits(!keeps)} << k;
+  }
+  return robots.count == 0 ? 0 : fast & ~std::uint64_t{0} >> (kTileRobots - robots.count);
+}
