@@ -119,6 +119,7 @@ struct SharedPlanes {
   std::vector<double> offset;         ///< m/s, of A's half-planes, by pair
   std::vector<double> kept;           ///< pairs whose half-plane can cut, robot by robot
   std::vector<std::size_t> kept_end;  ///< behind those of each robot
+  bool exceeding = false;             ///< the excess of some is not 0
 };
 
 /// Eq. (17): the relative half-planes of pairs as their robots' own, apportioned by the share of

@@ -33,6 +33,7 @@ void share_out(std::span<const PairOwner> robots, std::span<const double> share,
                const PlaneColumns<double>& relative, SharedPlanes& shared) {
   const Real lane = lane_numbers<Real>();
   std::size_t first = 0, kept = 0;
+  auto exceeding = lane < Real(0.0);  // none
   for (std::size_t r = 0; r < robots.size(); ++r) {
     const PairOwner& own = robots[r];
     const Real v_x = own.velocity.x, v_y = own.velocity.y, change = own.velocity_change;
@@ -42,12 +43,13 @@ void share_out(std::span<const PairOwner> robots, std::span<const double> share,
       const Real offset = along + Real::load(&share[i]) * Real::load(&relative.h[i]);
       offset.store(&shared.offset[i]);
       const Real pair = Real(static_cast<double>(i)) + lane;
-      const auto cuts = ((offset + raise > max(slowest, along - change)) |
-                         (Real::load(&relative.excess[i]) > Real(0.0))) &
-                        (pair < end);
+      const auto exceeds = (Real::load(&relative.excess[i]) > Real(0.0)) & (pair < end);
+      const auto cuts = ((offset + raise > max(slowest, along - change)) & (pair < end)) | exceeds;
+      exceeding = exceeding | exceeds;
       kept += store_chosen(cuts, pair, &shared.kept[kept]);
     }
     first = own.end;
     shared.kept_end[r] = kept;
   }
+  shared.exceeding = any(exceeding);
 }

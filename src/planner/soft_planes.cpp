@@ -94,18 +94,17 @@ double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec
 void keep(const PlaneColumns<double>& relative, std::size_t robots, SoftPlanes& soft) {
   const std::size_t count = robots > 0 ? soft.shared.kept_end[robots - 1] : 0;
   soft.planes.resize(count);
-  soft.excess.resize(count);
-  bool exceeding = false;
+  soft.excess.assign(count, 0.0);
+  soft.exceeding = soft.shared.exceeding;
   for (std::size_t k = 0; k < count; ++k) {
     // signed: what processors convert to
     const auto i = static_cast<std::size_t>(static_cast<std::int64_t>(soft.shared.kept[k]));
     soft.planes[k] = {{relative.n_x[i], relative.n_y[i]}, soft.shared.offset[i]};
+    if (!soft.exceeding) continue;
     // near contact it has no bound; finite all the same
     soft.excess[k] =
         std::min(soft.share[i] * relative.excess[i], std::numeric_limits<double>::max());
-    exceeding |= soft.excess[k] > 0.0;
   }
-  soft.exceeding = exceeding;
   soft.first.assign(1, 0);
   soft.first.insert(soft.first.end(), soft.shared.kept_end.begin(),
                     soft.shared.kept_end.begin() + static_cast<std::ptrdiff_t>(robots));
