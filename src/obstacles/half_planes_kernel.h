@@ -38,12 +38,10 @@ AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const 
   return frame;
 }
 
-template <typename Number>
-AVO_KERNEL void push(HalfPlaneQueue<Number>& queue, std::size_t first, std::uint32_t lanes) {
-  for (; lanes != 0; lanes &= lanes - 1) {
-    queue.index[queue.count++] =
-        static_cast<Number>(first + static_cast<std::size_t>(std::countr_zero(lanes)));
-  }
+template <typename Real>
+AVO_KERNEL void push(HalfPlaneQueue<typename Real::Number>& queue, std::size_t first,
+                     std::uint32_t lanes) {
+  queue.count += Real::store_numbers(lanes, first, &queue.index[queue.count]);
 }
 
 template <typename Real>
@@ -109,15 +107,15 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     if (in_contact != 0) {
       const std::uint32_t settled = in_contact & bits(overlapping);
       set_state<Real>(planes, i, settled, PairState::overlapping);
-      push(work.rest, i, in_contact & ~settled);
+      push<Real>(work.rest, i, in_contact & ~settled);
       work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
     }
     set_state<Real>(planes, i, take(bits(free)), PairState::free);
     const std::uint32_t tips = take(bits(last.nearest));
     set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
     work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
-    push(work.convex, i, take(bits(frame.on_collision_course)));
-    push(work.horn, i, open);
+    push<Real>(work.convex, i, take(bits(frame.on_collision_course)));
+    push<Real>(work.horn, i, open);
   }
 }
 
