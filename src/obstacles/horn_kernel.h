@@ -216,13 +216,13 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
   for (int i = 0; i < kMaxIterations; ++i) {
     const NearSide<Real> side = near_side(horn, at(table, t), table);
     const Real reach = R * side.at.gain;
-    const Real R2 = reach * reach * side.per_y2, b2 = side.b2 * side.per_y2;
-    const Real excess = b2 - R2, sum = b2 + Real(0.6) * R2;
+    const Real limit = reach * reach * side.per_y2, b2 = side.b2 * side.per_y2;
+    const Real excess = b2 - limit, sum = b2 + Real(0.6) * limit;
     low = select(excess > zero, t, low);
     high = select(excess > zero, high, t);
     const Real fall = (side.tangential * side.l * side.per_y2) * (side.cusp * side.per_y2);
     const auto falls = fall > zero;
-    const Real base = R2 * select(falls, fall, one), per = one / (sum * base);
+    const Real base = limit * select(falls, fall, one), per = one / (sum * base);
     const Real f = excess * base * per;
     // dt/df
     const Real pace =
