@@ -12,7 +12,9 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
   walls.capsules.reserve(neighbors);
   walls.soft_stops.reserve(neighbors);
   walls.trajectories.pairs.reserve(neighbors);
-  walls.trajectories.columns.reserve(std::min(neighbors * braking_steps, most_walls));
+  // those of a pair are stored by whole packs
+  const std::size_t steps = (braking_steps + kWallLanes - 1) / kWallLanes * kWallLanes;
+  walls.trajectories.columns.reserve(std::min(neighbors * steps, most_walls));
   walls.trajectories.own_columns.reserve(std::min(braking_steps, most_walls));
 }
 

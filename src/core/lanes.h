@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Highway's vectors under the names of core/scalar.h. Included once per instruction set, after
-// hwy/foreach_target.h; kernels are templates over Pack. Nothing here is approximate, and nothing
-// depends on how an instruction set treats equal zeros or NaN.
+// hwy/foreach_target.h; kernels are templates over Pack. Nothing here is approximate, and min and max
+// return the second operand where the comparison fails: what those of x86 do by themselves.
 #if defined(AVO_CORE_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef AVO_CORE_LANES_H
 #undef AVO_CORE_LANES_H

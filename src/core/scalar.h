@@ -70,7 +70,7 @@ struct Pack {
   friend Pack sqrt(Pack a) { return make(std::sqrt(a.value)); }
   friend Pack abs(Pack a) { return make(std::abs(a.value)); }
   friend Pack select(Mask mask, Pack yes, Pack no) { return mask.bit ? yes : no; }
-  /// table[floor(a)], a >= 0
+  /// table[a] of whole a, 0 <= a < 2^23
   friend Pack lookup(const T* table, Pack a) {
     return make(table[static_cast<std::size_t>(a.value)]);
   }

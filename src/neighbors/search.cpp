@@ -4,7 +4,6 @@
 #include "neighbors/search.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/simd_target.h"
 #include "neighbors/search_steps.h"

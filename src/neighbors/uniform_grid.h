@@ -50,7 +50,7 @@ class UniformGrid {
  private:
   Cells cells_;
   CellSort sort_;
-  std::vector<double> x_, y_;  // m, by place, and room for a vector beyond the last
+  std::vector<double> x_, y_;  // m, by place, and kSparePoints more
   std::vector<double> index_;  // likewise; numbers of 32 bits
 
   // of build() and gather()

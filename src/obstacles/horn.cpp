@@ -134,7 +134,9 @@ Touch crossing(const Horn& horn, const Touch& from, const Touch& to) {
     ((touch.length > R) == (from.length > R) ? low : high) = t;
     const double fall = touch.tangential * touch.cusp / (touch.at.gain * touch.l * touch.length);
     const double next = t + 2.0 * (std::sqrt(touch.length / R) - 1.0) * touch.length / fall;
-    const bool close = touch.l > 0.0 && std::abs(next - t) <= kTimeTolerance * t;
+    // far from the root steps are short as well, where |b| is, or l
+    const bool close =
+        std::abs(touch.length - R) <= 0.5 * R && std::abs(next - t) <= kTimeTolerance * t;
     if (close || high - low <= kTimeTolerance * high || i == kMaxIterations) return touch;
     t = next;
   }

@@ -239,7 +239,8 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
                        (error * abs(pace - last_pace) <= least * abs(pace));
     const Real next = select(falls & (small | ((newton > low) & (newton < high))), newton,
                              Real(0.5) * (low + high));
-    last_f = f, last_pace = pace, last_t = t, last_step = abs(next - t), again = falls;
+    last_f = f, last_pace = select(falls, pace, zero), last_t = t, last_step = abs(next - t),
+    again = falls;
     t = select(active, next, t);
     result.tangential = select(active, side.tangential, result.tangential);
     active = active & (!small);

@@ -59,7 +59,11 @@ Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, 
 
 bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
   const bool turns = decision.robot.car && decision.robot.velocity == Vec2{};
-  if (!turns && choice.target == wish && choice.certified.chosen == Chosen::wanted) return false;
+  // who is not too fast and has the wish for its target then has what it wishes
+  const Robot& robot = decision.robot;
+  const bool is_wish = choice.target == wish && choice.certified.chosen == Chosen::wanted &&
+                       norm_squared(robot.velocity) <= robot.max_speed * robot.max_speed;
+  if (!turns && is_wish) return false;
   const Vec2 unhindered = approach(decision.robot.velocity, wish, decision.decrement());
   Vec2 next_velocity = choice.certified.next_velocity;
   if (turns) {

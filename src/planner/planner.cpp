@@ -97,15 +97,31 @@ PlanWorkspace::~PlanWorkspace() = default;
 PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
 PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 
-void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
-  constexpr std::size_t kMostWalls = 8192;  // of more, memory grows when it is needed
-  planes.reserve(neighbors);
-  certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
-  scratch_->projected.reserve(4 * neighbors);
-  CertifiedWorkspace& certified = scratch_->certified;
+namespace {
+constexpr std::size_t kMostWalls = 8192;  // of more, memory grows when it is needed
+}  // namespace
+
+void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t braking_steps) {
+  projected.reserve(4 * neighbors);
   certified.hard.reserve(kMostCuts * neighbors);
   certified.projected.reserve(4 * kMostCuts * neighbors);
   reserve_walls(neighbors, braking_steps, kMostWalls, certified.walls);
+}
+
+void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
+  planes.reserve(neighbors);
+  certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
+  Scratch& scratch = *scratch_;
+  scratch.reserve_choice(neighbors, braking_steps);
+  scratch.seen.reserve(neighbors);
+  scratch.deciding.reserve(1);
+  scratch.sensing.reserve(1);
+  scratch.wishes.reserve(1);
+  scratch.results.reserve(1);
+  scratch.in_single.reserve(1, neighbors, neighbors);
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    avo::reserve(1, neighbors, precision, scratch.soft);
+  }
 }
 
 Planner::Planner(const PlannerOptions& options) : options_(options) {

@@ -33,6 +33,9 @@ struct PlanWorkspace::Scratch {
   std::vector<Neighbor> movers;
   PassiveWorkspace passive;
   CertifiedWorkspace certified;
+
+  /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
+  void reserve_choice(std::size_t neighbors, std::size_t braking_steps);
 };
 
 }  // namespace avo

@@ -137,8 +137,10 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
 }
 
 void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, PlanWorkspace& workspace) {
+                      std::size_t planes, std::size_t neighbors_each, std::size_t braking_steps,
+                      PlanWorkspace& workspace) {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+  scratch.reserve_choice(neighbors_each, braking_steps);
   scratch.deciding.reserve(robots);
   scratch.sensing.reserve(robots);
   scratch.wishes.reserve(robots);

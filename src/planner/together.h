@@ -20,8 +20,10 @@ struct Deciding {
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
                    PlanWorkspace& workspace, StageClock& clock) noexcept;
 
-/// Room for so many robots with at most so many half-planes each, and in all.
+/// Room for so many robots with at most so many half-planes each, and in all, among at most so many
+/// neighbors each, which brake for at most so many steps.
 void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, PlanWorkspace& workspace);
+                      std::size_t planes, std::size_t neighbors_each, std::size_t braking_steps,
+                      PlanWorkspace& workspace);
 
 }  // namespace avo

@@ -42,7 +42,8 @@ AVO_KERNEL auto surely_admits(Real distance, Real speed, Real decrement, Real ti
 template <typename Real>
 AVO_KERNEL Vec<Real> limited(Vec<Real> a, Real length) {
   const Real n = norm(a);
-  return select(n > length, (length / n) * a, a);
+  const auto is_longer = n > length;
+  return select(is_longer, (length / select(is_longer, n, Real(1.0))) * a, a);
 }
 
 template <typename Real>
@@ -50,7 +51,8 @@ AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const GoalLaw& law) {
   const Vec<Real> way = robot.goal - robot.position;
   Way<Real> of;
   of.distance = norm(way);
-  of.direction = select(of.distance > Real(0.0), way / of.distance, constant<Real>({}));
+  const auto is_away = of.distance > Real(0.0);
+  of.direction = select(is_away, way / select(is_away, of.distance, Real(1.0)), constant<Real>({}));
   of.along = dot(robot.velocity, of.direction);
   of.left = of.distance - Real(law.lag) * of.along;
   return of;

@@ -196,6 +196,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
         reach_of_nearest(worker.search.found[i], world.most_nearest(), worker.search);
     worker.tile.first.push_back(worker.tile.neighbors.count);
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
+    if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }
   return robots;
 }

@@ -34,10 +34,9 @@ void reserve(const World& world, Worker& worker) {
   worker.search.reserve(
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   worker.tile.reserve(together, std::min(together * seen, kTileCandidates + seen));
-  worker.plan.reserve(seen, most_braking_steps(world));
   const std::size_t each = std::min(seen, world.most_nearest());
   reserve_together(world.planner, together, each, std::min(together * each, kTileCandidates + each),
-                   worker.plan);
+                   seen, most_braking_steps(world), worker.plan);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Searches of two ranges: all within the near one, and of the far one the nearest.
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "neighbors/uniform_grid.h"
@@ -55,20 +57,32 @@ std::vector<NeighborHit> by_comparing_all(const Points& points, const NeighborQu
   return hits;
 }
 
-std::vector<NeighborHit> found(const Points& points, const NeighborQuery& query) {
+// Several at a time, as many as there is room for.
+void compare(const Points& points, std::span<const NeighborQuery> queries, std::size_t enough) {
   SearchScratch scratch;
-  EXPECT_EQ(points.grid.find({&query, 1}, 1, scratch), 1u);
-  const std::span<const NeighborHit> hits = points.grid.list(0, scratch);
-  for (const NeighborHit& hit : hits) {  // the place is where it is
-    EXPECT_EQ(norm_squared(points.grid.position(hit.place) - query.position), hit.distance_squared);
+  while (!queries.empty()) {
+    const std::size_t answered = points.grid.find(queries, enough, scratch);
+    ASSERT_GE(answered, 1u);
+    for (std::size_t i = 0; i < answered; ++i) {
+      const NeighborQuery& query = queries[i];
+      const std::span<const NeighborHit> hits = points.grid.list(i, scratch);
+      for (const NeighborHit& hit : hits) {  // the place is where it is
+        EXPECT_EQ(norm_squared(points.grid.position(hit.place) - query.position),
+                  hit.distance_squared);
+      }
+      EXPECT_EQ((std::vector<NeighborHit>{hits.begin(), hits.end()}),
+                by_comparing_all(points, query))
+          << "most " << query.most << " near " << query.near << " guess " << query.guess;
+    }
+    queries = queries.subspan(answered);
   }
-  return {hits.begin(), hits.end()};
 }
 
 void compare(const Points& points, double far, Random& random) {
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   constexpr std::size_t kMost[] = {0, 1, 3, 10, 40, kAll};
-  for (int k = 0; k < 200 && !testing::Test::HasFailure(); ++k) {
+  std::vector<NeighborQuery> queries;
+  for (int k = 0; k < 200; ++k) {
     const auto i = static_cast<std::size_t>(random.below(static_cast<int>(points.names.size())));
     NeighborQuery query{points.positions[i], points.names[i], kMost[random.below(6)], -1.0, far};
     if (random.below(4) == 0) {
@@ -78,9 +92,9 @@ void compare(const Points& points, double far, Random& random) {
     if (random.below(2) == 0) query.near = far * random.uniform(0.0, 1.2);
     if (random.below(2) == 0) query.guess = far * random.log_uniform(1e-3, 2.0);
     if (random.below(8) == 0) query.near = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(found(points, query), by_comparing_all(points, query))
-        << "most " << query.most << " near " << query.near << " guess " << query.guess;
+    queries.push_back(query);
   }
+  compare(points, queries, static_cast<std::size_t>(1 + random.below(4000)));
 }
 
 TEST(NeighborSearch, finds_what_comparing_all_finds) {
@@ -99,6 +113,21 @@ TEST(NeighborSearch, finds_what_comparing_all_finds) {
     const double far = 15.0;
     build(points, far / random.uniform(1.0, kMostSides), random);
     compare(points, far, random);
+  }
+}
+
+// What single precision cannot tell apart, or cannot hold.
+TEST(NeighborSearch, distances_of_any_size) {
+  for (const double scale : {1e-160, 1e-25, 1e-9, 1e19, 1e150}) {
+    Random random(3);
+    Points points;
+    for (int k = 0; k < 300; ++k) {
+      const Vec2 p{random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0)};
+      const double nudge = k % 3 == 0 ? 1.0 + 1e-12 * k : 1.0;
+      points.positions.push_back(scale * nudge * Vec2{std::floor(p.x), std::floor(p.y)});
+    }
+    build(points, 15.0 * scale, random);
+    compare(points, 15.0 * scale, random);
   }
 }
 

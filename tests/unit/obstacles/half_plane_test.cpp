@@ -85,6 +85,16 @@ TEST(HalfPlane, horn_of_a_grazing_pair) {
   EXPECT_NEAR(found.plane.offset, 0.0, 1e-6);  // once -0.123
 }
 
+// Its second crossing is to be looked for among many, and near where |b| is 0.
+TEST(HalfPlane, horn_of_a_grazing_pair_far_from_the_end) {
+  const Pair pair{{0.13425453075329963, 0.089496046799116283},
+                  {4.8318007516416284, -7.6465557925532082},
+                  0.16130186471266802};
+  const double R = 0.75275104725076436;
+  const RelativeHalfPlane found = half_plane(pair, R, {0.5, 3.0, 0.1});
+  EXPECT_NEAR(found.plane.offset, -7.26e-5 * R, 1e-6);  // once -R, which admits nearly everything
+}
+
 TEST(HalfPlane, overlap_separates_along_p) {
   const RelativeHalfPlane found = half_plane({{0.9, 0.0}, {0.0, 0.0}, 1.0}, kReach, kHorizon);
   ASSERT_EQ(found.state, PairState::overlapping);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nothing is allocated per step once a simulation is warm: every operator new is counted.
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -167,6 +168,35 @@ TEST(Allocation, none_per_plan) {
   expect_none_per_plan(test::dense_scene(100, Motion::held));
   for (const test::AvoKind kind : test::kAvoKinds) {
     expect_none_per_plan(test::dense_avo_scene(100, kind.motion, kind.certificate));
+  }
+}
+
+// What was reserved is enough for a crowd that comes later.
+TEST(Allocation, none_per_plan_in_a_crowd_that_thickens) {
+  const auto neighbors_on_a_spiral = [](int count) {
+    std::vector<Neighbor> neighbors;
+    for (int k = 0; k < count; ++k) {
+      const double distance = 1.5 + 0.1 * k, angle = 2.4 * k;
+      Neighbor neighbor;
+      neighbor.position = distance * Vec2{std::cos(angle), std::sin(angle)};
+      neighbor.velocity = -0.5 * Vec2{std::cos(angle), std::sin(angle)};
+      neighbors.push_back(neighbor);
+    }
+    return neighbors;
+  };
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    PlannerOptions options;
+    options.precision = precision;
+    const Planner planner(options);
+    const Robot robot{{}, {0.4, 0.0}, {1.0, 0.0}};
+    const std::vector<Neighbor> few = neighbors_on_a_spiral(1), many = neighbors_on_a_spiral(60);
+    PlanWorkspace workspace;
+    workspace.reserve(60, 32);
+    double sum = planner.plan(robot, few, workspace).new_velocity.x;
+    const long before = allocations;
+    sum += planner.plan(robot, many, workspace).new_velocity.x;
+    EXPECT_EQ(allocations - before, 0);
+    EXPECT_TRUE(std::isfinite(sum));
   }
 }
 
