@@ -41,6 +41,8 @@ constexpr double kContact = std::is_same_v<Number, double> ? 1e-9 : 1e-4;
 // Of d + |v| τ: what single precision may do to a path. Of that, the least gap and the most reach
 // times g(τ) that it is trusted with.
 constexpr double kBlur = 0x1p-19, kLeastGap = 32.0, kMostReach = 0x1p29;
+// m: nearer centers are left to double precision, for products of lengths become too small.
+constexpr double kLeastDistance = 1e-6;
 // m/s; slower is at rest.
 template <typename Number>
 constexpr double kSlowest = std::is_same_v<Number, double> ? 1e-100 : 1e-18;

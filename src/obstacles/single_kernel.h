@@ -29,14 +29,14 @@ AVO_KERNEL Real demanding_radius(const Local<Real>& pair, Real tau) {
   return widened(pair, tau).r;
 }
 
-/// Of a widened pair: so near contact that the blur is a part of the gap that matters, or with a
-/// reach whose own rounding is a part of the velocities that matter.
+/// Of a widened pair: so near contact that the blur is a part of the gap that matters, with a reach
+/// whose own rounding is a part of the velocities that matter, or very small.
 template <typename Real>
 AVO_KERNEL auto in_doubt(const Local<Real>& pair, const ResponseAt& end) {
   if constexpr (kSingle<Real>) {
     const Real moved = blur(pair, Real(end.time));
     return (pair.d - pair.r < Real(kLeastGap) * moved) |
-           (pair.R * Real(end.gain) > Real(kMostReach) * moved);
+           (pair.R * Real(end.gain) > Real(kMostReach) * moved) | (pair.d < Real(kLeastDistance));
   }
   return pair.d < Real(0.0);
 }
