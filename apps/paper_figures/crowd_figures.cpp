@@ -49,7 +49,7 @@ std::vector<Neighbor> neighbors_of_figure(double max_acceleration) {
 }
 
 Planner planner_of_figure() {
-  PlannerOptions options;
+  PlannerOptions options = default_options(Method::avo_paper);
   options.control_time = 2.0;
   options.time_horizon = 4.0;
   return Planner(options);
