@@ -4,6 +4,7 @@
 // clang-format off
 #include "certificate/braking_kernel.h"
 #include "certificate/pair_kernel.h"
+#include "certificate/near_kernel.h"
 #include "certificate/walls_kernel.h"
 #include "certificate/admission_kernel.h"
 // clang-format on

@@ -129,13 +129,14 @@ Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, D
   return has_settled(robot, detour) ? Vec2{} : keep_right(robot, traffic) + push;
 }
 
-Plan Planner::choose(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
                      const Wished& wished, PlanWorkspace& workspace,
                      Detour& detour) const noexcept {
+  const Robot& robot = *sensing.robot;
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const Decision decision{
       robot, law, acceleration_disc(robot), speed_disc(robot), wished.half_planes, certified};
-  collect_walls(robot, neighbors, law, certified.walls);
+  collect_walls(sensing, i, law, certified.walls);
   Choice choice = choose_and_arrive(decision, wished, detour);
   for (const double excess : wished.excess) choice.violation = std::max(choice.violation, excess);
   return step(robot, law, choice, status_of(choice, certified.walls.invariant, wished.overlapping));

@@ -113,6 +113,7 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   solve_programs(planner, scratch.soft, scratch);
   clock.lap(Stage::program);
 
+  if (certified) find_near(scratch.sensing, law, scratch.certified.walls);
   for (std::size_t i = 0; i < scratch.deciding.size(); ++i) {
     const Deciding& each = scratch.deciding[i];
     const Robot& robot = *each.sensing.robot;
@@ -121,8 +122,7 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
     if (certified) {
       const Wished wished{scratch.soft.of(i), scratch.soft.excess_of(i), scratch.wishes[i], result,
                           overlapping};
-      *each.plan =
-          planner.choose(robot, each.sensing.neighbors, law, wished, workspace, *each.detour);
+      *each.plan = planner.choose(each.sensing, i, law, wished, workspace, *each.detour);
     } else if (result.state == ProgramState::discs_disjoint) {
       *each.plan = planner.brake(robot, PlanStatus::braking, result.violation);
     } else {
