@@ -19,12 +19,6 @@ CertificateLaw certificate_law(const Planner& planner) {
           options.soft_stop_time};
 }
 
-Vec2 approach(Vec2 velocity, Vec2 target, double decrement) {
-  const Vec2 change = target - velocity;
-  const double length = norm(change);
-  return length > decrement ? velocity + (decrement / length) * change : target;
-}
-
 namespace {
 
 // One way of choosing: towards the wish as the paper's program allows, or as the limits do.
@@ -86,7 +80,6 @@ Choice choose_and_arrive(const Decision& decision, const Wished& wished, Detour&
     detour.angle = 0.0;
     return choice;
   }
-  const double violation = choice.violation;
   if (is_blocked(decision, choice, wish)) {
     const Vec2 turned = turned_right(wish, detour.angle);
     choice = choose(decision, {}, turned);
@@ -96,7 +89,6 @@ Choice choose_and_arrive(const Decision& decision, const Wished& wished, Detour&
     turn_back(detour, robot, time_step);
     choice = choose(decision, decision.half_planes, turned_right(wish, detour.angle));
   }
-  choice.violation = violation;
   return choice;
 }
 
@@ -122,13 +114,6 @@ Plan step(const Robot& robot, const CertificateLaw& law, const Choice& choice, P
 
 }  // namespace
 
-Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour) {
-  if (!is_sound(detour)) detour = {};
-  const Traffic traffic = look_around(robot, neighbors);
-  const Vec2 push = give_way(robot, traffic, time_step, detour);
-  return has_settled(robot, detour) ? Vec2{} : keep_right(robot, traffic) + push;
-}
-
 Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
                      const Wished& wished, PlanWorkspace& workspace,
                      Detour& detour) const noexcept {
@@ -138,7 +123,7 @@ Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw
       robot, law, acceleration_disc(robot), speed_disc(robot), wished.half_planes, certified};
   collect_walls(sensing, i, law, certified.walls);
   Choice choice = choose_and_arrive(decision, wished, detour);
-  for (const double excess : wished.excess) choice.violation = std::max(choice.violation, excess);
+  choice.violation = wished.violation();
   return step(robot, law, choice, status_of(choice, certified.walls.invariant, wished.overlapping));
 }
 
