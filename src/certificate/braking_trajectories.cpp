@@ -104,16 +104,17 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
 
 }  // namespace
 
-void collect_walls(const Robot& robot, const Neighbors& neighbors, std::span<const NearPair> near,
-                   bool has_movers, const StepLaw& law, TrajectoryWalls& walls,
+void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                   std::size_t i, const StepLaw& law, TrajectoryWalls& walls,
                    Invariant& invariant) {
   walls.columns.count = walls.own_columns.count = walls.own_columns.filled = 0;
   walls.stays_at_rest = walls.has_cones = false;
-  if (near.empty() && !has_movers) return;
-  const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
-  const Deviation deviation = deviation_of(a, robot.car.has_value(), law);
+  const bool has_movers = near.has_movers[i] != 0;
+  if (near.of(i).empty() && !has_movers) return;
+  const Braking a = near.own.braking(i);
+  const Deviation deviation = near.own.deviation(i);
   walls.own = a;
-  for (const NearPair& each : near) {
+  for (const NearPair& each : near.of(i)) {
     BrakingPair pair = each.pair;
     pair.a = a;
     collect_close(pair, neighbors[each.neighbor], each.neighbor, deviation, law, walls, invariant);

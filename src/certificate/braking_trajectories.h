@@ -43,12 +43,11 @@ struct TrajectoryWalls {
 
 TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
 
-/// Collects the walls that can refuse a candidate with |v_1 - v| <= u: of neighbors that are near,
-/// and of those that do not decide, if there are any. These have max_acceleration 0 and are taken to
-/// keep their acceleration, A's share is 1, and only the time counts in which A moves.
-void collect_walls(const Robot& robot, const Neighbors& neighbors, std::span<const NearPair> near,
-                   bool has_movers, const StepLaw& law, TrajectoryWalls& walls,
-                   Invariant& invariant);
+/// Collects the walls that can refuse a candidate of robot i of those that were looked at, with
+/// |v_1 - v| <= u. Neighbors that do not decide, of max_acceleration 0, are taken to keep their
+/// acceleration, A's share is 1, and only the time counts in which A moves.
+void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                   std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
 
 /// Whether the path keeps all walls, and by how much or how little each of them.
 bool keeps(const CandidatePath& path, const StepLaw& law, TrajectoryWalls& walls);

@@ -44,8 +44,8 @@ void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& 
     collect_soft_stops(robot, sensing.neighbors, law.step.time_step, law.soft_stop_time,
                        walls.soft_stops, walls.invariant);
   } else if (law.kind != Certificate::none) {
-    collect_walls(robot, sensing.neighbors, walls.near.of(i), walls.near.has_movers[i] != 0,
-                  law.step, walls.trajectories, walls.invariant);
+    collect_walls(robot, sensing.neighbors, walls.near, i, law.step, walls.trajectories,
+                  walls.invariant);
   }
   if (law.kind == Certificate::stopping_capsules) {
     collect_capsules(robot, sensing.neighbors, law.step, walls.capsules, walls.invariant);

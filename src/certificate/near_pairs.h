@@ -18,14 +18,31 @@ namespace avo {
 /// Whose walls are wanted.
 enum class Whom : unsigned char { everyone, movers };
 
-/// Who is no faster than A may be and just as able need not be looked at beyond a distance, the sum
-/// of this, its radius and its reach.
-struct FarBound {
-  double distance;              ///< m
-  std::array<double, 3> reach;  ///< of one's speed, a polynomial: m, s, s²/m
-  double max_acceleration, speed_squared;
+/// Robots that may have to brake, in columns: each one's braking path, how far its candidates' paths
+/// get from it, and its far bound: who is no faster than A may be and just as able need not be looked
+/// at beyond a distance, the sum of the bound, its radius and its reach.
+struct BrakingColumns {
+  using Column = std::vector<double>;
+  std::size_t count = 0;
+  Column x, y, v_x, v_y, radius, max_acceleration, max_speed, is_car;  // given; is_car: 1 or 0
+
+  Column speed, decrement, full_steps, direction_x, direction_y, length, reach, intervals;
+  // see Deviation
+  Column ahead_start, ahead_slope, across_start, across_slope, anyhow_start, anyhow_slope;
+  Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
+  Column far_distance, far_speed_squared;             // m, m²/s²
+  std::array<Column, 3> far_reach;  // of the other's speed, a polynomial: m, s, s²/m
+
+  void reserve(std::size_t robots);
+  void add(const Robot& robot) {
+    x[count] = robot.position.x, y[count] = robot.position.y;
+    v_x[count] = robot.velocity.x, v_y[count] = robot.velocity.y;
+    radius[count] = robot.radius, max_acceleration[count] = robot.max_acceleration;
+    max_speed[count] = robot.max_speed, is_car[count++] = robot.car ? 1.0 : 0.0;
+  }
+  Braking braking(std::size_t i) const;
+  Deviation deviation(std::size_t i) const;
 };
-FarBound far_bound_of(const Robot& robot, const StepLaw& law);
 
 /// Pairs that are not far, until there are enough of them to fill lanes.
 struct NearQueue {
@@ -33,7 +50,9 @@ struct NearQueue {
   using Column = std::array<double, kSize + kSpare>;
   std::size_t count = 0;
   Column robot{}, neighbor{};  // indices
-  Column x{}, y{}, v_x{}, v_y{}, radius{}, max_acceleration{}, is_car{};  // of A; is_car: 1 or 0
+  // of A
+  Column x{}, y{}, v_x{}, v_y{}, radius{}, max_acceleration{}, full_steps{}, direction_x{};
+  Column direction_y{}, length{}, reach{}, intervals{}, most_ahead{}, most_aside{};
   Column other_x{}, other_y{}, other_v_x{}, other_v_y{}, other_radius{}, other_max_acceleration{};
 };
 
@@ -45,16 +64,18 @@ struct NearPair {
 
 /// Scratch memory and result of find_near(); allocates only while it grows.
 struct NearPairs {
+  BrakingColumns own;
   NearQueue queue;
   std::vector<NearPair> kept;           ///< robot by robot, by ascending neighbor
   std::vector<std::size_t> end;         ///< behind those of robot i
-  std::vector<std::uint8_t> has_movers;  ///< whether robot i has neighbors that do not decide
+  std::vector<std::uint8_t> has_movers;  ///< whether robot i has some that do not decide
 
   std::span<const NearPair> of(std::size_t i) const {
     const std::size_t first = i == 0 ? 0 : end[i - 1];
     return std::span(kept).subspan(first, end[i] - first);
   }
   void reserve(std::size_t robots, std::size_t pairs) {
+    own.reserve(robots);
     kept.reserve(pairs);
     end.reserve(robots);
     has_movers.reserve(robots);

@@ -111,7 +111,8 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
   pair.distance = norm(pair.p);
   pair.contact = self.radius + of.radius;
   pair.share = a_A / (a_A + of.max_acceleration);
-  const Real lengths = pair.contact + a.reach + pair.b.reach + norm(p_A) + norm(of.position);
+  const Real lengths = pair.contact + a.reach + pair.b.reach + (abs(p_A.x) + abs(p_A.y)) +
+                       (abs(of.position.x) + abs(of.position.y));
   pair.inflated = pair.contact + rounding_margin(lengths, max(a.intervals, pair.b.intervals),
                                                  min(pair.share, one - pair.share));
   pair.error = Real(law.sensing_error.position) +
@@ -123,7 +124,7 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
 /// deviate (docs/certificate.md, "What can refuse nothing"): B can refuse nothing, whatever it
 /// does.
 template <typename Real>
-AVO_KERNEL auto refuses_nothing(const PackSelf<Real>& self, const PackDeviation<Real>& deviation,
+AVO_KERNEL auto refuses_nothing(const PackSelf<Real>& self, Real most_ahead, Real most_aside,
                                 const PackPair<Real>& pair, const PackNeighbor<Real>& of,
                                 const StepLaw& law) {
   const Real zero(0.0), one(1.0), d = pair.distance, length_A = self.braking.length;
@@ -146,6 +147,50 @@ AVO_KERNEL auto refuses_nothing(const PackSelf<Real>& self, const PackDeviation<
   const auto clear = apart & (nearest > zero);
   // largest part of any of the walls' normals against A's direction
   const Real against = max(zero, shift - dot(pair.p, d_A)) / select(clear, nearest, one);
-  const Real loss = min(against, one) * deviation.most_ahead + deviation.most_aside;
+  const Real loss = min(against, one) * most_ahead + most_aside;
   return clear & (pair.share * (nearest - pair.inflated) > loss);
+}
+
+/// See BrakingColumns.
+template <typename Real>
+struct PackFarBound {
+  Real distance;
+  std::array<Real, 3> reach;
+  Real speed_squared;
+};
+
+template <typename Real>
+AVO_KERNEL PackFarBound<Real> far_bound_of(Vec<Real> position, Real radius,
+                                           const PackProfile<Real>& own, Real max_speed,
+                                           const StepLaw& law) {
+  const Real h(law.time_step), half(0.5), one(1.0), u = own.decrement, per_u = one / u;
+  const Real top = Real(law.sensing_error.velocity) + u;  // that one at rest may have
+  const Real lost(std::abs(law.lag - 0.5 * law.time_step));
+  // at least what one step and stopping take: v²/2a and what is lost by stopping in steps
+  const std::array<Real, 3> reach{
+      (h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
+      h + h * top * per_u + lost, half * h * per_u};
+  const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
+  const Real speed = Real(kFarther) * max(max_speed, own.speed);
+  const Real intervals = Real(3.0) + (speed + top) * per_u;
+  const Real error = Real(law.sensing_error.position) +
+                     Real(law.sensing_error.velocity) * h * intervals;
+  // of the rounding margin, what does not grow with the distance
+  const Real places = abs(position.x) + abs(position.y);
+  const Real lengths = radius + reach_at(own.speed);
+  const Real margin =
+      Real(0x1p-46) * (places + lengths + radius + reach_at(speed)) * intervals;
+  const auto is_known = intervals <= Real(kMostIntervals);
+  const Real infinity(std::numeric_limits<double>::infinity());
+  return {select(is_known, lengths + error + margin, infinity), reach, speed * speed};
+}
+
+template <typename Real>
+AVO_KERNEL auto are_far(const PackFarBound<Real>& bound, Real max_acceleration, Vec<Real> p,
+                        const PackNeighbor<Real>& of) {
+  const Real squared = dot(of.velocity, of.velocity);
+  const Real reach = bound.reach[0] + bound.reach[1] * sqrt(squared) + bound.reach[2] * squared;
+  const Real distance = bound.distance + of.radius + reach;
+  return (dot(p, p) > Real(kFarther) * (distance * distance)) & (squared <= bound.speed_squared) &
+         (of.max_acceleration <= max_acceleration) & (of.max_acceleration >= max_acceleration);
 }
