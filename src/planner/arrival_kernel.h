@@ -133,11 +133,13 @@ void decide_freely(const StepLaw& law, RobotColumns& columns) {
     const Real u = load(columns.max_acceleration) * Real(law.braking_time);
     const Vec<Real> next = approach(v, {load(columns.target_x), load(columns.target_y)}, u);
     const auto may_detour = load(columns.distance) >= load(columns.radius);
-    const auto blocked = may_detour & is_blocked(next, approach(v, wish, u), wish);
+    const Vec<Real> unhindered = approach(v, wish, u);
+    const auto blocked = may_detour & is_blocked(next, unhindered, wish);
     const auto kept = within(next - v, u) & within(next, load(columns.max_speed));
     select(kept & !blocked, Real(1.0), Real(0.0)).store(&columns.is_free[i]);
     const PackPlan<Real> plan = plan_to(v, next, law);
     store(next, columns.next_x, columns.next_y);
+    store(unhindered, columns.unhindered_x, columns.unhindered_y);
     store(plan.new_velocity, columns.new_x, columns.new_y);
     store(plan.acceleration, columns.a_x, columns.a_y);
   }

@@ -26,6 +26,7 @@ struct Wished {
   std::span<const double> excess;  ///< of each, see NeighborPlane
   Vec2 wish;                       ///< m/s
   ProgramResult result;            ///< Eq. (23)
+  Vec2 next, unhindered;           ///< m/s, as far as one step leads to result and to the wish
   bool overlapping = false;        ///< with whom it does not matter
 
   /// m/s, and by how much a neighbor with which everything within reach collides asks for more.

@@ -21,7 +21,8 @@ struct RobotColumns {
   Column range, ahead, push_x, push_y;  // m; by look_around(), see Traffic
   Column wish_x, wish_y;          // m/s, by keep_right()
   Column target_x, target_y;      // m/s, what Eq. (23) made of the wish
-  Column next_x, next_y;          // [v_1] m/s, by decide_freely(): the target as far as one step leads to it
+  // by decide_freely(), [v_1] m/s: target and wish as far as one step leads to them
+  Column next_x, next_y, unhindered_x, unhindered_y;
   Column new_x, new_y, a_x, a_y;  // m/s, m/s², likewise: the decision for it
   Column is_free;                 // likewise: 1 where neither limits nor being blocked object, or 0
 

@@ -127,7 +127,12 @@ void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
   const SoftPlanes& soft = scratch.soft;
   for (std::size_t i = 0; i < columns.count; ++i) {
     const Deciding& each = scratch.deciding[i];
-    const Wished wished{soft.of(i), soft.excess_of(i), scratch.wishes[i], scratch.results[i],
+    const Wished wished{soft.of(i),
+                        soft.excess_of(i),
+                        scratch.wishes[i],
+                        scratch.results[i],
+                        {columns.next_x[i], columns.next_y[i]},
+                        {columns.unhindered_x[i], columns.unhindered_y[i]},
                         soft.overlapping[i] != 0};
     if (columns.is_free[i] == 0.0 ||
         !is_unhindered(law, each.sensing, *each.detour, scratch.certified.walls.near, i)) {
