@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "planner/decision.h"
+#include "planner/robot_columns.h"
 #include "sim/moving_columns.h"
 
 namespace avo {
@@ -116,10 +116,15 @@ BENCHMARK(towards_goal);
 void wish_among_ten(benchmark::State& state) {
   const Planner planner({});
   NeighborColumns seen;
+  RobotColumns columns;
+  columns.reserve(1);
   run(state, planner, [&](const Scene& scene) {
-    Detour detour;
-    return wish_of(scene.robot, in_columns(scene.neighbors, seen), planner.options().time_step,
-                   detour);
+    const Sensing sensing{&scene.robot, in_columns(scene.neighbors, seen), true};
+    columns.count = 0;
+    columns.add(scene.robot);
+    look_around({&sensing, 1}, columns);
+    keep_right(columns);
+    return Vec2{columns.wish_x[0], columns.wish_y[0]};
   });
 }
 BENCHMARK(wish_among_ten);

@@ -84,10 +84,12 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   const bool exact = law.sensing_error == SensingError{};
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
     const auto load = [i](const NearQueue::Column& column) { return Real::load(&column[i]); };
-    const PackNeighbor<Real> of{{load(queue.other_x), load(queue.other_y)},
-                                {load(queue.other_v_x), load(queue.other_v_y)},
-                                load(queue.other_radius),
-                                load(queue.other_max_acceleration)};
+    const auto is_pair = lane_numbers<Real>() < Real(static_cast<double>(queue.count - i));
+    const PackNeighbor<Real> of{
+        {load(queue.other_x), load(queue.other_y)},
+        {load(queue.other_v_x), load(queue.other_v_y)},
+        load(queue.other_radius),
+        select(is_pair, load(queue.other_max_acceleration), Real(1.0))};  // a divisor
     const PackSelf<Real> self{{load(queue.x), load(queue.y)},
                               {load(queue.v_x), load(queue.v_y)},
                               load(queue.radius),
@@ -98,7 +100,6 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
                                load(queue.reach),
                                load(queue.intervals)}};
     const PackPair<Real> pair = pair_of(self, of, law);
-    const auto is_pair = lane_numbers<Real>() < Real(static_cast<double>(queue.count - i));
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
     if (exact) {

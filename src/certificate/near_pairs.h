@@ -18,9 +18,9 @@ namespace avo {
 /// Whose walls are wanted.
 enum class Whom : unsigned char { everyone, movers };
 
-/// Robots that may have to brake, in columns: each one's braking path, how far its candidates' paths
-/// get from it, and its far bound: who is no faster than A may be and just as able need not be looked
-/// at beyond a distance, the sum of the bound, its radius and its reach.
+/// Robots that may have to brake, in columns: each one's braking path, how far its candidates'
+/// paths get from it, and its far bound: who is no faster than A may be and just as able need not
+/// be looked at beyond a distance, the sum of the bound, its radius and its reach.
 struct BrakingColumns {
   using Column = std::vector<double>;
   std::size_t count = 0;
@@ -30,8 +30,8 @@ struct BrakingColumns {
   // see Deviation
   Column ahead_start, ahead_slope, across_start, across_slope, anyhow_start, anyhow_slope;
   Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
-  Column far_distance, far_speed_squared;             // m, m²/s²
-  std::array<Column, 3> far_reach;  // of the other's speed, a polynomial: m, s, s²/m
+  Column far_distance, far_speed_squared;  // m, m²/s²
+  std::array<Column, 3> far_reach;         // of the other's speed, a polynomial: m, s, s²/m
 
   void reserve(std::size_t robots);
   void add(const Robot& robot) {
@@ -47,13 +47,15 @@ struct BrakingColumns {
 /// Pairs that are not far, until there are enough of them to fill lanes.
 struct NearQueue {
   static constexpr std::size_t kSize = 64, kSpare = 16;
-  using Column = std::array<double, kSize + kSpare>;
+  struct Column : std::array<double, kSize + kSpare> {
+    Column() { fill(1.0); }
+  };
   std::size_t count = 0;
-  Column robot{}, neighbor{};  // indices
+  Column robot, neighbor;  // indices
   // of A
-  Column x{}, y{}, v_x{}, v_y{}, radius{}, max_acceleration{}, full_steps{}, direction_x{};
-  Column direction_y{}, length{}, reach{}, intervals{}, most_ahead{}, most_aside{};
-  Column other_x{}, other_y{}, other_v_x{}, other_v_y{}, other_radius{}, other_max_acceleration{};
+  Column x, y, v_x, v_y, radius, max_acceleration, full_steps, direction_x, direction_y, length;
+  Column reach, intervals, most_ahead, most_aside;
+  Column other_x, other_y, other_v_x, other_v_y, other_radius, other_max_acceleration;
 };
 
 /// A pair that can refuse a candidate of A's; what is A's alone is left out.
@@ -66,8 +68,8 @@ struct NearPair {
 struct NearPairs {
   BrakingColumns own;
   NearQueue queue;
-  std::vector<NearPair> kept;           ///< robot by robot, by ascending neighbor
-  std::vector<std::size_t> end;         ///< behind those of robot i
+  std::vector<NearPair> kept;            ///< robot by robot, by ascending neighbor
+  std::vector<std::size_t> end;          ///< behind those of robot i
   std::vector<std::uint8_t> has_movers;  ///< whether robot i has some that do not decide
 
   std::span<const NearPair> of(std::size_t i) const {

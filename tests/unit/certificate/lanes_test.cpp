@@ -139,6 +139,17 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   EXPECT_GT(tight, 500);
 }
 
+bool is_beyond_far_bound(const Robot& a, const Neighbor& b, const StepLaw& law) {
+  using Real = scalar::Pack<double>;
+  const auto pack = [](Vec2 v) { return scalar::constant<Real>(v); };
+  const auto own = scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), law).profile;
+  const auto bound =
+      scalar::far_bound_of(pack(a.position), Real(a.radius), own, Real(a.max_speed), law);
+  const scalar::PackNeighbor<Real> other{pack(b.position), pack(b.velocity), b.radius,
+                                         b.max_acceleration};
+  return scalar::are_far(bound, Real(a.max_acceleration), pack(a.position - b.position), other).bit;
+}
+
 // And all but a few where none can.
 TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
   Random random(43);
@@ -153,12 +164,8 @@ TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
     const double reaches = pair().a.reach + pair().b.reach + pair().inflated + pair().error;
     const double part = random.uniform(0.9, 1.1);
     s.b.position = s.a.position + (part * reaches) * random.direction();
-    NeighborColumns columns;
     const Neighbor other = seen(s.b);
-    const Sensing sensing{&s.a, in_columns({&other, 1}, columns), true};
-    NearPairs near;
-    find_near({&sensing, 1}, Whom::everyone, s.law.step, near);
-    const bool is_far = near.kept.empty();
+    const bool is_far = is_beyond_far_bound(s.a, other, s.law.step);
     EXPECT_TRUE(!is_far || cannot_meet(pair(), other, s.law.step)) << "pair " << i;
     far += is_far ? 1 : 0;
     beyond += part > 1.05 ? 1 : 0;
