@@ -104,6 +104,44 @@ TEST(CertificateLanes, have_the_bits_of_the_scalar_text) {
   use_simd_target(before);
 }
 
+// Whoever else is looked at, and however often the queue of pairs is emptied meanwhile.
+TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
+  Random random(44);
+  std::size_t kept = 0, with_movers = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Crowd> crowds;
+    for (int i = 0; i < 30; ++i) crowds.push_back(random_crowd(random));
+    const StepLaw& law = crowds[0].law.step;
+    NeighborColumns columns;
+    columns.reserve(30 * 20);
+    std::vector<Sensing> sensing;
+    for (const Crowd& crowd : crowds) {
+      sensing.push_back({&crowd.robot, {&columns, columns.count, crowd.neighbors.size()}, true});
+      for (const Neighbor& each : crowd.neighbors) columns.add(each);
+    }
+    NearPairs all, alone;
+    find_near(sensing, Whom::everyone, law, all);
+    for (std::size_t i = 0; i < sensing.size(); ++i) {
+      find_near({&sensing[i], 1}, Whom::everyone, law, alone);
+      ASSERT_EQ(all.of(i).size(), alone.of(0).size());
+      EXPECT_EQ(all.has_movers[i], alone.has_movers[0]);
+      for (std::size_t k = 0; k < all.of(i).size(); ++k) {
+        const NearPair &of_all = all.of(i)[k], &own = alone.of(0)[k];
+        EXPECT_EQ(of_all.neighbor, own.neighbor);
+        EXPECT_EQ(of_all.pair.p,
+                  crowds[i].robot.position - crowds[i].neighbors[own.neighbor].position);
+        EXPECT_EQ(of_all.pair.inflated, own.pair.inflated);
+        EXPECT_EQ(of_all.pair.share, own.pair.share);
+        EXPECT_EQ(of_all.pair.b.length, own.pair.b.length);
+      }
+      kept += all.of(i).size();
+      with_movers += all.has_movers[i];
+    }
+  }
+  EXPECT_GT(kept, 40U * 3U * NearQueue::kSize);  // so often was it full
+  EXPECT_GT(with_movers, 100U);
+}
+
 // Of every candidate, at every point of every interval, along any normal.
 TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   Random random(42);
