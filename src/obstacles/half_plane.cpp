@@ -4,8 +4,8 @@
 #include "avo/half_plane.h"
 
 #include "obstacles/contact.h"
+#include "obstacles/horn.h"
 #include "obstacles/kernels.h"
-#include "obstacles/local_pair.h"
 
 namespace avo {
 namespace {
@@ -18,9 +18,8 @@ struct Found {
 };
 
 Found searched(const scalar::Local<Real>& local, const Horizon& horizon) {
-  const LocalPlane plane = horn_half_plane(
-      {local.d.value, {local.v.x.value, local.v.y.value}, local.r.value, local.R.value}, horizon);
-  return {{{plane.n.x, plane.n.y}, plane.h}, plane.free};
+  const scalar::HornPlane<Real> found = searched_horn(local, horizon);
+  return {found.plane, found.free.bit};
 }
 
 Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "core/simd_target.h"
+#include "obstacles/horn.h"
 #include "obstacles/kernels.h"
-#include "obstacles/local_pair.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE

@@ -93,8 +93,10 @@ AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horiz
     const auto crossed = near_side(shape, end, table).b2 <= reach * reach;
     hull.has_crossing = (hull.has_crossing | crossed) & (way.first < end.time);
   }
-  const Crossing<Real> cross =
-      crossing(shape, way, table, hull.has_crossing & way.once & way.ordinary);
+  const Crossing<Real> cross = crossing(shape,
+                                        {way.first, way.last, first_time(shape, table), Real(1.0),
+                                         Real(kTimeTolerance<typename Real::Number>)},
+                                        table, hull.has_crossing & way.once & way.ordinary);
   hull.crossing = circle_points(shape, at(table, cross.time)).near;
   hull.is_cut = hull.disc_in_reach & (norm(hull.center) + hull.radius > pair.R);
   hull.near = hull.far = hull.crossing;

@@ -192,23 +192,29 @@ AVO_KERNEL Real beyond_newton(Real back, Real first_f, Real first_pace, Real f, 
   return f * f * (bend - first_f * twist);
 }
 
-/// Where |b| = R, falling, that is f = 0 where f = (|b|² - R²)/(|b|² + 3/5 R²), which is nearly
-/// linear in time as (|b|/R)^{-1/2} is: Newton's iteration, then by the cubic t(f) through the last
-/// two times, guarded by bisection. `tangential` is of the last time but one. Means something in
-/// the lanes that are wanted.
+/// Times between which |b| passes R once, a guess, and whether |b| falls there (1) or rises (-1).
+/// The search ends with two steps whose product, relative, is `tolerance`; what it leaves is about
+/// the square of that where the near side is smooth.
+template <typename Real>
+struct Bracket {
+  Real low, high, guess, sense, tolerance;
+};
+
+/// Where |b| = R, that is f = 0 where f = (|b|² - R²)/(|b|² + 3/5 R²), which is nearly linear in
+/// time as (|b|/R)^{-1/2} is: Newton's iteration, then by the cubic t(f) through the last two
+/// times, guarded by bisection. `tangential` is of the last time but one. Means something in the
+/// lanes that are wanted.
 template <typename Real>
 struct Crossing {
   Real time, tangential;
 };
 
 template <typename Real>
-AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& passage,
+AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& bracket,
                                    const ResponseTable<typename Real::Number>& table,
                                    decltype(Real() < Real()) wanted) {
-  using Number = typename Real::Number;
   const Real one = Real(1.0), zero = Real(0.0), R = horn.pair.R;
-  Real low = passage.first, high = passage.last;
-  Real t = first_time(horn, table);
+  Real low = bracket.low, high = bracket.high, t = bracket.guess;
   t = select((t > low) & (t < high), t, Real(0.5) * (low + high));
   Crossing<Real> result{t, zero};
   Real last_f = one, last_pace = zero, last_t = zero, last_step = t;
@@ -218,15 +224,17 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     const Real reach = R * side.at.gain;
     const Real limit = reach * reach * side.per_y2, b2 = side.b2 * side.per_y2;
     const Real excess = b2 - limit, sum = b2 + Real(0.6) * limit;
-    low = select(excess > zero, t, low);
-    high = select(excess > zero, high, t);
-    const Real fall = (side.tangential * side.l * side.per_y2) * (side.cusp * side.per_y2);
+    const auto early = bracket.sense * excess > zero;
+    low = select(early, t, low);
+    high = select(early, high, t);
+    const Real fall =
+        bracket.sense * (side.tangential * side.l * side.per_y2) * (side.cusp * side.per_y2);
     const auto falls = fall > zero;
     const Real base = limit * select(falls, fall, one), per = one / (sum * base);
     const Real f = excess * base * per;
     // dt/df
-    const Real pace =
-        Real(-1.0 / 3.2) * sum * sum * (side.l2 * side.per_y2 * side.lead) * sum * per;
+    const Real pace = Real(-1.0 / 3.2) * bracket.sense * sum * sum *
+                      (side.l2 * side.per_y2 * side.lead) * sum * per;
     const Real direct = f * pace;  // Newton's
     const auto curved = again & (abs(last_f - f) > zero);
     const Real first_f = select(curved, last_f, f + one);
@@ -234,7 +242,7 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     const Real step = select(curved, beyond, zero) - direct;
     const Real newton = t + step;
     const Real error = max(abs(step), abs(direct));
-    const Real least = Real(kTimeTolerance<Number>) * t;
+    const Real least = bracket.tolerance * t;
     const auto small = falls & (error * (error + last_step) <= least * t) &
                        (error * abs(pace - last_pace) <= least * abs(pace));
     const Real next = select(falls & (small | ((newton > low) & (newton < high))), newton,
