@@ -182,8 +182,8 @@ void solve_convex(const PairColumns<typename Real::Number>& pairs, const Horizon
 }
 
 /// Those that are not settled go on to the next queue.
-template <typename Real>
-void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon, Look look,
+template <Look look, typename Real>
+void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
                  const HalfPlaneWorkspace<typename Real::Number>& work,
                  HalfPlaneQueue<typename Real::Number>& queue,
                  HalfPlaneQueue<typename Real::Number>& next,
@@ -195,7 +195,7 @@ void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon&
     const Number* index = &queue.index[i];
     const std::size_t lanes = std::min(Real::kLanes, queue.count - i);
     const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
-    const HornPlane<Real> result = horn(frame.local, horizon.end(), table, look);
+    const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), table);
     put(frame, result.plane, index, lanes, planes);
     const std::uint32_t settled = bits(result.settled), free = bits(result.free);
     for (std::size_t k = 0; k < lanes; ++k) {
@@ -217,6 +217,7 @@ void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horiz
            PlaneColumns<typename Real::Number>& planes) {
   classify<Real>(pairs, horizon, work, planes);
   solve_convex<Wide>(pairs, horizon, work, planes);
-  solve_horns<Wide>(pairs, horizon, Look::quickly, work, work.horn, work.walk, planes);
-  solve_horns<Wide>(pairs, horizon, Look::closely, work, work.walk, work.rest, planes);
+  solve_horns<Look::quickly, Wide>(pairs, horizon, work, work.horn, work.walk, planes);
+  solve_horns<Look::closely, Wide>(pairs, horizon, work, work.walk, work.follow, planes);
+  solve_horns<Look::thoroughly, Real>(pairs, horizon, work, work.follow, work.rest, planes);
 }

@@ -22,8 +22,6 @@ using Side = scalar::NearSide<Real>;
 // |b| turns five times at most (three signs of `tangential`, two cusps): six pieces with a crossing
 // each, three ends of the first disc, two corners of the last.
 constexpr int kMaxPoints = 12;
-// Of two steps' product: here the near side may have cusps near by.
-constexpr double kCrossingTolerance = 1e-8;
 constexpr double kTurnTolerance = 1e-7;  // relative; every use is of second order in the time
 
 struct Search {
@@ -74,7 +72,7 @@ void cross(const Search& search, const Touch& from, const Touch& to, Corners& co
   const double f_from = f(from.length), f_to = f(to.length);
   const double start = (from.t * f_to - to.t * f_from) / (f_to - f_from);
   const scalar::Crossing<Real> found = scalar::crossing(
-      search.horn, {from.t, to.t, start, from.outside ? 1.0 : -1.0, kCrossingTolerance},
+      search.horn, {from.t, to.t, start, from.outside ? 1.0 : -1.0, kCloseTolerance<double>},
       search.table, scalar::Mask{true});
   const scalar::TwoPoints<Real> ends =
       scalar::circle_points(search.horn, scalar::at(search.table, found.time));
