@@ -106,10 +106,12 @@ struct Passage {
 //      outruns the boundary). l² - (v g/g')² is concave in t: so it holds on all of [t_m, T]
 //      (or [0, T]) if it does at T; larger bounds of T and g/g', by Padé's of ln and t/2 + t²/(12
 //      δ), only make it stricter there. Exactly it reads l (|y|² + q z) > q r b, with q = |v| g/g',
-//      the miss distance b and z = |v| (s - t_m), and q <= κ |v| s, κ = (τ - s(τ))/s(τ). Receding,
-//      |y|² >= 2 b z and |v| s <= z: 2 l_0 >= κ r suffices. Else, m = |v| t_m, past the closest
-//      point of y: l_m >= κ r and b l_m >= 2 κ m r suffice; before it |y|² + q z is at least
-//      b² - m² κ²/(4 (1 + κ)), which is b²/2 or more if b >= m and κ <= 2.7.
+//      the miss distance b and z = |v| (s - t_m), and q <= κ |v| s up to T, κ = (T - s)/s at T.
+//      Receding, |y|² >= 2 b z and |v| s <= z: 2 l_0 >= κ r suffices. Else, with m = |v| t_m, it is
+//      linear in q, true at q = 0, and to show at q = κ (m + z), where l (b² + z² + q z) > q r b
+//      follows from l_m (b² + z² + κ (m + z) z) > κ (m + z) r b, since l >= l_m (closest point of
+//      y) and m + z >= 0. That is a quadratic in z, positive at all z if its discriminant is
+//      negative: κ² (l_m m - r b)² < 4 (1 + κ) l_m b (l_m b - κ r m).
 //   `cusp` > 0 if l² > |v| r s' g/g', and s' g/g' is at most s/2 and 0.271 δ. Receding, l² grows
 //      at least as (l_0 + z_0 |v|s...): l_0 + p . v/|v| > r/4 suffices. Else, with the miss
 //      distance b, l_m² > r²/16 + r |v| t_m/2, or b l_m >= 0.353 δ r |v|: n . v/|v| is
@@ -118,7 +120,7 @@ struct Passage {
 template <typename Real>
 AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
                                  const ResponseTable<typename Real::Number>& table) {
-  const double kappa = (horizon_end.time - horizon_end.lag) / horizon_end.lag;
+  const Real kappa_end = (horizon_end.time - horizon_end.lag) / horizon_end.lag;
   const Local<Real>& pair = horn.pair;
   const Real delta = table.control_time, tau = table.end, zero = Real(0.0);
   const Real z = horn.z, l = horn.gap, closest = horn.closest, clear = closest - pair.r;
@@ -131,18 +133,17 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horiz
                       (spare * (Real(3.0) * pair.R - horn.speed));
   const Real T = select((spare > zero) & (outrun < tau), outrun, tau);
   const Real lead = T * (Real(0.5) + T * Real(table.per_control_time / 12.0));
-  const Real ahead = horn.speed * lead, kappa_r = Real(kappa) * pair.r;
-  auto no_turn = (horn.gap2 + horn.rise(horn.speed * (T - lead)) >= ahead * ahead) |
-                 ((!closing) & (Real(2.0) * l >= kappa_r));
-  if (kappa <= 2.7) {
-    no_turn = no_turn | (closing & (closest >= -z) & (l >= kappa_r) &
-                         (closest * l >= Real(-2.0) * z * kappa_r));
-  }
-  const Real r_v = pair.r * horn.speed;
-  const auto no_cusp =
-      ((!closing) & (l + z > Real(0.25) * pair.r)) |
-      (closing & ((closest * l >= Real(0.353) * delta * r_v) |
-                  (horn.gap2 > pair.r * pair.r * Real(1.0 / 16.0) + Real(0.5) * r_v * t_m)));
+  const Real ahead = horn.speed * lead;
+  const Real kappa = min(kappa_end, lead * inverse(T - lead)), r = pair.r;
+  const Real per_area = inverse(l * closest), bend = kappa * (l * z + r * closest) * per_area;
+  const auto no_turn = (horn.gap2 + horn.rise(horn.speed * (T - lead)) >= ahead * ahead) |
+                       ((!closing) & (Real(2.0) * l >= kappa * r)) |
+                       (closing & (bend * bend < Real(4.0) * (Real(1.0) + kappa) *
+                                                     (Real(1.0) + kappa * r * z * per_area)));
+  const Real r_v = r * horn.speed;
+  const auto no_cusp = ((!closing) & (l + z > Real(0.25) * r)) |
+                       (closing & ((closest * l >= Real(0.353) * delta * r_v) |
+                                   (horn.gap2 > r * r * Real(1.0 / 16.0) + Real(0.5) * r_v * t_m)));
 
   const At<Real> at_m = at(table, min(t_m, tau));
   const auto in_reach =
