@@ -29,6 +29,7 @@ struct Search {
   ResponseTable<double> table;
   double R, speed;  // m/s
   double t_m;       // time of the closest approach or 0, s
+  double first;     // the time from which on the near side matters, s
 };
 
 struct Touch {
@@ -135,15 +136,6 @@ double contact_time(const Search& search) {
   return 1e-7 * std::min(search.horn.pair.r.value / search.speed, search.table.control_time);
 }
 
-// The time from which on the near side matters: never nearer than `closest`, all is out of reach
-// while R t²/(2 δ) < closest - r.
-double first_time(const Search& search) {
-  const double clear = (search.horn.closest - search.horn.pair.r).value;
-  const double out_of_reach =
-      std::sqrt(std::max(0.0, 2.0 * search.table.control_time * clear / search.R));
-  return std::max(out_of_reach, (search.t_m > 0.0 ? 0.5 : 1.0) * contact_time(search));
-}
-
 // The next time of the search for turning points, as wide as the passage itself.
 double next_time(const Search& search, double t_cusp, double t) {
   const double t_m = search.t_m;
@@ -165,7 +157,7 @@ bool stays_in_reach(const Search& search, const Touch& touch) {
 // cross R outwards only while R g' < |v|, and then falls wherever it exceeds R. So only times
 // between those two are searched for turning points.
 void find_crossings(const Search& search, Corners& corners) {
-  const double tau = search.table.end, first = std::min(first_time(search), tau);
+  const double tau = search.table.end, first = std::min(search.first, tau);
   Touch from = touch_at(search, first);
   if (search.R * from.side.at.gain.value * (2.0 * search.horn.pair.r.value) >
       beyond(search, first)) {
@@ -184,11 +176,21 @@ void find_crossings(const Search& search, Corners& corners) {
   }
 }
 
+// Never nearer than `closest`, all is out of reach while R t²/(2 δ) < closest - r. A pair in
+// contact with a miss distance of r to rounding is at 2 t_m as far apart as now; sooner, its discs
+// demand what no reach suffices for, to prevent an overlap of rounding.
 Search search_of(const scalar::Local<Real>& pair, const Horizon& horizon) {
-  Search search{scalar::horn_of(pair), horizon.table<double>(), pair.R.value, 0.0, 0.0};
-  search.speed = search.horn.speed.value;
-  const double t_m = (-search.horn.z * search.horn.per_speed).value;
-  search.t_m = t_m < contact_time(search) ? 0.0 : t_m;
+  const scalar::Horn<Real> horn = scalar::horn_of(pair);
+  const double speed = horn.speed.value, R = pair.R.value;
+  Search search{horn, horizon.table<double>(), R, speed, 0.0, 0.0};
+  const double contact = contact_time(search), clear = (horn.closest - pair.r).value;
+  const double t_m = std::max(0.0, -(horn.z * horn.per_speed).value);
+  const double r = pair.r.value;
+  const bool grazes = pair.d.value - r <= kContact<double> * r && !(horn.gap2.value > 0.0);
+  search.t_m = t_m < contact || grazes ? 0.0 : t_m;
+  const double out_of_reach = std::sqrt(std::max(0.0, 2.0 * search.table.control_time * clear / R));
+  search.first = std::max(
+      {out_of_reach, search.t_m > 0.0 ? 0.5 * contact : contact, grazes ? 2.0 * t_m : 0.0});
   return search;
 }
 

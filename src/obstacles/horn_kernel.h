@@ -26,7 +26,10 @@ AVO_KERNEL Horn<Real> horn_of(const Local<Real>& pair) {
   horn.z = pair.d * pair.v.x * horn.per_speed;
   horn.miss = pair.d * pair.v.y * horn.per_speed;
   horn.closest = select(horn.z < Real(0.0), horn.miss, pair.d);
-  horn.gap2 = (horn.closest - pair.r) * (horn.closest + pair.r);
+  // near contact the miss distance is r to rounding: |p|² - z² tells them apart
+  const Real back = min(horn.z, Real(0.0)), from_p = (pair.d - pair.r) * (pair.d + pair.r);
+  horn.gap2 = select(abs(back) < horn.closest, from_p - back * back,
+                     (horn.closest - pair.r) * (horn.closest + pair.r));
   horn.gap = sqrt(max(horn.gap2, Real(0.0)));
   return horn;
 }
