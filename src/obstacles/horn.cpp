@@ -83,9 +83,8 @@ void cross(const Search& search, const Touch& from, const Touch& to, Corners& co
   corners.add(on_near_end ? ends.near : ends.far);
 }
 
-// Where |b| turns as `sign` does, by false position (Illinois), then bisection; or where it is seen
-// on the other side of R than at both ends, if one sign alone changes.
-Touch turn(const Search& search, const Touch& from, const Touch& to, Real Side::*sign, bool alone) {
+// Where |b| turns as `sign` does, by false position (Illinois), then bisection.
+Touch turn(const Search& search, const Touch& from, const Touch& to, Real Side::*sign) {
   double low = from.t, high = to.t, f_low = (from.side.*sign).value, f_high = (to.side.*sign).value;
   const double negligible = 1e-8 * (std::abs(f_low) + std::abs(f_high));
   int kept = 0;
@@ -94,9 +93,7 @@ Touch turn(const Search& search, const Touch& from, const Touch& to, Real Side::
     if (!(t > low && t < high) || i > 16) t = 0.5 * (low + high);
     const Touch touch = touch_at(search, t);
     const double f = (touch.side.*sign).value;
-    const bool passed = alone && from.outside == to.outside && touch.outside != from.outside;
-    if (passed || std::abs(f) <= negligible || high - low <= kTurnTolerance * high ||
-        i == kMaxIterations) {
+    if (std::abs(f) <= negligible || high - low <= kTurnTolerance * high || i == kMaxIterations) {
       return touch;
     }
     if ((f < 0.0) == (f_low < 0.0)) {
@@ -122,8 +119,8 @@ void cross_turning(const Search& search, const Touch& from, const Touch& to, Cor
   // no turn; or one, and not through R and back: down from outside, or up from inside
   const bool simple = one != other ? from.outside != to.outside || from.outside != falls : !one;
   if (simple) return cross(search, from, to, corners);
-  Touch first = one ? turn(search, from, to, &Side::tangential, !other) : from;
-  Touch second = other ? turn(search, from, to, &Side::cusp, !one) : from;
+  Touch first = one ? turn(search, from, to, &Side::tangential) : from;
+  Touch second = other ? turn(search, from, to, &Side::cusp) : from;
   if (second.t < first.t) std::swap(first, second);
   cross(search, from, first, corners);
   cross(search, first, second, corners);
@@ -134,16 +131,6 @@ void cross_turning(const Search& search, const Touch& from, const Touch& to, Cor
 // tended to a half-plane, to first order in t.
 double contact_time(const Search& search) {
   return 1e-7 * std::min(search.horn.pair.r.value / search.speed, search.table.control_time);
-}
-
-// The next time of the search for turning points, as wide as the passage itself.
-double next_time(const Search& search, double t_cusp, double t) {
-  const double t_m = search.t_m;
-  if (t < t_m) return t_m;
-  if (t_m <= 0.0) return 1.5 * t;
-  const double least = std::min(0.125 * search.horn.closest.value / search.speed, 0.25 * t_m);
-  const double next = t + std::max(0.5 * (t - t_m), least);
-  return t < t_cusp && t_cusp < next ? t_cusp : next;
 }
 
 // Is |b| below R from here on? |b| <= |x|/g, and |x|/g <= R stays so once |v| <= R g'.
@@ -164,13 +151,12 @@ void find_crossings(const Search& search, Corners& corners) {
     // in contact from the start: the first disc's edge is a half-plane's
     corners.add(scalar::circle_points(search.horn, from.side.at));
   }
-  const double t_cusp =
-      search.t_m > 0.0 ? scalar::cusp_time(Real(search.t_m), search.table).value : 0.0;
+  const scalar::Strides<Real> stride = scalar::strides(search.horn, Real(search.t_m), search.table);
   while (from.t < tau && !stays_in_reach(search, from)) {
     const bool settled = search.R * from.side.at.rate.value >= search.speed &&
                          from.side.at.lag.value >= search.t_m && from.side.cusp.value >= 0.0;
-    const double t = settled ? tau : next_time(search, t_cusp, from.t);
-    const Touch to = touch_at(search, t > from.t && t < tau ? t : tau);
+    const double next = from.t < search.t_m ? search.t_m : stride.next(Real(from.t)).value;
+    const Touch to = touch_at(search, !settled && next > from.t && next < tau ? next : tau);
     settled ? cross(search, from, to, corners) : cross_turning(search, from, to, corners);
     from = to;
   }
