@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace avo {
@@ -20,8 +19,8 @@ using Vec = scalar::Vec<Real>;
 using Side = scalar::NearSide<Real>;
 
 // |b| turns five times at most (three signs of `tangential`, two cusps): six pieces with a crossing
-// each, three ends of the first disc, two corners of the last.
-constexpr int kMaxPoints = 12;
+// each, three ends of the first disc.
+constexpr std::size_t kMaxPoints = 10;
 constexpr double kTurnTolerance = 1e-7;  // relative; every use is of second order in the time
 
 struct Search {
@@ -54,10 +53,10 @@ double beyond(const Search& search, double t) {
 // the right: the crossings of the circle by ascending time.
 struct Corners {
   std::array<Vec, kMaxPoints> points{};
-  int count = 0;
+  std::size_t count = 0;
 
   void add(Vec point) {
-    if (count < kMaxPoints) points[static_cast<std::size_t>(count++)] = point;
+    if (count < kMaxPoints) points[count++] = point;
   }
   void add(const scalar::TwoPoints<Real>& ends) {
     add(ends.near);
@@ -180,63 +179,17 @@ Search search_of(const scalar::Local<Real>& pair, const Horizon& horizon) {
   return search;
 }
 
-// The hull's corners, and its disc of τ as far as that is within reach.
-struct Shape {
-  Corners corners;
-  Vec center;
-  double radius, R;
-  bool disc_in_reach;
-
-  // The points of the disc outside the reach do not count: where its extreme point is one of them,
-  // its corners on the circle take its place.
-  [[nodiscard]] double support(Vec n) const {
-    double h = -std::numeric_limits<double>::infinity();
-    if (disc_in_reach && norm(center + Real(radius) * n).value <= R) {
-      h = dot(n, center).value + radius;
-    }
-    for (int k = 0; k < corners.count; ++k) {
-      h = std::max(h, dot(n, corners.points[static_cast<std::size_t>(k)]).value);
-    }
-    return h;
-  }
-};
-
-// The first so many corners are crossings.
-scalar::Plane<Real> least_support(const Shape& shape, int crossings) {
-  scalar::Plane<Real> best{{0.0, 0.0}, std::numeric_limits<double>::infinity()};
-  const auto offer = [&](Vec n) {
-    const double h = shape.support(n);
-    if (h < best.h.value) best = {n, h};
-  };
-  if (shape.disc_in_reach) offer(shape.center / -norm(shape.center));
-  for (int k = 0; k < crossings; ++k) {
-    const Vec q = shape.corners.points[static_cast<std::size_t>(k)];
-    if (shape.disc_in_reach && norm(q - shape.center).value > shape.radius) {
-      offer(scalar::tangent_normal(q, shape.center, Real(shape.radius)));
-    }
-    for (int j = k + 1; j < shape.corners.count; ++j) {
-      const Vec b = shape.corners.points[static_cast<std::size_t>(j)];
-      if (q.x.value != b.x.value || q.y.value != b.y.value) offer(scalar::chord_normal(q, b));
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 scalar::HornPlane<Real> searched_horn(const scalar::Local<Real>& pair, const Horizon& horizon) {
   const Search search = search_of(pair, horizon);
   const scalar::At<Real> end = scalar::constant<Real>(horizon.end());
-  const Vec x = pair.x(end);
-  const double gain = horizon.end().gain, length = norm(x).value, r = pair.r.value;
-  Shape shape{{}, x / Real(-gain), r / gain, search.R, length - r < search.R * gain};
-  find_crossings(search, shape.corners);
-  const int crossings = shape.corners.count;
-  if (!shape.disc_in_reach && crossings == 0) return {{}, {true}, {true}};
-  if (shape.disc_in_reach && length + r > search.R * gain) {
-    shape.corners.add(scalar::circle_points(search.horn, end));
-  }
-  return {least_support(shape, crossings), {true}, {false}};
+  auto hull = scalar::hull_of<kMaxPoints>(search.horn, end, horizon.end());
+  Corners corners;
+  find_crossings(search, corners);
+  hull.crossing = corners.points;
+  for (std::size_t k = 0; k < kMaxPoints; ++k) hull.has_crossing[k] = {k < corners.count};
+  return {scalar::least_support(hull), {true}, !(hull.disc_in_reach | hull.has_crossing[0])};
 }
 
 }  // namespace avo

@@ -60,8 +60,8 @@ struct Hull {
     offer(tangent_normal(q, center, radius), disc_in_reach & has_crossing[k] & outside, best);
     for (std::size_t j = k + 1; j < kCrossings; ++j) {
       const Vec<Real> b = crossing[j];
-      const auto apart = dot(b - q, b - q) > Real(0.0);
-      offer(chord_normal(q, b), has_crossing[k] & has_crossing[j] & apart, best);
+      const auto valid = has_crossing[k] & has_crossing[j] & (dot(b - q, b - q) > Real(0.0));
+      if (any(valid)) offer(chord_normal(q, b), valid, best);
     }
     if (any(is_cut & has_crossing[k])) {
       offer(chord_normal(q, near), is_cut & has_crossing[k], best);
@@ -77,7 +77,9 @@ AVO_KERNEL Plane<Real> least_support(const Hull<Real, kCrossings>& hull) {
   Plane<Real> best{{Real(0.0), Real(0.0)}, infinity};
   const Real length = norm(hull.center);
   hull.offer(-inverse(length) * hull.center, hull.disc_in_reach, best);
-  for (std::size_t k = 0; k < kCrossings; ++k) hull.offer_edges_from(k, best);
+  for (std::size_t k = 0; k < kCrossings; ++k) {
+    if (any(hull.has_crossing[k])) hull.offer_edges_from(k, best);
+  }
   return best;
 }
 
