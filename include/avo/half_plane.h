@@ -8,7 +8,7 @@
 
 namespace avo {
 
-enum class PairState {
+enum class PairState : unsigned char {
   free,         ///< nothing within reach collides before τ: no half-plane
   constrained,  ///< n . w >= h
   unavoidable,  ///< everything within reach collides: h = reach, one point of it

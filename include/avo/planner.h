@@ -129,7 +129,7 @@ class Planner;
 class StageClock;
 struct CertificateLaw;
 struct Deciding;
-struct Neighbors;
+struct Sensing;
 struct Wished;
 class PlanWorkspace;
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
@@ -210,7 +210,7 @@ class Planner {
  private:
   friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&,
                             StageClock&) noexcept;
-  Plan choose(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+  Plan choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
               const Wished& wished, PlanWorkspace& workspace, Detour& detour) const noexcept;
   Plan certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
                double violation, bool overlapping, PlanWorkspace& workspace) const noexcept;

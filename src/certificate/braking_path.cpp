@@ -44,11 +44,10 @@ Vec2 braked(Vec2 velocity, double decrement) {
 }
 
 Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
-  const double rate = law.braking_time / law.control_time;
-  Plan plan;
-  plan.new_velocity = robot.velocity + (next_velocity - robot.velocity) / rate;
-  plan.acceleration = (plan.new_velocity - robot.velocity) / law.control_time;
-  return plan;
+  const auto plan = scalar::plan_to(scalar::constant<Real>(robot.velocity),
+                                    scalar::constant<Real>(next_velocity), law);
+  const auto& [v_new, a] = plan;
+  return {{v_new.x.value, v_new.y.value}, {a.x.value, a.y.value}};
 }
 
 CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {

@@ -102,64 +102,24 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
   collect_pair(pair, neighbor, static_cast<int>(index), law, walls, invariant);
 }
 
-BrakingPair kept_pair(const Braking& a, const NearColumns& pairs, std::size_t k) {
-  return {{pairs.p_x[k], pairs.p_y[k]},
-          pairs.contact[k],
-          pairs.inflated[k],
-          pairs.error[k],
-          pairs.share[k],
-          true,
-          a,
-          {{pairs.speed[k], pairs.decrement[k], pairs.full_steps[k]},
-           {pairs.direction_x[k], pairs.direction_y[k]},
-           pairs.length[k],
-           pairs.reach[k],
-           pairs.intervals[k]}};
-}
-
 }  // namespace
 
-FarBound far_bound_of(const Robot& robot, const StepLaw& law) {
-  const double h = law.time_step, u = braking_decrement(robot.max_acceleration, law);
-  const double per_u = 1.0 / u, top = law.sensing_error.velocity + u;  // that one at rest may have
-  const double lost = std::abs(law.lag - 0.5 * h);
-  // at least what one step and stopping take: v²/2a and what is lost by stopping in steps
-  const std::array<double, 3> reach{
-      (h - law.lag + lost) * top + h * (0.5 * top * top * per_u + 0.125 * u),
-      h + h * top * per_u + lost, 0.5 * h * per_u};
-  const auto reach_at = [&reach](double v) { return reach[0] + v * (reach[1] + v * reach[2]); };
-  const double own = norm(robot.velocity);
-  const double speed = kFarther * std::max(robot.max_speed, own);
-  const double intervals = 3.0 + (speed + top) * per_u;
-  const double error = law.sensing_error.position + law.sensing_error.velocity * h * intervals;
-  // of the rounding margin, what does not grow with the distance
-  const double places = std::abs(robot.position.x) + std::abs(robot.position.y);
-  const double lengths = robot.radius + reach_at(own);
-  const double margin = 0x1p-46 * (places + lengths + robot.radius + reach_at(speed)) * intervals;
-  const bool is_known = intervals <= kMostIntervals;
-  return {is_known ? lengths + error + margin : std::numeric_limits<double>::infinity(), reach,
-          robot.max_acceleration, speed * speed};
-}
-
-void collect_walls(const Robot& robot, const Neighbors& neighbors, Whom whom, const StepLaw& law,
-                   TrajectoryWalls& walls, Invariant& invariant) {
+void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                   std::size_t i, const StepLaw& law, TrajectoryWalls& walls,
+                   Invariant& invariant) {
   walls.columns.count = walls.own_columns.count = walls.own_columns.filled = 0;
   walls.stays_at_rest = walls.has_cones = false;
-  const FarBound bound = far_bound_of(robot, law);
-  Present present = look_for(robot, neighbors, bound);
-  if (whom == Whom::movers) present.near = false;
-  if (!present.near && !present.movers) return;
-  const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
-  const Deviation deviation = deviation_of(a, robot.car.has_value(), law);
+  const bool has_movers = near.has_movers[i] != 0;
+  if (near.of(i).empty() && !has_movers) return;
+  const Braking a = near.own.braking(i);
+  const Deviation deviation = near.own.deviation(i);
   walls.own = a;
-  walls.pairs.reserve(neighbors.size());
-  walls.pairs.kept_count = 0;
-  if (present.near) judge_pairs(robot, neighbors, bound, a, deviation, law, walls.pairs);
-  for (std::size_t i = 0; i < walls.pairs.kept_count; ++i) {
-    const std::size_t k = walls.pairs.kept[i];
-    collect_close(kept_pair(a, walls.pairs, k), neighbors[k], k, deviation, law, walls, invariant);
+  for (const NearPair& each : near.of(i)) {
+    BrakingPair pair = each.pair;
+    pair.a = a;
+    collect_close(pair, neighbors[each.neighbor], each.neighbor, deviation, law, walls, invariant);
   }
-  for (std::size_t k = 0; present.movers && k < neighbors.size(); ++k) {
+  for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
     const Neighbor mover = neighbors[k];
     if (mover.max_acceleration > 0.0) continue;
     const BrakingPair pair = braking_pair(robot, mover, a, law);

@@ -9,6 +9,7 @@
 #include "avo/geometry.h"
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
+#include "certificate/near_pairs.h"
 #include "certificate/pair.h"
 #include "certificate/wall_columns.h"
 #include "core/neighbor_columns.h"
@@ -30,13 +31,9 @@ struct TrajectoryWall {
   double bound = 0.0;
 };
 
-/// Whose walls are wanted.
-enum class Whom : unsigned char { everyone, movers };
-
 /// Scratch memory; allocates only while it grows.
 struct TrajectoryWalls {
   WallColumns columns;  ///< a neighbor's follow each other
-  NearColumns pairs;
   Braking own;
   OwnColumns own_columns;
   /// A rests beside one that does not decide, so near that it may not begin to move.
@@ -46,11 +43,11 @@ struct TrajectoryWalls {
 
 TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
 
-/// Collects the walls that can refuse a candidate with |v_1 - v| <= u. A neighbor with
-/// max_acceleration 0 does not decide: it is taken to keep its acceleration, A's share is 1, and
-/// only the time counts in which A moves.
-void collect_walls(const Robot& robot, const Neighbors& neighbors, Whom whom, const StepLaw& law,
-                   TrajectoryWalls& walls, Invariant& invariant);
+/// Collects the walls that can refuse a candidate of robot i of those that were looked at, with
+/// |v_1 - v| <= u. Neighbors that do not decide, of max_acceleration 0, are taken to keep their
+/// acceleration, A's share is 1, and only the time counts in which A moves.
+void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                   std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
 
 /// Whether the path keeps all walls, and by how much or how little each of them.
 bool keeps(const CandidatePath& path, const StepLaw& law, TrajectoryWalls& walls);

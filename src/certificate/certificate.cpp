@@ -11,37 +11,44 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
                    CertificateWalls& walls) {
   walls.capsules.reserve(neighbors);
   walls.soft_stops.reserve(neighbors);
-  walls.trajectories.pairs.reserve(neighbors);
+  walls.near.reserve(1, neighbors);
   // those of a pair are stored by whole packs
   const std::size_t steps = (braking_steps + kWallLanes - 1) / kWallLanes * kWallLanes;
   walls.trajectories.columns.reserve(std::min(neighbors * steps, most_walls));
   walls.trajectories.own_columns.reserve(std::min(braking_steps, most_walls));
 }
 
-void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
-                   const CertificateLaw& law, CertificateWalls& walls) {
-  collect_walls(robot, in_columns(neighbors, walls.seen), law, walls);
+void find_near(std::span<const Sensing> robots, const CertificateLaw& law,
+               CertificateWalls& walls) {
+  if (law.kind == Certificate::none || law.kind == Certificate::linear_soft_stop) return;
+  const bool everyone = law.kind == Certificate::braking_trajectories;
+  find_near(robots, everyone ? Whom::everyone : Whom::movers, law.step, walls.near);
 }
 
-void collect_walls(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
+                   const CertificateLaw& law, CertificateWalls& walls) {
+  const Sensing alone{&robot, in_columns(neighbors, walls.seen), true};
+  find_near({&alone, 1}, law, walls);
+  collect_walls(alone, 0, law, walls);
+}
+
+void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
                    CertificateWalls& walls) {
+  const Robot& robot = *sensing.robot;
   walls.invariant = {std::numeric_limits<double>::infinity()};
   walls.trajectories.columns.count = 0;
   walls.trajectories.stays_at_rest = false;
   walls.capsules.clear();
   walls.soft_stops.clear();
-  switch (law.kind) {
-    case Certificate::none:
-      return;
-    case Certificate::braking_trajectories:
-      return collect_walls(robot, neighbors, Whom::everyone, law.step, walls.trajectories,
-                           walls.invariant);
-    case Certificate::stopping_capsules:
-      collect_walls(robot, neighbors, Whom::movers, law.step, walls.trajectories, walls.invariant);
-      return collect_capsules(robot, neighbors, law.step, walls.capsules, walls.invariant);
-    case Certificate::linear_soft_stop:
-      return collect_soft_stops(robot, neighbors, law.step.time_step, law.soft_stop_time,
-                                walls.soft_stops, walls.invariant);
+  if (law.kind == Certificate::linear_soft_stop) {
+    collect_soft_stops(robot, sensing.neighbors, law.step.time_step, law.soft_stop_time,
+                       walls.soft_stops, walls.invariant);
+  } else if (law.kind != Certificate::none) {
+    collect_walls(robot, sensing.neighbors, walls.near, i, law.step, walls.trajectories,
+                  walls.invariant);
+  }
+  if (law.kind == Certificate::stopping_capsules) {
+    collect_capsules(robot, sensing.neighbors, law.step, walls.capsules, walls.invariant);
   }
 }
 

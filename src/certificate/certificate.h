@@ -27,6 +27,7 @@ struct CertificateWalls {
   std::vector<CapsuleWall> capsules;
   std::vector<SoftStopWall> soft_stops;
   CandidatePath path;    ///< of the last candidate asked about
+  NearPairs near;        ///< of all robots of find_near()
   NeighborColumns seen;  ///< where neighbors were not given in columns
 
   bool demand_nothing() const {
@@ -39,8 +40,13 @@ struct CertificateWalls {
 void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
                    CertificateWalls& walls);
 
-void collect_walls(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+/// Of robots in lanes what collect_walls() asks, before it is asked of each of them.
+void find_near(std::span<const Sensing> robots, const CertificateLaw& law, CertificateWalls& walls);
+
+/// Those of robot i of the robots that find_near() was given last.
+void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
                    CertificateWalls& walls);
+/// Those of one robot, looked at by itself.
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls);
 

@@ -17,13 +17,9 @@ HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "certificate/certificate_kernels.h"
 
-Present look_for_lanes(const Robot& robot, const Neighbors& neighbors, const FarBound& bound) {
-  return look_for<Pack<double>>(robot, neighbors, bound);
-}
-void judge_pairs_lanes(const Robot& robot, const Neighbors& neighbors, const FarBound& bound,
-                       const Braking& a, const Deviation& deviation, const StepLaw& law,
-                       NearColumns& pairs) {
-  judge_pairs<Pack<double>>(robot, neighbors, bound, a, deviation, law, pairs);
+void find_near_lanes(std::span<const Sensing> robots, Whom whom, const StepLaw& law,
+                     NearPairs& near) {
+  find_near<Pack<double>>(robots, whom, law, near);
 }
 void fill_own_lanes(const Braking& a, const Deviation& deviation, const StepLaw& law,
                     OwnColumns& own) {
@@ -45,30 +41,17 @@ HWY_AFTER_NAMESPACE();
 namespace avo {
 
 #ifdef AVO_HIGHWAY
-HWY_EXPORT(look_for_lanes);
-HWY_EXPORT(judge_pairs_lanes);
+HWY_EXPORT(find_near_lanes);
 HWY_EXPORT(fill_own_lanes);
 HWY_EXPORT(append_walls_lanes);
 HWY_EXPORT(keeps_lanes);
 #endif
 
-Present look_for(const Robot& robot, const Neighbors& neighbors, const FarBound& bound) {
+void find_near(std::span<const Sensing> robots, Whom whom, const StepLaw& law, NearPairs& near) {
 #ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(look_for_lanes)(robot, neighbors, bound);
+  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(find_near_lanes)(robots, whom, law, near);
 #endif
-  return scalar::look_for<scalar::Pack<double>>(robot, neighbors, bound);
-}
-
-void judge_pairs(const Robot& robot, const Neighbors& neighbors, const FarBound& bound,
-                 const Braking& a, const Deviation& deviation, const StepLaw& law,
-                 NearColumns& pairs) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) {
-    return HWY_DYNAMIC_DISPATCH(judge_pairs_lanes)(robot, neighbors, bound, a, deviation, law,
-                                                   pairs);
-  }
-#endif
-  scalar::judge_pairs<scalar::Pack<double>>(robot, neighbors, bound, a, deviation, law, pairs);
+  scalar::find_near<scalar::Pack<double>>(robots, whom, law, near);
 }
 
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {

@@ -12,6 +12,7 @@
 
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
+#include "certificate/near_pairs.h"
 #include "certificate/pair.h"
 #include "certificate/wall_columns.h"
 #include "core/neighbor_columns.h"
@@ -21,21 +22,6 @@ namespace avo {
 
 /// Covers rounding of squares, and of the margin for it what grows with the distance.
 inline constexpr double kFarther = 1.0 + 0x1p-27;
-
-/// Who is no faster than A may be and just as able need not be looked at beyond a distance, the sum
-/// of this, its radius and its reach: the most of a fleet, told by little arithmetic.
-struct FarBound {
-  double distance;              ///< m
-  std::array<double, 3> reach;  ///< of one's speed, a polynomial: m, s, s²/m
-  double max_acceleration, speed_squared;
-};
-
-FarBound far_bound_of(const Robot& robot, const StepLaw& law);
-
-/// Whether any neighbor that decides is not far, and whether any does not decide.
-struct Present {
-  bool near, movers;
-};
 
 /// One pair whose walls are wanted.
 struct PairWalls {
@@ -51,12 +37,6 @@ struct PairWalls {
 namespace scalar {
 #include "certificate/certificate_kernels.h"
 }  // namespace scalar
-
-/// See pair_kernel.h.
-Present look_for(const Robot& robot, const Neighbors& neighbors, const FarBound& bound);
-void judge_pairs(const Robot& robot, const Neighbors& neighbors, const FarBound& bound,
-                 const Braking& a, const Deviation& deviation, const StepLaw& law,
-                 NearColumns& pairs);
 
 /// own.count is known, the columns have room for it.
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);

@@ -28,45 +28,33 @@ scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
 
+scalar::PackBraking<Real> pack(const Braking& of) {
+  return {scalar::constant<Real>(of.profile), pack(of.direction), of.length, of.reach,
+          of.intervals};
+}
+
 }  // namespace
 
 Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
   return plain(scalar::braking_of(pack(velocity), Real(max_acceleration), law));
 }
 
-// docs/certificate.md, "What can refuse nothing"
 Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law) {
-  const double speed = a.profile.speed, u = a.profile.decrement;
-  const double lead = law.time_step - law.lag;
-  Deviation result;
-  const auto fast = scalar::profile<Real>(speed + u, u);
-  const double length = scalar::stopping_length(fast, law).value;
-  result.fast = plain(fast);
-  constexpr double kRounding = 1.0 + 0x1p-30;
-  if (is_car) {
-    // |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times the
-    // time
-    result.anyhow.start = 2.0 * u * law.time_step * a.intervals;
-    result.most_aside = result.anyhow.start;
-  } else if (speed < u) {
-    result.anyhow = {kRounding * lead * (speed + u), kRounding};
-    result.most_aside = result.anyhow.start + kRounding * length;
-  } else {
-    const auto slow = scalar::profile<Real>(speed - u, u);
-    result.slow = plain(slow);
-    result.ahead = {kRounding * 2.0 * lead * u, kRounding};
-    result.across = {kRounding * lead * u, kRounding * u / (speed + u)};
-    const double gained = length - scalar::stopping_length(slow, law).value;
-    result.most_ahead = result.ahead.start + result.ahead.per_distance * gained;
-    result.most_aside = result.across.start + result.across.per_distance * length;
-  }
-  return result;
+  const auto found = scalar::deviation_of<Real>(pack(a), {is_car}, law);
+  const auto line = [](const auto& of) {
+    return Deviation::Line{of.start.value, of.per_distance.value};
+  };
+  return {line(found.ahead),      line(found.across),     line(found.anyhow),
+          plain(found.fast),      plain(found.slow),      found.most_ahead.value,
+          found.most_aside.value};
 }
 
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.max_acceleration > 0.0) {
-    const auto found = scalar::pair_of<Real>(robot, a,
+    const scalar::PackSelf<Real> self{pack(robot.position), pack(robot.velocity), robot.radius,
+                                      robot.max_acceleration, pack(a)};
+    const auto found = scalar::pair_of<Real>(self,
                                              {pack(neighbor.position), pack(neighbor.velocity),
                                               neighbor.radius, neighbor.max_acceleration},
                                              law);

@@ -36,6 +36,53 @@ struct PackNeighbor {
   Real radius, max_acceleration;
 };
 
+/// Robot A.
+template <typename Real>
+struct PackSelf {
+  Vec<Real> position, velocity;
+  Real radius, max_acceleration;
+  PackBraking<Real> braking;
+};
+
+/// See Deviation.
+template <typename Real>
+struct PackDeviation {
+  struct Line {
+    Real start, per_distance;
+  };
+  Line ahead, across, anyhow;
+  PackProfile<Real> fast, slow;
+  Real most_ahead, most_aside;
+};
+
+// docs/certificate.md, "What can refuse nothing"
+template <typename Real>
+AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a,
+                                            decltype(Real() < Real()) is_car, const StepLaw& law) {
+  const Real zero(0.0), two(2.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
+  const Real speed = a.profile.speed, u = a.profile.decrement;
+  const auto slow = speed < u, turns = (!is_car) & slow, steady = !(is_car | slow);
+  PackDeviation<Real> result;
+  result.fast = profile(speed + u, u);
+  result.slow = profile(select(steady, speed - u, zero), u);
+  const Real length = stopping_length(result.fast, law);
+  const Real gained = length - stopping_length(result.slow, law);
+  result.ahead = {select(steady, rounding * two * lead * u, zero), select(steady, rounding, zero)};
+  result.across = {select(steady, rounding * lead * u, zero),
+                   select(steady, rounding * u / (speed + u), zero)};
+  // of a car |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times
+  // the time
+  const Real car = two * u * Real(law.time_step) * a.intervals;
+  result.anyhow = {select(is_car, car, select(turns, rounding * lead * (speed + u), zero)),
+                   select(turns, rounding, zero)};
+  const auto over = [](const typename PackDeviation<Real>::Line& line, Real distance) {
+    return line.start + line.per_distance * distance;
+  };
+  result.most_ahead = over(result.ahead, gained);
+  result.most_aside = over(result.across, length) + over(result.anyhow, length);
+  return result;
+}
+
 /// See BrakingPair, of one that decides.
 template <typename Real>
 struct PackPair {
@@ -53,18 +100,20 @@ AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
 }
 
 template <typename Real>
-AVO_KERNEL PackPair<Real> pair_of(const Robot& robot, const Braking& a,
-                                  const PackNeighbor<Real>& of, const StepLaw& law) {
-  const Real a_A(robot.max_acceleration), one(1.0);
-  const Vec<Real> p_A = constant<Real>(robot.position);
+AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& of,
+                                  const StepLaw& law) {
+  const Real a_A = self.max_acceleration, one(1.0);
+  const Vec<Real> p_A = self.position;
+  const PackBraking<Real>& a = self.braking;
   PackPair<Real> pair;
   pair.b = braking_of(of.velocity, of.max_acceleration, law);
   pair.p = p_A - of.position;
   pair.distance = norm(pair.p);
-  pair.contact = Real(robot.radius) + of.radius;
+  pair.contact = self.radius + of.radius;
   pair.share = a_A / (a_A + of.max_acceleration);
-  const Real lengths = pair.contact + Real(a.reach) + pair.b.reach + norm(p_A) + norm(of.position);
-  pair.inflated = pair.contact + rounding_margin(lengths, max(Real(a.intervals), pair.b.intervals),
+  const Real lengths = pair.contact + a.reach + pair.b.reach + (abs(p_A.x) + abs(p_A.y)) +
+                       (abs(of.position.x) + abs(of.position.y));
+  pair.inflated = pair.contact + rounding_margin(lengths, max(a.intervals, pair.b.intervals),
                                                  min(pair.share, one - pair.share));
   pair.error = Real(law.sensing_error.position) +
                Real(law.sensing_error.velocity * law.time_step) * pair.b.intervals;
@@ -75,21 +124,21 @@ AVO_KERNEL PackPair<Real> pair_of(const Robot& robot, const Braking& a,
 /// deviate (docs/certificate.md, "What can refuse nothing"): B can refuse nothing, whatever it
 /// does.
 template <typename Real>
-AVO_KERNEL auto refuses_nothing(const Robot& robot, const Braking& a, const Deviation& deviation,
+AVO_KERNEL auto refuses_nothing(const PackSelf<Real>& self, Real most_ahead, Real most_aside,
                                 const PackPair<Real>& pair, const PackNeighbor<Real>& of,
                                 const StepLaw& law) {
-  const Real zero(0.0), one(1.0), d = pair.distance, length_A(a.length);
-  const Vec<Real> d_A = constant<Real>(a.direction), d_B = pair.b.direction;
+  const Real zero(0.0), one(1.0), d = pair.distance, length_A = self.braking.length;
+  const Vec<Real> d_A = self.braking.direction, d_B = pair.b.direction;
   const auto apart = d > zero;
   // along p, whenever each of them stops
   const Real towards =
       min(zero, length_A * dot(pair.p, d_A)) - max(zero, pair.b.length * dot(pair.p, d_B));
   const Real alone = d + towards / select(apart, d, one);
   // equally able ones brake with less relative velocity than they have
-  const Real steps = one + max(Real(a.profile.full_steps), pair.b.profile.full_steps);
+  const Real steps = one + max(self.braking.profile.full_steps, pair.b.profile.full_steps);
   const Real drift =
-      Real(law.time_step) * steps * norm(constant<Real>(robot.velocity) - of.velocity);
-  const Real a_A(robot.max_acceleration);
+      Real(law.time_step) * steps * norm(self.velocity - of.velocity);
+  const Real a_A = self.max_acceleration;
   const auto able_alike = (of.max_acceleration <= a_A) & (of.max_acceleration >= a_A);
   const Real together = select(able_alike, d - drift, alone);
   const Real nearest = max(alone, together);
@@ -98,95 +147,50 @@ AVO_KERNEL auto refuses_nothing(const Robot& robot, const Braking& a, const Devi
   const auto clear = apart & (nearest > zero);
   // largest part of any of the walls' normals against A's direction
   const Real against = max(zero, shift - dot(pair.p, d_A)) / select(clear, nearest, one);
-  const Real loss = min(against, one) * Real(deviation.most_ahead) + Real(deviation.most_aside);
+  const Real loss = min(against, one) * most_ahead + most_aside;
   return clear & (pair.share * (nearest - pair.inflated) > loss);
 }
 
+/// See BrakingColumns.
 template <typename Real>
-AVO_KERNEL PackNeighbor<Real> load(const Neighbors& neighbors, std::size_t k) {
-  const NeighborColumns& of = *neighbors.columns;
-  const std::size_t at = neighbors.first + k;
-  return {{Real::load(&of.x[at]), Real::load(&of.y[at])},
-          {Real::load(&of.v_x[at]), Real::load(&of.v_y[at])},
-          Real::load(&of.radius[at]),
-          Real::load(&of.max_acceleration[at])};
-}
-
-/// Those of the lanes that there are.
-template <typename Real>
-AVO_KERNEL auto counted(const Neighbors& neighbors, std::size_t k) {
-  return lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
-}
-
-/// See FarBound.
-template <typename Real>
-AVO_KERNEL auto are_far(const FarBound& bound, Vec<Real> p, const PackNeighbor<Real>& of) {
-  const Real a_max(bound.max_acceleration), squared = dot(of.velocity, of.velocity);
-  const Real reach =
-      Real(bound.reach[0]) + Real(bound.reach[1]) * sqrt(squared) + Real(bound.reach[2]) * squared;
-  const Real distance = Real(bound.distance) + of.radius + reach;
-  return (dot(p, p) > Real(kFarther) * (distance * distance)) &
-         (squared <= Real(bound.speed_squared)) & (of.max_acceleration <= a_max) &
-         (of.max_acceleration >= a_max);
-}
+struct PackFarBound {
+  Real distance;
+  std::array<Real, 3> reach;
+  Real speed_squared;
+};
 
 template <typename Real>
-AVO_KERNEL void store(const PackPair<Real>& pair, std::size_t k, NearColumns& pairs) {
-  const auto store = [k](Real value, std::vector<double>& column) { value.store(&column[k]); };
-  store(pair.p.x, pairs.p_x);
-  store(pair.p.y, pairs.p_y);
-  store(pair.contact, pairs.contact);
-  store(pair.inflated, pairs.inflated);
-  store(pair.error, pairs.error);
-  store(pair.share, pairs.share);
-  store(pair.b.profile.speed, pairs.speed);
-  store(pair.b.profile.decrement, pairs.decrement);
-  store(pair.b.profile.full_steps, pairs.full_steps);
-  store(pair.b.direction.x, pairs.direction_x);
-  store(pair.b.direction.y, pairs.direction_y);
-  store(pair.b.length, pairs.length);
-  store(pair.b.reach, pairs.reach);
-  store(pair.b.intervals, pairs.intervals);
+AVO_KERNEL PackFarBound<Real> far_bound_of(Vec<Real> position, Real radius,
+                                           const PackProfile<Real>& own, Real max_speed,
+                                           const StepLaw& law) {
+  const Real h(law.time_step), half(0.5), one(1.0), u = own.decrement, per_u = one / u;
+  const Real top = Real(law.sensing_error.velocity) + u;  // that one at rest may have
+  const Real lost(std::abs(law.lag - 0.5 * law.time_step));
+  // at least what one step and stopping take: v²/2a and what is lost by stopping in steps
+  const std::array<Real, 3> reach{
+      (h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
+      h + h * top * per_u + lost, half * h * per_u};
+  const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
+  const Real speed = Real(kFarther) * max(max_speed, own.speed);
+  const Real intervals = Real(3.0) + (speed + top) * per_u;
+  const Real error = Real(law.sensing_error.position) +
+                     Real(law.sensing_error.velocity) * h * intervals;
+  // of the rounding margin, what does not grow with the distance
+  const Real places = abs(position.x) + abs(position.y);
+  const Real lengths = radius + reach_at(own.speed);
+  const Real margin =
+      Real(0x1p-46) * (places + lengths + radius + reach_at(speed)) * intervals;
+  const auto is_known = intervals <= Real(kMostIntervals);
+  const Real infinity(std::numeric_limits<double>::infinity());
+  return {select(is_known, lengths + error + margin, infinity), reach, speed * speed};
 }
 
 template <typename Real>
-Present look_for(const Robot& robot, const Neighbors& neighbors, const FarBound& bound) {
-  const Real zero(0.0);
-  auto near = zero < zero, movers = near;
-  for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
-    const PackNeighbor<Real> of = load<Real>(neighbors, k);
-    const auto here = counted<Real>(neighbors, k), decides = of.max_acceleration > zero;
-    const Vec<Real> p = constant<Real>(robot.position) - of.position;
-    near = near | (here & decides & !are_far(bound, p, of));
-    movers = movers | (here & !decides);
-  }
-  return {any(near), any(movers)};
-}
-
-/// pairs.kept lists those that may meet A and can refuse a candidate; their columns are filled.
-template <typename Real>
-void judge_pairs(const Robot& robot, const Neighbors& neighbors, const FarBound& bound,
-                 const Braking& a, const Deviation& deviation, const StepLaw& law,
-                 NearColumns& pairs) {
-  const bool exact = law.sensing_error == SensingError{};
-  const Real zero(0.0), one(1.0);
-  pairs.kept_count = 0;
-  for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
-    PackNeighbor<Real> of = load<Real>(neighbors, k);
-    const auto decides = of.max_acceleration > zero;
-    const Vec<Real> p = constant<Real>(robot.position) - of.position;
-    auto kept = counted<Real>(neighbors, k) & decides & !are_far(bound, p, of);
-    if (!any(kept)) continue;
-    of.max_acceleration = select(decides, of.max_acceleration, one);  // a divisor
-    const PackPair<Real> pair = pair_of<Real>(robot, a, of, law);
-    kept = kept & !(pair.distance - (Real(a.reach) + pair.b.reach) > pair.inflated + pair.error);
-    if (exact) kept = kept & !refuses_nothing(robot, a, deviation, pair, of, law);
-    std::uint32_t lanes = bits(kept);
-    if (lanes == 0) continue;
-    store(pair, k, pairs);
-    for (; lanes != 0; lanes &= lanes - 1) {
-      pairs.kept[pairs.kept_count++] =
-          static_cast<std::uint32_t>(k + static_cast<std::size_t>(std::countr_zero(lanes)));
-    }
-  }
+AVO_KERNEL auto are_far(const PackFarBound<Real>& bound, Real max_acceleration, Vec<Real> p,
+                        const PackNeighbor<Real>& of) {
+  const Real squared = dot(of.velocity, of.velocity);
+  const Real reach = bound.reach[0] + bound.reach[1] * sqrt(squared) + bound.reach[2] * squared;
+  const Real distance = bound.distance + of.radius + reach;
+  return (dot(p, p) > Real(kFarther) * (distance * distance)) & (squared <= bound.speed_squared) &
+         (of.max_acceleration <= max_acceleration) & (of.max_acceleration >= max_acceleration);
 }

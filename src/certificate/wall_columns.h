@@ -14,24 +14,6 @@ namespace avo {
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kWallLanes = 8;
 
-/// By neighbor: what is known of the pair with it where it is kept (see BrakingPair, Braking).
-struct NearColumns {
-  std::size_t kept_count = 0;
-  std::vector<std::uint32_t> kept;  ///< neighbors
-  std::vector<double> p_x, p_y, contact, inflated, error, share;
-  std::vector<double> speed, decrement, full_steps, direction_x, direction_y;
-  std::vector<double> length, reach, intervals;
-
-  void reserve(std::size_t neighbors) {
-    if (p_x.size() >= neighbors + kWallLanes) return;
-    for (auto* column : {&p_x, &p_y, &contact, &inflated, &error, &share, &speed, &decrement,
-                         &full_steps, &direction_x, &direction_y, &length, &reach, &intervals}) {
-      column->resize(neighbors + kWallLanes);
-    }
-    kept.resize(neighbors + kWallLanes);
-  }
-};
-
 /// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
 /// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").
 struct OwnColumns {

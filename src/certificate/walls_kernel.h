@@ -82,9 +82,8 @@ AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q) {
   }
   const Real length = sqrt(squared);
   const auto has_length = length > zero;
-  const Real divisor = select(has_length, length, one);
-  return {select(has_length, nearest.x / divisor, zero),
-          select(has_length, nearest.y / divisor, zero)};
+  const Real per_length = one / select(has_length, length, one);
+  return select(has_length, per_length * nearest, {zero, zero});
 }
 
 /// What the sensing errors of one interval demand (docs/certificate.md, "Sensing errors").
@@ -169,6 +168,7 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
     return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
   };
+  const bool is_exact = law.sensing_error == SensingError{};
   Real nearest = infinity;
   for (std::size_t k = 0; k < of.intervals; k += Real::kLanes) {
     const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
@@ -201,7 +201,8 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
     const auto holds = m < Real(of.moving);  // the invariant speaks of it
     nearest = select(close & holds & (distance < nearest), distance, nearest);
-    const Real moved = norm(q.middle - q.start) + norm(q.end - q.middle);
+    const Real moved =
+        is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // of errors only
     PackMargin<Real> margin = error_margin(pair, law, m, distance, moved);
     const Real loss = max(-dot(n, d), zero) * Real::load(&own.ahead[k]) +
                       abs(cross(n, d)) * Real::load(&own.across[k]) + Real::load(&own.anyhow[k]) +

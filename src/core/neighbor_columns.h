@@ -57,6 +57,13 @@ struct Neighbors {
   Neighbor operator[](std::size_t k) const { return (*columns)[first + k]; }
 };
 
+/// What a robot senses: views of what others own.
+struct Sensing {
+  const Robot* robot = nullptr;
+  Neighbors neighbors;
+  bool trusted = false;  ///< its neighbors are known to be finite and in range
+};
+
 /// The neighbors given become the columns' only ones.
 Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns);
 

@@ -3,6 +3,7 @@
 // Number is double; in single precision sound all the same (docs/single_precision.md).
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,17 @@ namespace avo {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kSparePairs = 32;
+
+/// Of eight pairs, those whose bits are set free and the others constrained.
+inline constexpr auto kFreeOrNot = [] {
+  std::array<std::array<PairState, 8>, 256> states{};
+  for (std::size_t lanes = 0; lanes < 256; ++lanes) {
+    for (std::size_t k = 0; k < 8; ++k) {
+      states[lanes][k] = (lanes >> k & 1U) != 0 ? PairState::free : PairState::constrained;
+    }
+  }
+  return states;
+}();
 
 struct PairInReach {
   Pair pair;

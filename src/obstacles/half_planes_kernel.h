@@ -52,6 +52,16 @@ AVO_KERNEL void set_state(PlaneColumns<typename Real::Number>& planes, std::size
   }
 }
 
+/// Of all lanes, of which those whose bits are set are free.
+template <typename Real>
+AVO_KERNEL void set_states(PlaneColumns<typename Real::Number>& planes, std::size_t first,
+                           std::uint32_t free) {
+  constexpr std::size_t kBits = std::min<std::size_t>(Real::kLanes, 8);
+  for (std::size_t k = 0; k < Real::kLanes; k += kBits) {
+    std::copy_n(kFreeOrNot[free >> k & 0xffU].begin(), kBits, &planes.state[first + k]);
+  }
+}
+
 /// Pairs in contact, but for equal centers and what single precision leaves to double.
 template <typename Real>
 AVO_KERNEL auto overlaps(const Frame<Real>& frame) {
@@ -93,7 +103,8 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     const Real none = -std::numeric_limits<typename Real::Number>::infinity();
     select(free, none, select(beyond_reach, R, h)).store(&planes.h[i]);
     select(beyond_reach, h - R, Real(0.0)).store(&planes.excess[i]);
-    std::fill_n(&planes.state[i], Real::kLanes, PairState::constrained);
+    const std::uint32_t free_lanes = bits(free);
+    set_states<Real>(planes, i, free_lanes);
 
     const std::size_t left = pairs.count - i;
     std::uint32_t open = left < Real::kLanes ? (1U << left) - 1U
@@ -110,7 +121,7 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       push<Real>(work.rest, i, in_contact & ~settled);
       work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
     }
-    set_state<Real>(planes, i, take(bits(free)), PairState::free);
+    take(free_lanes);
     const std::uint32_t tips = take(bits(last.nearest));
     set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
     work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
@@ -181,32 +192,47 @@ void solve_convex(const PairColumns<typename Real::Number>& pairs, const Horizon
   }
 }
 
-/// Those that are not settled go on to the next queue.
+/// A pack of the queue; those that are not settled go on to the next one.
 template <Look look, typename Real>
+AVO_KERNEL void solve_horns_at(std::size_t first, const PairColumns<typename Real::Number>& pairs,
+                               const Horizon& horizon,
+                               const HalfPlaneWorkspace<typename Real::Number>& work,
+                               const HalfPlaneQueue<typename Real::Number>& queue,
+                               HalfPlaneQueue<typename Real::Number>& next,
+                               PlaneColumns<typename Real::Number>& planes) {
+  using Number = typename Real::Number;
+  const ResponseTable<Number> table = horizon.table<Number>();
+  const Number* index = &queue.index[first];
+  const std::size_t lanes = std::min(Real::kLanes, queue.count - first);
+  const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
+  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), table);
+  put(frame, result.plane, index, lanes, planes);
+  const std::uint32_t settled = bits(result.settled), free = bits(result.free);
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const bool is_settled = (settled >> k & 1U) != 0;
+    if (!is_settled) next.index[next.count++] = index[k];
+    if (is_settled && (free >> k & 1U) != 0) {
+      planes.state[static_cast<std::size_t>(index[k])] = PairState::free;
+      planes.h[static_cast<std::size_t>(index[k])] = -std::numeric_limits<Number>::infinity();
+      planes.excess[static_cast<std::size_t>(index[k])] = Number(0);
+    }
+  }
+}
+
+/// By wide packs as long as they are more than half full.
+template <Look look, typename Real, typename Wide>
 void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
                  const HalfPlaneWorkspace<typename Real::Number>& work,
                  HalfPlaneQueue<typename Real::Number>& queue,
                  HalfPlaneQueue<typename Real::Number>& next,
                  PlaneColumns<typename Real::Number>& planes) {
-  using Number = typename Real::Number;
-  const ResponseTable<Number> table = horizon.table<Number>();
-  fill_up<Real>(queue);
-  for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
-    const Number* index = &queue.index[i];
-    const std::size_t lanes = std::min(Real::kLanes, queue.count - i);
-    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
-    const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), table);
-    put(frame, result.plane, index, lanes, planes);
-    const std::uint32_t settled = bits(result.settled), free = bits(result.free);
-    for (std::size_t k = 0; k < lanes; ++k) {
-      const bool is_settled = (settled >> k & 1U) != 0;
-      if (!is_settled) next.index[next.count++] = index[k];
-      if (is_settled && (free >> k & 1U) != 0) {
-        planes.state[static_cast<std::size_t>(index[k])] = PairState::free;
-        planes.h[static_cast<std::size_t>(index[k])] = -std::numeric_limits<Number>::infinity();
-        planes.excess[static_cast<std::size_t>(index[k])] = Number(0);
-      }
-    }
+  fill_up<Wide>(queue);
+  std::size_t i = 0;
+  for (; i + Real::kLanes < queue.count; i += Wide::kLanes) {
+    solve_horns_at<look, Wide>(i, pairs, horizon, work, queue, next, planes);
+  }
+  if (i < queue.count) {
+    solve_horns_at<look, Real>(i, pairs, horizon, work, queue, next, planes);
   }
 }
 
@@ -217,7 +243,7 @@ void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horiz
            PlaneColumns<typename Real::Number>& planes) {
   classify<Real>(pairs, horizon, work, planes);
   solve_convex<Wide>(pairs, horizon, work, planes);
-  solve_horns<Look::quickly, Wide>(pairs, horizon, work, work.horn, work.walk, planes);
-  solve_horns<Look::closely, Wide>(pairs, horizon, work, work.walk, work.follow, planes);
-  solve_horns<Look::thoroughly, Real>(pairs, horizon, work, work.follow, work.rest, planes);
+  solve_horns<Look::quickly, Real, Wide>(pairs, horizon, work, work.horn, work.walk, planes);
+  solve_horns<Look::closely, Real, Wide>(pairs, horizon, work, work.walk, work.follow, planes);
+  solve_horns<Look::thoroughly, Real, Real>(pairs, horizon, work, work.follow, work.rest, planes);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horn case where the near side crosses the circle |w| = R once at most: that is nearly always.
-// Included into a namespace that has half_plane_kernel.h, once per instruction set.
+// The horn case: its near side, and whether that crosses the circle |w| = R once at most, as it
+// nearly always does. Included into a namespace that has half_plane_kernel.h, once per instruction
+// set.
 
 /// A pair along its relative motion. After a way of |v| t the distance squared is closest² +
 /// rise(|v| t), of terms that do not cancel: `closest` is the miss distance, or |p| where p . v >=

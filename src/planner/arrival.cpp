@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/arrival_kernels.h"
+
 namespace avo {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-constexpr double kMostKeepRight = 30.0 * kDegree;
-constexpr double kCongestion = 5.0;  // robots right ahead that make the way fully congested
-constexpr double kSlow = 0.05;       // of v_max: nearly at rest
+using Real = scalar::Pack<double>;
+
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
 constexpr double kLeastWeight = 0.3;      // of giving way on the way
 constexpr double kPush = 2.0;             // v_max, in contact
@@ -23,44 +23,42 @@ constexpr double kRecovers = 1.25;        // T after which it would again
 constexpr double kMostDetour = 2.4;       // almost back
 constexpr double kTurnOff = 1.0;          // per T
 constexpr double kTurnBack = 2.0;         // per T
-constexpr double kBlocked = 0.5;          // of the velocity that the limits alone allow
 
 double time_to_speed(const Robot& robot) {
   return robot.max_speed / robot.max_acceleration;
 }
 
-double stopping_distance(const Robot& robot) {
-  return 0.5 * robot.max_speed * time_to_speed(robot);
+scalar::Vec<Real> pack(Vec2 a) {
+  return scalar::constant<Real>(a);
+}
+Vec2 plain(const scalar::Vec<Real>& a) {
+  return {a.x.value, a.y.value};
 }
 
-// How far traffic is looked at.
-double traffic_range(const Robot& robot) {
-  return std::max(4.0 * stopping_distance(robot), 8.0 * robot.radius);
+// Whether it has been beside others for so long, and so near its goal, that it stays there.
+bool has_settled(const Robot& robot, const Detour& detour) {
+  return detour.yielded >= kSettled && robot.distance_to_goal < kSettleDistance * robot.radius;
+}
+
+// Whether it is something that a robot can remember.
+bool is_sound(const Detour& detour) {
+  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.yielded >= 0.0 &&
+         detour.yielded <= kSettled;
 }
 
 }  // namespace
 
-Traffic look_around(const Robot& robot, const Neighbors& neighbors) {
-  return look_around(robot, neighbors, {traffic_range(robot), kSlow * robot.max_speed});
-}
-
 double arrival_range(const Robot& robot, double largest_radius) {
-  return std::max(traffic_range(robot), (1.0 + kRoom) * (robot.radius + largest_radius));
+  const Real range = scalar::traffic_range<Real>(robot.max_speed, robot.max_acceleration, robot.radius);
+  return std::max(range.value, (1.0 + kRoom) * (robot.radius + largest_radius));
 }
 
 Vec2 turned_right(Vec2 a, double angle) {
-  // tan(angle / 2) = t/u by its continued fraction; any t and u make a rotation
-  const double x = 0.5 * angle, xx = x * x;
-  const double t = x * (945.0 - xx * (105.0 - xx)), u = 945.0 - xx * (420.0 - 15.0 * xx);
-  const double both = t * t + u * u, c = (u * u - t * t) / both, s = 2.0 * t * u / both;
-  return {c * a.x + s * a.y, c * a.y - s * a.x};
+  return plain(scalar::turned_right(pack(a), Real(angle)));
 }
 
-Vec2 keep_right(const Robot& robot, const Traffic& traffic) {
-  const Vec2 wish = robot.preferred_velocity;
-  if (robot.distance_to_goal < stopping_distance(robot) || !(traffic.ahead > 0.0)) return wish;
-  const double part = std::min(traffic.ahead, kCongestion) / kCongestion;
-  return turned_right(wish, part * kMostKeepRight);
+Vec2 approach(Vec2 velocity, Vec2 target, double decrement) {
+  return plain(scalar::approach(pack(velocity), pack(target), Real(decrement)));
 }
 
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
@@ -72,29 +70,21 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   return (weight * nearness / distance) * away;
 }
 
-Vec2 give_way(const Robot& robot, const Traffic& traffic, double time_step, Detour& detour) {
-  const Vec2 push = traffic.push;
-  if (push == Vec2{} && detour.yielded == 0.0) return push;
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, double time_step, Detour& detour) {
+  if (!is_sound(detour)) detour = {};
+  if (push == Vec2{} && detour.yielded == 0.0) return kept_right;
   const double elapsed = time_step / time_to_speed(robot);
   const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;
   detour.yielded = near_goal && push != Vec2{}
                        ? std::min(detour.yielded + elapsed / kYields, kSettled)
                        : std::max(detour.yielded - elapsed / kRecovers, 0.0);
-  return (kPush * robot.max_speed * std::max(1.0 - detour.yielded, 0.0)) * push;
-}
-
-bool is_sound(const Detour& detour) {
-  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.yielded >= 0.0 &&
-         detour.yielded <= kSettled;
-}
-
-bool has_settled(const Robot& robot, const Detour& detour) {
-  return detour.yielded >= kSettled && robot.distance_to_goal < kSettleDistance * robot.radius;
+  if (has_settled(robot, detour)) return {};
+  return kept_right +
+         (kPush * robot.max_speed * std::max(1.0 - detour.yielded, 0.0)) * push;
 }
 
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {
-  const double unhindered = dot(unhindered_next_velocity, wish);
-  return unhindered > 0.0 && dot(next_velocity, wish) < kBlocked * unhindered;
+  return scalar::is_blocked(pack(next_velocity), pack(unhindered_next_velocity), pack(wish)).bit;
 }
 
 bool may_detour(const Robot& robot) {

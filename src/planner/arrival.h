@@ -4,35 +4,41 @@
 // for every robot.
 #pragma once
 #include "avo/planner.h"
-#include "core/neighbor_columns.h"
-#include "planner/traffic.h"
+#include "avo/robot.h"
 
 namespace avo {
+
+inline constexpr double kMostKeepRight = 30.0 * (3.14159265358979323846 / 180.0);  // rad
+inline constexpr double kCongestion = 5.0;  // robots right ahead that make the way fully congested
+inline constexpr double kSlow = 0.05;       // of v_max: nearly at rest
+inline constexpr double kBlocked = 0.5;     // of the velocity that the limits alone allow
+/// The clearance that is nearly contact, of r_A + r_B.
+inline constexpr double kRoom = 0.25;
+
+/// What a robot sees of its neighbors.
+struct Traffic {
+  /// Robots ahead within the range that close in or are nearly at rest, weighted by how near they
+  /// are.
+  double ahead = 0.0;
+  /// Away from those that are nearly in contact.
+  Vec2 push;
+};
 
 /// m, as far as the two rules below look at any neighbor of at most that radius.
 double arrival_range(const Robot& robot, double largest_radius);
 
-Traffic look_around(const Robot& robot, const Neighbors& neighbors);
-
-/// The preferred velocity turned to the right by how congested the way ahead is; as it is on the
-/// last of the way to the goal.
-Vec2 keep_right(const Robot& robot, const Traffic& traffic);
-
 /// Away from a neighbor that is nearly in contact, most of all where the robot has all but arrived.
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 
-/// [m/s] to add to the wish. It gives way for a while: who stays beside it has come to rest as
-/// well.
-Vec2 give_way(const Robot& robot, const Traffic& traffic, double time_step, Detour& detour);
-
-/// Whether it is something that a robot can remember.
-bool is_sound(const Detour& detour);
-
-/// Whether the robot has been beside others for so long, and so near its goal, that it stays there.
-bool has_settled(const Robot& robot, const Detour& detour);
+/// [m/s] which way a robot wishes to go: as it keeps right, giving way for a while (who stays beside
+/// it has come to rest as well), or at rest where it has settled.
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, double time_step, Detour& detour);
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);
+
+/// The velocity after a step of at most `decrement` from v towards a target, m/s.
+Vec2 approach(Vec2 velocity, Vec2 target, double decrement);
 
 /// Whether less than half is left of the velocity along `wish` that the limits alone allow.
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);

@@ -36,8 +36,7 @@ ProgramResult propose(const Proposals& proposals, double top_speed) {
 // What a program without half-planes would return.
 bool is_within_limits(const Proposals& proposals) {
   const auto within = [](Vec2 a, double radius) {
-    constexpr double kRounding = 1.0 + 0x1p-49;  // as that of the program
-    return norm_squared(a) <= kRounding * radius * radius;
+    return norm_squared(a) <= kLimitRounding * radius * radius;
   };
   return within(proposals.wanted - proposals.robot.velocity, proposals.acceleration.radius) &&
          within(proposals.wanted, proposals.robot.max_speed);

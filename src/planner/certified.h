@@ -8,6 +8,9 @@
 
 namespace avo {
 
+/// Covers rounding of what is within the limits, squared.
+inline constexpr double kLimitRounding = 1.0 + 0x1p-49;
+
 enum class Chosen : std::uint8_t {
   wanted,     ///< it was admitted as it was
   candidate,  ///< another one, admitted

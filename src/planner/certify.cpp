@@ -19,18 +19,11 @@ CertificateLaw certificate_law(const Planner& planner) {
           options.soft_stop_time};
 }
 
-Vec2 approach(Vec2 velocity, Vec2 target, double decrement) {
-  const Vec2 change = target - velocity;
-  const double length = norm(change);
-  return length > decrement ? velocity + (decrement / length) * change : target;
-}
-
 namespace {
 
 // One way of choosing: towards the wish as the paper's program allows, or as the limits do.
 struct Choice {
   CertifiedChoice certified;
-  Vec2 target;             // m/s, what the program chose
   double violation = 0.0;  // m/s, of the half-planes by what the program chose
 };
 
@@ -45,26 +38,22 @@ struct Decision {
   double decrement() const { return braking_decrement(robot.max_acceleration, law.step); }
 };
 
-// The nearest admitted to what Eq. (23) chose.
-Choice choose(const Decision& decision, const ProgramResult& result) {
-  const Vec2 wanted = approach(decision.robot.velocity, result.point, decision.decrement());
-  return {choose_certified(decision.robot, wanted, decision.law, decision.certified), result.point,
+// The nearest admitted to `wanted`, one step towards what Eq. (23) chose.
+Choice choose(const Decision& decision, const ProgramResult& result, Vec2 wanted) {
+  return {choose_certified(decision.robot, wanted, decision.law, decision.certified),
           result.violation};
 }
 
 Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
-  return choose(decision, nearest_point({}, half_planes, decision.acceleration, decision.speed,
-                                        wish, decision.certified.projected));
+  const ProgramResult result = nearest_point({}, half_planes, decision.acceleration, decision.speed,
+                                             wish, decision.certified.projected);
+  return choose(decision, result,
+                approach(decision.robot.velocity, result.point, decision.decrement()));
 }
 
-bool is_blocked(const Decision& decision, const Choice& choice, Vec2 wish) {
+// unhindered: as far as one step leads to the wish.
+bool is_blocked(const Decision& decision, const Choice& choice, Vec2 unhindered, Vec2 wish) {
   const bool turns = decision.robot.car && decision.robot.velocity == Vec2{};
-  // who is not too fast and has the wish for its target then has what it wishes
-  const Robot& robot = decision.robot;
-  const bool is_wish = choice.target == wish && choice.certified.chosen == Chosen::wanted &&
-                       norm_squared(robot.velocity) <= robot.max_speed * robot.max_speed;
-  if (!turns && is_wish) return false;
-  const Vec2 unhindered = approach(decision.robot.velocity, wish, decision.decrement());
   Vec2 next_velocity = choice.certified.next_velocity;
   if (turns) {
     // it turns before it drives: could it, once it has turned?
@@ -81,22 +70,21 @@ Choice choose_and_arrive(const Decision& decision, const Wished& wished, Detour&
   const Robot& robot = decision.robot;
   const double time_step = decision.law.step.time_step;
   const Vec2 wish = wished.wish;
-  Choice choice = choose(decision, wished.result);
+  Choice choice = choose(decision, wished.result, wished.next);
   if (!may_detour(robot)) {
     detour.angle = 0.0;
     return choice;
   }
-  const double violation = choice.violation;
-  if (is_blocked(decision, choice, wish)) {
+  if (is_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = turned_right(wish, detour.angle);
-    choice = choose(decision, {}, turned);
-    if (is_blocked(decision, choice, turned)) turn_off(detour, robot, time_step);
+    const Vec2 unhindered = approach(robot.velocity, turned, decision.decrement());
+    choice = choose(decision, std::span<const HalfPlane>{}, turned);
+    if (is_blocked(decision, choice, unhindered, turned)) turn_off(detour, robot, time_step);
     if (choice.certified.chosen == Chosen::wanted) choice.certified.chosen = Chosen::candidate;
   } else if (detour.angle > 0.0) {
     turn_back(detour, robot, time_step);
     choice = choose(decision, decision.half_planes, turned_right(wish, detour.angle));
   }
-  choice.violation = violation;
   return choice;
 }
 
@@ -122,22 +110,16 @@ Plan step(const Robot& robot, const CertificateLaw& law, const Choice& choice, P
 
 }  // namespace
 
-Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour) {
-  if (!is_sound(detour)) detour = {};
-  const Traffic traffic = look_around(robot, neighbors);
-  const Vec2 push = give_way(robot, traffic, time_step, detour);
-  return has_settled(robot, detour) ? Vec2{} : keep_right(robot, traffic) + push;
-}
-
-Plan Planner::choose(const Robot& robot, const Neighbors& neighbors, const CertificateLaw& law,
+Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
                      const Wished& wished, PlanWorkspace& workspace,
                      Detour& detour) const noexcept {
+  const Robot& robot = *sensing.robot;
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const Decision decision{
       robot, law, acceleration_disc(robot), speed_disc(robot), wished.half_planes, certified};
-  collect_walls(robot, neighbors, law, certified.walls);
+  collect_walls(sensing, i, law, certified.walls);
   Choice choice = choose_and_arrive(decision, wished, detour);
-  for (const double excess : wished.excess) choice.violation = std::max(choice.violation, excess);
+  choice.violation = wished.violation();
   return step(robot, law, choice, status_of(choice, certified.walls.invariant, wished.overlapping));
 }
 
@@ -155,7 +137,7 @@ Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, V
   collect_walls(robot, movers, law, certified.walls);
   const Vec2 wanted =
       approach(robot.velocity, target, braking_decrement(robot.max_acceleration, law.step));
-  const Choice choice{choose_certified(robot, wanted, law, certified), target, violation};
+  const Choice choice{choose_certified(robot, wanted, law, certified), violation};
   return step(robot, law, choice, status_of(choice, certified.walls.invariant, overlapping));
 }
 

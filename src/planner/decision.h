@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of one decision.
 #pragma once
+#include <algorithm>
 #include <span>
 
 #include "avo/planner.h"
@@ -19,16 +20,19 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors);
 /// every option.
 bool can_follow(const Robot& robot, const PlannerOptions& options);
 
-/// [m/s] which way a robot of method avo wishes to go: keep right and give way, or rest.
-Vec2 wish_of(const Robot& robot, const Neighbors& neighbors, double time_step, Detour& detour);
-
 /// What the paper's program made of a wish.
 struct Wished {
   std::span<const HalfPlane> half_planes;
   std::span<const double> excess;  ///< of each, see NeighborPlane
   Vec2 wish;                       ///< m/s
   ProgramResult result;            ///< Eq. (23)
+  Vec2 next, unhindered;           ///< m/s, as far as one step leads to result and to the wish
   bool overlapping = false;        ///< with whom it does not matter
+
+  /// m/s, and by how much a neighbor with which everything within reach collides asks for more.
+  double violation() const {
+    return std::max(result.violation, excess.empty() ? 0.0 : *std::ranges::max_element(excess));
+  }
 };
 
 // Here to be inlined: passing a vector by value costs more than the division.

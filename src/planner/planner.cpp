@@ -117,6 +117,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   scratch.deciding.reserve(1);
   scratch.sensing.reserve(1);
   scratch.wishes.reserve(1);
+  scratch.columns.reserve(1);
   scratch.results.reserve(1);
   scratch.in_single.reserve(1, neighbors, neighbors);
   for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {

@@ -9,6 +9,7 @@
 #include "lp/programs.h"
 #include "planner/certified.h"
 #include "planner/passive_obstacles.h"
+#include "planner/robot_columns.h"
 #include "planner/together.h"
 
 namespace avo {
@@ -16,14 +17,12 @@ namespace avo {
 /// What the planner's robots have agreed on.
 CertificateLaw certificate_law(const Planner& planner);
 
-/// The velocity after a step of at most `decrement` from v towards a target, m/s.
-Vec2 approach(Vec2 velocity, Vec2 target, double decrement);
-
 struct PlanWorkspace::Scratch {
   std::vector<Deciding> deciding;  // of which these are stages
   std::vector<Sensing> sensing;
   SoftPlanes soft;
   std::vector<Vec2> wishes;
+  RobotColumns columns;  // of method avo
   std::vector<ProgramResult> results;
   ProgramBatch<double> in_double;
   ProgramBatch<float> in_single;

@@ -20,13 +20,6 @@ struct HalfPlaneBatch {
   PlaneColumns<Number> planes;
 };
 
-/// What a robot senses: views of what others own.
-struct Sensing {
-  const Robot* robot = nullptr;
-  Neighbors neighbors;
-  bool trusted = false;  ///< its neighbors are known to be finite and in range
-};
-
 /// Allocates only while it grows.
 struct SoftPlanes {
   std::vector<HalfPlane> planes;          ///< of all robots, each in the order of its neighbors

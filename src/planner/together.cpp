@@ -6,6 +6,7 @@
 
 #include "lp/linear_program.h"
 #include "lp/programs.h"
+#include "planner/arrival.h"
 #include "planner/decision.h"
 #include "planner/scratch.h"
 
@@ -77,13 +78,83 @@ void solve_programs(const Planner& planner, const SoftPlanes& soft, Scratch& scr
   }
 }
 
+// What each robot wishes for, in columns as well where it is of method avo.
+template <typename Scratch>
+void make_wishes(const PlannerOptions& options, const CertificateLaw& law, Scratch& scratch) {
+  scratch.wishes.clear();
+  if (options.method != Method::avo) {
+    for (const Sensing& each : scratch.sensing) {
+      scratch.wishes.push_back(each.robot->preferred_velocity);
+    }
+    return;
+  }
+  RobotColumns& columns = scratch.columns;
+  columns.reserve(scratch.sensing.size());
+  columns.count = 0;
+  for (const Sensing& each : scratch.sensing) columns.add(*each.robot);
+  look_around(scratch.sensing, columns);
+  keep_right(columns);
+  for (std::size_t i = 0; i < columns.count; ++i) {
+    const Vec2 wish = wish_of(*scratch.sensing[i].robot, {columns.wish_x[i], columns.wish_y[i]},
+                              {columns.push_x[i], columns.push_y[i]}, law.step.time_step,
+                              *scratch.deciding[i].detour);
+    columns.wish_x[i] = wish.x, columns.wish_y[i] = wish.y;
+    scratch.wishes.push_back(wish);
+  }
+}
+
+// Whom nobody can refuse anything, neither now nor on a detour that it is still on.
+bool is_unhindered(const CertificateLaw& law, const Sensing& sensing, const Detour& detour,
+                   const NearPairs& near, std::size_t i) {
+  if (law.kind == Certificate::braking_trajectories) {
+    if (!near.of(i).empty() || near.has_movers[i] != 0) return false;
+  } else if (law.kind != Certificate::none) {
+    return false;
+  }
+  return !sensing.robot->car && detour.angle == 0.0;
+}
+
+// The plans of method avo: of nearly all robots in lanes, of the others one by one.
+template <typename Scratch, typename Choose>
+void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
+  find_near(scratch.sensing, law, scratch.certified.walls);
+  RobotColumns& columns = scratch.columns;
+  for (std::size_t i = 0; i < columns.count; ++i) {
+    columns.target_x[i] = scratch.results[i].point.x;
+    columns.target_y[i] = scratch.results[i].point.y;
+  }
+  decide_freely(law.step, columns);
+  const SoftPlanes& soft = scratch.soft;
+  for (std::size_t i = 0; i < columns.count; ++i) {
+    const Deciding& each = scratch.deciding[i];
+    const Wished wished{soft.of(i),
+                        soft.excess_of(i),
+                        scratch.wishes[i],
+                        scratch.results[i],
+                        {columns.next_x[i], columns.next_y[i]},
+                        {columns.unhindered_x[i], columns.unhindered_y[i]},
+                        soft.overlapping[i] != 0};
+    if (columns.is_free[i] == 0.0 ||
+        !is_unhindered(law, each.sensing, *each.detour, scratch.certified.walls.near, i)) {
+      *each.plan = choose(i, wished);
+      continue;
+    }
+    Plan& plan = *each.plan;
+    plan.new_velocity = {columns.new_x[i], columns.new_y[i]};
+    plan.acceleration = {columns.a_x[i], columns.a_y[i]};
+    plan.violation = soft.exceeding ? wished.violation() : wished.result.violation;
+    plan.status = wished.overlapping      ? PlanStatus::overlapping
+                  : plan.violation > 0.0 ? PlanStatus::least_unsafe
+                                         : PlanStatus::optimal;
+  }
+}
+
 }  // namespace
 
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
                    PlanWorkspace& workspace, StageClock& clock) noexcept {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   const PlannerOptions& options = planner.options();
-  const bool certified = options.method == Method::avo;
 
   scratch.sensing.clear();
   scratch.deciding.clear();
@@ -101,37 +172,32 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   clock.lap(Stage::half_planes);
 
   const CertificateLaw law = certificate_law(planner);
-  scratch.wishes.clear();
-  for (const Deciding& each : scratch.deciding) {
-    const auto& [robot, neighbors, trusted] = each.sensing;
-    scratch.wishes.push_back(certified
-                                 ? wish_of(*robot, neighbors, law.step.time_step, *each.detour)
-                                 : robot->preferred_velocity);
-  }
+  make_wishes(options, law, scratch);
   clock.lap(Stage::certificate);
 
   solve_programs(planner, scratch.soft, scratch);
   clock.lap(Stage::program);
 
+  if (options.method == Method::avo) {
+    decide(law, scratch, [&](std::size_t i, const Wished& wished) {
+      const Deciding& each = scratch.deciding[i];
+      return planner.choose(each.sensing, i, law, wished, workspace, *each.detour);
+    });
+    return clock.lap(Stage::certificate);
+  }
   for (std::size_t i = 0; i < scratch.deciding.size(); ++i) {
-    const Deciding& each = scratch.deciding[i];
-    const Robot& robot = *each.sensing.robot;
+    const Robot& robot = *scratch.deciding[i].sensing.robot;
     const ProgramResult& result = scratch.results[i];
-    const bool overlapping = scratch.soft.overlapping[i] != 0;
-    if (certified) {
-      const Wished wished{scratch.soft.of(i), scratch.soft.excess_of(i), scratch.wishes[i], result,
-                          overlapping};
-      *each.plan =
-          planner.choose(robot, each.sensing.neighbors, law, wished, workspace, *each.detour);
-    } else if (result.state == ProgramState::discs_disjoint) {
-      *each.plan = planner.brake(robot, PlanStatus::braking, result.violation);
-    } else {
-      const double worst = worst_violation(scratch.soft, i, result);
-      const PlanStatus status = overlapping   ? PlanStatus::overlapping
-                                : worst > 0.0 ? PlanStatus::least_unsafe
-                                              : PlanStatus::optimal;
-      *each.plan = planner.finish(robot, result.point, status, worst);
+    Plan& plan = *scratch.deciding[i].plan;
+    if (result.state == ProgramState::discs_disjoint) {
+      plan = planner.brake(robot, PlanStatus::braking, result.violation);
+      continue;
     }
+    const double worst = worst_violation(scratch.soft, i, result);
+    const PlanStatus status = scratch.soft.overlapping[i] != 0 ? PlanStatus::overlapping
+                              : worst > 0.0                    ? PlanStatus::least_unsafe
+                                                               : PlanStatus::optimal;
+    plan = planner.finish(robot, result.point, status, worst);
   }
   clock.lap(Stage::certificate);
 }
@@ -141,9 +207,11 @@ void reserve_together(const Planner& planner, std::size_t robots, std::size_t pl
                       PlanWorkspace& workspace) {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   scratch.reserve_choice(neighbors_each, braking_steps);
+  scratch.certified.walls.near.reserve(robots, robots * neighbors_each);
   scratch.deciding.reserve(robots);
   scratch.sensing.reserve(robots);
   scratch.wishes.reserve(robots);
+  scratch.columns.reserve(robots);
   scratch.results.reserve(robots);
   scratch.projected.reserve(4 * planes_each);
   if (planner.options().precision == Precision::single_precision) {

@@ -155,8 +155,10 @@ TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
     s.b.position = s.a.position + (part * reaches) * random.direction();
     NeighborColumns columns;
     const Neighbor other = seen(s.b);
-    const Neighbors neighbors = in_columns({&other, 1}, columns);
-    const bool is_far = !look_for(s.a, neighbors, far_bound_of(s.a, s.law.step)).near;
+    const Sensing sensing{&s.a, in_columns({&other, 1}, columns), true};
+    NearPairs near;
+    find_near({&sensing, 1}, Whom::everyone, s.law.step, near);
+    const bool is_far = near.kept.empty();
     EXPECT_TRUE(!is_far || cannot_meet(pair(), other, s.law.step)) << "pair " << i;
     far += is_far ? 1 : 0;
     beyond += part > 1.05 ? 1 : 0;

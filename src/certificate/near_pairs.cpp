@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "certificate/near_pairs.h"
+
+namespace avo {
+
+void BrakingColumns::reserve(std::size_t robots) {
+  if (x.size() >= robots + kSpareNeighbors) return;
+  for (Column* column :
+       {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &max_speed, &is_car, &speed, &decrement,
+        &full_steps, &direction_x, &direction_y, &length, &reach, &intervals, &ahead_start,
+        &ahead_slope, &across_start, &across_slope, &anyhow_start, &anyhow_slope, &fast_speed,
+        &fast_steps, &slow_speed, &slow_steps, &most_ahead, &most_aside, &far_distance,
+        &far_speed_squared, &far_reach[0], &far_reach[1], &far_reach[2]}) {
+    column->resize(robots + kSpareNeighbors, 1.0);
+  }
+}
+
+Braking BrakingColumns::braking(std::size_t i) const {
+  return {{speed[i], decrement[i], full_steps[i]},
+          {direction_x[i], direction_y[i]},
+          length[i],
+          reach[i],
+          intervals[i]};
+}
+
+Deviation BrakingColumns::deviation(std::size_t i) const {
+  return {{ahead_start[i], ahead_slope[i]},
+          {across_start[i], across_slope[i]},
+          {anyhow_start[i], anyhow_slope[i]},
+          {fast_speed[i], decrement[i], fast_steps[i]},
+          {slow_speed[i], decrement[i], slow_steps[i]},
+          most_ahead[i],
+          most_aside[i]};
+}
+
+}  // namespace avo

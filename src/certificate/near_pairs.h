@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whom each of many robots may have to brake for: by far bounds the most of a fleet is told by
+// little arithmetic, what is left is judged in full lanes, whosever it is.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "avo/robot.h"
+#include "certificate/braking_path.h"
+#include "certificate/pair.h"
+#include "core/neighbor_columns.h"
+
+namespace avo {
+
+/// Whose walls are wanted.
+enum class Whom : unsigned char { everyone, movers };
+
+/// Robots that may have to brake, in columns: each one's braking path, how far its candidates' paths
+/// get from it, and its far bound: who is no faster than A may be and just as able need not be looked
+/// at beyond a distance, the sum of the bound, its radius and its reach.
+struct BrakingColumns {
+  using Column = std::vector<double>;
+  std::size_t count = 0;
+  Column x, y, v_x, v_y, radius, max_acceleration, max_speed, is_car;  // given; is_car: 1 or 0
+
+  Column speed, decrement, full_steps, direction_x, direction_y, length, reach, intervals;
+  // see Deviation
+  Column ahead_start, ahead_slope, across_start, across_slope, anyhow_start, anyhow_slope;
+  Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
+  Column far_distance, far_speed_squared;             // m, m²/s²
+  std::array<Column, 3> far_reach;  // of the other's speed, a polynomial: m, s, s²/m
+
+  void reserve(std::size_t robots);
+  void add(const Robot& robot) {
+    x[count] = robot.position.x, y[count] = robot.position.y;
+    v_x[count] = robot.velocity.x, v_y[count] = robot.velocity.y;
+    radius[count] = robot.radius, max_acceleration[count] = robot.max_acceleration;
+    max_speed[count] = robot.max_speed, is_car[count++] = robot.car ? 1.0 : 0.0;
+  }
+  Braking braking(std::size_t i) const;
+  Deviation deviation(std::size_t i) const;
+};
+
+/// Pairs that are not far, until there are enough of them to fill lanes.
+struct NearQueue {
+  static constexpr std::size_t kSize = 64, kSpare = 16;
+  using Column = std::array<double, kSize + kSpare>;
+  std::size_t count = 0;
+  Column robot{}, neighbor{};  // indices
+  // of A
+  Column x{}, y{}, v_x{}, v_y{}, radius{}, max_acceleration{}, full_steps{}, direction_x{};
+  Column direction_y{}, length{}, reach{}, intervals{}, most_ahead{}, most_aside{};
+  Column other_x{}, other_y{}, other_v_x{}, other_v_y{}, other_radius{}, other_max_acceleration{};
+};
+
+/// A pair that can refuse a candidate of A's; what is A's alone is left out.
+struct NearPair {
+  std::uint32_t robot, neighbor;  ///< of the robots, and of this one's neighbors
+  BrakingPair pair;
+};
+
+/// Scratch memory and result of find_near(); allocates only while it grows.
+struct NearPairs {
+  BrakingColumns own;
+  NearQueue queue;
+  std::vector<NearPair> kept;           ///< robot by robot, by ascending neighbor
+  std::vector<std::size_t> end;         ///< behind those of robot i
+  std::vector<std::uint8_t> has_movers;  ///< whether robot i has some that do not decide
+
+  std::span<const NearPair> of(std::size_t i) const {
+    const std::size_t first = i == 0 ? 0 : end[i - 1];
+    return std::span(kept).subspan(first, end[i] - first);
+  }
+  void reserve(std::size_t robots, std::size_t pairs) {
+    own.reserve(robots);
+    kept.reserve(pairs);
+    end.reserve(robots);
+    has_movers.reserve(robots);
+  }
+};
+
+/// Of each robot's neighbors that decide, if everyone's walls are wanted, those that may meet it
+/// and can refuse a candidate.
+void find_near(std::span<const Sensing> robots, Whom whom, const StepLaw& law, NearPairs& near);
+
+}  // namespace avo

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The decision that leads to a next velocity, as many at once as Pack has lanes. Included into a
+// namespace that has Pack, once per instruction set.
+
+/// See plan_to().
+template <typename Real>
+struct PackPlan {
+  Vec<Real> new_velocity, acceleration;
+};
+
+// Eq. (7)
+template <typename Real>
+AVO_KERNEL PackPlan<Real> plan_to(Vec<Real> velocity, Vec<Real> next_velocity, const StepLaw& law) {
+  const Real control_time(law.control_time), rate(law.braking_time / law.control_time);
+  const Vec<Real> new_velocity = velocity + (next_velocity - velocity) / rate;
+  return {new_velocity, (new_velocity - velocity) / control_time};
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules for arriving (docs/arrival.md), as many neighbors or robots at once as Pack has lanes.
+// Included into a namespace that has Pack, once per instruction set.
+
+/// m: half of L, the way to stop from v_max.
+template <typename Real>
+AVO_KERNEL Real stopping_distance(Real max_speed, Real max_acceleration) {
+  return Real(0.5) * max_speed * (max_speed / max_acceleration);
+}
+
+/// m, how far traffic is looked at.
+template <typename Real>
+AVO_KERNEL Real traffic_range(Real max_speed, Real max_acceleration, Real radius) {
+  const Real stopping = stopping_distance(max_speed, max_acceleration);
+  return max(Real(4.0) * stopping, Real(8.0) * radius);
+}
+
+/// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
+template <typename Real>
+AVO_KERNEL Vec<Real> turned_right(Vec<Real> a, Real angle) {
+  // tan(angle / 2) = t/u by its continued fraction; any t and u make a rotation
+  const Real x = Real(0.5) * angle, xx = x * x;
+  const Real t = x * (Real(945.0) - xx * (Real(105.0) - xx));
+  const Real u = Real(945.0) - xx * (Real(420.0) - Real(15.0) * xx);
+  const Real both = t * t + u * u, c = (u * u - t * t) / both, s = Real(2.0) * t * u / both;
+  return {c * a.x + s * a.y, c * a.y - s * a.x};
+}
+
+/// See Traffic.
+template <typename Real>
+AVO_KERNEL Traffic look_around(const Robot& robot, const Neighbors& neighbors, double range) {
+  const NeighborColumns& of = *neighbors.columns;
+  const double slow = kSlow * robot.max_speed;
+  const Real zero(0.0), one(1.0), per_range(1.0 / range);
+  const Real range_squared(range * range), slow_squared(slow * slow);
+  const Vec<Real> p = constant<Real>(robot.position), v = constant<Real>(robot.velocity);
+  const Vec<Real> way = constant<Real>(robot.preferred_velocity);
+  Traffic traffic;
+  alignas(64) double weights[8] = {};
+  for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
+    const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
+      return Real::load(&column[at]);
+    };
+    const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
+    const Vec<Real> towards = Vec<Real>{load(of.x), load(of.y)} - p;
+    const Vec<Real> velocity{load(of.v_x), load(of.v_y)};
+    const Real squared = dot(towards, towards);
+    const auto closing = dot(towards, velocity - v) < zero;
+    const auto rests = dot(velocity, velocity) < slow_squared;
+    const auto near = (squared < range_squared) & (dot(towards, way) > zero);
+    const Real weight = one - per_range * sqrt(squared);
+    // eight at a time in the same order, so that no number of lanes has a say
+    select(counted & near & (closing | rests), weight, zero).store(weights + k % 8);
+    if ((k + Real::kLanes) % 8 == 0 || k + Real::kLanes >= neighbors.count) {
+      traffic.ahead += ((weights[0] + weights[4]) + (weights[2] + weights[6])) +
+                       ((weights[1] + weights[5]) + (weights[3] + weights[7]));
+      if (Real::kLanes < 8) std::fill_n(weights, 8, 0.0);
+    }
+
+    const Real contact = Real(robot.radius) + load(of.radius);
+    const Real reach = contact + Real(kRoom) * contact;
+    const auto beside = counted & (squared < reach * reach) & (squared > zero);
+    for (std::uint32_t lanes = bits(beside); lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      traffic.push = traffic.push + push_of(robot, neighbors[k + lane]);
+    }
+  }
+  return traffic;
+}
+
+template <typename Real>
+void look_around(std::span<const Sensing> robots, RobotColumns& columns) {
+  for (std::size_t i = 0; i < columns.count; i += Real::kLanes) {
+    const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
+    traffic_range(load(columns.max_speed), load(columns.max_acceleration), load(columns.radius))
+        .store(&columns.range[i]);
+  }
+  for (std::size_t i = 0; i < columns.count; ++i) {
+    const Sensing& sensing = robots[i];
+    const Traffic traffic =
+        look_around<Real>(*sensing.robot, sensing.neighbors, columns.range[i]);
+    columns.ahead[i] = traffic.ahead;
+    columns.push_x[i] = traffic.push.x, columns.push_y[i] = traffic.push.y;
+  }
+}
+
+template <typename Real>
+void keep_right(RobotColumns& columns) {
+  for (std::size_t i = 0; i < columns.count; i += Real::kLanes) {
+    const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
+    const Vec<Real> way{load(columns.preferred_x), load(columns.preferred_y)};
+    const Real ahead = load(columns.ahead);
+    const Real stopping = stopping_distance(load(columns.max_speed), load(columns.max_acceleration));
+    const Real part = min(ahead, Real(kCongestion)) / Real(kCongestion);
+    const auto turns = !((load(columns.distance) < stopping) | !(ahead > Real(0.0)));
+    const Vec<Real> wish = select(turns, turned_right(way, part * Real(kMostKeepRight)), way);
+    wish.x.store(&columns.wish_x[i]);
+    wish.y.store(&columns.wish_y[i]);
+  }
+}
+
+/// Whether less than half is left of the velocity along `wish` that the limits alone allow.
+template <typename Real>
+AVO_KERNEL auto is_blocked(Vec<Real> next, Vec<Real> unhindered_next, Vec<Real> wish) {
+  const Real unhindered = dot(unhindered_next, wish);
+  return (unhindered > Real(0.0)) & (dot(next, wish) < Real(kBlocked) * unhindered);
+}
+
+/// The velocity after a step of at most `decrement` from v towards a target, m/s.
+template <typename Real>
+AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real decrement) {
+  const Vec<Real> change = target - velocity;
+  const Real length = norm(change);
+  const auto is_long = length > decrement;
+  const Real part = decrement / select(is_long, length, Real(1.0));
+  return select(is_long, velocity + part * change, target);
+}
+
+template <typename Real>
+void decide_freely(const StepLaw& law, RobotColumns& columns) {
+  const auto within = [](Vec<Real> a, Real radius) {
+    const Real rounding(kLimitRounding);
+    return dot(a, a) <= rounding * radius * radius;
+  };
+  for (std::size_t i = 0; i < columns.count; i += Real::kLanes) {
+    const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
+    const auto store = [i](Vec<Real> a, std::vector<double>& x, std::vector<double>& y) {
+      a.x.store(&x[i]);
+      a.y.store(&y[i]);
+    };
+    const Vec<Real> v{load(columns.v_x), load(columns.v_y)};
+    const Vec<Real> wish{load(columns.wish_x), load(columns.wish_y)};
+    const Real u = load(columns.max_acceleration) * Real(law.braking_time);
+    const Vec<Real> next = approach(v, {load(columns.target_x), load(columns.target_y)}, u);
+    const auto may_detour = load(columns.distance) >= load(columns.radius);
+    const Vec<Real> unhindered = approach(v, wish, u);
+    const auto blocked = may_detour & is_blocked(next, unhindered, wish);
+    const auto kept = within(next - v, u) & within(next, load(columns.max_speed));
+    select(kept & !blocked, Real(1.0), Real(0.0)).store(&columns.is_free[i]);
+    const PackPlan<Real> plan = plan_to(v, next, law);
+    store(next, columns.next_x, columns.next_y);
+    store(unhindered, columns.unhindered_x, columns.unhindered_y);
+    store(plan.new_velocity, columns.new_x, columns.new_y);
+    store(plan.acceleration, columns.a_x, columns.a_y);
+  }
+}
