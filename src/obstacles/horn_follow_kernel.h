@@ -27,7 +27,8 @@ AVO_KERNEL NearSide<Real> select(decltype(Real() < Real()) mask, const NearSide<
   return side;
 }
 
-// As walk(), but halves a stride on which |b| turns near R, and goes on past a crossing. Once
+// As walk(), but halves a stride on which |b| turns near R, or may turn twice, and goes on past a
+// crossing. Once
 // `settled`, |b| can only fall through R, once, up to τ.
 template <typename Real>
 AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& passage,
@@ -58,7 +59,11 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
         signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
     const auto near_R =
         min(abs(from_length - R), abs(to_length - R)) <= (next - t) * max(pace(from), pace(to));
-    doubt = active & turns & near_R & (!settled);
+    const Real flat = Real(0.1);  // `cusp` may change its sign twice, for little of |b|
+    const auto near_cusp = (abs(from.cusp) < flat * from.l2) | (abs(to.cusp) < flat * to.l2);
+    const auto wide = (next - t > Real(0.25) * t) &
+                      (min(abs(from_length - R), abs(to_length - R)) < Real(0.25) * R);
+    doubt = active & (!settled) & ((turns & near_R) | (near_cusp & wide));
     const auto moves = active & (!doubt), now_inside = to_length <= R;
     const auto enters = moves & now_inside & (!inside), leaves = moves & inside & (!now_inside);
     const std::array<Lanes, kMostCrossings> crosses{

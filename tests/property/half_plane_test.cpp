@@ -101,6 +101,20 @@ TEST(HalfPlane, P3_no_reachable_point_of_the_line_collides) {
   EXPECT_GT(free, 10'000);
 }
 
+// A slow pass: its near side leaves the reach, is back for a moment, and leaves it again.
+TEST(HalfPlane, P3_four_crossings_are_all_seen) {
+  const Situation s{{{-0.38720892161667686, 0.83100530948300078},
+                     {0.10072140370822175, 0.043642682495828145},
+                     0.91493000710552264},
+                    0.076278738175479213,
+                    3.8444073194969781,
+                    72.677258182643939};
+  const RelativeHalfPlane found = half_plane_of(s);
+  ASSERT_EQ(found.state, PairState::constrained);
+  const double support = test::SlowHull(s, 20'000).support(found.plane.normal);
+  EXPECT_NEAR(found.plane.offset, support, kCaution * s.reach);
+}
+
 // In contact to rounding, and moving across it to rounding: here the miss distance is r to
 // rounding, and the time of the closest approach means nothing.
 TEST(HalfPlane, P3_in_grazing_contact_no_reachable_point_of_the_line_collides) {
