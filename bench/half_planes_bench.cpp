@@ -37,7 +37,8 @@ void run(benchmark::State& state, Kind kind, double near, double far, double del
     benchmark::DoNotOptimize(planes.h.data());
     all.tip += workspace.cases.tip, all.convex += workspace.cases.convex;
     all.horn += workspace.cases.horn, all.walk += workspace.cases.walk;
-    all.contact += workspace.cases.contact, all.rest += workspace.cases.rest;
+    all.follow += workspace.cases.follow, all.contact += workspace.cases.contact;
+    all.rest += workspace.cases.rest;
     k = (k + 1) % kBatches;
   }
   const auto pairs = static_cast<double>(state.iterations()) * static_cast<double>(kBatch);
@@ -49,6 +50,7 @@ void run(benchmark::State& state, Kind kind, double near, double far, double del
   state.counters["convex"] = static_cast<double>(all.convex) / pairs;
   state.counters["horn"] = static_cast<double>(all.horn) / pairs;
   state.counters["walk"] = static_cast<double>(all.walk) / pairs;
+  state.counters["follow"] = static_cast<double>(all.follow) / pairs;
   state.counters["rest"] = static_cast<double>(all.rest) / pairs;
   state.SetLabel(simd_target());
 }

@@ -4,8 +4,8 @@
 #include "avo/half_plane.h"
 
 #include "obstacles/contact.h"
+#include "obstacles/horn.h"
 #include "obstacles/kernels.h"
-#include "obstacles/local_pair.h"
 
 namespace avo {
 namespace {
@@ -17,19 +17,13 @@ struct Found {
   bool free = false;
 };
 
-Found searched(const scalar::Local<Real>& local, const Horizon& horizon) {
-  const LocalPlane plane = horn_half_plane(
-      {local.d.value, {local.v.x.value, local.v.y.value}, local.r.value, local.R.value}, horizon);
-  return {{{plane.n.x, plane.n.y}, plane.h}, plane.free};
-}
-
 Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {
-  for (const Look look : {Look::quickly, Look::closely}) {
-    const scalar::HornPlane<Real> found =
-        scalar::horn(local, horizon.end(), horizon.table<double>(), look);
-    if (found.settled.bit) return {found.plane, found.free.bit};
-  }
-  return searched(local, horizon);
+  const ResponseTable<double> table = horizon.table<double>();
+  scalar::HornPlane<Real> found = scalar::horn<Look::quickly>(local, horizon.end(), table);
+  if (!found.settled.bit) found = scalar::horn<Look::closely>(local, horizon.end(), table);
+  if (!found.settled.bit) found = scalar::horn<Look::thoroughly>(local, horizon.end(), table);
+  if (!found.settled.bit) found = searched_horn(local, horizon);
+  return {found.plane, found.free.bit};
 }
 
 Found local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon) {
@@ -65,7 +59,8 @@ RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& hori
 RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
                                       const Horizon& horizon) noexcept {
   const scalar::Frame<Real> frame = frame_of(pair, reach, horizon);
-  return turned_back(searched(frame.local, horizon), frame, reach);
+  const scalar::HornPlane<Real> found = searched_horn(frame.local, horizon);
+  return turned_back({found.plane, found.free.bit}, frame, reach);
 }
 
 }  // namespace avo

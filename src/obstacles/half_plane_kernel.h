@@ -9,7 +9,8 @@
 //   tip     the disc of τ alone is nearest: n = x(τ)/|x(τ)|
 //   convex  on collision course the obstacle is convex: n = x(t)/|x(t)| where n . y = r
 //   horn    otherwise its near side is concave, and the hull closes it by a chord from Q, where the
-//           near side crosses the circle |w| = R: once where `Passage` says so, else see horn.cpp
+//           near side crosses the circle |w| = R: once where `Passage` says so, up to three times
+//           in horn_follow_kernel.h, else see horn.cpp
 
 /// A pair in its own frame: first axis along p, second across it on v's side: p = (d, 0), v.y >= 0
 /// but for ties. Exchanging the robots turns this frame by 180 degrees and changes no number in it.

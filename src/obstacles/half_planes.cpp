@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "core/simd_target.h"
+#include "obstacles/horn.h"
 #include "obstacles/kernels.h"
-#include "obstacles/local_pair.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
@@ -138,10 +138,10 @@ template <typename Number>
 void reserve(std::size_t pairs, HalfPlaneWorkspace<Number>& workspace,
              PlaneColumns<Number>& planes) {
   const std::size_t size = pairs + kSparePairs;
-  for (auto* column :
-       {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.d, &workspace.v_x,
-        &workspace.v_y, &workspace.e_x, &workspace.e_y, &workspace.side, &workspace.convex.index,
-        &workspace.horn.index, &workspace.walk.index, &workspace.rest.index}) {
+  for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.d,
+                       &workspace.v_x, &workspace.v_y, &workspace.e_x, &workspace.e_y,
+                       &workspace.side, &workspace.convex.index, &workspace.horn.index,
+                       &workspace.walk.index, &workspace.follow.index, &workspace.rest.index}) {
     grow(*column, size);
   }
   grow(planes.state, size);
@@ -157,13 +157,14 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
   reserve(pairs.p_x.size() - kSparePairs, workspace, planes);
   workspace.cases = {};
   for (HalfPlaneQueue<Number>* queue :
-       {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.rest}) {
+       {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.follow, &workspace.rest}) {
     queue->count = 0;
   }
   solve(pairs, horizon, workspace, planes);
   workspace.cases.convex = workspace.convex.count;
   workspace.cases.horn = workspace.horn.count;
   workspace.cases.walk = workspace.walk.count;
+  workspace.cases.follow = workspace.follow.count;
   workspace.cases.rest = workspace.rest.count;
   solve_rest(pairs, horizon, workspace, planes);
 }

@@ -74,7 +74,7 @@ struct HalfPlaneQueue {
 
 /// How many pairs each case had; in contact or, of single precision, too near it to tell.
 struct HalfPlaneCases {
-  std::size_t contact = 0, tip = 0, convex = 0, horn = 0, walk = 0, rest = 0;
+  std::size_t contact = 0, tip = 0, convex = 0, horn = 0, walk = 0, follow = 0, rest = 0;
 };
 
 /// What single precision leaves to double: pairs, solved in lanes as well.
@@ -85,7 +85,7 @@ struct LeftToDouble;
 template <typename Number>
 struct HalfPlaneWorkspace {
   std::vector<Number> d, v_x, v_y, e_x, e_y, side;  // frames
-  HalfPlaneQueue<Number> convex, horn, walk, rest;
+  HalfPlaneQueue<Number> convex, horn, walk, follow, rest;
   HalfPlaneCases cases;  // of the last call
   LeftToDouble<Number> left;
 };

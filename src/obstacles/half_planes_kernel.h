@@ -193,9 +193,9 @@ void solve_convex(const PairColumns<typename Real::Number>& pairs, const Horizon
 }
 
 /// A pack of the queue; those that are not settled go on to the next one.
-template <typename Real>
+template <Look look, typename Real>
 AVO_KERNEL void solve_horns_at(std::size_t first, const PairColumns<typename Real::Number>& pairs,
-                               const Horizon& horizon, Look look,
+                               const Horizon& horizon,
                                const HalfPlaneWorkspace<typename Real::Number>& work,
                                const HalfPlaneQueue<typename Real::Number>& queue,
                                HalfPlaneQueue<typename Real::Number>& next,
@@ -205,7 +205,7 @@ AVO_KERNEL void solve_horns_at(std::size_t first, const PairColumns<typename Rea
   const Number* index = &queue.index[first];
   const std::size_t lanes = std::min(Real::kLanes, queue.count - first);
   const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
-  const HornPlane<Real> result = horn(frame.local, horizon.end(), table, look);
+  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), table);
   put(frame, result.plane, index, lanes, planes);
   const std::uint32_t settled = bits(result.settled), free = bits(result.free);
   for (std::size_t k = 0; k < lanes; ++k) {
@@ -220,8 +220,8 @@ AVO_KERNEL void solve_horns_at(std::size_t first, const PairColumns<typename Rea
 }
 
 /// By wide packs as long as they are more than half full.
-template <typename Real, typename Wide>
-void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon, Look look,
+template <Look look, typename Real, typename Wide>
+void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
                  const HalfPlaneWorkspace<typename Real::Number>& work,
                  HalfPlaneQueue<typename Real::Number>& queue,
                  HalfPlaneQueue<typename Real::Number>& next,
@@ -229,10 +229,10 @@ void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon&
   fill_up<Wide>(queue);
   std::size_t i = 0;
   for (; i + Real::kLanes < queue.count; i += Wide::kLanes) {
-    solve_horns_at<Wide>(i, pairs, horizon, look, work, queue, next, planes);
+    solve_horns_at<look, Wide>(i, pairs, horizon, work, queue, next, planes);
   }
   if (i < queue.count) {
-    solve_horns_at<Real>(i, pairs, horizon, look, work, queue, next, planes);
+    solve_horns_at<look, Real>(i, pairs, horizon, work, queue, next, planes);
   }
 }
 
@@ -243,6 +243,7 @@ void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horiz
            PlaneColumns<typename Real::Number>& planes) {
   classify<Real>(pairs, horizon, work, planes);
   solve_convex<Wide>(pairs, horizon, work, planes);
-  solve_horns<Real, Wide>(pairs, horizon, Look::quickly, work, work.horn, work.walk, planes);
-  solve_horns<Real, Wide>(pairs, horizon, Look::closely, work, work.walk, work.rest, planes);
+  solve_horns<Look::quickly, Real, Wide>(pairs, horizon, work, work.horn, work.walk, planes);
+  solve_horns<Look::closely, Real, Wide>(pairs, horizon, work, work.walk, work.follow, planes);
+  solve_horns<Look::thoroughly, Real, Real>(pairs, horizon, work, work.follow, work.rest, planes);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The horn case: where its near side crosses the circle |w| = R once at most, the half-plane from
-// that corner of the hull and those of the disc of τ.
-// Included after horn_walk_kernel.h, once per instruction set.
+// that corner of the hull and those of the disc of τ; and where it does so up to three times.
+// Included after horn_follow_kernel.h, once per instruction set.
 
 // Normal on the left of the way from a to b, and to the tangent point of a disc.
 template <typename Real>
@@ -26,12 +26,14 @@ struct HornPlane {
 };
 
 /// The corners of the hull on its near side, and the least supports among its edges.
-template <typename Real>
+template <typename Real, std::size_t kCrossings>
 struct Hull {
   using Mask = decltype(Real() < Real());
-  Vec<Real> center, crossing, near, far;  // of the disc of τ; the corner Q; the disc's corners
+  std::array<Vec<Real>, kCrossings> crossing;  // the corners Q, by time
+  std::array<Mask, kCrossings> has_crossing;
+  Vec<Real> center, near, far;  // of the disc of τ; its corners
   Real radius, R;
-  Mask disc_in_reach, has_crossing, is_cut;
+  Mask disc_in_reach, is_cut;
 
   // Of the points within reach: where the disc's extreme point is not, its corners take its place.
   AVO_KERNEL Real support(Vec<Real> n) const {
@@ -39,7 +41,9 @@ struct Hull {
     const Vec<Real> extreme = center + radius * n;
     Real h =
         select(disc_in_reach & (dot(extreme, extreme) <= R * R), dot(n, center) + radius, none);
-    h = max(h, select(has_crossing, dot(n, crossing), none));
+    for (std::size_t k = 0; k < kCrossings; ++k) {
+      h = max(h, select(has_crossing[k], dot(n, crossing[k]), none));
+    }
     const Real corners = max(dot(n, near), dot(n, far));
     return max(h, select(is_cut, corners, none));
   }
@@ -50,64 +54,117 @@ struct Hull {
     best.n.y = select(better, n.y, best.n.y);
     best.h = select(better, h, best.h);
   }
+  AVO_KERNEL void offer_edges_from(std::size_t k, Plane<Real>& best) const {
+    const Vec<Real> q = crossing[k], to_disc = q - center;
+    const auto outside = dot(to_disc, to_disc) > radius * radius;
+    offer(tangent_normal(q, center, radius), disc_in_reach & has_crossing[k] & outside, best);
+    for (std::size_t j = k + 1; j < kCrossings; ++j) {
+      const Vec<Real> b = crossing[j];
+      const auto valid = has_crossing[k] & has_crossing[j] & (dot(b - q, b - q) > Real(0.0));
+      if (any(valid)) offer(chord_normal(q, b), valid, best);
+    }
+    if (any(is_cut & has_crossing[k])) {
+      offer(chord_normal(q, near), is_cut & has_crossing[k], best);
+      offer(chord_normal(q, far), is_cut & has_crossing[k], best);
+    }
+  }
 };
 
-template <typename Real>
-AVO_KERNEL Plane<Real> least_support(const Hull<Real>& hull) {
+template <typename Real, std::size_t kCrossings>
+AVO_KERNEL Plane<Real> least_support(const Hull<Real, kCrossings>& hull) {
   using Number = typename Real::Number;
   const Real infinity = Real(std::numeric_limits<Number>::infinity());
   Plane<Real> best{{Real(0.0), Real(0.0)}, infinity};
   const Real length = norm(hull.center);
   hull.offer(-inverse(length) * hull.center, hull.disc_in_reach, best);
-  const Vec<Real> to_disc = hull.crossing - hull.center;
-  const auto outside = dot(to_disc, to_disc) > hull.radius * hull.radius;
-  hull.offer(tangent_normal(hull.crossing, hull.center, hull.radius),
-             hull.disc_in_reach & hull.has_crossing & outside, best);
-  if (any(hull.is_cut & hull.has_crossing)) {
-    hull.offer(chord_normal(hull.crossing, hull.near), hull.is_cut & hull.has_crossing, best);
-    hull.offer(chord_normal(hull.crossing, hull.far), hull.is_cut & hull.has_crossing, best);
+  for (std::size_t k = 0; k < kCrossings; ++k) {
+    if (any(hull.has_crossing[k])) hull.offer_edges_from(k, best);
   }
   return best;
 }
 
-template <typename Real>
-AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                const ResponseTable<typename Real::Number>& table, Look look) {
-  const Horn<Real> shape = horn_of(pair);
-  const At<Real> end = constant<Real>(horizon_end);
-  Passage<Real> way = passage(shape, horizon_end, table);
-  if (look == Look::closely) walk(shape, table, way);
+/// The disc of τ; the crossings are left.
+template <std::size_t kCrossings, typename Real>
+AVO_KERNEL Hull<Real, kCrossings> hull_of(const Horn<Real>& horn, const At<Real>& end,
+                                          const ResponseAt& horizon_end) {
+  const Local<Real>& pair = horn.pair;
   const Vec<Real> x = pair.x(end);
-  const Real length = norm(x);
-
-  Hull<Real> hull;
+  Hull<Real, kCrossings> hull;
   hull.R = pair.R;
   hull.center = Real(-1.0 / horizon_end.gain) * x;
   hull.radius = pair.r * Real(1.0 / horizon_end.gain);
-  hull.disc_in_reach = length - pair.r < pair.R * end.gain;
-  // |b| <= |x|/g: whoever is in reach at the end has crossed
-  hull.has_crossing =
-      way.crosses | ((length <= pair.R * end.gain) & (shape.speed <= pair.R * end.rate));
-  if (any(!hull.has_crossing)) {
-    const Real reach = pair.R * end.gain;
-    const auto crossed = near_side(shape, end, table).b2 <= reach * reach;
-    hull.has_crossing = (hull.has_crossing | crossed) & (way.first < end.time);
-  }
-  const Crossing<Real> cross =
-      crossing(shape, way, table, hull.has_crossing & way.once & way.ordinary);
-  hull.crossing = circle_points(shape, at(table, cross.time)).near;
+  hull.disc_in_reach = norm(x) - pair.r < pair.R * end.gain;
   hull.is_cut = hull.disc_in_reach & (norm(hull.center) + hull.radius > pair.R);
-  hull.near = hull.far = hull.crossing;
+  hull.near = hull.far = hull.center;
   if (any(hull.is_cut)) {
-    const TwoPoints<Real> corners = circle_points(shape, end);
+    const TwoPoints<Real> corners = circle_points(horn, end);
     hull.near = corners.near, hull.far = corners.far;
+  }
+  return hull;
+}
+
+/// One crossing at most, as Passage says or, if it does not, a walk does.
+template <bool kWalks, typename Real>
+AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
+                                        const ResponseTable<typename Real::Number>& table) {
+  const Horn<Real> shape = horn_of(pair);
+  const At<Real> end = constant<Real>(horizon_end);
+  Passage<Real> way = passage(shape, horizon_end, table);
+  if constexpr (kWalks) walk(shape, table, way);
+  Hull<Real, 1> hull = hull_of<1>(shape, end, horizon_end);
+  // |b| <= |x|/g: whoever is in reach at the end has crossed
+  const Real reach = pair.R * end.gain;
+  auto has_crossing =
+      way.crosses | ((norm(pair.x(end)) <= reach) & (shape.speed <= pair.R * end.rate));
+  if (any(!has_crossing)) {
+    const auto crossed = near_side(shape, end, table).b2 <= reach * reach;
+    has_crossing = (has_crossing | crossed) & (way.first < end.time);
+  }
+  hull.has_crossing[0] = has_crossing;
+  const Crossing<Real> cross = crossing(shape,
+                                        {way.first, way.last, first_time(shape, table), Real(1.0),
+                                         Real(kTimeTolerance<typename Real::Number>)},
+                                        table, has_crossing & way.once & way.ordinary);
+  hull.crossing[0] = circle_points(shape, at(table, cross.time)).near;
+  HornPlane<Real> result;
+  result.plane = least_support(hull);
+  result.free = !(hull.disc_in_reach | has_crossing);
+  result.settled =
+      way.once & way.ordinary &
+      ((hull.disc_in_reach & ((cross.tangential >= Real(0.0)) | (!has_crossing))) | result.free);
+  return result;
+}
+
+/// As many crossings as follow() finds. b is the near end of its disc's arc on the circle where
+/// `tangential` is positive; should it be the far one at the first, near contact, the disc of the
+/// time of that crossing has corners of its own, which are left to the general search.
+template <typename Real>
+AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
+                                         const ResponseTable<typename Real::Number>& table) {
+  const Horn<Real> shape = horn_of(pair);
+  const Crossings<Real> all = follow(shape, passage(shape, horizon_end, table), table);
+  auto hull = hull_of<kMostCrossings>(shape, constant<Real>(horizon_end), horizon_end);
+  hull.has_crossing = all.found;
+  auto regular = all.all;
+  for (std::size_t k = 0; k < kMostCrossings; ++k) {
+    const auto wanted = all.found[k] & all.all;
+    const Crossing<Real> cross = crossing(shape, all.between[k], table, wanted);
+    const TwoPoints<Real> ends = circle_points(shape, at(table, cross.time));
+    const auto on_near_end = cross.tangential >= Real(0.0);
+    hull.crossing[k] = select(on_near_end, ends.near, ends.far);
+    if (k == 0) regular = regular & (on_near_end | (!all.found[k]));
   }
   HornPlane<Real> result;
   result.plane = least_support(hull);
-  result.free = !(hull.disc_in_reach | hull.has_crossing);
-  result.settled =
-      way.once & way.ordinary &
-      ((hull.disc_in_reach & ((cross.tangential >= Real(0.0)) | (!hull.has_crossing))) |
-       result.free);
+  result.free = !(hull.disc_in_reach | all.found[0]);
+  const Real infinity = Real(std::numeric_limits<typename Real::Number>::infinity());
+  result.settled = regular & (result.free | (result.plane.h < infinity));
   return result;
+}
+
+template <Look look, typename Real>
+AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horizon_end,
+                                const ResponseTable<typename Real::Number>& table) {
+  if constexpr (look == Look::thoroughly) return often_crossed(pair, horizon_end, table);
+  return once_crossed<look == Look::closely>(pair, horizon_end, table);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horn case where the near side crosses the circle |w| = R once at most: that is nearly always.
-// Included into a namespace that has half_plane_kernel.h, once per instruction set.
+// The horn case: its near side, and whether that crosses the circle |w| = R once at most, as it
+// nearly always does. Included into a namespace that has half_plane_kernel.h, once per instruction
+// set.
 
 /// A pair along its relative motion. After a way of |v| t the distance squared is closest² +
 /// rise(|v| t), of terms that do not cancel: `closest` is the miss distance, or |p| where p . v >=
@@ -26,7 +27,10 @@ AVO_KERNEL Horn<Real> horn_of(const Local<Real>& pair) {
   horn.z = pair.d * pair.v.x * horn.per_speed;
   horn.miss = pair.d * pair.v.y * horn.per_speed;
   horn.closest = select(horn.z < Real(0.0), horn.miss, pair.d);
-  horn.gap2 = (horn.closest - pair.r) * (horn.closest + pair.r);
+  // near contact the miss distance is r to rounding: |p|² - z² tells them apart
+  const Real back = min(horn.z, Real(0.0)), from_p = (pair.d - pair.r) * (pair.d + pair.r);
+  horn.gap2 = select(abs(back) < horn.closest, from_p - back * back,
+                     (horn.closest - pair.r) * (horn.closest + pair.r));
   horn.gap = sqrt(max(horn.gap2, Real(0.0)));
   return horn;
 }
@@ -106,10 +110,12 @@ struct Passage {
 //      outruns the boundary). l² - (v g/g')² is concave in t: so it holds on all of [t_m, T]
 //      (or [0, T]) if it does at T; larger bounds of T and g/g', by Padé's of ln and t/2 + t²/(12
 //      δ), only make it stricter there. Exactly it reads l (|y|² + q z) > q r b, with q = |v| g/g',
-//      the miss distance b and z = |v| (s - t_m), and q <= κ |v| s, κ = (τ - s(τ))/s(τ). Receding,
-//      |y|² >= 2 b z and |v| s <= z: 2 l_0 >= κ r suffices. Else, m = |v| t_m, past the closest
-//      point of y: l_m >= κ r and b l_m >= 2 κ m r suffice; before it |y|² + q z is at least
-//      b² - m² κ²/(4 (1 + κ)), which is b²/2 or more if b >= m and κ <= 2.7.
+//      the miss distance b and z = |v| (s - t_m), and q <= κ |v| s up to T, κ = (T - s)/s at T.
+//      Receding, |y|² >= 2 b z and |v| s <= z: 2 l_0 >= κ r suffices. Else, with m = |v| t_m, it is
+//      linear in q, true at q = 0, and to show at q = κ (m + z), where l (b² + z² + q z) > q r b
+//      follows from l_m (b² + z² + κ (m + z) z) > κ (m + z) r b, since l >= l_m (closest point of
+//      y) and m + z >= 0. That is a quadratic in z, positive at all z if its discriminant is
+//      negative: κ² (l_m m - r b)² < 4 (1 + κ) l_m b (l_m b - κ r m).
 //   `cusp` > 0 if l² > |v| r s' g/g', and s' g/g' is at most s/2 and 0.271 δ. Receding, l² grows
 //      at least as (l_0 + z_0 |v|s...): l_0 + p . v/|v| > r/4 suffices. Else, with the miss
 //      distance b, l_m² > r²/16 + r |v| t_m/2, or b l_m >= 0.353 δ r |v|: n . v/|v| is
@@ -118,7 +124,7 @@ struct Passage {
 template <typename Real>
 AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
                                  const ResponseTable<typename Real::Number>& table) {
-  const double kappa = (horizon_end.time - horizon_end.lag) / horizon_end.lag;
+  const Real kappa_end = (horizon_end.time - horizon_end.lag) / horizon_end.lag;
   const Local<Real>& pair = horn.pair;
   const Real delta = table.control_time, tau = table.end, zero = Real(0.0);
   const Real z = horn.z, l = horn.gap, closest = horn.closest, clear = closest - pair.r;
@@ -131,18 +137,17 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horiz
                       (spare * (Real(3.0) * pair.R - horn.speed));
   const Real T = select((spare > zero) & (outrun < tau), outrun, tau);
   const Real lead = T * (Real(0.5) + T * Real(table.per_control_time / 12.0));
-  const Real ahead = horn.speed * lead, kappa_r = Real(kappa) * pair.r;
-  auto no_turn = (horn.gap2 + horn.rise(horn.speed * (T - lead)) >= ahead * ahead) |
-                 ((!closing) & (Real(2.0) * l >= kappa_r));
-  if (kappa <= 2.7) {
-    no_turn = no_turn | (closing & (closest >= -z) & (l >= kappa_r) &
-                         (closest * l >= Real(-2.0) * z * kappa_r));
-  }
-  const Real r_v = pair.r * horn.speed;
-  const auto no_cusp =
-      ((!closing) & (l + z > Real(0.25) * pair.r)) |
-      (closing & ((closest * l >= Real(0.353) * delta * r_v) |
-                  (horn.gap2 > pair.r * pair.r * Real(1.0 / 16.0) + Real(0.5) * r_v * t_m)));
+  const Real ahead = horn.speed * lead;
+  const Real kappa = min(kappa_end, lead * inverse(T - lead)), r = pair.r;
+  const Real per_area = inverse(l * closest), bend = kappa * (l * z + r * closest) * per_area;
+  const auto no_turn = (horn.gap2 + horn.rise(horn.speed * (T - lead)) >= ahead * ahead) |
+                       ((!closing) & (Real(2.0) * l >= kappa * r)) |
+                       (closing & (bend * bend < Real(4.0) * (Real(1.0) + kappa) *
+                                                     (Real(1.0) + kappa * r * z * per_area)));
+  const Real r_v = r * horn.speed;
+  const auto no_cusp = ((!closing) & (l + z > Real(0.25) * r)) |
+                       (closing & ((closest * l >= Real(0.353) * delta * r_v) |
+                                   (horn.gap2 > r * r * Real(1.0 / 16.0) + Real(0.5) * r_v * t_m)));
 
   const At<Real> at_m = at(table, min(t_m, tau));
   const auto in_reach =
@@ -192,23 +197,29 @@ AVO_KERNEL Real beyond_newton(Real back, Real first_f, Real first_pace, Real f, 
   return f * f * (bend - first_f * twist);
 }
 
-/// Where |b| = R, falling, that is f = 0 where f = (|b|² - R²)/(|b|² + 3/5 R²), which is nearly
-/// linear in time as (|b|/R)^{-1/2} is: Newton's iteration, then by the cubic t(f) through the last
-/// two times, guarded by bisection. `tangential` is of the last time but one. Means something in
-/// the lanes that are wanted.
+/// Times between which |b| passes R once, a guess, and whether |b| falls there (1) or rises (-1).
+/// The search ends with two steps whose product, relative, is `tolerance`; what it leaves is about
+/// the square of that where the near side is smooth.
+template <typename Real>
+struct Bracket {
+  Real low, high, guess, sense, tolerance;
+};
+
+/// Where |b| = R, that is f = 0 where f = (|b|² - R²)/(|b|² + 3/5 R²), which is nearly linear in
+/// time as (|b|/R)^{-1/2} is: Newton's iteration, then by the cubic t(f) through the last two
+/// times, guarded by bisection. `tangential` is of the last time but one. Means something in the
+/// lanes that are wanted.
 template <typename Real>
 struct Crossing {
   Real time, tangential;
 };
 
 template <typename Real>
-AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& passage,
+AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& bracket,
                                    const ResponseTable<typename Real::Number>& table,
                                    decltype(Real() < Real()) wanted) {
-  using Number = typename Real::Number;
   const Real one = Real(1.0), zero = Real(0.0), R = horn.pair.R;
-  Real low = passage.first, high = passage.last;
-  Real t = first_time(horn, table);
+  Real low = bracket.low, high = bracket.high, t = bracket.guess;
   t = select((t > low) & (t < high), t, Real(0.5) * (low + high));
   Crossing<Real> result{t, zero};
   Real last_f = one, last_pace = zero, last_t = zero, last_step = t;
@@ -218,15 +229,17 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     const Real reach = R * side.at.gain;
     const Real limit = reach * reach * side.per_y2, b2 = side.b2 * side.per_y2;
     const Real excess = b2 - limit, sum = b2 + Real(0.6) * limit;
-    low = select(excess > zero, t, low);
-    high = select(excess > zero, high, t);
-    const Real fall = (side.tangential * side.l * side.per_y2) * (side.cusp * side.per_y2);
+    const auto early = bracket.sense * excess > zero;
+    low = select(early, t, low);
+    high = select(early, high, t);
+    const Real fall =
+        bracket.sense * (side.tangential * side.l * side.per_y2) * (side.cusp * side.per_y2);
     const auto falls = fall > zero;
     const Real base = limit * select(falls, fall, one), per = one / (sum * base);
     const Real f = excess * base * per;
     // dt/df
-    const Real pace =
-        Real(-1.0 / 3.2) * sum * sum * (side.l2 * side.per_y2 * side.lead) * sum * per;
+    const Real pace = Real(-1.0 / 3.2) * bracket.sense * sum * sum *
+                      (side.l2 * side.per_y2 * side.lead) * sum * per;
     const Real direct = f * pace;  // Newton's
     const auto curved = again & (abs(last_f - f) > zero);
     const Real first_f = select(curved, last_f, f + one);
@@ -234,7 +247,7 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Passage<Real>& 
     const Real step = select(curved, beyond, zero) - direct;
     const Real newton = t + step;
     const Real error = max(abs(step), abs(direct));
-    const Real least = Real(kTimeTolerance<Number>) * t;
+    const Real least = bracket.tolerance * t;
     const auto small = falls & (error * (error + last_step) <= least * t) &
                        (error * abs(pace - last_pace) <= least * abs(pace));
     const Real next = select(falls & (small | ((newton > low) & (newton < high))), newton,

@@ -23,6 +23,26 @@ AVO_KERNEL auto signs_differ(Real a, Real b) {
   return ((a < zero) & (b >= zero)) | ((a >= zero) & (b < zero));
 }
 
+/// Times to look at the near side, as close as the passage is wide.
+template <typename Real>
+struct Strides {
+  decltype(Real() < Real()) closing;
+  Real t_m, t_cusp, least;  // s
+
+  AVO_KERNEL Real next(Real t) const {
+    const Real wide = select(closing, t + max(Real(0.5) * (t - t_m), least), Real(1.5) * t);
+    return select((t < t_cusp) & (wide > t_cusp), t_cusp, wide);
+  }
+};
+
+template <typename Real>
+AVO_KERNEL Strides<Real> strides(const Horn<Real>& horn, Real t_m,
+                                 const ResponseTable<typename Real::Number>& table) {
+  const auto closing = horn.z < Real(0.0);
+  return {closing, t_m, select(closing, cusp_time(t_m, table), Real(0.0)),
+          min(Real(0.125) * horn.closest * horn.per_speed, Real(0.25) * t_m)};
+}
+
 // m/s, of b
 template <typename Real>
 AVO_KERNEL Real length_of(const NearSide<Real>& side) {
@@ -35,17 +55,15 @@ AVO_KERNEL Real pace(const NearSide<Real>& side) {
          abs(side.cusp * inverse(side.l * sqrt(side.b2)));
 }
 
-// Where more than one crossing cannot be excluded beforehand: looks at the near side at times as
-// close as the passage is wide. Between two of them |b| is monotone, or turns (`tangential` or
+// Where more than one crossing cannot be excluded beforehand: strides
+// along the near side. Between two of them |b| is monotone, or turns (`tangential` or
 // `cusp` changes its sign) too far from R to get there; a lane where neither is so, or where |b|
 // rises through R, is not `once`. Ends where |b| stays below R, or can only fall from there.
 template <typename Real>
 AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::Number>& table,
                      Passage<Real>& passage) {
   const Real R = horn.pair.R, tau = table.end, zero = Real(0.0), t_m = passage.t_m;
-  const auto closing = horn.z < zero;
-  const Real t_cusp = select(closing, cusp_time(t_m, table), zero);
-  const Real least = min(Real(0.125) * horn.closest * horn.per_speed, Real(0.25) * t_m);
+  const Strides<Real> stride = strides(horn, t_m, table);
   auto once = (!passage.once) & passage.ordinary & (passage.first < tau);
   auto active = once;
   Real t = min(max(passage.first, t_m), tau);
@@ -59,9 +77,7 @@ AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::
     const auto stays = inside & outruns & (norm(horn.pair.x(from.at)) <= R * from.at.gain);
     active = active & (!(settled | stays | (t >= tau)));
     if (!any(active)) break;
-    Real next = select(closing, t + max(Real(0.5) * (t - t_m), least), Real(1.5) * t);
-    next = select((t < t_cusp) & (next > t_cusp), t_cusp, next);
-    next = select(active, min(next, tau), t);
+    const Real next = select(active, min(stride.next(t), tau), t);
     const NearSide<Real> to = near_side(horn, at(table, next), table);
     const Real to_length = length_of(to);
     const auto turns =

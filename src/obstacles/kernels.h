@@ -19,13 +19,17 @@ namespace avo {
 
 // Of Newton's iterations; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
-// Whether a horn's near side is only walked along where it must be: few of them must.
-enum class Look : unsigned char { quickly, closely };
+// Whether a horn's near side is walked along, and through how many crossings: few of them must be.
+enum class Look : unsigned char { quickly, closely, thoroughly };
+constexpr std::size_t kMostCrossings = 3;
 // Of the near side that a walk along it looks at.
 constexpr int kMaxPieces = 24;
 // Of the last two steps' product, relative, which leaves about its square: a use of second order.
 template <typename Number>
 constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-4 : 3e-4;
+// The same where the near side may have cusps near by.
+template <typename Number>
+constexpr double kCloseTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-5;
 // Relative, of Newton's last step in σ, which leaves about its square.
 template <typename Number>
 constexpr double kConvexTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-4;

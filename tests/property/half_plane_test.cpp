@@ -101,5 +101,55 @@ TEST(HalfPlane, P3_no_reachable_point_of_the_line_collides) {
   EXPECT_GT(free, 10'000);
 }
 
+// A slow pass: its near side leaves the reach, is back for a moment, and leaves it again.
+TEST(HalfPlane, P3_four_crossings_are_all_seen) {
+  const Situation s{{{-0.38720892161667686, 0.83100530948300078},
+                     {0.10072140370822175, 0.043642682495828145},
+                     0.91493000710552264},
+                    0.076278738175479213,
+                    3.8444073194969781,
+                    72.677258182643939};
+  const RelativeHalfPlane found = half_plane_of(s);
+  ASSERT_EQ(found.state, PairState::constrained);
+  const double support = test::SlowHull(s, 20'000).support(found.plane.normal);
+  EXPECT_NEAR(found.plane.offset, support, kCaution * s.reach);
+}
+
+// In contact to rounding, and moving across it to rounding: here the miss distance is r to
+// rounding, and the time of the closest approach means nothing.
+TEST(HalfPlane, P3_in_grazing_contact_no_reachable_point_of_the_line_collides) {
+  Random random(16);
+  int constrained = 0;
+  const auto expect_sound = [&](const Situation& s) {
+    const RelativeHalfPlane found = half_plane_of(s);
+    if (found.state != PairState::constrained) return;
+    ++constrained;
+    const Obstacle obstacle = test::obstacle_of(s);
+    const HalfPlane& plane = found.plane;
+    const double half = std::sqrt((s.reach - plane.offset) * (s.reach + plane.offset));
+    for (const double part : {-1.0, -0.7, -0.3, -0.1, 0.0, 0.1, 0.3, 0.7, 1.0}) {
+      const Vec2 w = plane.offset * plane.normal + (part * half) * perpendicular(plane.normal);
+      const double distance = closest_approach(obstacle, s.pair.velocity + w).distance;
+      ASSERT_GE(distance, s.pair.radius * (1.0 - 1e-7)) << "h " << plane.offset << "\n" << s;
+    }
+  };
+  expect_sound({{{0.0034592829027850079, -0.0015252988397861391},
+                 {0.001540811926148565, 0.0034944657985906016},
+                 0.0037806315282176879},
+                0.0018878337049181612,
+                0.080256963212307672,
+                0.98356290424638215});
+  for (int k = 0; k < 20'000 && !HasFailure(); ++k) {
+    Situation s = test::wide_situation(random);
+    const Vec2 across = perpendicular(s.pair.position) / norm(s.pair.position);
+    const double speed = norm(s.pair.velocity), slope = random.log_uniform(1e-16, 1e-6);
+    s.pair.velocity = speed * (across + (k % 2 == 0 ? slope : -slope) * perpendicular(across));
+    const double gap = k % 3 == 0 ? random.log_uniform(1e-16, 1e-8) : 0.0;
+    s.pair.position = (s.pair.radius * (1.0 + gap)) * -perpendicular(across);
+    expect_sound(s);
+  }
+  EXPECT_GT(constrained, 5'000);
+}
+
 }  // namespace
 }  // namespace avo

@@ -111,7 +111,8 @@ struct Batch {
       std::fill(column->begin(), column->end(), other);
     }
     std::fill(planes.state.begin(), planes.state.end(), PairState::coincident);
-    for (auto* queue : {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.rest}) {
+    for (auto* queue : {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.follow,
+                        &workspace.rest}) {
       std::fill(queue->index.begin(), queue->index.end(), Number());
     }
   }

@@ -37,7 +37,7 @@ std::string text(const RelativeHalfPlane& a) {
 void add(HalfPlaneCases& sum, const HalfPlaneCases& more) {
   sum.contact += more.contact, sum.tip += more.tip, sum.convex += more.convex,
       sum.horn += more.horn;
-  sum.walk += more.walk, sum.rest += more.rest;
+  sum.walk += more.walk, sum.follow += more.follow, sum.rest += more.rest;
 }
 
 // What has been seen: each case and each state has to be.
@@ -91,6 +91,7 @@ TEST(HalfPlanes, double_precision_has_the_bits_of_one_pair_at_a_time_on_every_ta
     EXPECT_GT(seen.cases.convex, 10'000);
     EXPECT_GT(seen.cases.horn, 10'000);
     EXPECT_GT(seen.cases.walk, 1'000);
+    EXPECT_GT(seen.cases.follow, 1'000);
     EXPECT_GT(seen.left_by_the_horn, 1'000);
     for (const PairState state : {PairState::free, PairState::constrained, PairState::unavoidable,
                                   PairState::overlapping, PairState::coincident}) {
@@ -125,6 +126,7 @@ TEST(HalfPlanes, single_precision_has_the_same_bits_on_every_target) {
       ASSERT_EQ(found.convex, expected.convex);
       ASSERT_EQ(found.horn, expected.horn);
       ASSERT_EQ(found.walk, expected.walk);
+      ASSERT_EQ(found.follow, expected.follow);
       ASSERT_EQ(found.rest, expected.rest);
     }
   });
@@ -132,6 +134,7 @@ TEST(HalfPlanes, single_precision_has_the_same_bits_on_every_target) {
   EXPECT_GT(cases.convex, 10'000);
   EXPECT_GT(cases.horn, 10'000);
   EXPECT_GT(cases.walk, 1'000);
+  EXPECT_GT(cases.follow, 1'000);
   EXPECT_GT(cases.rest, 1'000);
 }
 
