@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Highway's vectors under the names of core/scalar.h. Included once per instruction set, after
-// hwy/foreach_target.h; kernels are templates over Pack. Nothing here is approximate, and min and max
-// return the second operand where the comparison fails: what those of x86 do by themselves.
+// hwy/foreach_target.h; kernels are templates over Pack. Nothing here is approximate, and min and
+// max return the second operand where the comparison fails: what those of x86 do by themselves.
 #if defined(AVO_CORE_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef AVO_CORE_LANES_H
 #undef AVO_CORE_LANES_H
@@ -49,8 +49,11 @@ struct Pack {
 
   static HWY_INLINE Pack load(const T* from) { return Pack(hn::LoadU(D(), from)); }
   HWY_INLINE void store(T* to) const { hn::StoreU(raw, D(), to); }
+  static HWY_INLINE Pack numbers_from(std::size_t first) {
+    return Pack(static_cast<double>(first)) + Pack(hn::Iota(D(), T(0)));
+  }
   static HWY_INLINE std::size_t store_numbers(std::uint32_t chosen, std::size_t first, T* to) {
-    const Pack numbers = Pack(static_cast<double>(first)) + Pack(hn::Iota(D(), T(0)));
+    const Pack numbers = numbers_from(first);
 #if HWY_TARGET == HWY_AVX3
     if constexpr (sizeof(T) == 8) {
       const auto lanes = static_cast<__mmask8>(chosen);
@@ -137,10 +140,12 @@ HWY_INLINE std::size_t store_chosen(MaskOf<T> chosen, Pack<T> a, T* to) {
 #if HWY_TARGET == HWY_AVX3
   if constexpr (sizeof(T) == 8) {
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd(chosen.raw.raw, a.raw.raw));
-    return hn::CountTrue(hn::ScalableTag<T>(), chosen.raw);
+  } else {
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(chosen.raw.raw, a.raw.raw));
   }
-#endif
-  alignas(HWY_MAX_BYTES) T lanes[Pack<T>::kLanes];
+  return hn::CountTrue(hn::ScalableTag<T>(), chosen.raw);
+#else
+  alignas(HWY_MAX_BYTES) T lanes[Pack<T>::kLanes] = {};
   a.store(lanes);
   const std::uint32_t chosen_bits = bits(chosen);
   std::size_t count = 0;
@@ -149,6 +154,7 @@ HWY_INLINE std::size_t store_chosen(MaskOf<T> chosen, Pack<T> a, T* to) {
     count += (chosen_bits >> k) & 1U;
   }
   return count;
+#endif
 }
 
 #if HWY_TARGET == HWY_AVX3
@@ -218,6 +224,12 @@ struct TwoPacks {
     return {lookup(table, x.a), lookup(table, x.b)};
   }
 };
+
+template <typename T>
+HWY_INLINE std::size_t store_chosen(TwoMasks<T> chosen, TwoPacks<T> x, T* to) {
+  const std::size_t count = store_chosen(chosen.a, x.a, to);
+  return count + store_chosen(chosen.b, x.b, to + count);
+}
 
 // Both of these return the second where the comparison fails, as x86 has them.
 template <typename T>

@@ -89,10 +89,10 @@ float offset_of_narrowed(double h, float reach) {
 // Equal centers, and what the general search of the horn is for.
 void solve_rest(const PairColumns<double>& pairs, const Horizon& horizon,
                 HalfPlaneWorkspace<double>& workspace, PlaneColumns<double>& planes) {
-  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
-    const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
+  for (std::size_t k = 0; k < workspace.rest_count; ++k) {
+    const auto i = static_cast<std::size_t>(workspace.rest[k]);
     const Pair pair{{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]};
-    const bool equal_centers = !(workspace.d[i] > kTiniest<double>);
+    const bool equal_centers = !(norm(pair.position) > kTiniest<double>);
     const RelativeHalfPlane plane = equal_centers
                                         ? half_plane(pair, pairs.reach[i], horizon)
                                         : searched_half_plane(pair, pairs.reach[i], horizon);
@@ -109,13 +109,13 @@ void solve_rest(const PairColumns<float>& pairs, const Horizon& horizon,
                 HalfPlaneWorkspace<float>& workspace, PlaneColumns<float>& planes) {
   LeftToDouble<float>& left = workspace.left;
   left.pairs.count = 0;
-  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
-    const auto& [pair, reach] = pairs.wide[static_cast<std::size_t>(workspace.rest.index[k])];
+  for (std::size_t k = 0; k < workspace.rest_count; ++k) {
+    const auto& [pair, reach] = pairs.wide[static_cast<std::size_t>(workspace.rest[k])];
     left.pairs.add(pair.position, pair.velocity, pair.radius, reach);
   }
   half_planes(left.pairs, horizon, left.workspace, left.planes);
-  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
-    const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
+  for (std::size_t k = 0; k < workspace.rest_count; ++k) {
+    const auto i = static_cast<std::size_t>(workspace.rest[k]);
     planes.state[i] = left.planes.state[k];
     planes.n_x[i] = static_cast<float>(left.planes.n_x[k]);
     planes.n_y[i] = static_cast<float>(left.planes.n_y[k]);
@@ -138,11 +138,14 @@ template <typename Number>
 void reserve(std::size_t pairs, HalfPlaneWorkspace<Number>& workspace,
              PlaneColumns<Number>& planes) {
   const std::size_t size = pairs + kSparePairs;
-  for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.d,
-                       &workspace.v_x, &workspace.v_y, &workspace.e_x, &workspace.e_y,
-                       &workspace.side, &workspace.convex.index, &workspace.horn.index,
-                       &workspace.walk.index, &workspace.follow.index, &workspace.rest.index}) {
+  for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.rest}) {
     grow(*column, size);
+  }
+  for (HalfPlaneQueue<Number>* queue : {&workspace.convex, &workspace.horn}) {
+    for (auto* column : {&queue->index, &queue->d, &queue->v_x, &queue->v_y, &queue->radius,
+                         &queue->reach, &queue->e_x, &queue->e_y, &queue->side}) {
+      grow(*column, size);
+    }
   }
   grow(planes.state, size);
   if constexpr (std::is_same_v<Number, float>) {
@@ -156,16 +159,8 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
                  HalfPlaneWorkspace<Number>& workspace, PlaneColumns<Number>& planes) {
   reserve(pairs.p_x.size() - kSparePairs, workspace, planes);
   workspace.cases = {};
-  for (HalfPlaneQueue<Number>* queue :
-       {&workspace.convex, &workspace.horn, &workspace.walk, &workspace.follow, &workspace.rest}) {
-    queue->count = 0;
-  }
+  workspace.convex.count = workspace.horn.count = workspace.rest_count = 0;
   solve(pairs, horizon, workspace, planes);
-  workspace.cases.convex = workspace.convex.count;
-  workspace.cases.horn = workspace.horn.count;
-  workspace.cases.walk = workspace.walk.count;
-  workspace.cases.follow = workspace.follow.count;
-  workspace.cases.rest = workspace.rest.count;
   solve_rest(pairs, horizon, workspace, planes);
 }
 

@@ -65,11 +65,11 @@ struct PlaneColumns {
   std::vector<PairState> state;
 };
 
-/// Pairs that wait for their case; as Number, since kernels look up by it.
+/// Pairs that wait for their case, with their frames: read by whole packs.
 template <typename Number>
 struct HalfPlaneQueue {
   std::size_t count = 0;
-  std::vector<Number> index;
+  std::vector<Number> index, d, v_x, v_y, radius, reach, e_x, e_y, side;
 };
 
 /// How many pairs each case had; in contact or, of single precision, too near it to tell.
@@ -84,9 +84,10 @@ struct LeftToDouble;
 /// Scratch memory.
 template <typename Number>
 struct HalfPlaneWorkspace {
-  std::vector<Number> d, v_x, v_y, e_x, e_y, side;  // frames
-  HalfPlaneQueue<Number> convex, horn, walk, follow, rest;
-  HalfPlaneCases cases;  // of the last call
+  HalfPlaneQueue<Number> convex, horn;
+  std::size_t rest_count = 0;
+  std::vector<Number> rest;  // indices
+  HalfPlaneCases cases;      // of the last call
   LeftToDouble<Number> left;
 };
 

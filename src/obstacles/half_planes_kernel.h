@@ -38,10 +38,43 @@ AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const 
   return frame;
 }
 
+/// Those chosen of a pack: behind the others, or where they were or before it. Counts `count` of
+/// them.
 template <typename Real>
-AVO_KERNEL void push(HalfPlaneQueue<typename Real::Number>& queue, std::size_t first,
-                     std::uint32_t lanes) {
-  queue.count += Real::store_numbers(lanes, first, &queue.index[queue.count]);
+AVO_KERNEL void push(HalfPlaneQueue<typename Real::Number>& queue, Real index,
+                     const Frame<Real>& frame, typename Frame<Real>::Mask chosen,
+                     std::size_t count) {
+  const auto put = [&](Real value, std::vector<typename Real::Number>& column) {
+    store_chosen(chosen, value, &column[queue.count]);
+  };
+  put(index, queue.index);
+  put(frame.local.d, queue.d), put(frame.local.v.x, queue.v_x), put(frame.local.v.y, queue.v_y);
+  put(frame.local.r, queue.radius), put(frame.local.R, queue.reach);
+  put(frame.e.x, queue.e_x), put(frame.e.y, queue.e_y), put(frame.side, queue.side);
+  queue.count += count;
+}
+
+template <typename Real>
+AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue<typename Real::Number>& queue, std::size_t i) {
+  const auto load = [i](const std::vector<typename Real::Number>& column) {
+    return Real::load(&column[i]);
+  };
+  Frame<Real> frame;
+  frame.local = {
+      load(queue.d), {load(queue.v_x), load(queue.v_y)}, load(queue.radius), load(queue.reach)};
+  frame.e = {load(queue.e_x), load(queue.e_y)};
+  frame.side = load(queue.side);
+  return frame;
+}
+
+/// Its last place is repeated, as far as the last pack reads.
+template <typename Real>
+AVO_KERNEL void fill_up(HalfPlaneQueue<typename Real::Number>& queue) {
+  if (queue.count == 0) return;
+  for (auto* column : {&queue.d, &queue.v_x, &queue.v_y, &queue.radius, &queue.reach, &queue.e_x,
+                       &queue.e_y, &queue.side}) {
+    std::fill_n(&(*column)[queue.count], Real::kLanes, (*column)[queue.count - 1]);
+  }
 }
 
 template <typename Real>
@@ -82,12 +115,6 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
                                              {Real::load(&pairs.v_x[i]), Real::load(&pairs.v_y[i])},
                                              Real::load(&pairs.radius[i]), R, end);
     const Tip<Real> last = tip(frame.local, end);
-    frame.local.d.store(&work.d[i]);
-    frame.local.v.x.store(&work.v_x[i]);
-    frame.local.v.y.store(&work.v_y[i]);
-    frame.e.x.store(&work.e_x[i]);
-    frame.e.y.store(&work.e_y[i]);
-    frame.side.store(&work.side[i]);
     const auto overlapping = overlaps(frame);
     Vec<Real> n = frame.turned_back(last.plane.n);
     Real h = last.plane.h;
@@ -114,35 +141,28 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       open &= ~lanes;
       return lanes;
     };
-    const std::uint32_t in_contact = take(bits(frame.in_contact | in_doubt(frame.local, end)));
+    const auto contact = frame.in_contact | in_doubt(frame.local, end);
+    const std::uint32_t in_contact = take(bits(contact));
     if (in_contact != 0) {
       const std::uint32_t settled = in_contact & bits(overlapping);
       set_state<Real>(planes, i, settled, PairState::overlapping);
-      push<Real>(work.rest, i, in_contact & ~settled);
+      work.rest_count += Real::store_numbers(in_contact & ~settled, i, &work.rest[work.rest_count]);
       work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
     }
     take(free_lanes);
     const std::uint32_t tips = take(bits(last.nearest));
     set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
     work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
-    push<Real>(work.convex, i, take(bits(frame.on_collision_course)));
-    push<Real>(work.horn, i, open);
+    if (open == 0) continue;
+    const auto waits = !(contact | free | last.nearest);
+    const auto count = [](std::uint32_t lanes) {
+      return static_cast<std::size_t>(std::popcount(lanes));
+    };
+    const std::uint32_t convex = open & bits(frame.on_collision_course);
+    const Real index = Real::numbers_from(i);
+    push(work.convex, index, frame, waits & frame.on_collision_course, count(convex));
+    push(work.horn, index, frame, waits & (!frame.on_collision_course), count(open & ~convex));
   }
-}
-
-template <typename Real>
-AVO_KERNEL Frame<Real> queued_frame(const PairColumns<typename Real::Number>& pairs,
-                                    const HalfPlaneWorkspace<typename Real::Number>& work,
-                                    Real index, Real tau) {
-  Frame<Real> frame;
-  frame.local = {lookup(work.d.data(), index),
-                 {lookup(work.v_x.data(), index), lookup(work.v_y.data(), index)},
-                 lookup(pairs.radius.data(), index),
-                 lookup(pairs.reach.data(), index)};
-  frame.local = widened(frame.local, tau);
-  frame.e = {lookup(work.e_x.data(), index), lookup(work.e_y.data(), index)};
-  frame.side = lookup(work.side.data(), index);
-  return frame;
 }
 
 template <typename Real>
@@ -169,71 +189,57 @@ AVO_KERNEL void put(const Frame<Real>& frame, const Plane<Real>& plane,
   }
 }
 
-/// A queue is read by whole packs: its last place is repeated.
 template <typename Real>
-AVO_KERNEL void fill_up(HalfPlaneQueue<typename Real::Number>& queue) {
-  for (std::size_t k = 0; k < Real::kLanes && queue.count > 0; ++k) {
-    queue.index[queue.count + k] = queue.index[queue.count - 1];
-  }
-}
-
-template <typename Real>
-void solve_convex(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
-                  HalfPlaneWorkspace<typename Real::Number>& work,
+void solve_convex(const Horizon& horizon, HalfPlaneWorkspace<typename Real::Number>& work,
                   PlaneColumns<typename Real::Number>& planes) {
-  using Number = typename Real::Number;
-  const ResponseTable<Number> table = horizon.table<Number>();
-  fill_up<Real>(work.convex);
-  for (std::size_t i = 0; i < work.convex.count; i += Real::kLanes) {
-    const Number* index = &work.convex.index[i];
-    const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
-    put(frame, convex(frame.local, table), index, std::min(Real::kLanes, work.convex.count - i),
+  HalfPlaneQueue<typename Real::Number>& queue = work.convex;
+  const ResponseTable<typename Real::Number> table = horizon.table<typename Real::Number>();
+  work.cases.convex = queue.count;
+  fill_up<Real>(queue);
+  for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
+    const Frame<Real> frame = queued<Real>(queue, i);
+    put(frame, convex(frame.local, table), &queue.index[i], std::min(Real::kLanes, queue.count - i),
         planes);
   }
 }
 
-/// A pack of the queue; those that are not settled go on to the next one.
+/// A pack of a queue of `count`; those that are not settled stay in it.
 template <Look look, typename Real>
-AVO_KERNEL void solve_horns_at(std::size_t first, const PairColumns<typename Real::Number>& pairs,
-                               const Horizon& horizon,
-                               const HalfPlaneWorkspace<typename Real::Number>& work,
-                               const HalfPlaneQueue<typename Real::Number>& queue,
-                               HalfPlaneQueue<typename Real::Number>& next,
+AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horizon& horizon,
+                               HalfPlaneQueue<typename Real::Number>& queue,
                                PlaneColumns<typename Real::Number>& planes) {
   using Number = typename Real::Number;
-  const ResponseTable<Number> table = horizon.table<Number>();
   const Number* index = &queue.index[first];
-  const std::size_t lanes = std::min(Real::kLanes, queue.count - first);
-  const Frame<Real> frame = queued_frame<Real>(pairs, work, Real::load(index), table.end);
-  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), table);
+  const std::size_t lanes = std::min(Real::kLanes, count - first);
+  const Frame<Real> frame = queued<Real>(queue, first);
+  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), horizon.table<Number>());
   put(frame, result.plane, index, lanes, planes);
-  const std::uint32_t settled = bits(result.settled), free = bits(result.free);
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const bool is_settled = (settled >> k & 1U) != 0;
-    if (!is_settled) next.index[next.count++] = index[k];
-    if (is_settled && (free >> k & 1U) != 0) {
-      planes.state[static_cast<std::size_t>(index[k])] = PairState::free;
-      planes.h[static_cast<std::size_t>(index[k])] = -std::numeric_limits<Number>::infinity();
-      planes.excess[static_cast<std::size_t>(index[k])] = Number(0);
-    }
+  const std::uint32_t settled = bits(result.settled), all = 0xffffffffU >> (32U - lanes);
+  for (std::uint32_t left = settled & bits(result.free) & all; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(index[std::countr_zero(left)]);
+    planes.state[i] = PairState::free;
+    planes.h[i] = -std::numeric_limits<Number>::infinity();
+    planes.excess[i] = Number(0);
   }
+  const std::uint32_t open = all & ~settled;
+  if (open == 0) return;
+  push(queue, Real::load(index), frame, !result.settled,
+       static_cast<std::size_t>(std::popcount(open)));
 }
 
-/// By wide packs as long as they are more than half full.
+/// By wide packs as long as they are more than half full. Returns how many pairs there were.
 template <Look look, typename Real, typename Wide>
-void solve_horns(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
-                 const HalfPlaneWorkspace<typename Real::Number>& work,
-                 HalfPlaneQueue<typename Real::Number>& queue,
-                 HalfPlaneQueue<typename Real::Number>& next,
-                 PlaneColumns<typename Real::Number>& planes) {
+std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue<typename Real::Number>& queue,
+                        PlaneColumns<typename Real::Number>& planes) {
   fill_up<Wide>(queue);
+  const std::size_t count = queue.count;
+  queue.count = 0;
   std::size_t i = 0;
-  for (; i + Real::kLanes < queue.count; i += Wide::kLanes) {
-    solve_horns_at<look, Wide>(i, pairs, horizon, work, queue, next, planes);
+  for (; i + Real::kLanes < count; i += Wide::kLanes) {
+    solve_horns_at<look, Wide>(i, count, horizon, queue, planes);
   }
-  if (i < queue.count) {
-    solve_horns_at<look, Real>(i, pairs, horizon, work, queue, next, planes);
-  }
+  if (i < count) solve_horns_at<look, Real>(i, count, horizon, queue, planes);
+  return count;
 }
 
 /// Wide: what hides the time that Newton's iterations wait for their divisions.
@@ -242,8 +248,11 @@ void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horiz
            HalfPlaneWorkspace<typename Real::Number>& work,
            PlaneColumns<typename Real::Number>& planes) {
   classify<Real>(pairs, horizon, work, planes);
-  solve_convex<Wide>(pairs, horizon, work, planes);
-  solve_horns<Look::quickly, Real, Wide>(pairs, horizon, work, work.horn, work.walk, planes);
-  solve_horns<Look::closely, Real, Wide>(pairs, horizon, work, work.walk, work.follow, planes);
-  solve_horns<Look::thoroughly, Real, Real>(pairs, horizon, work, work.follow, work.rest, planes);
+  solve_convex<Wide>(horizon, work, planes);
+  work.cases.horn = solve_horns<Look::quickly, Real, Wide>(horizon, work.horn, planes);
+  work.cases.walk = solve_horns<Look::closely, Real, Wide>(horizon, work.horn, planes);
+  work.cases.follow = solve_horns<Look::thoroughly, Real, Real>(horizon, work.horn, planes);
+  std::copy_n(work.horn.index.begin(), work.horn.count, &work.rest[work.rest_count]);
+  work.rest_count += work.horn.count;
+  work.cases.rest = work.rest_count;
 }
