@@ -28,8 +28,7 @@ AVO_KERNEL NearSide<Real> select(decltype(Real() < Real()) mask, const NearSide<
 }
 
 // As walk(), but halves a stride on which |b| turns near R, or may turn twice, and goes on past a
-// crossing. Once
-// `settled`, |b| can only fall through R, once, up to τ.
+// crossing. Once `settled`, |b| can only fall through R, once, up to τ.
 template <typename Real>
 AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& passage,
                                   const ResponseTable<typename Real::Number>& table) {
@@ -59,7 +58,8 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
         signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
     const auto near_R =
         min(abs(from_length - R), abs(to_length - R)) <= (next - t) * max(pace(from), pace(to));
-    const Real flat = Real(0.1);  // `cusp` may change its sign twice, for little of |b|
+    // on a long stride `cusp` may change its sign twice, where it is near 0
+    const Real flat = Real(0.1);
     const auto near_cusp = (abs(from.cusp) < flat * from.l2) | (abs(to.cusp) < flat * to.l2);
     const auto wide = (next - t > Real(0.25) * t) &
                       (min(abs(from_length - R), abs(to_length - R)) < Real(0.25) * R);
