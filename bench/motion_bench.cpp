@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "planner/arrival.h"
 #include "planner/robot_columns.h"
 #include "sim/moving_columns.h"
 
@@ -124,7 +125,9 @@ void wish_among_ten(benchmark::State& state) {
     columns.add(scene.robot);
     look_around({&sensing, 1}, columns);
     keep_right(columns);
-    return Vec2{columns.wish_x[0], columns.wish_y[0]};
+    Detour detour;
+    return wish_of(scene.robot, {columns.wish_x[0], columns.wish_y[0]},
+                   {columns.push_x[0], columns.push_y[0]}, planner.options().time_step, detour);
   });
 }
 BENCHMARK(wish_among_ten);

@@ -154,7 +154,7 @@ class PlanWorkspace {
  private:
   friend class Planner;
   friend void reserve_together(const Planner&, std::size_t, std::size_t, std::size_t, std::size_t,
-                               std::size_t, PlanWorkspace&);
+                               std::size_t, std::size_t, PlanWorkspace&);
   friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&,
                             StageClock&) noexcept;
   struct Scratch;
@@ -162,8 +162,8 @@ class PlanWorkspace {
 };
 
 void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, std::size_t neighbors_each, std::size_t braking_steps,
-                      PlanWorkspace& workspace);
+                      std::size_t planes, std::size_t neighbors_each, std::size_t neighbors,
+                      std::size_t braking_steps, PlanWorkspace& workspace);
 
 /// Decides for one robot. Immutable after construction and safe to share between threads: plan()
 /// is pure, it knows no time, ids, files or threads.

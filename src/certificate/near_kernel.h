@@ -141,7 +141,7 @@ AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, c
     if (whom == Whom::movers) continue;
     const auto near = counted & decides & !are_far(bound, a_max, p - of.position, of);
     if (!any(near)) continue;
-    push(own, i, of, Real(static_cast<double>(k)) + lane_numbers<Real>(), near, pairs.queue);
+    push(own, i, of, Real::numbers_from(k), near, pairs.queue);
     if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
   }
   return any(movers);

@@ -5,12 +5,39 @@ namespace avo {
 
 void BrakingColumns::reserve(std::size_t robots) {
   if (x.size() >= robots + kSpareNeighbors) return;
-  for (Column* column :
-       {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &max_speed, &is_car, &speed, &decrement,
-        &full_steps, &direction_x, &direction_y, &length, &reach, &intervals, &ahead_start,
-        &ahead_slope, &across_start, &across_slope, &anyhow_start, &anyhow_slope, &fast_speed,
-        &fast_steps, &slow_speed, &slow_steps, &most_ahead, &most_aside, &far_distance,
-        &far_speed_squared, &far_reach[0], &far_reach[1], &far_reach[2]}) {
+  for (Column* column : {&x,
+                         &y,
+                         &v_x,
+                         &v_y,
+                         &radius,
+                         &max_acceleration,
+                         &max_speed,
+                         &is_car,
+                         &speed,
+                         &decrement,
+                         &full_steps,
+                         &direction_x,
+                         &direction_y,
+                         &length,
+                         &reach,
+                         &intervals,
+                         &ahead_start,
+                         &ahead_slope,
+                         &across_start,
+                         &across_slope,
+                         &anyhow_start,
+                         &anyhow_slope,
+                         &fast_speed,
+                         &fast_steps,
+                         &slow_speed,
+                         &slow_steps,
+                         &most_ahead,
+                         &most_aside,
+                         &far_distance,
+                         &far_speed_squared,
+                         &far_reach[0],
+                         &far_reach[1],
+                         &far_reach[2]}) {
     column->resize(robots + kSpareNeighbors, 1.0);
   }
 }

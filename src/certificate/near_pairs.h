@@ -58,10 +58,10 @@ struct NearQueue {
   Column other_x, other_y, other_v_x, other_v_y, other_radius, other_max_acceleration;
 };
 
-/// A pair that can refuse a candidate of A's; what is A's alone is left out.
+/// A pair that can refuse a candidate of A's.
 struct NearPair {
   std::uint32_t robot, neighbor;  ///< of the robots, and of this one's neighbors
-  BrakingPair pair;
+  BrakingPair pair;               ///< its `a` is left out: BrakingColumns have it
 };
 
 /// Scratch memory and result of find_near(); allocates only while it grows.

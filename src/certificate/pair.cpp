@@ -39,16 +39,6 @@ Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
   return plain(scalar::braking_of(pack(velocity), Real(max_acceleration), law));
 }
 
-Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law) {
-  const auto found = scalar::deviation_of<Real>(pack(a), {is_car}, law);
-  const auto line = [](const auto& of) {
-    return Deviation::Line{of.start.value, of.per_distance.value};
-  };
-  return {line(found.ahead),      line(found.across),     line(found.anyhow),
-          plain(found.fast),      plain(found.slow),      found.most_ahead.value,
-          found.most_aside.value};
-}
-
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.max_acceleration > 0.0) {

@@ -37,7 +37,6 @@ struct Deviation {
   BrakingProfile fast, slow;
   double most_ahead = 0.0, most_aside = 0.0;  ///< of all intervals: ahead; across and anyhow
 };
-Deviation deviation_of(const Braking& a, bool is_car, const StepLaw& law);
 
 /// Pairs whose braking takes more intervals than this are not looked at but braked for.
 inline constexpr double kMostIntervals = 65536.0;

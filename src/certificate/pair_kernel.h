@@ -136,8 +136,7 @@ AVO_KERNEL auto refuses_nothing(const PackSelf<Real>& self, Real most_ahead, Rea
   const Real alone = d + towards / select(apart, d, one);
   // equally able ones brake with less relative velocity than they have
   const Real steps = one + max(self.braking.profile.full_steps, pair.b.profile.full_steps);
-  const Real drift =
-      Real(law.time_step) * steps * norm(self.velocity - of.velocity);
+  const Real drift = Real(law.time_step) * steps * norm(self.velocity - of.velocity);
   const Real a_A = self.max_acceleration;
   const auto able_alike = (of.max_acceleration <= a_A) & (of.max_acceleration >= a_A);
   const Real together = select(able_alike, d - drift, alone);
@@ -173,13 +172,12 @@ AVO_KERNEL PackFarBound<Real> far_bound_of(Vec<Real> position, Real radius,
   const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
   const Real speed = Real(kFarther) * max(max_speed, own.speed);
   const Real intervals = Real(3.0) + (speed + top) * per_u;
-  const Real error = Real(law.sensing_error.position) +
-                     Real(law.sensing_error.velocity) * h * intervals;
+  const Real error =
+      Real(law.sensing_error.position) + Real(law.sensing_error.velocity) * h * intervals;
   // of the rounding margin, what does not grow with the distance
   const Real places = abs(position.x) + abs(position.y);
   const Real lengths = radius + reach_at(own.speed);
-  const Real margin =
-      Real(0x1p-46) * (places + lengths + radius + reach_at(speed)) * intervals;
+  const Real margin = Real(0x1p-46) * (places + lengths + radius + reach_at(speed)) * intervals;
   const auto is_known = intervals <= Real(kMostIntervals);
   const Real infinity(std::numeric_limits<double>::infinity());
   return {select(is_known, lengths + error + margin, infinity), reach, speed * speed};

@@ -7,7 +7,7 @@ template <typename Real>
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {
   for (; own.filled <= own.count; own.filled += Real::kLanes) {
     const std::size_t k = own.filled;
-    const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
+    const Real m = Real::numbers_from(k);
     const PackDistances<Real> braking = distances(constant<Real>(a.profile), law, m);
     const Vec<Real> along = constant<Real>(a.direction);
     const Vec<Real> start = braking.start * along, middle = braking.middle * along;
@@ -171,7 +171,7 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
   const bool is_exact = law.sensing_error == SensingError{};
   Real nearest = infinity;
   for (std::size_t k = 0; k < of.intervals; k += Real::kLanes) {
-    const Real m = Real(static_cast<double>(k)) + lane_numbers<Real>();
+    const Real m = Real::numbers_from(k);
     const PackPoints<Real> x_A{load(own.start_x, own.start_y, k),
                                load(own.middle_x, own.middle_y, k),
                                load(own.start_x, own.start_y, k + 1)};
@@ -202,7 +202,7 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
     const auto holds = m < Real(of.moving);  // the invariant speaks of it
     nearest = select(close & holds & (distance < nearest), distance, nearest);
     const Real moved =
-        is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // of errors only
+        is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors ask
     PackMargin<Real> margin = error_margin(pair, law, m, distance, moved);
     const Real loss = max(-dot(n, d), zero) * Real::load(&own.ahead[k]) +
                       abs(cross(n, d)) * Real::load(&own.across[k]) + Real::load(&own.anyhow[k]) +

@@ -14,15 +14,15 @@ namespace {
 using Real = scalar::Pack<double>;
 
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
-constexpr double kLeastWeight = 0.3;      // of giving way on the way
-constexpr double kPush = 2.0;             // v_max, in contact
-constexpr double kSettled = 2.0;          // times kYields until it stays where it is
+constexpr double kLeastWeight = 0.3;     // of giving way on the way
+constexpr double kPush = 2.0;            // v_max, in contact
+constexpr double kSettled = 2.0;         // times kYields until it stays where it is
 constexpr double kSettleDistance = 0.5;  // radii, from the goal
-constexpr double kYields = 5.0;           // T for which it gives way near its goal
-constexpr double kRecovers = 1.25;        // T after which it would again
-constexpr double kMostDetour = 2.4;       // almost back
-constexpr double kTurnOff = 1.0;          // per T
-constexpr double kTurnBack = 2.0;         // per T
+constexpr double kYields = 5.0;          // T for which it gives way near its goal
+constexpr double kRecovers = 1.25;       // T after which it would again
+constexpr double kMostDetour = 2.4;      // almost back
+constexpr double kTurnOff = 1.0;         // per T
+constexpr double kTurnBack = 2.0;        // per T
 
 double time_to_speed(const Robot& robot) {
   return robot.max_speed / robot.max_acceleration;
@@ -49,7 +49,8 @@ bool is_sound(const Detour& detour) {
 }  // namespace
 
 double arrival_range(const Robot& robot, double largest_radius) {
-  const Real range = scalar::traffic_range<Real>(robot.max_speed, robot.max_acceleration, robot.radius);
+  const Real range =
+      scalar::traffic_range<Real>(robot.max_speed, robot.max_acceleration, robot.radius);
   return std::max(range.value, (1.0 + kRoom) * (robot.radius + largest_radius));
 }
 
@@ -79,8 +80,7 @@ Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, double time_step, D
                        ? std::min(detour.yielded + elapsed / kYields, kSettled)
                        : std::max(detour.yielded - elapsed / kRecovers, 0.0);
   if (has_settled(robot, detour)) return {};
-  return kept_right +
-         (kPush * robot.max_speed * std::max(1.0 - detour.yielded, 0.0)) * push;
+  return kept_right + (kPush * robot.max_speed * std::max(1.0 - detour.yielded, 0.0)) * push;
 }
 
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {

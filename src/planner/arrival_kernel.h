@@ -49,7 +49,7 @@ AVO_KERNEL Traffic look_around(const Robot& robot, const Neighbors& neighbors, d
     const auto rests = dot(velocity, velocity) < slow_squared;
     const auto near = (squared < range_squared) & (dot(towards, way) > zero);
     const Real weight = one - per_range * sqrt(squared);
-    // eight at a time in the same order, so that no number of lanes has a say
+    // eight at a time in the same order: no number of lanes has a say, nor zeros at the end
     select(counted & near & (closing | rests), weight, zero).store(weights + k % 8);
     if ((k + Real::kLanes) % 8 == 0 || k + Real::kLanes >= neighbors.count) {
       traffic.ahead += ((weights[0] + weights[4]) + (weights[2] + weights[6])) +
@@ -77,8 +77,7 @@ void look_around(std::span<const Sensing> robots, RobotColumns& columns) {
   }
   for (std::size_t i = 0; i < columns.count; ++i) {
     const Sensing& sensing = robots[i];
-    const Traffic traffic =
-        look_around<Real>(*sensing.robot, sensing.neighbors, columns.range[i]);
+    const Traffic traffic = look_around<Real>(*sensing.robot, sensing.neighbors, columns.range[i]);
     columns.ahead[i] = traffic.ahead;
     columns.push_x[i] = traffic.push.x, columns.push_y[i] = traffic.push.y;
   }
@@ -90,7 +89,8 @@ void keep_right(RobotColumns& columns) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const Vec<Real> way{load(columns.preferred_x), load(columns.preferred_y)};
     const Real ahead = load(columns.ahead);
-    const Real stopping = stopping_distance(load(columns.max_speed), load(columns.max_acceleration));
+    const Real stopping =
+        stopping_distance(load(columns.max_speed), load(columns.max_acceleration));
     const Real part = min(ahead, Real(kCongestion)) / Real(kCongestion);
     const auto turns = !((load(columns.distance) < stopping) | !(ahead > Real(0.0)));
     const Vec<Real> wish = select(turns, turned_right(way, part * Real(kMostKeepRight)), way);

@@ -21,12 +21,6 @@ CertificateLaw certificate_law(const Planner& planner) {
 
 namespace {
 
-// One way of choosing: towards the wish as the paper's program allows, or as the limits do.
-struct Choice {
-  CertifiedChoice certified;
-  double violation = 0.0;  // m/s, of the half-planes by what the program chose
-};
-
 // What a decision is made from; the walls of the robot lie in `certified`.
 struct Decision {
   const Robot& robot;
@@ -39,22 +33,22 @@ struct Decision {
 };
 
 // The nearest admitted to `wanted`, one step towards what Eq. (23) chose.
-Choice choose(const Decision& decision, const ProgramResult& result, Vec2 wanted) {
-  return {choose_certified(decision.robot, wanted, decision.law, decision.certified),
-          result.violation};
+CertifiedChoice choose(const Decision& decision, Vec2 wanted) {
+  return choose_certified(decision.robot, wanted, decision.law, decision.certified);
 }
 
-Choice choose(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
+CertifiedChoice choose(const Decision& decision, std::span<const HalfPlane> half_planes,
+                       Vec2 wish) {
   const ProgramResult result = nearest_point({}, half_planes, decision.acceleration, decision.speed,
                                              wish, decision.certified.projected);
-  return choose(decision, result,
-                approach(decision.robot.velocity, result.point, decision.decrement()));
+  return choose(decision, approach(decision.robot.velocity, result.point, decision.decrement()));
 }
 
 // unhindered: as far as one step leads to the wish.
-bool is_blocked(const Decision& decision, const Choice& choice, Vec2 unhindered, Vec2 wish) {
+bool is_blocked(const Decision& decision, const CertifiedChoice& choice, Vec2 unhindered,
+                Vec2 wish) {
   const bool turns = decision.robot.car && decision.robot.velocity == Vec2{};
-  Vec2 next_velocity = choice.certified.next_velocity;
+  Vec2 next_velocity = choice.next_velocity;
   if (turns) {
     // it turns before it drives: could it, once it has turned?
     Robot turned = decision.robot;
@@ -66,11 +60,11 @@ bool is_blocked(const Decision& decision, const Choice& choice, Vec2 unhindered,
 }
 
 // Where the wish is blocked, take what the certificate alone admits on a detour.
-Choice choose_and_arrive(const Decision& decision, const Wished& wished, Detour& detour) {
+CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished, Detour& detour) {
   const Robot& robot = decision.robot;
   const double time_step = decision.law.step.time_step;
   const Vec2 wish = wished.wish;
-  Choice choice = choose(decision, wished.result, wished.next);
+  CertifiedChoice choice = choose(decision, wished.next);
   if (!may_detour(robot)) {
     detour.angle = 0.0;
     return choice;
@@ -80,7 +74,7 @@ Choice choose_and_arrive(const Decision& decision, const Wished& wished, Detour&
     const Vec2 unhindered = approach(robot.velocity, turned, decision.decrement());
     choice = choose(decision, std::span<const HalfPlane>{}, turned);
     if (is_blocked(decision, choice, unhindered, turned)) turn_off(detour, robot, time_step);
-    if (choice.certified.chosen == Chosen::wanted) choice.certified.chosen = Chosen::candidate;
+    if (choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
   } else if (detour.angle > 0.0) {
     turn_back(detour, robot, time_step);
     choice = choose(decision, decision.half_planes, turned_right(wish, detour.angle));
@@ -88,24 +82,11 @@ Choice choose_and_arrive(const Decision& decision, const Wished& wished, Detour&
   return choice;
 }
 
-PlanStatus status_of(const Choice& choice, const Invariant& invariant, bool overlapping) {
+PlanStatus status_of(Chosen chosen, double violation, const Invariant& invariant,
+                     bool overlapping) {
   if (overlapping || invariant.broken >= 0 || invariant.touched) return PlanStatus::overlapping;
-  switch (choice.certified.chosen) {
-    case Chosen::backup:
-      return PlanStatus::braking;
-    case Chosen::candidate:
-      return PlanStatus::candidate;
-    case Chosen::wanted:
-      break;
-  }
-  return choice.violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
-}
-
-Plan step(const Robot& robot, const CertificateLaw& law, const Choice& choice, PlanStatus status) {
-  Plan plan = plan_to(robot, choice.certified.next_velocity, law.step);
-  plan.status = status;
-  plan.violation = choice.violation;
-  return plan;
+  if (chosen == Chosen::backup) return PlanStatus::braking;
+  return chosen == Chosen::candidate ? PlanStatus::candidate : avo::status_of(false, violation);
 }
 
 }  // namespace
@@ -118,9 +99,11 @@ Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw
   const Decision decision{
       robot, law, acceleration_disc(robot), speed_disc(robot), wished.half_planes, certified};
   collect_walls(sensing, i, law, certified.walls);
-  Choice choice = choose_and_arrive(decision, wished, detour);
-  choice.violation = wished.violation();
-  return step(robot, law, choice, status_of(choice, certified.walls.invariant, wished.overlapping));
+  const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
+  const double violation = wished.violation();
+  return step_to(robot, choice.next_velocity,
+                 status_of(choice.chosen, violation, certified.walls.invariant, wished.overlapping),
+                 violation);
 }
 
 Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
@@ -137,8 +120,10 @@ Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, V
   collect_walls(robot, movers, law, certified.walls);
   const Vec2 wanted =
       approach(robot.velocity, target, braking_decrement(robot.max_acceleration, law.step));
-  const Choice choice{choose_certified(robot, wanted, law, certified), violation};
-  return step(robot, law, choice, status_of(choice, certified.walls.invariant, overlapping));
+  const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
+  return step_to(robot, choice.next_velocity,
+                 status_of(choice.chosen, violation, certified.walls.invariant, overlapping),
+                 violation);
 }
 
 void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,

@@ -35,6 +35,12 @@ struct Wished {
   }
 };
 
+/// Of a choice of the program's that is kept.
+inline PlanStatus status_of(bool overlapping, double violation) {
+  if (overlapping) return PlanStatus::overlapping;
+  return violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
+}
+
 // Here to be inlined: passing a vector by value costs more than the division.
 inline Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
                             double violation) const noexcept {

@@ -20,7 +20,7 @@ Braking fastest(const Planner& planner, const Robot& robot) {
 }
 
 // Beyond it cannot_meet() holds of all pairs. What covers rounding grows with the places of both,
-// of which the neighbor's is at most the distance farther out.
+// of which the neighbor's is at most the distance farther out, √2 of it in one-norms.
 double certificate_range(const Planner& planner, const Robot& robot, const Peers& peers) {
   const SensingError& error = planner.options().sensing_error;
   const double time = planner.options().time_step * peers.intervals;
@@ -31,7 +31,7 @@ double certificate_range(const Planner& planner, const Robot& robot, const Peers
   if (!(margin < 0.5)) return kInfinity;
   const double places = 4.0 * kMostRelevantPosition;
   return (reach + error.position + error.velocity * time + margin * (reach + places)) /
-         (1.0 - margin);
+         (1.0 - std::numbers::sqrt2 * margin);
 }
 
 }  // namespace

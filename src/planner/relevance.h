@@ -18,7 +18,8 @@ struct Peers {
 /// Of the robot only radius and limits count.
 void include(Peers& peers, const Planner& planner, const Robot& robot);
 
-/// m: a neighbor farther away changes no bit of what Planner::plan() decides, unless it is one of
+/// m: a neighbor farther away changes no bit of what Planner::plan() decides among neighbors in the
+/// order of their distances, unless it is one of
 /// the nearest max_neighbors or does not decide itself; 0 where nobody else matters, infinite where
 /// all do. Holds while no robot exceeds its max_speed by more than a rounding, and within
 /// kMostRelevantPosition of the origin. Of the robot only radius and limits count.

@@ -64,11 +64,31 @@ void decide_freely(const StepLaw& law, RobotColumns& columns) {
 
 void RobotColumns::reserve(std::size_t robots) {
   if (v_x.size() >= robots + kSpareNeighbors) return;
-  for (Column* column :
-       {&v_x, &v_y, &preferred_x, &preferred_y, &distance, &radius, &max_acceleration, &max_speed,
-        &range, &ahead, &push_x, &push_y, &wish_x, &wish_y, &target_x, &target_y, &next_x, &next_y,
-        &unhindered_x, &unhindered_y,
-        &new_x, &new_y, &a_x, &a_y, &is_free}) {
+  for (Column* column : {&v_x,
+                         &v_y,
+                         &preferred_x,
+                         &preferred_y,
+                         &distance,
+                         &radius,
+                         &max_acceleration,
+                         &max_speed,
+                         &range,
+                         &ahead,
+                         &push_x,
+                         &push_y,
+                         &wish_x,
+                         &wish_y,
+                         &target_x,
+                         &target_y,
+                         &next_x,
+                         &next_y,
+                         &unhindered_x,
+                         &unhindered_y,
+                         &new_x,
+                         &new_y,
+                         &a_x,
+                         &a_y,
+                         &is_free}) {
     column->resize(robots + kSpareNeighbors, 1.0);
   }
 }

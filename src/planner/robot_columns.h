@@ -19,8 +19,8 @@ struct RobotColumns {
   Column distance, radius, max_acceleration, max_speed;  // of the goal m; m, m/s², m/s
 
   Column range, ahead, push_x, push_y;  // m; by look_around(), see Traffic
-  Column wish_x, wish_y;          // m/s, by keep_right()
-  Column target_x, target_y;      // m/s, what Eq. (23) made of the wish
+  Column wish_x, wish_y;                // m/s, by keep_right(), and then by wish_of()
+  Column target_x, target_y;            // m/s, what Eq. (23) made of the wish
   // by decide_freely(), [v_1] m/s: target and wish as far as one step leads to them
   Column next_x, next_y, unhindered_x, unhindered_y;
   Column new_x, new_y, a_x, a_y;  // m/s, m/s², likewise: the decision for it

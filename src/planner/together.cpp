@@ -143,9 +143,7 @@ void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
     plan.new_velocity = {columns.new_x[i], columns.new_y[i]};
     plan.acceleration = {columns.a_x[i], columns.a_y[i]};
     plan.violation = soft.exceeding ? wished.violation() : wished.result.violation;
-    plan.status = wished.overlapping      ? PlanStatus::overlapping
-                  : plan.violation > 0.0 ? PlanStatus::least_unsafe
-                                         : PlanStatus::optimal;
+    plan.status = status_of(wished.overlapping, plan.violation);
   }
 }
 
@@ -194,20 +192,18 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
       continue;
     }
     const double worst = worst_violation(scratch.soft, i, result);
-    const PlanStatus status = scratch.soft.overlapping[i] != 0 ? PlanStatus::overlapping
-                              : worst > 0.0                    ? PlanStatus::least_unsafe
-                                                               : PlanStatus::optimal;
+    const PlanStatus status = status_of(scratch.soft.overlapping[i] != 0, worst);
     plan = planner.finish(robot, result.point, status, worst);
   }
   clock.lap(Stage::certificate);
 }
 
 void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, std::size_t neighbors_each, std::size_t braking_steps,
-                      PlanWorkspace& workspace) {
+                      std::size_t planes, std::size_t neighbors_each, std::size_t neighbors,
+                      std::size_t braking_steps, PlanWorkspace& workspace) {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   scratch.reserve_choice(neighbors_each, braking_steps);
-  scratch.certified.walls.near.reserve(robots, robots * neighbors_each);
+  scratch.certified.walls.near.reserve(robots, neighbors);
   scratch.deciding.reserve(robots);
   scratch.sensing.reserve(robots);
   scratch.wishes.reserve(robots);

@@ -21,9 +21,9 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
                    PlanWorkspace& workspace, StageClock& clock) noexcept;
 
 /// Room for so many robots with at most so many half-planes each, and in all, among at most so many
-/// neighbors each, which brake for at most so many steps.
+/// neighbors each, and in all, which brake for at most so many steps.
 void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, std::size_t neighbors_each, std::size_t braking_steps,
-                      PlanWorkspace& workspace);
+                      std::size_t planes, std::size_t neighbors_each, std::size_t neighbors,
+                      std::size_t braking_steps, PlanWorkspace& workspace);
 
 }  // namespace avo

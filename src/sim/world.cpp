@@ -33,10 +33,11 @@ void reserve(const World& world, Worker& worker) {
   worker.queries.reserve(together);
   worker.search.reserve(
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
-  worker.tile.reserve(together, std::min(together * seen, kTileCandidates + seen));
+  const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
+  worker.tile.reserve(together, sensed);
   const std::size_t each = std::min(seen, world.most_nearest());
   reserve_together(world.planner, together, each, std::min(together * each, kTileCandidates + each),
-                   seen, most_braking_steps(world), worker.plan);
+                   seen, sensed, most_braking_steps(world), worker.plan);
 }
 
 }  // namespace

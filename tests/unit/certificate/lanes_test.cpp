@@ -146,12 +146,16 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
 TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   Random random(42);
   int slow = 0, tight = 0;
+  NeighborColumns columns;
+  NearPairs near;
   for (int i = 0; i < 4000; ++i) {
     const PairSituation s =
         random_pair(random, kS3, i % 2 == 0 ? Motion::held : Motion::exponential);
     const StepLaw& law = s.law.step;
     const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, law);
-    const Deviation deviation = deviation_of(a, false, law);
+    const Sensing sensing{&s.a, in_columns({}, columns), true};
+    find_near({&sensing, 1}, Whom::everyone, law, near);
+    const Deviation deviation = near.own.deviation(0);
     OwnColumns own;
     own.count = std::min<std::size_t>(static_cast<std::size_t>(a.intervals), 100);
     own.reserve(own.count);

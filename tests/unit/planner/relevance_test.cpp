@@ -163,6 +163,35 @@ TEST(Relevance, the_far_change_no_bit) {
   }
 }
 
+// Who has a neighbor that does not decide is planned by itself, whom nobody hinders in lanes.
+TEST(Relevance, a_mover_far_away_changes_no_bit) {
+  Random random(12);
+  int free = 0, turning = 0, yielding = 0;
+  for (int k = 0; k < 8000 && !testing::Test::HasFailure(); ++k) {
+    const Certificate certificate =
+        k % 3 == 0 ? Certificate::none : Certificate::braking_trajectories;
+    Crowd crowd = crowd_of(random, certificate, k % 2 == 0 ? Motion::held : Motion::exponential);
+    crowd.options.max_neighbors = 30;
+    if (random.below(2) == 0) crowd.neighbors.resize(crowd.neighbors.size() / 2);
+    if (random.below(8) == 0) crowd.robot.velocity = 1.2 * crowd.robot.velocity;
+    const Planner planner(crowd.options);
+    const Detour detour{random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0),
+                        random.below(2) == 0 ? 0.0 : random.uniform(0.0, 2.0)};
+    const Decision alone = decide(planner, crowd.robot, crowd.neighbors, detour);
+    Neighbor mover;
+    mover.position = {1e5, 0.0};
+    mover.max_acceleration = 0.0;
+    crowd.neighbors.push_back(mover);
+    EXPECT_EQ(decide(planner, crowd.robot, crowd.neighbors, detour), alone) << crowd;
+    free += alone.plan.status == PlanStatus::optimal && detour.angle == 0.0 ? 1 : 0;
+    turning += detour.angle > 0.0 ? 1 : 0;
+    yielding += alone.detour.yielded > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(free, 1000);
+  EXPECT_GT(turning, 1000);
+  EXPECT_GT(yielding, 1000);
+}
+
 TEST(Relevance, everyone_matters_where_nothing_bounds_it) {
   PlannerOptions options = default_options(Method::avo);
   const Robot robot;
