@@ -127,7 +127,7 @@ void wish_among_ten(benchmark::State& state) {
     keep_right(columns);
     Detour detour;
     return wish_of(scene.robot, {columns.wish_x[0], columns.wish_y[0]},
-                   {columns.push_x[0], columns.push_y[0]}, planner.options().time_step, detour);
+                   {columns.push_x[0], columns.push_y[0]}, planner.options(), detour);
   });
 }
 BENCHMARK(wish_among_ten);

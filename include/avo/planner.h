@@ -69,6 +69,8 @@ struct PlannerOptions {
   /// [d_s] s, > 0, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
   double soft_stop_time = 2.0;
   SensingError sensing_error = {};  ///< of braking_trajectories, the same for all
+  /// m, > 0: of its goal; beside others that stay, a robot of method avo rests within half of it.
+  double arrival_distance = 0.5;
   Precision precision = Precision::double_precision;
 };
 

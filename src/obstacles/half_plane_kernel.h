@@ -84,8 +84,8 @@ template <typename Real>
 AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
                             const ResponseTable<typename Real::Number>& table, Real low,
                             Real high) {
-  const Real halfway =
-      Real(0.5) * sqrt((pair.r - approach.b) * (pair.r + approach.b)) * approach.per_speed;
+  const Real half_chord2 = max((pair.r - approach.b) * (pair.r + approach.b), Real(0.0));
+  const Real halfway = Real(0.5) * sqrt(half_chord2) * approach.per_speed;
   const At<Real> middle = at(table, min(max(approach.t_m - halfway, Real(0.0)), Real(table.end)));
   const Real c = min(cosine, Real(0.95));
   const Real sigma = max(abs(approach.b) * c / sqrt(Real(1.0) - c * c),

@@ -38,8 +38,8 @@ AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const 
   return frame;
 }
 
-/// Those chosen of a pack: behind the others, or where they were or before it. Counts `count` of
-/// them.
+/// Those chosen of a pack go behind the others, `count` of them. Of a pack that was just read from
+/// the same queue they stay in it: whole packs are written, but no farther than where it was.
 template <typename Real>
 AVO_KERNEL void push(HalfPlaneQueue<typename Real::Number>& queue, Real index,
                      const Frame<Real>& frame, typename Frame<Real>::Mask chosen,
@@ -59,7 +59,7 @@ AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue<typename Real::Number>& queue
   const auto load = [i](const std::vector<typename Real::Number>& column) {
     return Real::load(&column[i]);
   };
-  Frame<Real> frame;
+  Frame<Real> frame{};  // nobody asks its masks again
   frame.local = {
       load(queue.d), {load(queue.v_x), load(queue.v_y)}, load(queue.radius), load(queue.reach)};
   frame.e = {load(queue.e_x), load(queue.e_y)};
@@ -155,13 +155,13 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
     if (open == 0) continue;
     const auto waits = !(contact | free | last.nearest);
-    const auto count = [](std::uint32_t lanes) {
+    const auto number_of = [](std::uint32_t lanes) {
       return static_cast<std::size_t>(std::popcount(lanes));
     };
     const std::uint32_t convex = open & bits(frame.on_collision_course);
     const Real index = Real::numbers_from(i);
-    push(work.convex, index, frame, waits & frame.on_collision_course, count(convex));
-    push(work.horn, index, frame, waits & (!frame.on_collision_course), count(open & ~convex));
+    push(work.convex, index, frame, waits & frame.on_collision_course, number_of(convex));
+    push(work.horn, index, frame, waits & (!frame.on_collision_course), number_of(open & ~convex));
   }
 }
 
@@ -247,6 +247,7 @@ template <typename Real, typename Wide>
 void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
            HalfPlaneWorkspace<typename Real::Number>& work,
            PlaneColumns<typename Real::Number>& planes) {
+  static_assert(Wide::kLanes <= kSparePairs);
   classify<Real>(pairs, horizon, work, planes);
   solve_convex<Wide>(horizon, work, planes);
   work.cases.horn = solve_horns<Look::quickly, Real, Wide>(horizon, work.horn, planes);

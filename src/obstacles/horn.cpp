@@ -20,7 +20,7 @@ using Side = scalar::NearSide<Real>;
 
 // |b| turns five times at most (three signs of `tangential`, two cusps): six pieces with a crossing
 // each, three ends of the first disc.
-constexpr std::size_t kMaxPoints = 10;
+constexpr std::size_t kMaxPoints = 9;
 constexpr double kTurnTolerance = 1e-7;  // relative; every use is of second order in the time
 
 struct Search {

@@ -58,11 +58,10 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
         signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
     const auto near_R =
         min(abs(from_length - R), abs(to_length - R)) <= (next - t) * max(pace(from), pace(to));
-    // on a long stride `cusp` may change its sign twice, where it is near 0
-    const Real flat = Real(0.1);
-    const auto near_cusp = (abs(from.cusp) < flat * from.l2) | (abs(to.cusp) < flat * to.l2);
-    const auto wide = (next - t > Real(0.25) * t) &
-                      (min(abs(from_length - R), abs(to_length - R)) < Real(0.25) * R);
+    const auto near_cusp =
+        (abs(from.cusp) < Real(kFlat) * from.l2) | (abs(to.cusp) < Real(kFlat) * to.l2);
+    const auto wide = (next - t > Real(kWide) * t) &
+                      (min(abs(from_length - R), abs(to_length - R)) < Real(kWide) * R);
     doubt = active & (!settled) & ((turns & near_R) | (near_cusp & wide));
     const auto moves = active & (!doubt), now_inside = to_length <= R;
     const auto enters = moves & now_inside & (!inside), leaves = moves & inside & (!now_inside);

@@ -241,7 +241,8 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& 
     const Real pace = Real(-1.0 / 3.2) * bracket.sense * sum * sum *
                       (side.l2 * side.per_y2 * side.lead) * sum * per;
     const Real direct = f * pace;  // Newton's
-    const auto curved = again & (abs(last_f - f) > zero);
+    // not through two points nearer to each other than to where f = 0: their difference is rounding
+    const auto curved = again & (abs(last_f - f) > abs(f));
     const Real first_f = select(curved, last_f, f + one);
     const Real beyond = beyond_newton(last_t - t, first_f, last_pace, f, pace);
     const Real step = select(curved, beyond, zero) - direct;

@@ -55,10 +55,10 @@ AVO_KERNEL Real pace(const NearSide<Real>& side) {
          abs(side.cusp * inverse(side.l * sqrt(side.b2)));
 }
 
-// Where more than one crossing cannot be excluded beforehand: strides
-// along the near side. Between two of them |b| is monotone, or turns (`tangential` or
-// `cusp` changes its sign) too far from R to get there; a lane where neither is so, or where |b|
-// rises through R, is not `once`. Ends where |b| stays below R, or can only fall from there.
+// Where more than one crossing cannot be excluded beforehand: strides along the near side. Between
+// two of them |b| is monotone, or turns (`tangential` or `cusp` changes its sign) too far from R to
+// get there; a lane where neither is so, or where |b| rises through R, is not `once`. Ends where
+// |b| stays below R, or can only fall from there.
 template <typename Real>
 AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::Number>& table,
                      Passage<Real>& passage) {

@@ -17,7 +17,7 @@ constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which 
 constexpr double kLeastWeight = 0.3;     // of giving way on the way
 constexpr double kPush = 2.0;            // v_max, in contact
 constexpr double kSettled = 2.0;         // times kYields until it stays where it is
-constexpr double kSettleDistance = 0.5;  // radii, from the goal
+constexpr double kSettleDistance = 0.5;  // of the arrival distance, from the goal
 constexpr double kYields = 5.0;          // T for which it gives way near its goal
 constexpr double kRecovers = 1.25;       // T after which it would again
 constexpr double kMostDetour = 2.4;      // almost back
@@ -36,8 +36,8 @@ Vec2 plain(const scalar::Vec<Real>& a) {
 }
 
 // Whether it has been beside others for so long, and so near its goal, that it stays there.
-bool has_settled(const Robot& robot, const Detour& detour) {
-  return detour.yielded >= kSettled && robot.distance_to_goal < kSettleDistance * robot.radius;
+bool has_settled(const Robot& robot, const Detour& detour, double arrival_distance) {
+  return detour.yielded >= kSettled && robot.distance_to_goal < kSettleDistance * arrival_distance;
 }
 
 // Whether it is something that a robot can remember.
@@ -71,15 +71,16 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   return (weight * nearness / distance) * away;
 }
 
-Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, double time_step, Detour& detour) {
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOptions& options,
+             Detour& detour) {
   if (!is_sound(detour)) detour = {};
   if (push == Vec2{} && detour.yielded == 0.0) return kept_right;
-  const double elapsed = time_step / time_to_speed(robot);
+  const double elapsed = options.time_step / time_to_speed(robot);
   const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;
   detour.yielded = near_goal && push != Vec2{}
                        ? std::min(detour.yielded + elapsed / kYields, kSettled)
                        : std::max(detour.yielded - elapsed / kRecovers, 0.0);
-  if (has_settled(robot, detour)) return {};
+  if (has_settled(robot, detour, options.arrival_distance)) return {};
   return kept_right + (kPush * robot.max_speed * std::max(1.0 - detour.yielded, 0.0)) * push;
 }
 

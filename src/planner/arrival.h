@@ -32,7 +32,8 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 
 /// [m/s] which way a robot wishes to go: as it keeps right, giving way for a while (who stays
 /// beside it has come to rest as well), or at rest where it has settled.
-Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, double time_step, Detour& detour);
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOptions& options,
+             Detour& detour);
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);

@@ -38,6 +38,7 @@ void validate_certificate(const PlannerOptions& options) {
            std::string("none with method ") + to_string(options.method));
   }
   require_positive(options.soft_stop_time, "soft_stop_time");
+  require_positive(options.arrival_distance, "arrival_distance");
   validate_sensing_error(options);
   if (options.certificate != Certificate::linear_soft_stop) return;
   if (options.motion != Motion::held) {

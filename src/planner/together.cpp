@@ -80,7 +80,7 @@ void solve_programs(const Planner& planner, const SoftPlanes& soft, Scratch& scr
 
 // What each robot wishes for, in columns as well where it is of method avo.
 template <typename Scratch>
-void make_wishes(const PlannerOptions& options, const CertificateLaw& law, Scratch& scratch) {
+void make_wishes(const PlannerOptions& options, Scratch& scratch) {
   scratch.wishes.clear();
   if (options.method != Method::avo) {
     for (const Sensing& each : scratch.sensing) {
@@ -95,9 +95,9 @@ void make_wishes(const PlannerOptions& options, const CertificateLaw& law, Scrat
   look_around(scratch.sensing, columns);
   keep_right(columns);
   for (std::size_t i = 0; i < columns.count; ++i) {
-    const Vec2 wish = wish_of(*scratch.sensing[i].robot, {columns.wish_x[i], columns.wish_y[i]},
-                              {columns.push_x[i], columns.push_y[i]}, law.step.time_step,
-                              *scratch.deciding[i].detour);
+    const Vec2 wish =
+        wish_of(*scratch.sensing[i].robot, {columns.wish_x[i], columns.wish_y[i]},
+                {columns.push_x[i], columns.push_y[i]}, options, *scratch.deciding[i].detour);
     columns.wish_x[i] = wish.x, columns.wish_y[i] = wish.y;
     scratch.wishes.push_back(wish);
   }
@@ -170,7 +170,7 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   clock.lap(Stage::half_planes);
 
   const CertificateLaw law = certificate_law(planner);
-  make_wishes(options, law, scratch);
+  make_wishes(options, scratch);
   clock.lap(Stage::certificate);
 
   solve_programs(planner, scratch.soft, scratch);

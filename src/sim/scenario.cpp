@@ -179,6 +179,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
   options.time_step = scenario.time_step;
   options.samples = scenario.samples;
   options.max_neighbors = scenario.max_neighbors;
+  options.arrival_distance = scenario.arrival_distance;
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
   if (scenario.certificate) options.certificate = *scenario.certificate;

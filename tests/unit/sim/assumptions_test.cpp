@@ -261,6 +261,7 @@ TEST(Assumptions, the_deepest_are_named_whatever_their_order) {
     }
   }
   std::sort(depths.rbegin(), depths.rend());
+  // along a normal that is a unit vector to rounding
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(broken.starts[k].depth, depths[k], 1e-15);
 }
 
