@@ -241,7 +241,8 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& 
     const Real pace = Real(-1.0 / 3.2) * bracket.sense * sum * sum *
                       (side.l2 * side.per_y2 * side.lead) * sum * per;
     const Real direct = f * pace;  // Newton's
-    // not through two points nearer to each other than to where f = 0: their difference is rounding
+    // not through two points nearer to each other than to where f = 0: their difference is
+    // rounding; Newton's step then has to be as small as a first one
     const auto curved = again & (abs(last_f - f) > abs(f));
     const Real first_f = select(curved, last_f, f + one);
     const Real beyond = beyond_newton(last_t - t, first_f, last_pace, f, pace);
@@ -249,7 +250,7 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& 
     const Real newton = t + step;
     const Real error = max(abs(step), abs(direct));
     const Real least = bracket.tolerance * t;
-    const auto small = falls & (error * (error + last_step) <= least * t) &
+    const auto small = falls & (error * (error + select(curved, last_step, t)) <= least * t) &
                        (error * abs(pace - last_pace) <= least * abs(pace));
     const Real next = select(falls & (small | ((newton > low) & (newton < high))), newton,
                              Real(0.5) * (low + high));

@@ -2,6 +2,7 @@
 // The half-plane of Eqs. (15), (16): soundness, agreement with brute force, symmetries.
 #include "avo/half_plane.h"
 
+#include <cfenv>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -113,6 +114,19 @@ TEST(HalfPlane, P3_four_crossings_are_all_seen) {
   ASSERT_EQ(found.state, PairState::constrained);
   const double support = test::SlowHull(s, 20'000).support(found.plane.normal);
   EXPECT_NEAR(found.plane.offset, support, kCaution * s.reach);
+}
+
+// On collision course to rounding, beside it by the miss distance.
+TEST(HalfPlane, of_a_pair_that_just_touches_rests_on_no_invalid_operation) {
+  std::feclearexcept(FE_ALL_EXCEPT);
+  const RelativeHalfPlane found = half_plane_of({{{0.49229757561394505, -1.3522972367258332},
+                                                  {0.3105049029390336, 4.058030591550712},
+                                                  0.59403374888367189},
+                                                 4.0,
+                                                 2.0,
+                                                 10.0});
+  EXPECT_EQ(found.state, PairState::constrained);
+  EXPECT_FALSE(std::fetestexcept(FE_INVALID));
 }
 
 // In contact to rounding, and moving across it to rounding: here the miss distance is r to

@@ -97,6 +97,32 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
   EXPECT_GT(free, 5'000);
 }
 
+// Where a step of the search for the crossing happens to be tiny, the next is not made from two
+// points that differ by rounding.
+TYPED_TEST(HalfPlanesIn, P3_tiny_steps_towards_a_crossing_end_no_search) {
+  for (const Situation& s : {Situation{{{-4.8841251634019063, -1.993916870801274},
+                                        {2.2015201452919504, 0.43834581162565339},
+                                        1.0},
+                                       2.3185757060354648,
+                                       0.46464559783474646,
+                                       7.283145021897889},
+                             Situation{{{0.053386130285576802, 1.0059681128727349},
+                                        {-0.6100505552272607, -0.95161671782467527},
+                                        0.49781723652576915},
+                                       1.8940392364495664,
+                                       0.5,
+                                       10.0}}) {
+    this->batch.solve({s}, test::horizon_of({s}));
+    const HalfPlane plane = this->batch[0].plane;
+    const double half = std::sqrt((s.reach - plane.offset) * (s.reach + plane.offset));
+    for (const double part : {-1.0, 0.0, 1.0}) {
+      const Vec2 w = plane.offset * plane.normal + (part * half) * perpendicular(plane.normal);
+      const double distance = closest_approach(test::obstacle_of(s), s.pair.velocity + w).distance;
+      EXPECT_GE(distance, s.pair.radius * (1.0 - 1e-6)) << part << "\n" << s;
+    }
+  }
+}
+
 // docs/single_precision.md: between the half-planes of double precision for r and r + 3 blurs.
 TEST(HalfPlanesInSingle, P3_offsets_are_those_of_a_radius_three_blurs_wider_at_most) {
   Random random(24);
