@@ -115,9 +115,8 @@ void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPai
   const Deviation deviation = near.own.deviation(i);
   walls.own = a;
   for (const NearPair& each : near.of(i)) {
-    BrakingPair pair = each.pair;
-    pair.a = a;
-    collect_close(pair, neighbors[each.neighbor], each.neighbor, deviation, law, walls, invariant);
+    collect_close(each.with(a), neighbors[each.neighbor], each.neighbor, deviation, law, walls,
+                  invariant);
   }
   for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
     const Neighbor mover = neighbors[k];

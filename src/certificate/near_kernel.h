@@ -57,20 +57,21 @@ AVO_KERNEL void push(const BrakingColumns& a, std::size_t i, const PackNeighbor<
 }
 
 template <typename Real>
-AVO_KERNEL BrakingPair lane_of(const PackPair<Real>& pair, std::size_t lane) {
+AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, std::size_t lane, double robot,
+                            double neighbor) {
   const auto number = [lane](Real value) {
     alignas(64) double lanes[Real::kLanes];
     value.store(lanes);
     return lanes[lane];
   };
   const PackBraking<Real>& b = pair.b;
-  return {{number(pair.p.x), number(pair.p.y)},
+  return {static_cast<std::uint32_t>(robot),
+          static_cast<std::uint32_t>(neighbor),
+          {number(pair.p.x), number(pair.p.y)},
           number(pair.contact),
           number(pair.inflated),
           number(pair.error),
           number(pair.share),
-          true,
-          {},
           {{number(b.profile.speed), number(b.profile.decrement), number(b.profile.full_steps)},
            {number(b.direction.x), number(b.direction.y)},
            number(b.length),
@@ -108,8 +109,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
     }
     for (std::uint32_t lanes = bits(chosen); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      kept.push_back({static_cast<std::uint32_t>(queue.robot[i + lane]),
-                      static_cast<std::uint32_t>(queue.neighbor[i + lane]), lane_of(pair, lane)});
+      kept.push_back(lane_of(pair, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
     }
   }
   queue.count = 0;

@@ -58,10 +58,16 @@ struct NearQueue {
   Column other_x, other_y, other_v_x, other_v_y, other_radius, other_max_acceleration;
 };
 
-/// A pair that can refuse a candidate of A's.
+/// A pair that can refuse a candidate of A's: see BrakingPair.
 struct NearPair {
   std::uint32_t robot, neighbor;  ///< of the robots, and of this one's neighbors
-  BrakingPair pair;               ///< its `a` is left out: BrakingColumns have it
+  Vec2 p;
+  double contact, inflated, error, share;
+  Braking b;
+
+  BrakingPair with(const Braking& a) const {
+    return {p, contact, inflated, error, share, true, a, b};
+  }
 };
 
 /// Scratch memory and result of find_near(); allocates only while it grows.

@@ -198,12 +198,16 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   clock.lap(Stage::certificate);
 }
 
+namespace {
+constexpr std::size_t kMostNear = 2048;  // pairs; of more, memory grows when it is needed
+}  // namespace
+
 void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
                       std::size_t planes, std::size_t neighbors_each, std::size_t neighbors,
                       std::size_t braking_steps, PlanWorkspace& workspace) {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   scratch.reserve_choice(neighbors_each, braking_steps);
-  scratch.certified.walls.near.reserve(robots, neighbors);
+  scratch.certified.walls.near.reserve(robots, std::min(neighbors, kMostNear));
   scratch.deciding.reserve(robots);
   scratch.sensing.reserve(robots);
   scratch.wishes.reserve(robots);

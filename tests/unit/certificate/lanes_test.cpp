@@ -128,11 +128,10 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
       for (std::size_t k = 0; k < all.of(i).size(); ++k) {
         const NearPair &of_all = all.of(i)[k], &own = alone.of(0)[k];
         EXPECT_EQ(of_all.neighbor, own.neighbor);
-        EXPECT_EQ(of_all.pair.p,
-                  crowds[i].robot.position - crowds[i].neighbors[own.neighbor].position);
-        EXPECT_EQ(of_all.pair.inflated, own.pair.inflated);
-        EXPECT_EQ(of_all.pair.share, own.pair.share);
-        EXPECT_EQ(of_all.pair.b.length, own.pair.b.length);
+        EXPECT_EQ(of_all.p, crowds[i].robot.position - crowds[i].neighbors[own.neighbor].position);
+        EXPECT_EQ(of_all.inflated, own.inflated);
+        EXPECT_EQ(of_all.share, own.share);
+        EXPECT_EQ(of_all.b.length, own.b.length);
       }
       kept += all.of(i).size();
       with_movers += all.has_movers[i];
