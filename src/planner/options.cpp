@@ -14,8 +14,8 @@ namespace {
   throw Error(std::string("PlannerOptions.") + name + ": found " + found + ", must be " + allowed);
 }
 
-void require_positive(double value, const char* name) {
-  if (!(std::isfinite(value) && value > 0.0)) refuse(name, std::to_string(value), "> 0 s");
+void require_positive(double value, const char* name, const char* allowed = "> 0 s") {
+  if (!(std::isfinite(value) && value > 0.0)) refuse(name, std::to_string(value), allowed);
 }
 
 void validate_sensing_error(const PlannerOptions& options) {
@@ -38,7 +38,7 @@ void validate_certificate(const PlannerOptions& options) {
            std::string("none with method ") + to_string(options.method));
   }
   require_positive(options.soft_stop_time, "soft_stop_time");
-  require_positive(options.arrival_distance, "arrival_distance");
+  require_positive(options.arrival_distance, "arrival_distance", "> 0 m");
   validate_sensing_error(options);
   if (options.certificate != Certificate::linear_soft_stop) return;
   if (options.motion != Motion::held) {

@@ -240,6 +240,9 @@ TEST(Options, that_do_not_go_together_are_refused_by_name) {
   options.soft_stop_time = 0.0;
   EXPECT_EQ(refusal(options), "PlannerOptions.soft_stop_time: found 0.000000, must be > 0 s");
   options = {};
+  options.arrival_distance = 0.0;
+  EXPECT_EQ(refusal(options), "PlannerOptions.arrival_distance: found 0.000000, must be > 0 m");
+  options = {};
   options.certificate = Certificate::linear_soft_stop;
   EXPECT_EQ(refusal(options), "");
   options.motion = Motion::exponential;
