@@ -52,65 +52,19 @@ struct Pack {
   static HWY_INLINE Pack numbers_from(std::size_t first) {
     return Pack(static_cast<double>(first)) + Pack(hn::Iota(D(), T(0)));
   }
-  static HWY_INLINE std::size_t store_numbers(std::uint32_t chosen, std::size_t first, T* to) {
-    const Pack numbers = numbers_from(first);
-#if HWY_TARGET == HWY_AVX3
-    if constexpr (sizeof(T) == 8) {
-      const auto lanes = static_cast<__mmask8>(chosen);
-      _mm512_storeu_pd(to, _mm512_maskz_compress_pd(lanes, numbers.raw.raw));
-    } else {
-      const auto lanes = static_cast<__mmask16>(chosen);
-      _mm512_storeu_ps(to, _mm512_maskz_compress_ps(lanes, numbers.raw.raw));
-    }
-    return static_cast<std::size_t>(std::popcount(chosen));
-#else
-    alignas(HWY_MAX_BYTES) T lanes[kLanes] = {};
-    numbers.store(lanes);
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < kLanes; ++k) {
-      to[count] = lanes[k];
-      count += chosen >> k & 1U;
-    }
-    return count;
-#endif
-  }
 
-  friend HWY_INLINE Pack operator+(Pack a, Pack b) {
-    return Pack(hn::Add(a.raw, b.raw));
-  }
-  friend HWY_INLINE Pack operator-(Pack a, Pack b) {
-    return Pack(hn::Sub(a.raw, b.raw));
-  }
-  friend HWY_INLINE Pack operator*(Pack a, Pack b) {
-    return Pack(hn::Mul(a.raw, b.raw));
-  }
-  friend HWY_INLINE Pack operator/(Pack a, Pack b) {
-    return Pack(hn::Div(a.raw, b.raw));
-  }
-  friend HWY_INLINE Pack operator-(Pack a) {
-    return Pack(hn::Neg(a.raw));
-  }
-  friend HWY_INLINE Mask operator<(Pack a, Pack b) {
-    return {hn::Lt(a.raw, b.raw)};
-  }
-  friend HWY_INLINE Mask operator<=(Pack a, Pack b) {
-    return {hn::Le(a.raw, b.raw)};
-  }
-  friend HWY_INLINE Mask operator>(Pack a, Pack b) {
-    return {hn::Gt(a.raw, b.raw)};
-  }
-  friend HWY_INLINE Mask operator>=(Pack a, Pack b) {
-    return {hn::Ge(a.raw, b.raw)};
-  }
-  friend HWY_INLINE Mask operator!=(Pack a, Pack b) {
-    return {hn::Ne(a.raw, b.raw)};
-  }
-  friend HWY_INLINE Pack sqrt(Pack a) {
-    return Pack(hn::Sqrt(a.raw));
-  }
-  friend HWY_INLINE Pack abs(Pack a) {
-    return Pack(hn::Abs(a.raw));
-  }
+  friend HWY_INLINE Pack operator+(Pack a, Pack b) { return Pack(hn::Add(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator-(Pack a, Pack b) { return Pack(hn::Sub(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator*(Pack a, Pack b) { return Pack(hn::Mul(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator/(Pack a, Pack b) { return Pack(hn::Div(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator-(Pack a) { return Pack(hn::Neg(a.raw)); }
+  friend HWY_INLINE Mask operator<(Pack a, Pack b) { return {hn::Lt(a.raw, b.raw)}; }
+  friend HWY_INLINE Mask operator<=(Pack a, Pack b) { return {hn::Le(a.raw, b.raw)}; }
+  friend HWY_INLINE Mask operator>(Pack a, Pack b) { return {hn::Gt(a.raw, b.raw)}; }
+  friend HWY_INLINE Mask operator>=(Pack a, Pack b) { return {hn::Ge(a.raw, b.raw)}; }
+  friend HWY_INLINE Mask operator!=(Pack a, Pack b) { return {hn::Ne(a.raw, b.raw)}; }
+  friend HWY_INLINE Pack sqrt(Pack a) { return Pack(hn::Sqrt(a.raw)); }
+  friend HWY_INLINE Pack abs(Pack a) { return Pack(hn::Abs(a.raw)); }
   friend HWY_INLINE Pack select(Mask mask, Pack yes, Pack no) {
     return Pack(hn::IfThenElse(mask.raw, yes.raw, no.raw));
   }
@@ -121,9 +75,7 @@ struct Pack {
     return Pack(hn::GatherIndex(
         D(), table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
   }
-  friend HWY_INLINE Pack floor(Pack a) {
-    return Pack(hn::Trunc(a.raw));
-  }
+  friend HWY_INLINE Pack floor(Pack a) { return Pack(hn::Trunc(a.raw)); }
 };
 
 /// Of numbers whose sum is exact.

@@ -50,13 +50,8 @@ struct Pack {
   void store(U* to) const {
     *to = static_cast<U>(value);
   }
+  /// first, first + 1, ...
   static Pack numbers_from(std::size_t first) { return Pack(static_cast<double>(first)); }
-  /// Of the numbers from `first` on, those whose bits are set, side by side; returns how many those
-  /// are. May write as many as there are lanes.
-  static std::size_t store_numbers(std::uint32_t chosen, std::size_t first, T* to) {
-    *to = static_cast<T>(first);
-    return chosen;
-  }
 
   friend Pack operator+(Pack a, Pack b) { return make(a.value + b.value); }
   friend Pack operator-(Pack a, Pack b) { return make(a.value - b.value); }

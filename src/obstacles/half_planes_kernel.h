@@ -146,7 +146,8 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     if (in_contact != 0) {
       const std::uint32_t settled = in_contact & bits(overlapping);
       set_state<Real>(planes, i, settled, PairState::overlapping);
-      work.rest_count += Real::store_numbers(in_contact & ~settled, i, &work.rest[work.rest_count]);
+      store_chosen(contact & (!overlapping), Real::numbers_from(i), &work.rest[work.rest_count]);
+      work.rest_count += static_cast<std::size_t>(std::popcount(in_contact & ~settled));
       work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
     }
     take(free_lanes);

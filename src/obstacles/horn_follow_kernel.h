@@ -54,15 +54,12 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
     next = select(doubt, Real(0.5) * (t + last), next);
     const NearSide<Real> to = near_side(horn, at(table, next), table);
     const Real to_length = length_of(to);
-    const auto turns =
-        signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
-    const auto near_R =
-        min(abs(from_length - R), abs(to_length - R)) <= (next - t) * max(pace(from), pace(to));
     const auto near_cusp =
         (abs(from.cusp) < Real(kFlat) * from.l2) | (abs(to.cusp) < Real(kFlat) * to.l2);
     const auto wide = (next - t > Real(kWide) * t) &
                       (min(abs(from_length - R), abs(to_length - R)) < Real(kWide) * R);
-    doubt = active & (!settled) & ((turns & near_R) | (near_cusp & wide));
+    doubt = active & (!settled) &
+            (turns_near(from, from_length, to, to_length, R) | (near_cusp & wide));
     const auto moves = active & (!doubt), now_inside = to_length <= R;
     const auto enters = moves & now_inside & (!inside), leaves = moves & inside & (!now_inside);
     const std::array<Lanes, kMostCrossings> crosses{

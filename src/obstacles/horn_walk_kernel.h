@@ -55,6 +55,16 @@ AVO_KERNEL Real pace(const NearSide<Real>& side) {
          abs(side.cusp * inverse(side.l * sqrt(side.b2)));
 }
 
+// Whether |b| turns between two times, and not too far from R to get there.
+template <typename Real>
+AVO_KERNEL auto turns_near(const NearSide<Real>& from, Real from_length, const NearSide<Real>& to,
+                           Real to_length, Real R) {
+  const auto turns =
+      signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
+  const Real gap = min(abs(from_length - R), abs(to_length - R));
+  return turns & (gap <= (to.at.time - from.at.time) * max(pace(from), pace(to)));
+}
+
 // Where more than one crossing cannot be excluded beforehand: strides along the near side. Between
 // two of them |b| is monotone, or turns (`tangential` or `cusp` changes its sign) too far from R to
 // get there; a lane where neither is so, or where |b| rises through R, is not `once`. Ends where
@@ -80,12 +90,10 @@ AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::
     const Real next = select(active, min(stride.next(t), tau), t);
     const NearSide<Real> to = near_side(horn, at(table, next), table);
     const Real to_length = length_of(to);
-    const auto turns =
-        signs_differ(from.tangential, to.tangential) | signs_differ(from.cusp, to.cusp);
-    const auto near_R =
-        min(abs(from_length - R), abs(to_length - R)) <= (next - t) * max(pace(from), pace(to));
     const auto now_inside = to_length <= R;
-    once = once & (!(active & ((turns & near_R) | (inside & (!now_inside)))));
+    once =
+        once &
+        (!(active & (turns_near(from, from_length, to, to_length, R) | (inside & (!now_inside)))));
     const auto enters = active & now_inside & (!inside);
     low = select(enters, t, low);
     high = select(enters, next, high);
