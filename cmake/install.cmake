@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(avo) and pkg-config: the library alone, what it needs is the compiler, threads
-# and, where found, Highway's libhwy.
+# find_package(avo) and pkg-config: the library alone, what it needs is the compiler and threads.
 include(CMakePackageConfigHelpers)
 install(TARGETS avo EXPORT avo-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -14,13 +13,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/avo-config-version.cmake
 install(FILES ${PROJECT_BINARY_DIR}/avo-config.cmake ${PROJECT_BINARY_DIR}/avo-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/avo)
 
-set(avo_pc_private "")
-if(AVO_OPENMP AND OpenMP_CXX_FOUND)
-  set(avo_pc_private "${OpenMP_CXX_FLAGS}")
-endif()
-if(AVO_HIGHWAY AND NOT BUILD_SHARED_LIBS)
-  string(APPEND avo_pc_private " -lhwy")
-endif()
+set(avo_pc_private "${CMAKE_THREAD_LIBS_INIT}")
 configure_file(cmake/avo.pc.in ${PROJECT_BINARY_DIR}/avo.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/avo.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 if(AVO_CLI)

@@ -52,7 +52,8 @@ struct StepProfile {
 
 class Simulation {
  public:
-  /// Throws Error on a bad scenario (see validate) or threads < 0. 0: as many as the machine has.
+  /// Throws Error on a bad scenario (see validate) or threads not in [0, 1024]. 0: as many as this
+  /// process may use processors.
   /// Accepts one that breaks what its certificate assumes (see broken_assumptions): pairs that
   /// braking does not keep apart are held to the distance that it does keep, so that no overlap
   /// grows deeper than braking makes it, and their decisions say `overlapping`.

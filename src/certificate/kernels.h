@@ -38,6 +38,13 @@ namespace scalar {
 #include "certificate/certificate_kernels.h"
 }  // namespace scalar
 
+struct CertificateKernels {
+  void (*find_near)(std::span<const Sensing>, Whom, const StepLaw&, NearPairs&);
+  void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);
+  double (*append_walls)(const PairWalls&, const StepLaw&, const OwnColumns&, WallColumns&);
+  bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, WallColumns&);
+};
+
 /// own.count is known, the columns have room for it.
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);
 

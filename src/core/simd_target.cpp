@@ -1,61 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
-// AVO_SIMD, and what Highway finds on this machine.
+// AVO_SIMD, and what this machine and build have.
 #include "core/simd_target.h"
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "avo/error.h"
-#ifdef AVO_HIGHWAY
-#include <hwy/highway.h>
+#include "core/kernel_table.h"
+#if AVO_TARGETS != 0 && (defined(__x86_64__) || defined(__i386__))
+#include <cpuid.h>
 #endif
 
 namespace avo {
 namespace {
 
-struct Target {
-  const char* name;
-  std::int64_t bit;  // Highway's; 0: scalar
-};
+constexpr std::array<const char*, kSimdTargets> kNames{"avx512", "avx2", "sse4", "neon", "scalar"};
 
-#ifdef AVO_HIGHWAY
-constexpr std::array<Target, 5> kTargets{{{"avx512", HWY_AVX3},
-                                          {"avx2", HWY_AVX2},
-                                          {"sse4", HWY_SSE4},
-                                          {"neon", HWY_NEON},
-                                          {"scalar", 0}}};
-bool is_here(const Target& target) {
-  static const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS;
-  return target.bit == 0 || (supported & target.bit) != 0;
+// What the kernels' instruction sets consist of, see HWY_TARGET_STR. The compiler's own test asks
+// the operating system as well.
+#if AVO_TARGETS != 0 && (defined(__x86_64__) || defined(__i386__))
+bool has_sse4() {
+  return __builtin_cpu_supports("ssse3") && __builtin_cpu_supports("sse4.1") &&
+         __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
+         __builtin_cpu_supports("aes");
 }
-void select(const Target& target) {
-  hwy::SetSupportedTargetsForTest(target.bit);  // 0: all, which nobody then asks for
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+bool has_f16c() {
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  return __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;
+}
+bool has_avx2() {
+  return has_sse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma") && has_f16c();
+}
+bool has_avx512() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+}
+std::array<bool, kSimdTargets> find_targets() {
+  return {(AVO_TARGETS & HWY_AVX3) != 0 && has_avx512(),
+          (AVO_TARGETS & HWY_AVX2) != 0 && has_avx2(), (AVO_TARGETS & HWY_SSE4) != 0 && has_sse4(),
+          false, true};
+}
+#elif AVO_TARGETS != 0
+std::array<bool, kSimdTargets> find_targets() {  // compiled for it: the machine has it
+  return {false, false, false, (AVO_TARGETS & HWY_NEON) != 0, true};
 }
 #else
-constexpr std::array<Target, 5> kTargets{
-    {{"avx512", 1}, {"avx2", 1}, {"sse4", 1}, {"neon", 1}, {"scalar", 0}}};
-bool is_here(const Target& target) {
-  return target.bit == 0;
+std::array<bool, kSimdTargets> find_targets() {
+  return {false, false, false, false, true};
 }
-void select(const Target&) {}
 #endif
 
-const Target* find(std::string_view name) {
-  for (const Target& target : kTargets) {
-    if (name == target.name) return &target;
-  }
-  return nullptr;
+bool is_here(std::size_t target) {
+  static const std::array<bool, kSimdTargets> here = find_targets();
+  return here[target];
 }
 
-const Target& best() {
-  for (const Target& target : kTargets) {
-    if (is_here(target)) return target;
-  }
-  return kTargets.back();
+// kSimdTargets if there is none of that name.
+std::size_t find(std::string_view name) {
+  std::size_t target = 0;
+  while (target < kSimdTargets && name != kNames[target]) ++target;
+  return target;
 }
 
 std::string_view asked_for() {
@@ -63,59 +69,59 @@ std::string_view asked_for() {
   return value == nullptr || std::string_view(value).empty() ? "auto" : value;
 }
 
-const Target* initial() {
-  const Target* target = find(asked_for());
-  if (target == nullptr || !is_here(*target)) target = &best();
-  select(*target);
+std::size_t initial() {
+  std::size_t target = find(asked_for());
+  if (target < kSimdTargets && is_here(target)) return target;
+  target = 0;
+  while (!is_here(target)) ++target;
   return target;
 }
 
-const Target*& current() {
-  static const Target* target = initial();
+std::size_t& current() {
+  static std::size_t target = initial();
   return target;
 }
 
 }  // namespace
 
-const char* simd_target() {
-  return current()->name;
+SimdTarget current_simd_target() {
+  return static_cast<SimdTarget>(current());
 }
 
-bool simd_is_scalar() {
-  return current()->bit == 0;
+const char* simd_target() {
+  return kNames[current()];
 }
 
 std::span<const char* const> simd_targets() {
   static const auto list = [] {
     struct {
-      std::array<const char*, kTargets.size()> names{};
+      std::array<const char*, kSimdTargets> names{};
       std::size_t count = 0;
-    } found;
-    for (const Target& target : kTargets) {
-      if (is_here(target)) found.names[found.count++] = target.name;
+    } here;
+    for (std::size_t target = 0; target < kSimdTargets; ++target) {
+      if (is_here(target)) here.names[here.count++] = kNames[target];
     }
-    return found;
+    return here;
   }();
   return {list.names.data(), list.count};
 }
 
 bool use_simd_target(std::string_view name) {
-  const Target* target = find(name);
-  if (target == nullptr || !is_here(*target)) return false;
+  const std::size_t target = find(name);
+  if (target == kSimdTargets || !is_here(target)) return false;
   current() = target;
-  select(*target);
   return true;
 }
 
 void check_simd_target() {
   const std::string_view name = asked_for();
   if (name == "auto") return;
-  const Target* target = find(name);
-  if (target != nullptr && is_here(*target)) return;
+  const std::size_t target = find(name);
+  if (target < kSimdTargets && is_here(target)) return;
   std::string allowed = "auto";
-  for (const char* each : simd_targets()) allowed += std::string(", ") + each;
+  for (const char* here : simd_targets()) allowed += std::string(", ") + here;
   throw Error("AVO_SIMD: found " + std::string(name) + ", must be one of " + allowed +
-              (target != nullptr ? " on this machine" : ""));
+              (target < kSimdTargets ? " on this machine" : ""));
 }
 
 }  // namespace avo

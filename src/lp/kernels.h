@@ -36,4 +36,9 @@ namespace scalar::planar {
 #include "lp/program_kernels.h"
 }  // namespace scalar::planar
 
+struct ProgramKernels {
+  void (*solve_double)(Programs<double>&, ProgramRow<double>*, bool);
+  void (*solve_single)(Programs<float>&, ProgramRow<float>*, bool);
+};
+
 }  // namespace avo

@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/simd_target.h"
+#include "core/kernel_table.h"
 #include "lp/kernels.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lp/programs.cpp"
-// clang-format off
-#include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
+#include <hwy/foreach_target.h>
+#if HWY_TARGET & AVO_TARGETS
 #include "core/lanes.h"
-// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
@@ -23,36 +22,28 @@ namespace planar {
 #include "lp/program_kernels.h"
 }  // namespace planar
 
-void solve_double(Programs<double>& programs, ProgramRow<double>* scratch, bool all) {
-  planar::solve_programs<Pack<double>>(programs, scratch, all);
-}
-void solve_single(Programs<float>& programs, ProgramRow<float>* scratch, bool all) {
-  planar::solve_programs<Pack<float>>(programs, scratch, all);
-}
+constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>,
+                                  planar::solve_programs<Pack<float>>};
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
 #endif
 
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
+namespace scalar {
+constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>,
+                                  planar::solve_programs<Pack<float>>};
+}  // namespace scalar
 namespace {
 
-#ifdef AVO_HIGHWAY
-HWY_EXPORT(solve_double);
-HWY_EXPORT(solve_single);
-#endif
+constexpr KernelTable<ProgramKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
 void solve(Programs<double>& programs, ProgramRow<double>* scratch, bool all) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_double)(programs, scratch, all);
-#endif
-  scalar::planar::solve_programs<scalar::Pack<double>>(programs, scratch, all);
+  kKernels->solve_double(programs, scratch, all);
 }
 void solve(Programs<float>& programs, ProgramRow<float>* scratch, bool all) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_single)(programs, scratch, all);
-#endif
-  scalar::planar::solve_programs<scalar::Pack<float>>(programs, scratch, all);
+  kKernels->solve_single(programs, scratch, all);
 }
 
 template <typename Number>

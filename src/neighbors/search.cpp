@@ -5,40 +5,35 @@
 
 #include <algorithm>
 
-#include "core/simd_target.h"
+#include "core/kernel_table.h"
 #include "neighbors/search_steps.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "neighbors/search.cpp"
-// clang-format off
-#include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
+#include <hwy/foreach_target.h>
+#if HWY_TARGET & AVO_TARGETS
 #include "core/lanes.h"
-// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "neighbors/search_kernel.h"
 
-std::size_t find_in_lanes(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch) {
-  return find_candidates<Pack<double>, Pack<float>>(points, enough, scratch);
-}
+constexpr SearchKernels kKernels{find_candidates<Pack<double>, Pack<float>>};
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
 #endif
 
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
 namespace scalar {
 #include "neighbors/search_kernel.h"
+
+constexpr SearchKernels kKernels{find_candidates<Pack<double>, Pack<float>>};
 }  // namespace scalar
-namespace {
 
-#ifdef AVO_HIGHWAY
-HWY_EXPORT(find_in_lanes);
-#endif
-
-}  // namespace
+static constexpr KernelTable<SearchKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
 void SearchScratch::grow(std::size_t size) {
   size = std::max(size, order.size() + order.size() / 2);
@@ -49,11 +44,7 @@ void SearchScratch::grow(std::size_t size) {
 std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch) {
   scratch.used = 0;
   scratch.found.resize(scratch.queries.size());
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(find_in_lanes)(points, enough, scratch);
-#endif
-  return scalar::find_candidates<scalar::Pack<double>, scalar::Pack<float>>(points, enough,
-                                                                            scratch);
+  return kKernels->find_candidates(points, enough, scratch);
 }
 
 }  // namespace avo

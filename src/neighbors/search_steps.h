@@ -102,4 +102,8 @@ inline void rank_by_sorting(const NeighborQuery& query, const Found& found,
   for (auto k = first; k != end; ++k) scratch.rank[*k] = static_cast<std::uint32_t>(k - first);
 }
 
+struct SearchKernels {
+  std::size_t (*find_candidates)(const PlacedPoints&, std::size_t, SearchScratch&);
+};
+
 }  // namespace avo

@@ -7,66 +7,47 @@
 #include <cmath>
 #include <limits>
 
-#include "core/simd_target.h"
+#include "core/kernel_table.h"
 #include "obstacles/horn.h"
 #include "obstacles/kernels.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "obstacles/half_planes.cpp"
-// clang-format off
-#include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
+#include <hwy/foreach_target.h>
+#if HWY_TARGET & AVO_TARGETS
 #include "core/lanes.h"
-// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "obstacles/half_plane_kernels.h"
 
-void solve_double(const PairColumns<double>& pairs, const Horizon& horizon,
-                  HalfPlaneWorkspace<double>& work, PlaneColumns<double>& planes) {
-  solve<Pack<double>, TwoPacks<double>>(pairs, horizon, work, planes);
-}
-void solve_single(const PairColumns<float>& pairs, const Horizon& horizon,
-                  HalfPlaneWorkspace<float>& work, PlaneColumns<float>& planes) {
-  solve<Pack<float>, TwoPacks<float>>(pairs, horizon, work, planes);
-}
-void relate_in_lanes(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
-                     double control_time, PairColumns<double>& pairs, std::vector<double>& share) {
-  relate<Pack<double>>(robots, neighbors, control_time, pairs, share);
-}
-void share_out_in_lanes(std::span<const PairOwner> robots, std::span<const double> share,
-                        const PlaneColumns<double>& relative, SharedPlanes& shared) {
-  share_out<Pack<double>>(robots, share, relative, shared);
-}
+constexpr HalfPlaneKernels kKernels{solve<Pack<double>, TwoPacks<double>>,
+                                    solve<Pack<float>, TwoPacks<float>>, relate<Pack<double>>,
+                                    share_out<Pack<double>>};
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
 #endif
 
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
+namespace scalar {
+constexpr HalfPlaneKernels kKernels{solve<Pack<double>, Pack<double>>,
+                                    solve<Pack<float>, Pack<float>>, relate<Pack<double>>,
+                                    share_out<Pack<double>>};
+}  // namespace scalar
 namespace {
 
-#ifdef AVO_HIGHWAY
-HWY_EXPORT(solve_double);
-HWY_EXPORT(solve_single);
-HWY_EXPORT(relate_in_lanes);
-HWY_EXPORT(share_out_in_lanes);
-#endif
+constexpr KernelTable<HalfPlaneKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
 void solve(const PairColumns<double>& pairs, const Horizon& horizon,
            HalfPlaneWorkspace<double>& work, PlaneColumns<double>& planes) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_double)(pairs, horizon, work, planes);
-#endif
-  scalar::solve<scalar::Pack<double>, scalar::Pack<double>>(pairs, horizon, work, planes);
+  kKernels->solve_double(pairs, horizon, work, planes);
 }
 void solve(const PairColumns<float>& pairs, const Horizon& horizon, HalfPlaneWorkspace<float>& work,
            PlaneColumns<float>& planes) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(solve_single)(pairs, horizon, work, planes);
-#endif
-  scalar::solve<scalar::Pack<float>, scalar::Pack<float>>(pairs, horizon, work, planes);
+  kKernels->solve_single(pairs, horizon, work, planes);
 }
 
 template <typename T>
@@ -166,12 +147,7 @@ void half_planes(PairColumns<Number>& pairs, const Horizon& horizon,
 
 void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
             double control_time, PairColumns<double>& pairs, std::vector<double>& share) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) {
-    return HWY_DYNAMIC_DISPATCH(relate_in_lanes)(robots, neighbors, control_time, pairs, share);
-  }
-#endif
-  scalar::relate<scalar::Pack<double>>(robots, neighbors, control_time, pairs, share);
+  kKernels->relate(robots, neighbors, control_time, pairs, share);
 }
 
 void share_out(std::span<const PairOwner> robots, std::span<const double> share,
@@ -179,12 +155,7 @@ void share_out(std::span<const PairOwner> robots, std::span<const double> share,
   grow(shared.offset, relative.h.size());
   grow(shared.kept, relative.h.size());
   grow(shared.kept_end, robots.size());
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) {
-    return HWY_DYNAMIC_DISPATCH(share_out_in_lanes)(robots, share, relative, shared);
-  }
-#endif
-  scalar::share_out<scalar::Pack<double>>(robots, share, relative, shared);
+  kKernels->share_out(robots, share, relative, shared);
 }
 
 template void reserve(std::size_t, HalfPlaneWorkspace<double>&, PlaneColumns<double>&);

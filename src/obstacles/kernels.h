@@ -60,4 +60,15 @@ namespace scalar {
 #include "obstacles/half_plane_kernels.h"
 }  // namespace scalar
 
+struct HalfPlaneKernels {
+  void (*solve_double)(const PairColumns<double>&, const Horizon&, HalfPlaneWorkspace<double>&,
+                       PlaneColumns<double>&);
+  void (*solve_single)(const PairColumns<float>&, const Horizon&, HalfPlaneWorkspace<float>&,
+                       PlaneColumns<float>&);
+  void (*relate)(std::span<const PairOwner>, const NeighborColumns&, double, PairColumns<double>&,
+                 std::vector<double>&);
+  void (*share_out)(std::span<const PairOwner>, std::span<const double>,
+                    const PlaneColumns<double>&, SharedPlanes&);
+};
+
 }  // namespace avo

@@ -14,3 +14,13 @@
 namespace avo::scalar {
 #include "planner/arrival_kernel.h"
 }  // namespace avo::scalar
+
+namespace avo {
+
+struct ArrivalKernels {
+  void (*look_around)(std::span<const Sensing>, RobotColumns&);
+  void (*keep_right)(RobotColumns&);
+  void (*decide_freely)(const StepLaw&, RobotColumns&);
+};
+
+}  // namespace avo

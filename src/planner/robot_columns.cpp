@@ -3,63 +3,47 @@
 // hwy/foreach_target.h, and the fittest is chosen at run time.
 #include "planner/robot_columns.h"
 
-#include "core/simd_target.h"
+#include "core/kernel_table.h"
 #include "planner/arrival_kernels.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "planner/robot_columns.cpp"
-// clang-format off
-#include <hwy/foreach_target.h>  // first: it sets the instruction set of what follows
+#include <hwy/foreach_target.h>
+#if HWY_TARGET & AVO_TARGETS
 #include "core/lanes.h"
-// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "certificate/plan_kernel.h"
 #include "planner/arrival_kernel.h"
 
-void look_around_in_lanes(std::span<const Sensing> robots, RobotColumns& columns) {
-  look_around<Pack<double>>(robots, columns);
-}
-void keep_right_in_lanes(RobotColumns& columns) {
-  keep_right<Pack<double>>(columns);
-}
-void decide_freely_in_lanes(const StepLaw& law, RobotColumns& columns) {
-  decide_freely<Pack<double>>(law, columns);
-}
+constexpr ArrivalKernels kKernels{look_around<Pack<double>>, keep_right<Pack<double>>,
+                                  decide_freely<Pack<double>>};
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif
 #endif
 
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
+namespace scalar {
+constexpr ArrivalKernels kKernels{look_around<Pack<double>>, keep_right<Pack<double>>,
+                                  decide_freely<Pack<double>>};
+}  // namespace scalar
 
-#ifdef AVO_HIGHWAY
-HWY_EXPORT(look_around_in_lanes);
-HWY_EXPORT(keep_right_in_lanes);
-HWY_EXPORT(decide_freely_in_lanes);
-#endif
+static constexpr KernelTable<ArrivalKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
 void look_around(std::span<const Sensing> robots, RobotColumns& columns) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(look_around_in_lanes)(robots, columns);
-#endif
-  scalar::look_around<scalar::Pack<double>>(robots, columns);
+  kKernels->look_around(robots, columns);
 }
 
 void keep_right(RobotColumns& columns) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(keep_right_in_lanes)(columns);
-#endif
-  scalar::keep_right<scalar::Pack<double>>(columns);
+  kKernels->keep_right(columns);
 }
 
 void decide_freely(const StepLaw& law, RobotColumns& columns) {
-#ifdef AVO_HIGHWAY
-  if (!simd_is_scalar()) return HWY_DYNAMIC_DISPATCH(decide_freely_in_lanes)(law, columns);
-#endif
-  scalar::decide_freely<scalar::Pack<double>>(law, columns);
+  kKernels->decide_freely(law, columns);
 }
 
 void RobotColumns::reserve(std::size_t robots) {

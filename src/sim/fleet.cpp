@@ -11,7 +11,6 @@
 #include <type_traits>
 
 #include "avo/error.h"
-#include "core/parallel.h"
 
 namespace avo {
 namespace {
@@ -105,11 +104,11 @@ Neighbor Fleet::sensed(std::size_t slot) const {
   return {position[slot], velocity[slot], traits[slot].radius, traits[slot].max_acceleration, {}};
 }
 
-void Fleet::reorder(std::span<const std::uint32_t> order, std::size_t threads) {
+void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
   constexpr std::size_t kChunk = 4096;
   const std::size_t count = size();
   const auto for_each_chunk = [&](const auto& body) {
-    parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
+    parallel_for(executor, (count + kChunk - 1) / kChunk, [&](std::size_t chunk, std::size_t) {
       body(chunk * kChunk, std::min((chunk + 1) * kChunk, count));
     });
   };

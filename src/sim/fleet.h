@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "core/executor.h"
 
 namespace avo {
 
@@ -49,7 +50,7 @@ struct Fleet {
   /// As others sense it.
   Neighbor sensed(std::size_t slot) const;
   /// Slot k becomes what slot order[k] was.
-  void reorder(std::span<const std::uint32_t> order, std::size_t threads);
+  void reorder(std::span<const std::uint32_t> order, Executor& executor);
 
  private:
   template <typename Action>

@@ -43,4 +43,9 @@ void choose_ways(const GoalLaw& law, MovingColumns& robots);
 /// advance() of all, from v' on. Bit k is set where robot k then exceeds its max_speed.
 std::uint64_t advance(const StepResponse& response, MovingColumns& robots);
 
+struct MovingKernels {
+  void (*choose_ways)(const GoalLaw&, MovingColumns&);
+  std::uint64_t (*advance)(const StepResponse&, MovingColumns&);
+};
+
 }  // namespace avo

@@ -10,6 +10,7 @@
 
 #include "avo/assumptions.h"
 #include "avo/error.h"
+#include "core/thread_pool.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -93,10 +94,14 @@ struct Simulation::State : World {
 
 Simulation::Simulation(const Scenario& scenario, int threads) {
   validate(scenario);
-  if (threads < 0) {
-    throw Error("threads: found " + std::to_string(threads) + ", must be >= 0 (0: all there are)");
+  constexpr int kMost = static_cast<int>(kMostWorkers);
+  if (threads < 0 || threads > kMost) {
+    throw Error("threads: found " + std::to_string(threads) + ", must be 0 (all there are) to " +
+                std::to_string(kMost));
   }
-  state_ = std::make_unique<State>(scenario, threads);
+  const std::size_t workers =
+      threads > 0 ? static_cast<std::size_t>(threads) : std::min(usable_processors(), kMostWorkers);
+  state_ = std::make_unique<State>(scenario, std::make_unique<ThreadPool>(workers));
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/parallel.h"
 #include "planner/decision.h"
 #include "sim/world.h"
 
@@ -21,8 +20,9 @@ constexpr std::size_t kFewestOrdered = 1024;
 // m, m/s: who is nearer to one that is no farther out is within the limits of all numbers.
 constexpr double kFarthestTrusted = 1e11;
 
-std::size_t threads_of(const World& world) {
-  return world.fleet.size() < kFewestParallel ? 1 : world.workers.size();
+Executor& executor_of(World& world) {
+  if (world.fleet.size() < kFewestParallel) return world.serial;
+  return *world.executor;
 }
 
 // Whether whomever it senses is valid, however all have moved since they were looked at.
@@ -60,11 +60,11 @@ void find_ranges(World& world) {
   world.near = fleet.size() > 0 ? sum / static_cast<double>(fleet.size()) : 0.0;
 }
 
-void lay_out(World& world, std::size_t threads) {
+void lay_out(World& world, Executor& executor) {
   Fleet& fleet = world.fleet;
   lay_out(fleet, world.settings.sensing_radius, world.near, world.most_nearest(), world.snapshot);
   const std::size_t count = fleet.size(), tiles = (count + kTileRobots - 1) / kTileRobots;
-  parallel_for(tiles, threads, [&](std::size_t tile, std::size_t) {
+  parallel_for(executor, tiles, [&](std::size_t tile, std::size_t) {
     const std::size_t last = std::min((tile + 1) * kTileRobots, count);
     for (std::size_t i = tile * kTileRobots; i < last; ++i) {
       fleet.cell[i] = world.snapshot.cells.key(fleet.position[i]);
@@ -72,34 +72,35 @@ void lay_out(World& world, std::size_t threads) {
   });
 }
 
-void take_snapshot(World& world, std::size_t threads) {
+void take_snapshot(World& world, Executor& executor) {
+  const std::size_t parts = executor.workers();
   prepare(world.fleet, world.snapshot);
-  parallel_for(threads, threads, [&](std::size_t part, std::size_t worker) {
+  parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
     StageClock& clock = world.workers[worker].clock;
     clock.start();
-    world.workers[part].crowding = take(world.fleet, part, threads, world.snapshot);
+    world.workers[part].crowding = take(world.fleet, part, parts, world.snapshot);
     clock.lap(Stage::index);
   });
   world.snapshot.crowding = 0;
-  for (std::size_t part = 0; part < threads; ++part) {
+  for (std::size_t part = 0; part < parts; ++part) {
     world.snapshot.crowding += world.workers[part].crowding;
   }
 }
 
-void index(World& world, std::size_t threads) {
+void index(World& world, Executor& executor) {
   StageClock& clock = world.workers[0].clock;
   clock.start();
   if (world.changed) find_ranges(world);
   const bool due = world.steps >= world.next_layout;
-  if (world.changed || due) lay_out(world, threads);
+  if (world.changed || due) lay_out(world, executor);
   if (due) world.next_layout = world.steps + kStepsInOrder;
   world.changed = false;
   world.obstacle_grid.build(world.obstacles.position, world.settings.sensing_radius);
   clock.lap(Stage::index);
-  take_snapshot(world, threads);
+  take_snapshot(world, executor);
   clock.start();
   if (due && world.fleet.size() >= kFewestOrdered) {
-    world.fleet.reorder(world.snapshot.grid.order(), threads);
+    world.fleet.reorder(world.snapshot.grid.order(), executor);
     world.snapshot.grid.forget_order();
   }
   clock.lap(Stage::index);
@@ -214,14 +215,16 @@ void take_slots(World& world, std::span<const std::uint32_t> slots, Worker& work
 }  // namespace
 
 void step(World& world) {
-  const std::size_t robots = world.fleet.size(), threads = threads_of(world);
-  index(world, threads);
-  parallel_for(
-      (robots + kTileRobots - 1) / kTileRobots, threads, [&](std::size_t tile, std::size_t worker) {
-        const std::size_t first = tile * kTileRobots;
-        const std::size_t count = std::min(kTileRobots, robots - first);
-        take_slots(world, world.snapshot.grid.order().subspan(first, count), world.workers[worker]);
-      });
+  const std::size_t robots = world.fleet.size();
+  Executor& executor = executor_of(world);
+  index(world, executor);
+  parallel_for(executor, (robots + kTileRobots - 1) / kTileRobots,
+               [&](std::size_t tile, std::size_t worker) {
+                 const std::size_t first = tile * kTileRobots;
+                 const std::size_t count = std::min(kTileRobots, robots - first);
+                 take_slots(world, world.snapshot.grid.order().subspan(first, count),
+                            world.workers[worker]);
+               });
   world.fast = false;
   for (Worker& worker : world.workers) {
     world.fast = world.fast || worker.fast;

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <limits>
-
-#include "core/parallel.h"
+#include <utility>
 
 namespace avo {
 namespace {
@@ -42,9 +41,12 @@ void reserve(const World& world, Worker& worker) {
 
 }  // namespace
 
-World::World(const Scenario& scenario, int threads)
-    : settings(scenario), planner(planner_options(scenario)), response(step_response(planner)) {
-  workers.resize(static_cast<std::size_t>(threads > 0 ? threads : default_threads()));
+World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
+    : settings(scenario),
+      planner(planner_options(scenario)),
+      response(step_response(planner)),
+      executor(std::move(steps_by)),
+      workers(executor->workers()) {
   fleet.reserve(scenario.robots.size());
   for (const RobotSetup& setup : scenario.robots) fleet.add({next_id++}, setup);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);

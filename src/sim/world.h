@@ -3,10 +3,12 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/executor.h"
 #include "planner/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"
@@ -45,7 +47,9 @@ struct World {
 
   Snapshot snapshot;
   UniformGrid obstacle_grid;
-  std::vector<Worker> workers;
+  std::unique_ptr<Executor> executor;
+  SerialExecutor serial;
+  std::vector<Worker> workers;   // as many as the executor has
   bool changed = true;           // robots came or went
   bool fast = false;             // some robot exceeds its max_speed
   bool valid = false;            // all robots were, when they came, and there is nobody else
@@ -53,7 +57,7 @@ struct World {
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
   std::int64_t robot_steps = 0;  // measured
 
-  World(const Scenario& scenario, int threads);
+  World(const Scenario& scenario, std::unique_ptr<Executor> steps_by);
 
   /// A single robot avoids movers by §III-C; among other robots they are neighbors that do not
   /// decide.

@@ -8,7 +8,7 @@
 #include <new>
 
 #include "avo/simulation.h"
-#include "core/parallel.h"
+#include "core/executor.h"
 #include "unit/sim/scenes.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "core/parallel.h"
+#include "core/executor.h"
 #include "unit/sim/scenes.h"
 
 namespace avo {

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/thread_pool.h"
+
+#include <algorithm>
+#include <system_error>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+#if defined(__x86_64__) || defined(__i386__)
+#include <immintrin.h>
+#endif
+
+namespace avo {
+namespace {
+
+// Of the gate. Counters of openings may wrap around: who slept through all of them sleeps on.
+constexpr std::uint32_t kInside = (1U << 16U) - 1, kOpen = 1U << 16U, kOpening = 1U << 17U;
+constexpr std::uint32_t kStop = 0xffffffff;
+
+// Calls: then help is tried again, which costs a busy machine's time slice at worst.
+constexpr std::size_t kMostAlone = 255;
+// No wait worth speaking of.
+constexpr std::chrono::nanoseconds kTrifle{10'000};
+
+using Clock = std::chrono::steady_clock;
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  _mm_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+// Looks for as long as is left of the patience. What was worth waiting for makes it longer.
+template <typename Done>
+bool spin_until(const Done& done, Patience& patience) {
+  constexpr std::chrono::nanoseconds kLeast{1'000};
+  const Clock::time_point start = Clock::now();
+  do {
+    for (int k = 0; k < 16; ++k) {
+      if (done()) {
+        patience.time = std::min(2 * patience.time + kLeast, Patience::kMost);
+        return true;
+      }
+      pause();
+    }
+  } while (Clock::now() - start < patience.time);
+  patience.time /= 2;
+  return false;
+}
+
+}  // namespace
+
+std::size_t usable_processors() {
+#if defined(__linux__)
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(0, sizeof set, &set) == 0) {
+    return static_cast<std::size_t>(std::max(CPU_COUNT(&set), 1));
+  }
+#endif
+  return std::max(std::thread::hardware_concurrency(), 1U);
+}
+
+void ThreadPool::start() {
+  started_ = true;
+  try {
+    helpers_.reserve(workers_ - 1);
+    while (helpers_.size() + 1 < workers_) {
+      helpers_.emplace_back(&ThreadPool::help, this, helpers_.size() + 1);
+    }
+  } catch (const std::system_error&) {
+    return;  // as many as there are
+  }
+}
+
+ThreadPool::~ThreadPool() {
+  gate_.store(kStop, std::memory_order_release);
+  gate_.notify_all();
+  for (std::thread& helper : helpers_) helper.join();
+}
+
+// Returns how many.
+std::size_t ThreadPool::take_tasks(std::size_t worker) {
+  for (std::size_t taken = 0;; ++taken) {
+    const std::size_t index = next_.fetch_add(1, std::memory_order_relaxed);
+    if (index >= count_) return taken;
+    task_(context_, index, worker);
+  }
+}
+
+void ThreadPool::help(std::size_t worker) {
+  Patience patience;
+  std::uint32_t last_opening = 0;
+  for (;;) {
+    std::uint32_t gate = gate_.load(std::memory_order_acquire);
+    if (gate == kStop) return;
+    if ((gate & kOpen) == 0 || gate / kOpening == last_opening) {
+      const auto has_changed = [&] { return gate_.load(std::memory_order_relaxed) != gate; };
+      if (!spin_until(has_changed, patience)) gate_.wait(gate, std::memory_order_relaxed);
+      continue;
+    }
+    if (!gate_.compare_exchange_weak(gate, gate + 1, std::memory_order_acq_rel)) continue;
+    last_opening = gate / kOpening;
+    take_tasks(worker);
+    const std::uint32_t before = gate_.fetch_sub(1, std::memory_order_acq_rel);
+    if ((before & kOpen) == 0 && (before & kInside) == 1) {
+      left_.fetch_add(1, std::memory_order_acq_rel);
+      left_.notify_one();
+    }
+  }
+}
+
+void ThreadPool::await_helpers() {
+  const auto all_left = [&] { return (gate_.load(std::memory_order_acquire) & kInside) == 0; };
+  if (spin_until(all_left, patience_)) return;
+  for (;;) {
+    const std::uint32_t left = left_.load(std::memory_order_acquire);
+    if (all_left()) return;
+    left_.wait(left, std::memory_order_acquire);
+  }
+}
+
+void ThreadPool::run(std::size_t count, Task task, void* context) {
+  if (alone_ > 0) {
+    --alone_;
+    for (std::size_t i = 0; i < count; ++i) task(context, i, 0);
+    return;
+  }
+  if (!started_) start();
+  task_ = task, context_ = context, count_ = count;
+  next_.store(0, std::memory_order_relaxed);
+  const std::uint32_t gate = gate_.load(std::memory_order_relaxed);
+  gate_.store((gate / kOpening + 1) * kOpening | kOpen, std::memory_order_release);
+  gate_.notify_all();
+  const Clock::time_point start = Clock::now();
+  const std::size_t own = take_tasks(0);
+  const Clock::time_point end = Clock::now();
+  if ((gate_.fetch_and(~kOpen, std::memory_order_acq_rel) & kInside) == 0) return;
+  await_helpers();
+  const std::chrono::duration<double> worked = end - start, waited = Clock::now() - end - kTrifle;
+  const bool paid = waited * static_cast<double>(own) <= worked * static_cast<double>(count - own);
+  next_alone_ = paid ? next_alone_ / 2 : std::min(2 * next_alone_ + 1, kMostAlone);
+  if (!paid) alone_ = next_alone_;
+}
+
+}  // namespace avo

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// The seam between a step and threads: what the pool promises, and that another executor may take
+// its place.
+#include "core/executor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <gtest/gtest.h>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
+#include "avo/error.h"
+#include "core/thread_pool.h"
+#include "sim/world.h"
+#include "unit/sim/scenes.h"
+
+namespace avo {
+namespace {
+
+TEST(ThreadPool, does_every_task_once_and_no_two_by_one_worker_at_a_time) {
+  constexpr std::size_t kWorkers = 5;
+  ThreadPool pool(kWorkers);
+  std::vector<std::atomic<int>> busy(kWorkers);
+  std::atomic<bool> shared = false, out_of_range = false;
+  for (std::size_t round = 0; round < 2000; ++round) {
+    std::vector<std::atomic<int>> done(round % 37);
+    parallel_for(pool, done.size(), [&](std::size_t index, std::size_t worker) {
+      if (worker >= kWorkers) out_of_range = true;
+      if (busy[worker % kWorkers].fetch_add(1) != 0) shared = true;
+      ++done[index];
+      busy[worker % kWorkers].fetch_sub(1);
+    });
+    for (const std::atomic<int>& times : done) ASSERT_EQ(times, 1) << "round " << round;
+  }
+  EXPECT_FALSE(shared);
+  EXPECT_FALSE(out_of_range);
+}
+
+TEST(ThreadPool, helpers_help) {
+  ThreadPool pool(3);
+  std::atomic<int> meeting = 0;
+  // each waits for the others: only three at the same time can end this
+  parallel_for(pool, 3, [&](std::size_t, std::size_t) {
+    ++meeting;
+    while (meeting < 3) std::this_thread::yield();
+  });
+  EXPECT_EQ(meeting, 3);
+}
+
+TEST(ThreadPool, throws_what_a_task_threw_and_works_on) {
+  ThreadPool pool(3);
+  for (int round = 0; round < 200; ++round) {
+    EXPECT_THROW(parallel_for(pool, 50,
+                              [&](std::size_t index, std::size_t) {
+                                if (index % 7 == 3) throw std::runtime_error("task");
+                              }),
+                 std::runtime_error);
+    std::atomic<int> done = 0;
+    parallel_for(pool, 50, [&](std::size_t, std::size_t) { ++done; });
+    ASSERT_EQ(done, 50);
+  }
+}
+
+TEST(ThreadPool, ends_without_having_worked) {
+  const ThreadPool pool(8);
+  EXPECT_EQ(pool.workers(), 8U);
+}
+
+#if defined(__linux__)
+TEST(ThreadPool, default_threads_are_those_of_the_affinity_mask) {
+  cpu_set_t before;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(usable_processors(), static_cast<std::size_t>(CPU_COUNT(&before)));
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  int first = 0;
+  while (!CPU_ISSET(first, &before)) ++first;
+  CPU_SET(first, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  const int threads = Simulation(test::dense_scene(2, Motion::held)).threads();
+  ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(threads, 1);
+}
+#endif
+
+TEST(ThreadPool, the_number_of_threads_is_refused_where_nobody_can_mean_it) {
+  const Scenario scene = test::dense_scene(2, Motion::held);
+  EXPECT_THROW(Simulation(scene, -1), Error);
+  EXPECT_THROW(Simulation(scene, 1025), Error);
+  EXPECT_EQ(Simulation(scene, 1024).threads(), 1024);  // none starts for two robots
+}
+
+// A host's job system in miniature: backwards, and each task by another worker.
+class Backwards final : public Executor {
+ public:
+  [[nodiscard]] std::size_t workers() const override { return 4; }
+  void run(std::size_t count, Task task, void* context) override {
+    ++runs;
+    for (std::size_t k = count; k-- > 0;) task(context, k, (k * 7 + 1) % 4);
+  }
+  int runs = 0;
+};
+
+TEST(Executor, another_executor_gives_the_same_bits) {
+  const Scenario scene = test::dense_scene(300, Motion::held);
+  auto backwards = std::make_unique<Backwards>();
+  const Backwards& executor = *backwards;
+  World world(scene, std::move(backwards));
+  World alone(scene, std::make_unique<SerialExecutor>());
+  for (int k = 0; k < 60; ++k) {
+    step(world);
+    step(alone);
+  }
+  EXPECT_EQ(hash_of(world.fleet, world.obstacles, world.steps),
+            hash_of(alone.fleet, alone.obstacles, alone.steps));
+  EXPECT_GE(executor.runs, 60);
+}
+
+}  // namespace
+}  // namespace avo
