@@ -55,7 +55,8 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
 
   PlanWorkspace workspace;
   Detour detour = perception.detour;
-  const bool movers = perception.alone || planner.options().method == Method::velocity_obstacle;
+  const bool movers =
+      perception.among_movers || planner.options().method == Method::velocity_obstacle;
   const Plan plan = movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
                            : planner.plan(robot, perception.neighbors, workspace, detour);
   if (movers) {

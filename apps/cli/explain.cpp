@@ -47,11 +47,10 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   decision.goal = simulation.fleet().goal[index];
   decision.method = scenario.method;
   decision.seen = simulation.perceive(index);
-  const auto& [self, neighbors, source, detour, alone] = decision.seen;
+  const auto& [self, neighbors, source, detour, among_movers] = decision.seen;
   avo::Detour next_detour = detour;
-  decision.by_half_planes = !alone && scenario.method != avo::Method::velocity_obstacle;
-  decision.plan = alone ? planner.plan_among_obstacles(self, neighbors, decision.workspace)
-                        : planner.plan(self, neighbors, decision.workspace, next_detour);
+  decision.by_half_planes = !among_movers;
+  decision.plan = planner.plan(self, neighbors, decision.workspace, next_detour);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, decision.workspace);
   else

@@ -56,11 +56,11 @@ Planner planner_of_figure() {
 }
 
 // Sets as the planner sees them; the speed limit is out of sight.
-VelocitySpace space_of(const std::vector<Neighbor>& neighbors, bool alone) {
+VelocitySpace space_of(const std::vector<Neighbor>& neighbors, bool among_movers) {
   Simulation::Perception seen;
   seen.robot = robot_of_figure();
   seen.neighbors = neighbors;
-  seen.alone = alone;
+  seen.among_movers = among_movers;
   for (std::size_t i = 0; i < neighbors.size(); ++i) {
     seen.source.push_back(static_cast<int>(i) + 1);
   }

@@ -59,12 +59,13 @@ const char* to_string(Precision precision);
 struct PlannerOptions {
   Method method = Method::avo;
   Motion motion = Motion::held;
-  double control_time = 2.0;  ///< [δ] s, > 0, Eq. (7)
+  double control_time = 2.0;  ///< [δ] s, >= 1e-6 unless v' is adopted at once, Eq. (7)
   double time_horizon = 3.0;  ///< [τ] s, > 0, Definition 2
-  double time_step = 0.1;     ///< [Δt] s, > 0, <= control_time where motion is held
-  int samples = 0;            ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
+  /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
+  double time_step = 0.1;
+  int samples = 0;  ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
   Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
-  /// >= 1: the first so many get a half-plane; unset: all. A certificate covers all in any case.
+  /// >= 1: the nearest so many get a half-plane; unset: all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};
   /// [d_s] s, > 0, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
   double soft_stop_time = 2.0;
@@ -135,9 +136,10 @@ struct Sensing;
 struct Wished;
 class PlanWorkspace;
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                   PlanWorkspace& workspace, StageClock& clock) noexcept;
+                   PlanWorkspace& workspace, StageClock& clock);
 
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
+/// Where memory runs out while it grows, plan() throws std::bad_alloc; it can be used again.
 class PlanWorkspace {
  public:
   PlanWorkspace();
@@ -146,7 +148,8 @@ class PlanWorkspace {
   PlanWorkspace& operator=(PlanWorkspace&&) noexcept;
 
   /// Room for so many neighbors, each of which brakes for so many steps: a crowd that thickens then
-  /// allocates nothing. To plan among obstacles takes more, which comes as it is needed.
+  /// allocates nothing, and plan() throws nothing. To plan among obstacles takes more, which comes
+  /// as it is needed. Throws std::bad_alloc.
   void reserve(std::size_t neighbors, std::size_t braking_steps);
 
   std::vector<NeighborPlane> planes;         ///< of the last Planner::collect_half_planes
@@ -157,8 +160,7 @@ class PlanWorkspace {
   friend class Planner;
   friend void reserve_together(const Planner&, std::size_t, std::size_t, std::size_t, std::size_t,
                                std::size_t, std::size_t, PlanWorkspace&);
-  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&,
-                            StageClock&) noexcept;
+  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&, StageClock&);
   struct Scratch;
   std::unique_ptr<Scratch> scratch_;
 };
@@ -168,25 +170,29 @@ void reserve_together(const Planner& planner, std::size_t robots, std::size_t pl
                       std::size_t braking_steps, PlanWorkspace& workspace);
 
 /// Decides for one robot. Immutable after construction and safe to share between threads: plan()
-/// is pure, it knows no time, ids, files or threads.
+/// is pure, it knows no time, ids, files or threads. It throws nothing but std::bad_alloc, and only
+/// while its workspace grows: see PlanWorkspace::reserve().
 class Planner {
  public:
   /// Throws Error on options out of range.
   explicit Planner(const PlannerOptions& options);
 
   /// Reciprocal collision avoidance (§IV-D): neighbors with max_acceleration > 0 are taken to
-  /// decide likewise, with the same δ. Nearest first is the canonical order of `neighbors`.
-  /// method velocity_obstacle treats all of them as in plan_among_obstacles.
+  /// decide likewise, with the same δ. Neighbors may come in any order, which changes no bit but
+  /// where two are equally far away; those that come nearest first need not be sorted.
+  /// A robot among movers none of which decides plans as in plan_among_obstacles, and so does any
+  /// of method velocity_obstacle.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                          PlanWorkspace& workspace) const noexcept;
-  /// The same by a robot that remembers its detour; it is updated. Pure as well.
+                          PlanWorkspace& workspace) const;
+  /// The same by a robot that remembers its detour; it is updated, or unchanged where this throws.
+  /// A detour that is not finite, or out of range, counts as none. Pure as well.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                          PlanWorkspace& workspace, Detour& detour) const noexcept;
+                          PlanWorkspace& workspace, Detour& detour) const;
 
   /// One robot among movers that do not react (§III-C, Eqs. 13-14): v' outside the union of their
   /// obstacles, B's new velocity being v_B + δ a_B with the acceleration that the neighbor gives.
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
-                                          PlanWorkspace& workspace) const noexcept;
+                                          PlanWorkspace& workspace) const;
 
   /// The half-planes of plan() that cut into what the robot may choose, into workspace.planes.
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
@@ -210,17 +216,14 @@ class Planner {
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
 
  private:
-  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&,
-                            StageClock&) noexcept;
+  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&, StageClock&);
   Plan choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-              const Wished& wished, PlanWorkspace& workspace, Detour& detour) const noexcept;
+              const Wished& wished, PlanWorkspace& workspace, Detour& detour) const;
   Plan certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
-               double violation, bool overlapping, PlanWorkspace& workspace) const noexcept;
-  Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
-              double violation) const noexcept;
-  Plan step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
-               double violation) const noexcept;
-  Plan brake(const Robot& robot, PlanStatus status, double violation) const noexcept;
+               double violation, bool overlapping, PlanWorkspace& workspace) const;
+  Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status, double violation) const;
+  Plan step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status, double violation) const;
+  Plan brake(const Robot& robot, PlanStatus status, double violation) const;
 
   PlannerOptions options_;
   std::shared_ptr<const Horizon> horizon_;  // tables of (δ, τ)

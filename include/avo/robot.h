@@ -9,11 +9,16 @@
 namespace avo {
 
 /// Car-like robot of the paper's §V: the robot's position is the center of its rear axle, its disc
-/// is centered there, and its velocity always points along its heading (it does not reverse).
+/// is centered there, and its velocity always points along its heading (it does not reverse):
+/// Robot::velocity has to, up to an angle of kHeadingTolerance.
 struct CarSetup {
   double wheelbase = 1.0;  ///< [d] m, > 0, between the axles
   double heading = 0.0;    ///< [θ] rad, counter-clockwise from +x
 };
+
+/// rad, of a car's velocity off its heading: more is PlanStatus::invalid_input. Single precision
+/// keeps within it; others predict the car's braking that much off, 2 µm after 2 m.
+inline constexpr double kHeadingTolerance = 1e-6;
 
 /// Robot A, the one that decides.
 struct Robot {

@@ -63,11 +63,14 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   /// One sensing-acting cycle of all robots: decide from the present generation, move by Δt.
-  /// Bit-identical for any number of threads; allocates nothing once warm.
+  /// Bit-identical for any number of threads; allocates nothing once warm. Where memory runs out it
+  /// throws std::bad_alloc; some robots may have moved then and others not, and every later step
+  /// throws Error.
   void step();
 
   /// Throws Error on bad values, and under a certificate on a robot that would have to be seen from
   /// farther away than the sensing radius. A start that breaks the invariant is accepted, as above.
+  /// Changes nothing where it throws.
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
@@ -85,9 +88,9 @@ class Simulation {
   struct Perception {
     Robot robot;
     std::vector<Neighbor> neighbors;
-    std::vector<int> source;  ///< index into fleet(), or -1 - k for moving obstacle k
-    Detour detour = {};       ///< what it remembers
-    bool alone = false;       ///< planned by plan_among_obstacles (a single robot, §III-C)
+    std::vector<int> source;    ///< index into fleet(), or -1 - k for moving obstacle k
+    Detour detour = {};         ///< what it remembers
+    bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;

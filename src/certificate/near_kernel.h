@@ -155,6 +155,7 @@ void find_near(std::span<const Sensing> robots, Whom whom, const StepLaw& law, N
   for (const Sensing& each : robots) own.add(*each.robot);
   fill<Real>(law, own);
   pairs.kept.clear();
+  pairs.queue.count = 0;  // some are left where memory ran out
   pairs.has_movers.resize(robots.size());
   for (std::size_t i = 0; i < robots.size(); ++i) {
     pairs.has_movers[i] = look_for<Real>(robots[i].neighbors, i, whom, law, pairs) ? 1 : 0;

@@ -4,7 +4,7 @@
 namespace avo {
 
 void BrakingColumns::reserve(std::size_t robots) {
-  if (x.size() >= robots + kSpareNeighbors) return;
+  if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // the last to grow
   for (Column* column : {&x,
                          &y,
                          &v_x,

@@ -23,7 +23,7 @@ struct OwnColumns {
 
   /// Room for so many intervals, and where the last of them ends; allocates only while it grows.
   void reserve(std::size_t intervals) {
-    if (start_x.size() >= intervals + 1 + kWallLanes) return;
+    if (most.size() >= intervals + 1 + kWallLanes) return;  // the last to grow
     for (auto* column :
          {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow, &most}) {
       column->resize(intervals + 1 + kWallLanes);
@@ -46,7 +46,7 @@ struct WallColumns {
   bool is_wall(std::size_t k) const { return needs[k] < kNoWall; }
 
   void reserve(std::size_t walls) {
-    if (normal_x.size() >= walls + kWallLanes) return;
+    if (neighbor.size() >= walls + kWallLanes) return;  // the last to grow
     for (auto* column : {&normal_x, &normal_y, &cone, &bound, &offset[0], &offset[1], &offset[2],
                          &interval, &needs, &coefficient}) {
       column->resize(walls + kWallLanes);

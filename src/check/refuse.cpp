@@ -2,7 +2,6 @@
 // Which numbers the judge takes.
 #include "check/refuse.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "avo/error.h"
@@ -13,11 +12,6 @@ namespace {
 
 // Speeds and accelerations of a step stay finite.
 constexpr double kShortestStep = 1e-12;  // s
-
-std::string text(double value) {
-  char buffer[32];  // the shortest form of a double has at most 24 characters
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
 
 void require(const std::string& name, double value, const Range& range, const char* unit) {
   if (range.contains(value)) return;

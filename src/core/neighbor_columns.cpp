@@ -6,9 +6,14 @@
 namespace avo {
 
 void NeighborColumns::grow(std::size_t size) {
-  size = std::max(size, x.size() + x.size() / 2);
+  size = std::max(size, acceleration.size() + acceleration.size() / 2);
   for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration}) column->resize(size, 1.0);
   acceleration.resize(size);
+}
+
+void list(const Neighbors& neighbors, std::vector<Neighbor>& listed) {
+  listed.clear();
+  for (std::size_t k = 0; k < neighbors.size(); ++k) listed.push_back(neighbors[k]);
 }
 
 Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns) {

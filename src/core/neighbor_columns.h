@@ -22,7 +22,8 @@ struct NeighborColumns {
 
   /// Room for so many.
   void reserve(std::size_t neighbors) {
-    if (x.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
+    // the last to grow: where memory runs out, some others may have grown already
+    if (acceleration.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
   }
   void add(const Neighbor& of) {
     x[count] = of.position.x, y[count] = of.position.y;
@@ -63,6 +64,9 @@ struct Sensing {
   Neighbors neighbors;
   bool trusted = false;  ///< its neighbors are known to be finite and in range
 };
+
+/// One after the other.
+void list(const Neighbors& neighbors, std::vector<Neighbor>& listed);
 
 /// The neighbors given become the columns' only ones.
 Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What values the numbers of a scene may take: one place for validation, parser and schema.
 #pragma once
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 namespace avo {
 
@@ -21,6 +23,12 @@ struct Range {
   }
 };
 
+/// The shortest form of a number that reads back to it.
+inline std::string text(double value) {
+  char buffer[32];  // of a double at most 24 characters
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
 /// Far beyond any use, small enough that squares and products stay finite.
 inline constexpr double kLargest = 1e12;
 inline constexpr Range kAnyValue{-kLargest, kLargest, false};
@@ -29,6 +37,11 @@ inline constexpr Range kNotNegative{0.0, kLargest, false};
 inline constexpr Range kAtLeastOne{1.0, std::numeric_limits<std::int32_t>::max(), false};
 /// Boundary samples a side: 0 (exact) or from 2.
 inline constexpr Range kSamples{0.0, 10000.0, false};
+
+/// [δ] s: (v' - v)/δ of a shorter one is rounding, and exceeds a_max.
+inline constexpr double kShortestControl = 1e-6;
+/// [δ]: in a longer time step e^{-Δt/δ} underflows.
+inline constexpr double kMostControlTimes = 700.0;
 
 /// Refused before anything is allocated.
 inline constexpr std::int64_t kMostRobots = 1'000'000;

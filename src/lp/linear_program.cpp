@@ -138,7 +138,7 @@ double solve_hard(const Lens& lens, std::span<HalfPlane> keep, const Goal& goal,
 
 ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const HalfPlane> soft,
                             const Disc& acceleration, const Disc& speed, Vec2 preferred,
-                            std::vector<HalfPlane>& scratch) noexcept {
+                            std::vector<HalfPlane>& scratch) {
   const Lens lens = make_lens(acceleration, speed);
   if (lens.empty) return nearest_to_speed_disc(lens, acceleration, speed);
 

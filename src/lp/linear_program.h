@@ -48,6 +48,6 @@ struct ProgramResult {
 /// times their number; nothing else is allocated.
 ProgramResult nearest_point(std::span<const HalfPlane> hard, std::span<const HalfPlane> soft,
                             const Disc& acceleration, const Disc& speed, Vec2 preferred,
-                            std::vector<HalfPlane>& scratch) noexcept;
+                            std::vector<HalfPlane>& scratch);
 
 }  // namespace avo

@@ -150,7 +150,7 @@ void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 
 // Those that half-planes leave nothing to need far more time: gathered, they fill lanes of their
 // own, unless they nearly do already.
 template <typename Number>
-void nearest_points(ProgramBatch<Number>& batch) noexcept {
+void nearest_points(ProgramBatch<Number>& batch) {
   Programs<Number>& all = batch.programs_;
   Programs<Number>& infeasible = batch.infeasible_;
   std::vector<std::size_t>& robots = batch.robots_;
@@ -181,8 +181,8 @@ template struct Programs<double>;
 template struct Programs<float>;
 template class ProgramBatch<double>;
 template class ProgramBatch<float>;
-template void nearest_points(ProgramBatch<double>&) noexcept;
-template void nearest_points(ProgramBatch<float>&) noexcept;
+template void nearest_points(ProgramBatch<double>&);
+template void nearest_points(ProgramBatch<float>&);
 
 }  // namespace avo
 #endif

@@ -78,7 +78,7 @@ class ProgramBatch {
 
  private:
   template <typename Any>
-  friend void nearest_points(ProgramBatch<Any>& batch) noexcept;
+  friend void nearest_points(ProgramBatch<Any>& batch);
 
   [[nodiscard]] const ProgramGroup<Number>& group(std::size_t robot) const {
     return programs_.group[robot / kProgramLanes];
@@ -106,6 +106,6 @@ class ProgramBatch {
 ///      there, and narrowing moves n . u - offset by ulp / 2 (|n_x u_x| + |n_y u_y| + |offset|) at
 ///      most, where |u| <= M and, of planes that matter, |offset| <= M + violation.
 template <typename Number>
-void nearest_points(ProgramBatch<Number>& batch) noexcept;
+void nearest_points(ProgramBatch<Number>& batch);
 
 }  // namespace avo

@@ -40,13 +40,12 @@ bool has_settled(const Robot& robot, const Detour& detour, double arrival_distan
   return detour.yielded >= kSettled && robot.distance_to_goal < kSettleDistance * arrival_distance;
 }
 
-// Whether it is something that a robot can remember.
+}  // namespace
+
 bool is_sound(const Detour& detour) {
   return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.yielded >= 0.0 &&
          detour.yielded <= kSettled;
 }
-
-}  // namespace
 
 double arrival_range(const Robot& robot, double largest_radius) {
   const Real range =
@@ -73,7 +72,6 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
 
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOptions& options,
              Detour& detour) {
-  if (!is_sound(detour)) detour = {};
   if (push == Vec2{} && detour.yielded == 0.0) return kept_right;
   const double elapsed = options.time_step / time_to_speed(robot);
   const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;

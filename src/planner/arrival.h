@@ -30,6 +30,9 @@ double arrival_range(const Robot& robot, double largest_radius);
 /// Away from a neighbor that is nearly in contact, most of all where the robot has all but arrived.
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 
+/// Whether it is something that a robot can remember.
+bool is_sound(const Detour& detour);
+
 /// [m/s] which way a robot wishes to go: as it keeps right, giving way for a while (who stays
 /// beside it has come to rest as well), or at rest where it has settled.
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOptions& options,

@@ -92,8 +92,7 @@ PlanStatus status_of(Chosen chosen, double violation, const Invariant& invariant
 }  // namespace
 
 Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-                     const Wished& wished, PlanWorkspace& workspace,
-                     Detour& detour) const noexcept {
+                     const Wished& wished, PlanWorkspace& workspace, Detour& detour) const {
   const Robot& robot = *sensing.robot;
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const Decision decision{
@@ -107,7 +106,7 @@ Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw
 }
 
 Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
-                      double violation, bool overlapping, PlanWorkspace& workspace) const noexcept {
+                      double violation, bool overlapping, PlanWorkspace& workspace) const {
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const CertificateLaw law = certificate_law(*this);
   // none of them decides, whatever it could do
@@ -134,7 +133,7 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
 }
 
 Plan Planner::step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
-                      double violation) const noexcept {
+                      double violation) const {
   Plan plan = plan_to(robot, next_velocity, certificate_law(*this).step);
   plan.status = status;
   plan.violation = violation;

@@ -20,6 +20,27 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors);
 /// every option.
 bool can_follow(const Robot& robot, const PlannerOptions& options);
 
+/// How many of the neighbors, the nearest, get a half-plane.
+inline std::size_t planned_with(const PlannerOptions& options, std::size_t neighbors) {
+  if (!options.max_neighbors) return neighbors;
+  return std::min(neighbors, static_cast<std::size_t>(*options.max_neighbors));
+}
+
+/// Whether a robot has to do with movers alone, none of which decides: it avoids the union of their
+/// obstacles (§III-C) instead of taking its part of half-planes. Nearest first; without a
+/// certificate only the nearest matter.
+template <typename Neighbors>
+bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) {
+  if (options.method == Method::velocity_obstacle) return true;
+  const std::size_t count = options.certificate == Certificate::none
+                                ? planned_with(options, neighbors.size())
+                                : neighbors.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (neighbors[k].max_acceleration > 0.0) return false;
+  }
+  return count > 0;
+}
+
 /// What the paper's program made of a wish.
 struct Wished {
   std::span<const HalfPlane> half_planes;
@@ -43,7 +64,7 @@ inline PlanStatus status_of(bool overlapping, double violation) {
 
 // Here to be inlined: passing a vector by value costs more than the division.
 inline Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
-                            double violation) const noexcept {
+                            double violation) const {
   const double time = adopts_at_once(options_.method) ? options_.time_step : options_.control_time;
   return {new_velocity, (new_velocity - robot.velocity) / time, status, violation};
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "avo/error.h"
+#include "core/ranges.h"
 
 namespace avo {
 namespace {
@@ -15,12 +16,28 @@ namespace {
 }
 
 void require_positive(double value, const char* name, const char* allowed = "> 0 s") {
-  if (!(std::isfinite(value) && value > 0.0)) refuse(name, std::to_string(value), allowed);
+  if (kPositive.contains(value)) return;
+  refuse(name, text(value), value > kLargest ? "<= " + text(kLargest) : allowed);
+}
+
+void validate_control(const PlannerOptions& options) {
+  const bool held = options.motion == Motion::held;
+  if (held && options.time_step > options.control_time) {
+    refuse("time_step", text(options.time_step), "<= control_time where motion is held");
+  }
+  if (options.control_time < kShortestControl) {
+    refuse("control_time", text(options.control_time), ">= " + text(kShortestControl) + " s");
+  }
+  if (!held && options.time_step > kMostControlTimes * options.control_time) {
+    refuse("control_time", text(options.control_time),
+           ">= time_step / " + text(kMostControlTimes) + " where motion is exponential");
+  }
 }
 
 void validate_sensing_error(const PlannerOptions& options) {
   const auto require = [](double value, const char* name, const char* unit) {
-    if (!(std::isfinite(value) && value >= 0.0)) refuse(name, std::to_string(value), unit);
+    if (kNotNegative.contains(value)) return;
+    refuse(name, text(value), value > kLargest ? "<= " + text(kLargest) : unit);
   };
   require(options.sensing_error.position, "sensing_error.position", ">= 0 m");
   require(options.sensing_error.velocity, "sensing_error.velocity", ">= 0 m/s");
@@ -45,8 +62,8 @@ void validate_certificate(const PlannerOptions& options) {
     refuse("motion", to_string(options.motion), "held with certificate " + certificate);
   }
   if (options.soft_stop_time < options.time_step) {
-    refuse("soft_stop_time", std::to_string(options.soft_stop_time),
-           ">= time_step = " + std::to_string(options.time_step) + " s");
+    refuse("soft_stop_time", text(options.soft_stop_time),
+           ">= time_step = " + text(options.time_step) + " s");
   }
 }
 
@@ -102,10 +119,10 @@ void validate(const PlannerOptions& options) {
   require_positive(options.control_time, "control_time");
   require_positive(options.time_horizon, "time_horizon");
   require_positive(options.time_step, "time_step");
-  if (!adopts_at_once(options.method) && options.motion == Motion::held &&
-      options.time_step > options.control_time) {
-    refuse("time_step", std::to_string(options.time_step), "<= control_time where motion is held");
+  if (options.time_step > options.time_horizon) {
+    refuse("time_step", text(options.time_step), "<= time_horizon");
   }
+  if (!adopts_at_once(options.method)) validate_control(options);
   if (options.samples < 0 || options.samples == 1) {
     refuse("samples", std::to_string(options.samples), "0 (exact) or >= 2");
   }

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "avo/half_plane.h"
 #include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
+#include "planner/arrival.h"
 #include "planner/braking.h"
 #include "planner/decision.h"
 #include "planner/options.h"
@@ -41,13 +45,21 @@ bool can_brake(const Robot& robot) {
   return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed)) != 0;
 }
 
+// Others predict that it brakes along its velocity, and it brakes along its heading.
+bool is_valid(const CarSetup& car, Vec2 velocity) {
+  if ((is_known(car.heading) & is_size(car.wheelbase)) == 0) return false;
+  const Vec2 heading{std::cos(car.heading), std::sin(car.heading)};
+  return norm_squared(velocity - norm(velocity) * heading) <=
+         kHeadingTolerance * kHeadingTolerance * norm_squared(velocity);
+}
+
 }  // namespace
 
 bool is_valid(const Robot& robot) {
   const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
   const int lengths = is_size(robot.radius) & static_cast<int>(robot.distance_to_goal >= 0.0);
   return can_brake(robot) && (places & lengths) != 0 &&
-         (!robot.car || (is_known(robot.car->heading) & is_size(robot.car->wheelbase)) != 0);
+         (!robot.car || is_valid(*robot.car, robot.velocity));
 }
 
 bool is_valid(const Neighbor& neighbor) {
@@ -98,6 +110,43 @@ PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
 PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 
 namespace {
+
+double distance_squared(const Robot& robot, const Neighbor& neighbor) {
+  return norm_squared(neighbor.position - robot.position);
+}
+
+// The canonical order of neighbors, ties as they are given, into scratch.order.
+template <typename Scratch>
+void rank(const Robot& robot, std::span<const Neighbor> neighbors, Scratch& scratch) {
+  scratch.order.resize(neighbors.size());
+  std::iota(scratch.order.begin(), scratch.order.end(), 0U);
+  std::ranges::sort(scratch.order, {}, [&](std::uint32_t k) {
+    return std::pair(distance_squared(robot, neighbors[k]), k);
+  });
+}
+
+// The neighbors in their canonical order: sorted, into scratch memory, only where they have to be.
+template <typename Scratch>
+std::span<const Neighbor> nearest_first(const Robot& robot, std::span<const Neighbor> neighbors,
+                                        Scratch& scratch) {
+  const auto distance = [&](const Neighbor& neighbor) { return distance_squared(robot, neighbor); };
+  if (std::ranges::is_sorted(neighbors, {}, distance)) return neighbors;
+  rank(robot, neighbors, scratch);
+  scratch.ordered.clear();
+  for (const std::uint32_t k : scratch.order) scratch.ordered.push_back(neighbors[k]);
+  return scratch.ordered;
+}
+
+// Which of the neighbors get a half-plane, in the order in which they are given.
+template <typename Scratch>
+std::span<const std::uint32_t> list_nearest(const PlannerOptions& options, const Robot& robot,
+                                            std::span<const Neighbor> neighbors, Scratch& scratch) {
+  rank(robot, neighbors, scratch);
+  scratch.order.resize(planned_with(options, neighbors.size()));
+  std::ranges::sort(scratch.order);
+  return scratch.order;
+}
+
 constexpr std::size_t kMostWalls = 8192;  // of more, memory grows when it is needed
 }  // namespace
 
@@ -113,6 +162,8 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
   Scratch& scratch = *scratch_;
   scratch.reserve_choice(neighbors, braking_steps);
+  scratch.order.reserve(neighbors);
+  scratch.ordered.reserve(neighbors);
   scratch.seen.reserve(neighbors);
   scratch.deciding.reserve(1);
   scratch.sensing.reserve(1);
@@ -156,9 +207,8 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   workspace.planes.clear();
   workspace.overlapping = false;
   const Lens allowed = make_lens(acceleration_disc(robot), speed_disc(robot));
-  const std::size_t most =
-      options_.max_neighbors ? static_cast<std::size_t>(*options_.max_neighbors) : neighbors.size();
-  for (std::size_t k = 0; k < std::min(neighbors.size(), most); ++k) {
+  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+  for (const std::uint32_t k : list_nearest(options_, robot, neighbors, scratch)) {
     const Neighbor& neighbor = neighbors[k];
     const RelativeHalfPlane relative = relative_half_plane(options_, *horizon_, robot, neighbor);
     if (relative.state == PairState::free) continue;
@@ -175,7 +225,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   }
 }
 
-Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const noexcept {
+Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const {
   if (!can_brake(robot)) return {{}, {}, PlanStatus::invalid_input, 0.0};
   if (adopts_at_once(options_.method)) return finish(robot, {}, status, violation);
   if (options_.method == Method::avo) {
@@ -186,30 +236,32 @@ Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) con
 }
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace) const noexcept {
+                   PlanWorkspace& workspace) const {
   Detour detour;
   return plan(robot, neighbors, workspace, detour);
 }
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace, Detour& detour) const noexcept {
-  if (options_.method == Method::velocity_obstacle) {
-    return plan_among_obstacles(robot, neighbors, workspace);
-  }
+                   PlanWorkspace& workspace, Detour& detour) const {
+  if (!is_sound(detour)) detour = {};
   if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
   Plan plan;
   StageClock clock;
-  const Neighbors seen = in_columns(neighbors, workspace.scratch_->seen);
-  const Deciding alone{{&robot, seen, true}, &detour, &plan};
+  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+  const Neighbors seen = in_columns(nearest_first(robot, neighbors, scratch), scratch.seen);
+  Detour next = detour;
+  const Deciding alone{{&robot, seen, true}, &next, &plan};
   plan_together(*this, {&alone, 1}, workspace, clock);
+  detour = next;
   return plan;
 }
 
-Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
-                                   PlanWorkspace& workspace) const noexcept {
-  if (!all_valid(robot, obstacles) || !can_follow(robot, options_)) {
+Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> given,
+                                   PlanWorkspace& workspace) const {
+  if (!all_valid(robot, given) || !can_follow(robot, options_)) {
     return brake(robot, PlanStatus::invalid_input, 0.0);
   }
+  const std::span<const Neighbor> obstacles = nearest_first(robot, given, *workspace.scratch_);
   const Response response = adopts_at_once(options_.method)
                                 ? Response::velocity()
                                 : Response::proportional(options_.control_time);

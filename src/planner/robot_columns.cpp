@@ -47,7 +47,7 @@ void decide_freely(const StepLaw& law, RobotColumns& columns) {
 }
 
 void RobotColumns::reserve(std::size_t robots) {
-  if (v_x.size() >= robots + kSpareNeighbors) return;
+  if (is_free.size() >= robots + kSpareNeighbors) return;  // the last to grow
   for (Column* column : {&v_x,
                          &v_y,
                          &preferred_x,

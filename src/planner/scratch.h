@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The memory of a planner's decisions.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "avo/planner.h"
@@ -28,8 +29,11 @@ struct PlanWorkspace::Scratch {
   ProgramBatch<float> in_single;
   std::vector<HalfPlane> projected;
   std::vector<PassiveObstacle> obstacles;
+  // of the neighbors given: numbers, and themselves sorted by distance
+  std::vector<std::uint32_t> order;
+  std::vector<Neighbor> ordered;
   NeighborColumns seen;
-  std::vector<Neighbor> movers;
+  std::vector<Neighbor> listed, movers;
   PassiveWorkspace passive;
   CertifiedWorkspace certified;
 

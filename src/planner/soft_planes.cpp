@@ -7,18 +7,14 @@
 #include <limits>
 #include <type_traits>
 
+#include "planner/decision.h"
+
 namespace avo {
 namespace {
 
 template <typename T>
 void grow(std::vector<T>& column, std::size_t size) {
   if (column.size() < size) column.resize(size);
-}
-
-std::size_t planned_with(const PlannerOptions& options, const Sensing& sensing) {
-  const std::size_t all = sensing.neighbors.size();
-  return options.max_neighbors ? std::min(all, static_cast<std::size_t>(*options.max_neighbors))
-                               : all;
 }
 
 // Fills soft.owners; returns the number of pairs.
@@ -28,7 +24,7 @@ std::size_t list_owners(const PlannerOptions& options, std::span<const Sensing> 
   std::size_t end = 0;
   for (const Sensing& sensing : robots) {
     const Robot& robot = *sensing.robot;
-    end += planned_with(options, sensing);
+    end += planned_with(options, sensing.neighbors.size());
     soft.owners.push_back({robot.position, robot.velocity, robot.radius, robot.max_acceleration,
                            options.control_time * robot.max_acceleration, robot.max_speed, 0.0,
                            sensing.neighbors.first, end});
@@ -173,7 +169,7 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon,
   soft.overlapping.clear();
   for (const Sensing& sensing : robots) {
     soft.overlapping.push_back(0);
-    const std::size_t count = planned_with(options, sensing);
+    const std::size_t count = planned_with(options, sensing.neighbors.size());
     for (std::size_t k = 0; k < count; ++k) {
       const Neighbor neighbor = sensing.neighbors[k];
       const RelativeHalfPlane relative =

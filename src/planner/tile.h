@@ -2,12 +2,10 @@
 // Robots that are planned together: their neighbors lie side by side.
 #pragma once
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "avo/planner.h"
 #include "core/neighbor_columns.h"
-#include "core/stage_clock.h"
 #include "planner/together.h"
 
 namespace avo {
@@ -17,21 +15,15 @@ struct Tile {
   std::vector<Robot> robots;          ///< those of deciding
   NeighborColumns neighbors;          ///< of all the robots, each by distance and id
   std::vector<std::size_t> first{0};  ///< of robot i: [first[i], first[i + 1]), into neighbors
-  std::vector<Deciding> deciding;     ///< what each remembers and decides, by plan_tile()
+  std::vector<Deciding> deciding;     ///< what each remembers and decides, by plan_together()
   bool trusted = true;                ///< all neighbors are known to be finite and in range
-  std::vector<Neighbor> listed;       ///< scratch memory
 
   void clear();
   [[nodiscard]] std::size_t size() const { return deciding.size(); }
   [[nodiscard]] Neighbors neighbors_of(std::size_t i) const {
     return {&neighbors, first[i], first[i + 1] - first[i]};
   }
-  /// One after the other, in scratch memory.
-  [[nodiscard]] std::span<const Neighbor> list_neighbors_of(std::size_t i);
   void reserve(std::size_t most_robots, std::size_t most_neighbors);
 };
-
-/// Planner::plan() of every robot of the tile.
-void plan_tile(const Planner& planner, Tile& tile, PlanWorkspace& workspace, StageClock& clock);
 
 }  // namespace avo

@@ -150,7 +150,7 @@ void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
 }  // namespace
 
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                   PlanWorkspace& workspace, StageClock& clock) noexcept {
+                   PlanWorkspace& workspace, StageClock& clock) {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   const PlannerOptions& options = planner.options();
 
@@ -161,6 +161,13 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
     const bool valid = trusted ? is_valid(*robot) : all_valid(*robot, neighbors);
     if (!valid || !can_follow(*robot, options)) {
       *each.plan = planner.brake(*robot, PlanStatus::invalid_input, 0.0);
+      continue;
+    }
+    if ((neighbors.columns->has_movers || options.method == Method::velocity_obstacle) &&
+        is_among_movers(options, neighbors)) {
+      list(neighbors, scratch.listed);
+      *each.plan = planner.plan_among_obstacles(*robot, scratch.listed, workspace);
+      *each.detour = {};
       continue;
     }
     scratch.sensing.push_back(each.sensing);

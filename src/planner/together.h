@@ -18,7 +18,7 @@ struct Deciding {
 
 /// Planner::plan() of each. Not for method velocity_obstacle.
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                   PlanWorkspace& workspace, StageClock& clock) noexcept;
+                   PlanWorkspace& workspace, StageClock& clock);
 
 /// Room for so many robots with at most so many half-planes each, and in all, among at most so many
 /// neighbors each, and in all, which brake for at most so many steps.

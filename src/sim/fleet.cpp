@@ -60,6 +60,10 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
     v = norm(v) * Vec2{std::cos(angle), std::sin(angle)};
   }
   const std::size_t slot = size();
+  // all that may throw, before anything changes
+  bool full = slot_of.capacity() == slot;
+  for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
+  if (full) reserve(2 * slot + 8);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);

@@ -87,13 +87,7 @@ void plan_and_move(World& world, std::span<const std::uint32_t> slots, Worker& w
   set_out(world, slots, worker);
   worker.clock.lap(Stage::motion);
   Tile& tile = worker.tile;
-  if (world.alone()) {
-    *tile.deciding[0].plan =
-        world.planner.plan_among_obstacles(tile.robots[0], tile.list_neighbors_of(0), worker.plan);
-    worker.clock.lap(Stage::program);
-  } else {
-    plan_tile(world.planner, tile, worker.plan, worker.clock);
-  }
+  plan_together(world.planner, tile.deciding, worker.plan, worker.clock);
   count(world, worker);
   move(world, slots, worker);
   tile.clear();

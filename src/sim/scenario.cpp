@@ -3,7 +3,6 @@
 #include "avo/scenario.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -14,12 +13,6 @@
 
 namespace avo {
 namespace {
-
-std::string text(double value) {
-  char buffer[32];  // the shortest form of a double has at most 24 characters
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
 
 [[noreturn]] void refuse(const std::string& field, const std::string& found,
                          const std::string& allowed) {
@@ -33,7 +26,7 @@ struct Place {
   std::string_view field;
 };
 
-std::string text(const Place& place) {
+std::string name_of(const Place& place) {
   std::string field(place.field);
   if (place.list.empty()) return field;
   return std::string(place.list) + "." + std::to_string(place.index) + "." + field;
@@ -42,7 +35,7 @@ std::string text(const Place& place) {
 void check(const Place& place, double value, const Range& range, std::string_view unit,
            std::string_view component = "") {
   if (range.contains(value)) return;
-  const std::string field = text(place) + std::string(component);
+  const std::string field = name_of(place) + std::string(component);
   const std::string suffix = unit.empty() ? "" : std::string(" ").append(unit);
   if (!std::isfinite(value)) refuse(field, text(value), "a finite number");
   if (range.below(value))
@@ -101,11 +94,18 @@ void check_times(const Scenario& scenario) {
   if (held && dt > options.control_time)
     refuse("time_step", text(dt),
            "<= control_time = " + text(options.control_time) + " s where motion is held");
+  if (adopts_at_once(scenario.method)) return;
+  if (options.control_time < kShortestControl)
+    refuse("control_time", text(options.control_time), ">= " + text(kShortestControl) + " s");
+  if (!held && dt > kMostControlTimes * options.control_time)
+    refuse("control_time", text(options.control_time),
+           ">= time_step / " + text(kMostControlTimes) + " = " + text(dt / kMostControlTimes) +
+               " s where motion is exponential");
 }
 
 void check_at_rest(std::size_t k, std::string_view field, Vec2 value) {
   if (value == Vec2{}) return;
-  refuse(text(Place{"moving_obstacles", k, field}),
+  refuse(name_of(Place{"moving_obstacles", k, field}),
          "[" + text(value.x) + ", " + text(value.y) + "]",
          "[0, 0] with certificate linear_soft_stop");
 }
@@ -115,7 +115,7 @@ void check_soft_stop(const Scenario& scenario) {
   if (scenario.motion != Motion::held) refuse("motion", to_string(scenario.motion), "held" + with);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     if (scenario.robots[i].car)  // it brakes fully, and drives no straight line to rest
-      refuse(text(Place{"robots", i, "car"}), "a car-like robot", "none" + with);
+      refuse(name_of(Place{"robots", i, "car"}), "a car-like robot", "none" + with);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
     check_at_rest(k, "velocity", scenario.moving_obstacles[k].velocity);
     check_at_rest(k, "acceleration", scenario.moving_obstacles[k].acceleration);
@@ -133,7 +133,7 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
     if (robot.max_speed <= longest * robot.max_acceleration) continue;
-    refuse(text(Place{"robots", i, "max_speed"}), text(robot.max_speed),
+    refuse(name_of(Place{"robots", i, "max_speed"}), text(robot.max_speed),
            "<= " + text(longest * robot.max_acceleration) + " m/s, " +
                std::to_string(kMostBrakingSteps) + " steps of braking, with a certificate");
   }
@@ -144,7 +144,7 @@ void check_certificate(const Scenario& scenario) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (scenario.robots[i].car && options.motion != Motion::held)
-      refuse(text(Place{"robots", i, "car"}), "a car-like robot",
+      refuse(name_of(Place{"robots", i, "car"}), "a car-like robot",
              "none with a certificate where motion is exponential");
   }
   if (scenario.method != Method::avo)

@@ -11,6 +11,7 @@
 #include "avo/assumptions.h"
 #include "avo/error.h"
 #include "core/thread_pool.h"
+#include "planner/decision.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -86,6 +87,8 @@ std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
 struct Simulation::State : World {
   using World::World;
 
+  bool is_torn = false;  // a step ended before all had moved
+
   // in the order of ids; made when it is asked for
   std::mutex looking;
   std::atomic<bool> is_mirrored = false;
@@ -108,16 +111,21 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
+  if (state_->is_torn) {
+    throw Error("Simulation::step: found a state that an earlier step left half moved");
+  }
   state_->is_mirrored = false;
+  state_->is_torn = true;
   avo::step(*state_);
+  state_->is_torn = false;
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
   const RobotId robot{state_->next_id};
   check(*state_, setup, robot);
   check_sensing(*state_, setup, robot);
-  ++state_->next_id;
   state_->fleet.add(robot, setup);
+  ++state_->next_id;
   state_->changed = true;
   state_->is_mirrored = false;
   return robot;
@@ -177,7 +185,7 @@ std::uint64_t Simulation::state_hash() const {
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const State& state = *state_;
   const std::uint32_t slot = state.fleet.slot_of[robot];
-  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], state.alone()};
+  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], false};
   for (const NeighborHit& hit : all_hits(state, slot)) {
     if (!state.all_matter() && seen.source.size() == state.most_nearest()) break;
     const auto k = static_cast<std::size_t>(hit.index);
@@ -186,6 +194,7 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
                                          : state.fleet.sensed(state.fleet.slot_of[k]));
     seen.source.push_back(is_obstacle ? -1 - hit.index : hit.index);
   }
+  seen.among_movers = is_among_movers(state.planner.options(), seen.neighbors);
   return seen;
 }
 

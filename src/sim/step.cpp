@@ -112,7 +112,9 @@ double near_range(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
   const double everyone = world.settings.sensing_radius;
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
-  if (world.fast || !(farthest <= kMostRelevantPosition)) return everyone;
+  // among movers it matters whether anybody decides at all
+  if (world.fast || !world.obstacles.setup.empty() || !(farthest <= kMostRelevantPosition))
+    return everyone;
   return world.fleet.range[slot];
 }
 

@@ -59,9 +59,6 @@ struct World {
 
   World(const Scenario& scenario, std::unique_ptr<Executor> steps_by);
 
-  /// A single robot avoids movers by §III-C; among other robots they are neighbors that do not
-  /// decide.
-  bool alone() const { return fleet.size() == 1; }
   /// Neighbors that the planner is given for being the nearest.
   std::size_t most_nearest() const;
   /// A certificate has to know all others within the sensing radius as well.

@@ -71,7 +71,7 @@ TEST(Perception, the_choice_of_avo_is_that_with_the_detour_that_is_remembered) {
 
 TEST(Perception, the_choice_lies_outside_of_the_drawn_obstacles) {
   Simulation::Perception seen = some_perception();
-  seen.alone = true;
+  seen.among_movers = true;
   for (Neighbor& neighbor : seen.neighbors) neighbor.max_acceleration = 0.0;
   seen.neighbors[0].acceleration = {0.1, -0.2};
   const Planner planner(default_options(Method::avo_paper));

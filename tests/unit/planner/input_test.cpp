@@ -98,6 +98,45 @@ TEST(Status, invalid_input_is_told_and_brakes_whatever_field_it_is) {
   }
 }
 
+// A car brakes along its heading, and others see only which way it moves.
+TEST(Status, a_car_that_moves_off_its_heading_is_invalid) {
+  for (const Method method : {Method::avo, Method::avo_paper}) {
+    const Planner planner(default_options(method));
+    PlanWorkspace workspace;
+    test::Random random(33);
+    for (int k = 0; k < 2000; ++k) {
+      const double heading = random.uniform(-10.0, 10.0);
+      const Vec2 along{std::cos(heading), std::sin(heading)}, across{-along.y, along.x};
+      Robot car = paper_robot({}, {}, 1.5 * along);
+      car.car = CarSetup{1.0, heading};
+      const std::vector<Neighbor> neighbors{
+          as_neighbor(paper_robot(6.0 * along, -1.0 * along, {}))};
+      const auto status = [&](Vec2 velocity) {
+        car.velocity = velocity;
+        const Plan plan = planner.plan(car, neighbors, workspace);
+        EXPECT_EQ(planner.plan_among_obstacles(car, neighbors, workspace).status ==
+                      PlanStatus::invalid_input,
+                  plan.status == PlanStatus::invalid_input);
+        return plan.status;
+      };
+      const double speed = random.log_uniform(1e-9, 1.9);
+      const double off = kHeadingTolerance * (random.below(2) == 0 ? 1.0 : -1.0);
+      EXPECT_NE(status(Vec2{}), PlanStatus::invalid_input);
+      EXPECT_NE(status(speed * along), PlanStatus::invalid_input);
+      EXPECT_NE(status(speed * (along + 0.9 * off * across)), PlanStatus::invalid_input);
+      EXPECT_EQ(status(speed * (along + 1.1 * off * across)), PlanStatus::invalid_input);
+      EXPECT_EQ(status(speed * across), PlanStatus::invalid_input);
+      EXPECT_EQ(status(-speed * along), PlanStatus::invalid_input);
+      // as single precision has it
+      const auto narrow = static_cast<float>(heading);
+      car.car->heading = static_cast<double>(narrow);
+      const Vec2 rounded{static_cast<double>(static_cast<float>(speed * along.x)),
+                         static_cast<double>(static_cast<float>(speed * along.y))};
+      EXPECT_NE(status(rounded), PlanStatus::invalid_input);
+    }
+  }
+}
+
 // Any number that passes is a number that can be planned with: 300 decades and more.
 TEST(Status, extreme_numbers_never_make_a_NaN) {
   test::Random random(30);

@@ -122,8 +122,14 @@ TEST(Movers, the_exact_set_is_no_worse_than_half_planes) {
     for (Neighbor& B : crowd.neighbors) B.max_acceleration = 0.0;
     const Planner planner(crowd.options);
     PlanWorkspace workspace;
-    const Plan planes = planner.plan(crowd.robot, crowd.neighbors, workspace);
     const Plan exact = planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
+    if (!crowd.neighbors.empty()) {
+      EXPECT_EQ(planner.plan(crowd.robot, crowd.neighbors, workspace).new_velocity,
+                exact.new_velocity);
+    }
+    // beside somebody who decides, however far away, half-planes are what is shared out
+    crowd.neighbors.push_back({.position = crowd.robot.position + Vec2{1e6, 0.0}});
+    const Plan planes = planner.plan(crowd.robot, crowd.neighbors, workspace);
     if (planes.status != PlanStatus::optimal) continue;
     ASSERT_EQ(exact.status, PlanStatus::optimal) << crowd;
     const double detour = norm(exact.new_velocity - crowd.robot.preferred_velocity);

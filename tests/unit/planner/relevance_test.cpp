@@ -172,7 +172,7 @@ TEST(Relevance, a_mover_far_away_changes_no_bit) {
         k % 3 == 0 ? Certificate::none : Certificate::braking_trajectories;
     Crowd crowd = crowd_of(random, certificate, k % 2 == 0 ? Motion::held : Motion::exponential);
     crowd.options.max_neighbors = 30;
-    if (random.below(2) == 0) crowd.neighbors.resize(crowd.neighbors.size() / 2);
+    if (random.below(2) == 0) crowd.neighbors.resize((crowd.neighbors.size() + 1) / 2);
     if (random.below(8) == 0) crowd.robot.velocity = 1.2 * crowd.robot.velocity;
     const Planner planner(crowd.options);
     const Detour detour{random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0),

@@ -203,6 +203,62 @@ TEST(Options, out_of_range_are_refused_by_name) {
   EXPECT_NO_THROW(const Planner planner(options));
 }
 
+TEST(Options, times_of_which_rounding_would_exceed_the_limits_are_refused) {
+  for (const Method method : {Method::avo, Method::avo_paper}) {
+    PlannerOptions options = default_options(method);
+    options.motion = Motion::exponential;
+    for (const double bad : {5e-324, 1e-300, 1e-12, 1e-7, 1e-4}) {
+      options.control_time = bad;
+      expect_refused(options, "control_time");
+    }
+    // at the edge of what is accepted limits are kept
+    options.control_time = options.time_step / 700.0 * (1.0 + 1e-15);
+    const Planner planner(options);
+    PlanWorkspace workspace;
+    const Robot robot{.velocity = {1.0, 0.7}, .preferred_velocity = {-2.0, 0.3}};
+    const Plan plan = planner.plan(robot, {}, workspace);
+    EXPECT_TRUE(is_finite(plan.acceleration));
+    EXPECT_LE(norm(plan.acceleration), robot.max_acceleration * (1.0 + 1e-9));
+    options = default_options(method);
+    options.control_time = options.time_step = 1e-7;
+    expect_refused(options, "control_time");
+    options = default_options(method);
+    options.time_step = options.control_time = 1.01 * options.time_horizon;
+    expect_refused(options, "time_step");
+    options = default_options(method);
+    options.time_horizon = 1.1e12;
+    expect_refused(options, "time_horizon");
+  }
+  PlannerOptions at_once = default_options(Method::orca);
+  at_once.control_time = 1e-12;  // has none
+  EXPECT_NO_THROW(Planner{at_once});
+}
+
+TEST(Status, a_detour_that_is_no_number_is_forgotten) {
+  const Neighbor near{.position = {2.0, 0.1}, .velocity = {-1.0, 0.0}};
+  const Neighbor mover{.position = {2.0, 0.1}, .max_acceleration = 0.0};
+  const Neighbor invalid{.position = {kNaN, 0.0}};
+  for (const Method method :
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+    const Planner planner(default_options(method));
+    PlanWorkspace workspace;
+    const Robot robot{.velocity = {1.0, 0.0}, .preferred_velocity = {2.0, 0.0}};
+    for (const double bad : {kNaN, kInfinity, -1.0, 1e9}) {
+      for (const Detour& detour : {Detour{bad, 0.0}, Detour{0.0, bad}, Detour{bad, bad}}) {
+        for (const std::vector<Neighbor>& neighbors :
+             {std::vector<Neighbor>{}, {near}, {mover}, {near, invalid}}) {
+          Detour bad_detour = detour, none;
+          const Plan plan = planner.plan(robot, neighbors, workspace, bad_detour);
+          EXPECT_EQ(plan.new_velocity,
+                    planner.plan(robot, neighbors, workspace, none).new_velocity);
+          EXPECT_EQ(bad_detour.angle, none.angle);
+          EXPECT_EQ(bad_detour.yielded, none.yielded);
+        }
+      }
+    }
+  }
+}
+
 std::string refusal(const PlannerOptions& options) {
   try {
     const Planner planner(options);
@@ -227,8 +283,7 @@ TEST(Options, that_do_not_go_together_are_refused_by_name) {
   EXPECT_EQ(refusal(options), "PlannerOptions.max_neighbors: found 0, must be >= 1");
   options = {};
   options.sensing_error = {.position = -0.01, .velocity = 0.0};
-  EXPECT_EQ(refusal(options),
-            "PlannerOptions.sensing_error.position: found -0.010000, must be >= 0 m");
+  EXPECT_EQ(refusal(options), "PlannerOptions.sensing_error.position: found -0.01, must be >= 0 m");
   options.sensing_error = {.position = 0.0, .velocity = std::nan("")};
   EXPECT_EQ(refusal(options), "PlannerOptions.sensing_error.velocity: found nan, must be >= 0 m/s");
   options.certificate = Certificate::stopping_capsules;
@@ -238,10 +293,10 @@ TEST(Options, that_do_not_go_together_are_refused_by_name) {
             "stopping_capsules");
   options = {};
   options.soft_stop_time = 0.0;
-  EXPECT_EQ(refusal(options), "PlannerOptions.soft_stop_time: found 0.000000, must be > 0 s");
+  EXPECT_EQ(refusal(options), "PlannerOptions.soft_stop_time: found 0, must be > 0 s");
   options = {};
   options.arrival_distance = 0.0;
-  EXPECT_EQ(refusal(options), "PlannerOptions.arrival_distance: found 0.000000, must be > 0 m");
+  EXPECT_EQ(refusal(options), "PlannerOptions.arrival_distance: found 0, must be > 0 m");
   options = {};
   options.certificate = Certificate::linear_soft_stop;
   EXPECT_EQ(refusal(options), "");
@@ -252,7 +307,7 @@ TEST(Options, that_do_not_go_together_are_refused_by_name) {
   options.motion = Motion::held;
   options.soft_stop_time = 0.0625;
   EXPECT_EQ(refusal(options),
-            "PlannerOptions.soft_stop_time: found 0.062500, must be >= time_step = 0.100000 s");
+            "PlannerOptions.soft_stop_time: found 0.0625, must be >= time_step = 0.1 s");
   options.certificate = Certificate::braking_trajectories;
   EXPECT_EQ(refusal(options), "");
 }

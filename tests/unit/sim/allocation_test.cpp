@@ -7,6 +7,7 @@
 #include <malloc.h>
 #include <new>
 
+#include "avo/error.h"
 #include "avo/simulation.h"
 #include "core/executor.h"
 #include "unit/sim/scenes.h"
@@ -15,9 +16,13 @@ namespace {
 
 std::atomic<long> allocations{0};
 std::atomic<long> bytes{0};  // held now
+// Allocations that succeed before memory is out; never, where it is negative.
+std::atomic<long> left{-1};
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
+  if (left == 0) throw std::bad_alloc();
+  if (left > 0) --left;
   const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
   void* memory = alignment > alignof(std::max_align_t)
                      ? std::aligned_alloc(alignment, rounded)
@@ -198,6 +203,105 @@ TEST(Allocation, none_per_plan_in_a_crowd_that_thickens) {
     EXPECT_EQ(allocations - before, 0);
     EXPECT_TRUE(std::isfinite(sum));
   }
+}
+
+// Calls action() with memory that is out after 0, 1, 2 ... allocations until it succeeds; returns
+// how often it failed.
+template <typename Action>
+int failures(const Action& action) {
+  for (int count = 0;; ++count) {
+    left = count;
+    try {
+      action();
+      left = -1;
+      return count;
+    } catch (const std::bad_alloc&) {
+      left = -1;
+    }
+  }
+}
+
+TEST(OutOfMemory, a_plan_throws_and_the_next_one_is_as_good_as_ever) {
+  for (const Method method :
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+    Scenario scene = test::dense_scene(60, Motion::held);
+    scene.method = method;
+    const Simulation simulation(scene, 1);
+    Simulation::Perception seen = simulation.perceive(0);
+    std::swap(seen.neighbors.front(), seen.neighbors.back());  // has to be sorted
+    const Planner& planner = simulation.planner();
+    PlanWorkspace fresh;
+    Detour expected_detour{0.5, 0.25};
+    const Plan expected = planner.plan(seen.robot, seen.neighbors, fresh, expected_detour);
+    PlanWorkspace workspace;
+    Plan plan;
+    Detour detour{0.5, 0.25};
+    const int failed = failures([&] {
+      EXPECT_EQ(detour.angle, 0.5) << "unchanged by a plan that failed";
+      plan = planner.plan(seen.robot, seen.neighbors, workspace, detour);
+    });
+    EXPECT_GT(failed, 5);
+    EXPECT_EQ(plan.new_velocity, expected.new_velocity);
+    EXPECT_EQ(detour.angle, expected_detour.angle);
+    PlanWorkspace other;
+    EXPECT_GT(
+        failures([&] { plan = planner.plan_among_obstacles(seen.robot, seen.neighbors, other); }),
+        2);
+  }
+}
+
+TEST(OutOfMemory, a_plan_with_what_was_reserved_needs_none) {
+  const Scenario scene = test::dense_avo_scene(60, Motion::held, Certificate::braking_trajectories);
+  const Simulation simulation(scene, 1);
+  const Simulation::Perception seen = simulation.perceive(0);
+  PlanWorkspace workspace;
+  workspace.reserve(seen.neighbors.size(), 64);
+  EXPECT_EQ(failures([&] {
+              static_cast<void>(simulation.planner().plan(seen.robot, seen.neighbors, workspace));
+            }),
+            0);
+}
+
+TEST(OutOfMemory, a_step_throws_on_any_number_of_threads_and_none_follows) {
+  for (const int threads : {1, 3}) {
+    int torn = 0;
+    for (const long allowed : {0L, 1L, 5L, 20L}) {
+      Simulation simulation(test::dense_scene(600, Motion::held), threads);
+      simulation.step();
+      // many more than there was room for
+      for (int k = 0; k < 700; ++k) {
+        simulation.add_robot(test::robot_at({30.0 + 0.1 * (k % 30), 0.1 * (k / 30)}, {}));
+      }
+      left = allowed;
+      bool failed = false;
+      try {
+        simulation.step();
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+      left = -1;
+      if (!failed) continue;
+      ++torn;
+      EXPECT_THROW(simulation.step(), Error);
+      EXPECT_EQ(simulation.fleet().id.size(), 1300U);  // to be looked at
+    }
+    EXPECT_GT(torn, 1);
+  }
+}
+
+TEST(OutOfMemory, a_robot_comes_whole_or_not_at_all) {
+  Simulation simulation(test::dense_scene(20, Motion::held), 1);
+  for (int k = 0; k < 40; ++k) {
+    const std::uint64_t hash = simulation.state_hash();
+    RobotId id;
+    const int failed = failures([&] {
+      EXPECT_EQ(simulation.state_hash(), hash);
+      id = simulation.add_robot(test::robot_at({100.0 + 3.0 * k, 0.0}, {}));
+    });
+    EXPECT_GE(failed, 0);
+    EXPECT_EQ(id.value, 20U + static_cast<unsigned>(k));
+  }
+  simulation.step();
 }
 
 }  // namespace

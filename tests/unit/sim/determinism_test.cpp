@@ -113,7 +113,9 @@ void expect_perception_is_planned_with(const Scenario& scene, int steps) {
     PlanWorkspace workspace;
     for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
       const Simulation::Perception seen = simulation.perceive(i);
-      EXPECT_EQ(seen.alone, scene.robots.size() == 1);
+      const bool nobody_decides =
+          std::ranges::all_of(seen.source, [](int source) { return source < 0; });
+      EXPECT_EQ(seen.among_movers, nobody_decides && !seen.neighbors.empty());
       ASSERT_EQ(seen.source.size(), seen.neighbors.size());
       if (scene.method != Method::avo) {  // a certificate needs all of them
         ASSERT_LE(seen.neighbors.size(), 10u);
@@ -127,9 +129,12 @@ void expect_perception_is_planned_with(const Scenario& scene, int steps) {
       const Planner& planner = simulation.planner();
       Detour detour = seen.detour;
       detours += detour.angle > 0.0 ? 1 : 0;
-      expected.push_back(seen.alone
-                             ? planner.plan_among_obstacles(seen.robot, seen.neighbors, workspace)
-                             : planner.plan(seen.robot, seen.neighbors, workspace, detour));
+      expected.push_back(planner.plan(seen.robot, seen.neighbors, workspace, detour));
+      if (seen.among_movers) {
+        const Plan among = planner.plan_among_obstacles(seen.robot, seen.neighbors, workspace);
+        EXPECT_EQ(expected.back().new_velocity, among.new_velocity);
+        EXPECT_EQ(detour.angle, 0.0);
+      }
     }
     simulation.step();
     for (std::size_t i = 0; i < expected.size(); ++i) {

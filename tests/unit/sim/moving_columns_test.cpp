@@ -47,6 +47,7 @@ PlannerOptions random_options(Random& random, Method method) {
   options.motion = random.below(2) == 0 ? Motion::held : Motion::exponential;
   options.control_time = random.log_uniform(0.1, 8.0);
   options.time_step = options.control_time * random.log_uniform(1e-3, 1.0);
+  options.time_horizon = 10.0;
   return options;
 }
 
