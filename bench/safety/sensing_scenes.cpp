@@ -56,6 +56,7 @@ struct Case {
   std::string name, what;
   Sensing sensing;
   Acting acting = {};
+  int scenes = 20;  // of each kind, and of each shape of errors
 };
 
 Sensing wrong(SensingError error, SensingError declared) {
@@ -115,7 +116,7 @@ std::vector<Case> faults_on_board() {
       {"board-weak", "drives have four fifths of a_max", exact, weak},
       {"board-missed", "each neighbor missed in one step of a hundred", blind},
       {"board-radius", "neighbors look a tenth smaller", small},
-      {"board-one-sided", "half the robots plan as among obstacles", exact, one_sided},
+      {"board-one-sided", "half the robots plan as among obstacles", exact, one_sided, 5},
       {"board-certificates", "half the robots have stopping_capsules", exact, capsules},
       {"board-steps", "half the robots decide twice as often", exact, half_steps},
   };
@@ -151,14 +152,13 @@ void add_sensing(std::vector<Family>& all) {
   const Kind kinds[] = {{"random", "30 robots in a square", square_of_30},
                         {"circle", "20 robots on a circle", circle_of_20},
                         {"crush", "40 robots sent to one point", crush_of_40}};
-  constexpr int kScenes = 20;
   std::vector<Case> all_cases = cases();
   for (Case& fault : faults_on_board()) all_cases.push_back(std::move(fault));
   for (const Case& each : all_cases) {
     const bool shaped = !(each.sensing.error == SensingError{});
     for (const Kind& kind : kinds) {
       all.push_back({each.name + "-" + kind.name, each.what + ": " + kind.what,
-                     shaped ? kScenes * kErrorShapes : kScenes, true,
+                     shaped ? each.scenes * kErrorShapes : each.scenes, true,
                      [each, make = kind.make](std::uint64_t seed) {
                        const Sensing& sensing = each.sensing;
                        Scene scene = make(seed);
