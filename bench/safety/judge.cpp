@@ -2,6 +2,7 @@
 // Whether a run was safe: Check's report on the states after every step.
 #include "judge.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <vector>
 
@@ -50,6 +51,21 @@ void name_first(const char* what, const CheckCount& count, std::string& text) {
 
 }  // namespace
 
+void Verdict::add(const Verdict& later) {
+  overlapping_pairs += later.overlapping_pairs;
+  moving_contacts += later.moving_contacts;
+  resting_contacts += later.resting_contacts;
+  deepest_contact = std::max(deepest_contact, later.deepest_contact);
+  acceleration_violations += later.acceleration_violations;
+  speed_violations += later.speed_violations;
+  jumps += later.jumps;
+  if (later.least_clearance) {
+    least_clearance =
+        std::min(least_clearance.value_or(*later.least_clearance), *later.least_clearance);
+  }
+  if (violations.empty()) violations = later.violations;
+}
+
 struct Judge::State {
   Check check;
   std::vector<CheckedState> rows;
@@ -78,6 +94,7 @@ Verdict Judge::verdict() const {
   verdict.overlapping_pairs = report.overlaps.count;
   verdict.moving_contacts = report.obstacle_contacts_moving.count;
   verdict.resting_contacts = report.obstacle_contacts_at_rest;
+  verdict.deepest_contact = report.obstacle_contacts_moving.worst;
   verdict.acceleration_violations = report.accelerations.count;
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;

@@ -16,6 +16,7 @@ struct Verdict {
   std::int64_t overlapping_pairs = 0;
   std::int64_t moving_contacts = 0;   ///< robots that touched an obstacle while they moved
   std::int64_t resting_contacts = 0;  ///< robots that an obstacle ran into while they stood
+  double deepest_contact = 0.0;       ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-states
   std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
   std::optional<double> least_clearance;  ///< m
@@ -26,6 +27,8 @@ struct Verdict {
                jumps ==
            0;
   }
+  /// What happened after it, to the same robots.
+  void add(const Verdict& later);
 };
 
 /// Call observe() once before the first step and once after every step.

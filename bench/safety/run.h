@@ -37,8 +37,9 @@ struct Outcome {
 /// A scene with Scene::sensing goes its own way, see run_sensing.
 Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& record);
 
-/// The scene in a loop around Planner::plan: every robot knows itself exactly and the others as
-/// scene.sensing tells. Fills in all of an outcome that the planner and the run have to do with.
+/// The scene in a loop around Planner::plan: every robot knows itself exactly, knows the others as
+/// scene.sensing tells, and acts as scene.acting tells. Fills in all of an outcome that the planner
+/// and the run have to do with.
 void run_sensing(const Scene& scene, const std::string& record, Outcome& outcome);
 
 /// CPU time of this thread, s: what counts where other programs run as well.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "acting.h"
 #include "avo/scenario.h"
 #include "sensing.h"
 
@@ -17,8 +18,9 @@ struct Scene {
   double share = 1.0;  ///< of the robots that have to
   std::vector<Vec2> rallies = {};  ///< all robots are sent to one of them, then to another
   double rally_period = 5.0;       ///< s
-  /// Unset: all know each other exactly, as Simulation has it.
+  /// Unset: all know each other exactly and do as they decide, as Simulation has it.
   std::optional<Sensing> sensing = {};
+  Acting acting = {};  ///< read only where `sensing` is set
 };
 
 inline constexpr double kSpeed = 1.5;  ///< m/s, preferred, of all robots but those of circles

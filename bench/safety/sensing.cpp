@@ -50,11 +50,11 @@ void Senses::observe(std::size_t observer, std::span<const Robot> robots,
   for (std::size_t k = 0; k < robots.size(); ++k) {
     if (k == observer) continue;
     if (sensing_.missed > 0.0 && random_.between(0.0, 1.0) < sensing_.missed) continue;
-    const Robot& other = sensing_.delayed ? before[k] : robots[k];
+    const Robot& other = sensing_.delayed || sensing_.stale ? before[k] : robots[k];
     Neighbor neighbor;
     neighbor.position = other.position;
     neighbor.velocity = other.velocity;
-    neighbor.radius = other.radius;
+    neighbor.radius = sensing_.radius * other.radius;
     neighbor.max_acceleration = other.max_acceleration;
     if (sensing_.delayed && step > 0) {
       neighbor.position = neighbor.position + time_step_ * neighbor.velocity;

@@ -26,7 +26,9 @@ struct Sensing {
   SensingError declared = {};  ///< what the robots plan with
   ErrorShape shape = ErrorShape::uniform;
   bool delayed = false;   ///< states are one step old, carried on at constant velocity
+  bool stale = false;     ///< states are one step old, as they were
   double missed = 0.0;    ///< part of the neighbors that is missed in a step, each anew
+  double radius = 1.0;    ///< how large neighbors look, as a part of their radii
   bool promised = false;  ///< the certificate covers all of it
 };
 

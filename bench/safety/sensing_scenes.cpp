@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows with wrong sensing: a random square, a jittered circle and a crush each.
+// The rows with wrong sensing and with faults on board: a random square, a jittered circle and a
+// crush each.
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -54,6 +55,8 @@ Scene crush_of_40(std::uint64_t seed) {
 struct Case {
   std::string name, what;
   Sensing sensing;
+  Acting acting = {};
+  int scenes = 20;  // of each kind, and of each shape of errors
 };
 
 Sensing wrong(SensingError error, SensingError declared) {
@@ -83,6 +86,54 @@ std::vector<Case> cases() {
   };
 }
 
+// What a user has to rule out on board, each by itself: nothing of it is declared, except where
+// clocks out of phase are taken for errors (docs/on_board.md).
+std::vector<Case> faults_on_board() {
+  constexpr std::int64_t kTicks = 10;
+  Acting phases, jitter, late, weak, one_sided, capsules, half_steps;
+  phases.ticks = jitter.ticks = late.ticks = kTicks;
+  phases.phases = true;
+  jitter.jitter = 1;
+  late.latency = kTicks / 2;
+  weak.strength = 0.8;
+  one_sided.oddity = Oddity::one_sided;
+  capsules.oddity = Oddity::capsules;
+  half_steps.oddity = Oddity::half_steps;
+  half_steps.ticks = 2;
+  Sensing exact, stale, carried, blind, small, allowed;
+  stale.stale = true;
+  carried.delayed = true;
+  blind.missed = 0.01;
+  small.radius = 0.9;
+  allowed.declared = {0.028, 0.28};  // 2 a_max Δt and that for Δt, a_max being 1.4 m/s² at most
+  return {
+      {"board-phases", "each decides at times of its own", exact, phases},
+      {"board-phases-declared", "the same, taken for errors", allowed, phases},
+      {"board-jitter", "steps a tenth shorter or longer, all by themselves", exact, jitter},
+      {"board-stale", "states one step old", stale},
+      {"board-stale-carried", "states one step old, carried on", carried},
+      {"board-latency", "decisions take effect half a step late", exact, late},
+      {"board-weak", "drives have four fifths of a_max", exact, weak},
+      {"board-missed", "each neighbor missed in one step of a hundred", blind},
+      {"board-radius", "neighbors look a tenth smaller", small},
+      {"board-one-sided", "half the robots plan as among obstacles", exact, one_sided, 5},
+      {"board-certificates", "half the robots have stopping_capsules", exact, capsules},
+      {"board-steps", "half the robots decide twice as often", exact, half_steps},
+  };
+}
+
+// Robots among obstacles that do what nobody foresees.
+Family whims_of_movers(const std::string& name, double whims) {
+  return {name, "obstacles that change their acceleration every second", 20, true,
+          [whims](std::uint64_t seed) {
+            Scene scene = among_movers(seed);
+            scene.scenario.duration = 30.0;
+            scene.sensing.emplace();
+            scene.acting.whims = whims;
+            return scene;
+          }};
+}
+
 // States d = Δt old, carried on at constant velocity: a_max d and a_max d²/2 at most.
 SensingError error_of_delay(const Scenario& scenario) {
   double most = 0.0;
@@ -101,23 +152,28 @@ void add_sensing(std::vector<Family>& all) {
   const Kind kinds[] = {{"random", "30 robots in a square", square_of_30},
                         {"circle", "20 robots on a circle", circle_of_20},
                         {"crush", "40 robots sent to one point", crush_of_40}};
-  constexpr int kScenes = 20;
-  for (const Case& each : cases()) {
+  std::vector<Case> all_cases = cases();
+  for (Case& fault : faults_on_board()) all_cases.push_back(std::move(fault));
+  for (const Case& each : all_cases) {
     const bool shaped = !(each.sensing.error == SensingError{});
     for (const Kind& kind : kinds) {
       all.push_back({each.name + "-" + kind.name, each.what + ": " + kind.what,
-                     shaped ? kScenes * kErrorShapes : kScenes, true,
-                     [sensing = each.sensing, make = kind.make](std::uint64_t seed) {
+                     shaped ? each.scenes * kErrorShapes : each.scenes, true,
+                     [each, make = kind.make](std::uint64_t seed) {
+                       const Sensing& sensing = each.sensing;
                        Scene scene = make(seed);
+                       scene.acting = each.acting;
                        scene.sensing = sensing;
                        scene.sensing->shape = static_cast<ErrorShape>(seed % kErrorShapes);
-                       if (sensing.delayed) {
+                       if (sensing.delayed && sensing.promised) {
                          scene.sensing->declared = error_of_delay(scene.scenario);
                        }
                        return scene;
                      }});
     }
   }
+  all.push_back(whims_of_movers("board-movers", 1.0));
+  all.push_back(whims_of_movers("board-movers-gentle", 0.2));
 }
 
 }  // namespace avo::safety

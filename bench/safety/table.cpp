@@ -47,6 +47,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.overlapping_pairs += verdict.overlapping_pairs;
   row.moving_contacts += verdict.moving_contacts;
   row.resting_contacts += verdict.resting_contacts;
+  row.deepest_contact = std::max(row.deepest_contact, verdict.deepest_contact);
   row.acceleration_violations += verdict.acceleration_violations;
   row.speed_violations += verdict.speed_violations;
   row.jumps += verdict.jumps;
@@ -152,9 +153,10 @@ std::string table_lines(const RowResult& row) {
                100.0 * row.density, 100.0 * row.density / kDensestPacking);
   }
   if (row.moving_contacts + row.resting_contacts > 0) {
-    line += format("  obstacles: touched by %lld robots in motion, %lld at rest\n",
-                   static_cast<long long>(row.moving_contacts),
-                   static_cast<long long>(row.resting_contacts));
+    line +=
+        format("  obstacles: touched by %lld robots in motion, by up to %.4g mm, %lld at rest\n",
+               static_cast<long long>(row.moving_contacts), 1e3 * row.deepest_contact,
+               static_cast<long long>(row.resting_contacts));
   }
   return line;
 }

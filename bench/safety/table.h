@@ -15,6 +15,7 @@ struct RowResult {
   std::string name;
   std::int64_t scenes = 0, robots = 0, robot_steps = 0;
   std::int64_t overlapping_pairs = 0, moving_contacts = 0, resting_contacts = 0;
+  double deepest_contact = 0.0;  ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0, jumps = 0;
   std::int64_t unsafe_scenes = 0;
   bool certified = false;                 ///< a certificate rules out what is unsafe

@@ -69,7 +69,7 @@ struct PlannerOptions {
   std::optional<int> max_neighbors = {};
   /// [d_s] s, > 0, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
   double soft_stop_time = 2.0;
-  SensingError sensing_error = {};  ///< of braking_trajectories, the same for all
+  SensingError sensing_error = {};  ///< of braking_trajectories; each robot declares its own
   /// m, > 0: of its goal; beside others that stay, a robot of method avo rests within half of it.
   double arrival_distance = 0.5;
   Precision precision = Precision::double_precision;
@@ -178,7 +178,7 @@ class Planner {
   explicit Planner(const PlannerOptions& options);
 
   /// Reciprocal collision avoidance (§IV-D): neighbors with max_acceleration > 0 are taken to
-  /// decide likewise, with the same δ. Neighbors may come in any order, which changes no bit but
+  /// decide likewise, at the same times. Neighbors may come in any order, which changes no bit but
   /// where two are equally far away; those that come nearest first need not be sorted.
   /// A robot among movers none of which decides plans as in plan_among_obstacles, and so does any
   /// of method velocity_obstacle.
@@ -191,6 +191,8 @@ class Planner {
 
   /// One robot among movers that do not react (§III-C, Eqs. 13-14): v' outside the union of their
   /// obstacles, B's new velocity being v_B + δ a_B with the acceleration that the neighbor gives.
+  /// They touch it at rest only, as long as they keep that acceleration; with neighbors that call
+  /// plan() nothing is promised (docs/certificate.md, "Movers").
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 

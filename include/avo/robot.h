@@ -41,7 +41,8 @@ struct Neighbor {
   Vec2 velocity = {};             ///< [v_B] m/s
   double radius = 0.5;            ///< [r_B] m, > 0
   double max_acceleration = 1.0;  ///< [a_B^max] m/s^2; 0: B does not decide, A's share is 1
-  Vec2 acceleration = {};         ///< [a_B] m/s^2, observed; read only if max_acceleration is 0
+  /// [a_B] m/s^2, observed, and taken to be kept; read only if max_acceleration is 0.
+  Vec2 acceleration = {};
 };
 
 }  // namespace avo

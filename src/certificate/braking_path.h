@@ -13,7 +13,7 @@ struct StepLaw {
   double time_step = 0.1;           ///< [Δt] s
   double lag = 0.05;                ///< [s] s: Δt/2 (held), s(Δt) (exponential)
   double braking_time = 0.1;        ///< s: Δt (held), δ (1 - e^{-Δt/δ}) (exponential)
-  SensingError sensing_error = {};  ///< the same for all
+  SensingError sensing_error = {};  ///< of the robot that plans
   double control_time = 0.1;        ///< [δ] s, Eq. (7)
 };
 

@@ -13,9 +13,13 @@ namespace avo {
 
 CertificateLaw certificate_law(const Planner& planner) {
   const PlannerOptions& options = planner.options();
+  // Held, to the bit: what others expect of a robot may not depend on its δ.
+  const double braking_time = options.motion == Motion::held
+                                  ? options.time_step
+                                  : planner.step_rate() * options.control_time;
   return {options.certificate,
-          {options.time_step, planner.step_lag(), planner.step_rate() * options.control_time,
-           options.sensing_error, options.control_time},
+          {options.time_step, planner.step_lag(), braking_time, options.sensing_error,
+           options.control_time},
           options.soft_stop_time};
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles and runs every C++ example of README.md, and validates the scenes of the documents.
+"""Compiles and runs every C++ example of the documents, and validates their scenes.
 
 usage: readme_examples.py COMPILER PREFIX LIBDIR FOLDER FLAGS [AVO]
 """
@@ -15,7 +15,6 @@ avo = sys.argv[6] if len(sys.argv) > 6 else None
 root = pathlib.Path(__file__).resolve().parents[2]
 folder = pathlib.Path(folder)
 folder.mkdir(parents=True, exist_ok=True)
-readme = (root / "README.md").read_text()
 library = pathlib.Path(prefix) / libdir
 environment = dict(os.environ, PKG_CONFIG_PATH=str(library / "pkgconfig"),
                    LD_LIBRARY_PATH=str(library))
@@ -23,8 +22,11 @@ package = subprocess.run(
     ["pkg-config", f"--define-variable=prefix={prefix}", "--cflags", "--libs", "avo"],
     env=environment, check=True, capture_output=True, text=True).stdout.split()
 
-examples = re.findall(r"```cpp\n(.*?)```", readme, re.S)
-assert len(examples) >= 2, "README.md has lost its examples"
+examples = []
+for name, least in (("README.md", 2), ("docs/on_board.md", 1)):
+    found = re.findall(r"```cpp\n(.*?)```", (root / name).read_text(), re.S)
+    assert len(found) >= least, f"{name} has lost its examples"
+    examples += found
 for number, text in enumerate(examples):
     source = folder / f"example_{number}.cpp"
     program = folder / f"example_{number}"

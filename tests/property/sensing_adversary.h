@@ -22,9 +22,11 @@ struct Body {
   Vec2 acceleration = {};  // m/s^2, of a mover
 };
 
-/// What is declared to the certificate, and how wrong sensing is.
+/// What is declared to the certificate, and how wrong sensing is. of_speed: velocities are wrong
+/// along themselves, so that robots look slower or faster.
 struct Senses {
   SensingError declared, actual;
+  bool of_speed = false;
 };
 
 inline CertificateLaw held_law(SensingError declared) {
@@ -62,15 +64,17 @@ inline Vec2 error_of(int shape, Vec2 n, Random& random) {
 
 /// The others as `self` senses them; the shapes of the errors of position and velocity.
 inline std::vector<Neighbor> sensed(const std::vector<Body>& bodies, std::size_t self,
-                                    SensingError error, int of_position, int of_velocity,
+                                    const Senses& senses, int of_position, int of_velocity,
                                     Random& random) {
+  const SensingError& error = senses.actual;
   std::vector<Neighbor> neighbors;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (k == self) continue;
     const Robot& other = bodies[k].robot;
     const Vec2 n = unit(other.position - bodies[self].robot.position);
     const Vec2 p = other.position + error.position * error_of(of_position, n, random);
-    const Vec2 v = other.velocity + error.velocity * error_of(of_velocity, n, random);
+    const Vec2 along = senses.of_speed ? unit(other.velocity) : n;
+    const Vec2 v = other.velocity + error.velocity * error_of(of_velocity, along, random);
     neighbors.push_back({p, v, other.radius, bodies[k].decides ? other.max_acceleration : 0.0,
                          bodies[k].acceleration});
   }
@@ -131,7 +135,7 @@ inline Vec2 worst_choice(const std::vector<Body>& bodies, std::size_t self, cons
   for (int draw = 0; draw < (anything ? 1 : 4); ++draw) {
     const int of_position = random.below(kShapes);
     const int of_velocity = random.below(2) == 0 ? of_position : random.below(kShapes);
-    const auto neighbors = sensed(bodies, self, senses.actual, of_position, of_velocity, random);
+    const auto neighbors = sensed(bodies, self, senses, of_position, of_velocity, random);
     collect_walls(robot, neighbors, law, walls);
     for (int i = 0; i < (anything ? 1 : 5); ++i) {
       Vec2 change = random.below(2) == 0 ? u * random.direction() : in_disc(random, u);
@@ -186,22 +190,28 @@ inline void show(Check& check, double time, const std::vector<Body>& bodies) {
   check.add(time, rows);
 }
 
-/// All decide at the same times, each by worst_choice; judged on the true motion.
-inline CheckReport run_adversary(std::vector<Body> bodies, const Senses& senses, int steps,
-                                 int calm, Random& random) {
-  const StepLaw law = held_law(senses.declared).step;
+/// All decide at the same times, each by worst_choice and senses of its own; judged on the true
+/// motion.
+inline CheckReport run_adversary(std::vector<Body> bodies, const std::vector<Senses>& senses,
+                                 int steps, int calm, Random& random) {
+  const StepLaw law = held_law({}).step;
   Check check = judge_of(bodies);
   CertificateWalls walls;
   show(check, 0.0, bodies);
   std::vector<Vec2> next(bodies.size());
   for (int step = 1; step <= steps; ++step) {
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-      if (bodies[k].decides) next[k] = worst_choice(bodies, k, senses, calm, random, walls);
+      if (bodies[k].decides) next[k] = worst_choice(bodies, k, senses[k], calm, random, walls);
     }
     move(bodies, next, law.time_step);
     show(check, step * law.time_step, bodies);
   }
   return check.report();
+}
+
+inline CheckReport run_adversary(const std::vector<Body>& bodies, const Senses& senses, int steps,
+                                 int calm, Random& random) {
+  return run_adversary(bodies, std::vector<Senses>(bodies.size(), senses), steps, calm, random);
 }
 
 }  // namespace avo::test

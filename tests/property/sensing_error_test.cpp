@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "property/sensing_adversary.h"
+#include "support/certificates.h"
 
 namespace avo::test {
 namespace {
@@ -64,6 +65,55 @@ TEST(SensingError, undeclared_errors_let_the_same_robots_collide) {
   }
 }
 
+TEST(SensingError, each_robot_declares_its_own_bounds) {
+  const std::vector<SensingError> bounds{kExact, kPosition, kBoth, kVelocity};
+  for (int run = 0; run < 60; ++run) {
+    Random random(static_cast<std::uint64_t>(run));
+    const std::vector<Body> bodies = group(2, 0.1 + 0.2 * (run % 5), random);
+    std::vector<Senses> senses;
+    for (int k = 0; k < 2; ++k) {
+      const SensingError& bound = bounds[static_cast<std::size_t>(random.below(4))];
+      senses.push_back({bound, bound});
+    }
+    EXPECT_EQ(run_adversary(bodies, senses, 300, 2 + run % 5, random).overlaps.count, 0) << run;
+  }
+}
+
+// A strong robot A at rest or slow, and a weak one that comes towards it and stops just before:
+// it may look at rest, so that A counts far fewer intervals than it brakes for.
+std::vector<Body> weak_one_comes(double error, Random& random) {
+  for (;;) {
+    std::vector<Body> bodies(2);
+    Robot &a = bodies[0].robot, &b = bodies[1].robot;
+    a.max_acceleration = random.log_uniform(0.3, 4.0);
+    a.velocity = random.below(2) == 0 ? Vec2{} : in_disc(random, 0.3);
+    b.max_acceleration = random.log_uniform(0.05, 0.4);
+    b.velocity = random.uniform(0.3, 1.6) * error * random.direction();
+    const StepLaw law = held_law({}).step;
+    const double l = stopping_length(norm(b.velocity), 0.1 * b.max_acceleration, law);
+    b.position =
+        (-1.0 - l - random.log_uniform(1e-3, 0.1)) * unit(b.velocity) + in_disc(random, 0.3);
+    if (invariant_holds({a, b}, held_law({}))) return bodies;
+  }
+}
+
+TEST(SensingError, unequal_counts_of_intervals_cost_no_contact) {
+  int differing = 0;
+  for (int run = 0; run < 400; ++run) {
+    Random random(static_cast<std::uint64_t>(run));
+    const double error = random.uniform(0.1, 0.5);
+    const std::vector<Body> bodies = weak_one_comes(error, random);
+    const Senses senses{{0.0, error}, {0.0, error}, true};
+    const Robot& weak = bodies[1].robot;
+    const Neighbor slower = sensed(bodies, 0, senses, 1, 1, random)[0];
+    const StepLaw law = held_law(senses.declared).step;
+    const double own = braking_of(weak.velocity, weak.max_acceleration, law).intervals;
+    differing += own > braking_of(slower.velocity, weak.max_acceleration, law).intervals ? 1 : 0;
+    EXPECT_EQ(run_adversary(bodies, senses, 30, 20, random).overlaps.count, 0) << run;
+  }
+  EXPECT_GT(differing, 300);
+}
+
 // A robot at rest and a mover that comes by, speeds up, slows down or stands.
 std::vector<Body> robot_and_mover(int kind, Random& random) {
   std::vector<Body> bodies(2);
@@ -120,7 +170,8 @@ Vec2 heading_for(const std::vector<Body>& bodies, std::size_t self, double way,
   const Robot& robot = bodies[self].robot;
   const CertificateLaw law = held_law(bound);
   const double u = braking_decrement(robot.max_acceleration, law.step);
-  const std::vector<Neighbor> neighbors = sensed(bodies, self, bound, shape, shape, random);
+  const std::vector<Neighbor> neighbors =
+      sensed(bodies, self, {bound, bound}, shape, shape, random);
   CertificateWalls walls;
   collect_walls(robot, neighbors, law, walls);
   Vec2 wanted = robot.velocity + (way * u) * unit(neighbors[0].position - robot.position);
