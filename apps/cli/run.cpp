@@ -116,12 +116,11 @@ std::string decisions(const avo::RunSummary& results) {
   return text;
 }
 
-/// What keeps a robot from its goal at the end, as far as can be seen.
+/// Whether the robot moves at the end, and who is in its way.
 std::string state_of(const avo::NotArrived& robot) {
   constexpr double kAtRest = 1e-3;  // m/s
-  std::string text = robot.speed > kAtRest   ? fmt::format("moving at {:.2g} m/s", robot.speed)
-                     : robot.held_by.empty() ? "at rest"
-                                             : "stuck";
+  std::string text =
+      robot.speed > kAtRest ? fmt::format("moving at {:.2g} m/s", robot.speed) : "at rest";
   const char* separator = ", held by ";
   for (const std::int64_t other : robot.held_by) {
     text +=

@@ -38,12 +38,10 @@ TEST_F(ChartFile, an_empty_or_broken_chart_is_refused) {
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)draw_chart({"x", "y", {{"", {{0.0, infinite}}, kRed}}}, path("a.png")), Error);
   EXPECT_THROW((void)draw_chart({"x", "y", {{"", {{0.0, 1.0}}, kRed}}}, path("a.bmp")), Error);
-  EXPECT_EQ(files(), 0U);
 }
 
 TEST_F(ChartFile, a_single_point_can_be_drawn) {
-  write_bytes(path("a.svg"), draw_chart({"x", "y", {{"", {{0.0, 0.0}}, kRed}}}, path("a.svg")));
-  EXPECT_EQ(files(), 1U);
+  EXPECT_TRUE(draw_chart({"x", "y", {{"", {{0.0, 0.0}}, kRed}}}, "a.svg").ends_with("</svg>\n"));
 }
 
 }  // namespace

@@ -95,13 +95,12 @@ TEST_F(VelocitySpaceFile, the_outline_lies_on_the_boundary) {
 }
 
 TEST_F(VelocitySpaceFile, an_empty_space_can_be_drawn) {
-  write_bytes(path("a.svg"), draw_velocity_space(VelocitySpace{}, path("a.svg")));
+  EXPECT_TRUE(draw_velocity_space(VelocitySpace{}, "a.svg").ends_with("</svg>\n"));
   VelocitySpace space;
   space.half_planes = {{{{0.0, 1.0}, 1e6}, "far"}, {{{1.0, 0.0}, -1e6}, "far"}};
   space.points = {{{0.0, 0.0}, "rest", kBlack, true}};
-  write_bytes(path("b.svg"),
-              draw_velocity_space(space, path("b.svg"), {.title = "nothing may be chosen"}));
-  EXPECT_EQ(files(), 2U);
+  EXPECT_TRUE(draw_velocity_space(space, "b.svg", {.title = "nothing may be chosen"})
+                  .ends_with("</svg>\n"));
 }
 
 }  // namespace
