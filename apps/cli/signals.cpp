@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 /// timeout(1) and others send a signal to the process and to its group: within this time it is one.
 constexpr std::chrono::milliseconds kSame{50};
-constexpr std::chrono::milliseconds kPatience{1500};
+constexpr std::chrono::milliseconds kPatience{1000};
 
 std::atomic<int> noted_signal = 0;
 

@@ -45,8 +45,9 @@ bool is_link(const std::string& path) {
 
 bool has_begun() {
   const Strings names = files_in(folder());
-  return std::any_of(names.begin(), names.end(),
-                     [](const std::string& name) { return name.ends_with(".part"); });
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    return name.find(".part") != std::string::npos;
+  });
 }
 
 TEST(Outputs, are_no_inputs) {
