@@ -57,6 +57,7 @@ void copy_permissions(const struct stat& old, int descriptor) {
 OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard output" : path) {
   if (path == "-") {
     descriptor_ = STDOUT_FILENO;
+    closes_ = false;
     const int flags = fcntl(STDOUT_FILENO, F_GETFL);
     if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
       throw FileError(name_ + ": found it closed, must be open for writing");
@@ -81,7 +82,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard 
 }
 
 OutputFile::~OutputFile() {
-  if (descriptor_ > STDERR_FILENO) close(descriptor_);
+  if (closes_ && descriptor_ >= 0) close(descriptor_);
   if (temporary_.empty()) return;
   const std::lock_guard lock(temporaries().mutex);
   unlink(temporary_.c_str());
@@ -124,7 +125,7 @@ void OutputFile::settle() {
   if (descriptor_ < 0) return;
   flush();
   if (!target_.empty() && fsync(descriptor_) != 0 && errno != EINVAL) fail();
-  if (descriptor_ > STDERR_FILENO && close(std::exchange(descriptor_, -1)) != 0) fail();
+  if (closes_ && close(std::exchange(descriptor_, -1)) != 0) fail();
 }
 
 // Under another name, a hard link: not on file systems without them.

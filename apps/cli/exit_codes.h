@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the command line tells its caller.
 #pragma once
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,9 +18,6 @@ inline constexpr int kResources = 5;  ///< no memory, no threads
 inline constexpr int kOurFault = 6;
 inline constexpr int kSignal = 128;      ///< + number of the signal: 130, 143
 inline constexpr int kClosedPipe = 141;  ///< who read our output went away
-
-/// Characters of a word of the command line that a message repeats.
-inline constexpr std::size_t kLongestWord = 60;
 
 /// A scene that breaks what its certificate assumes, one line for each thing that is broken.
 class BrokenScene : public avo::Error {

@@ -21,7 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// timeout(1) and others send a signal to the process and to its group: within this time it is one.
+/// timeout(1) and others send a signal to the process and to its group: twice within this time, it
+/// is one.
 constexpr std::chrono::milliseconds kSame{50};
 constexpr std::chrono::milliseconds kPatience{1000};
 
@@ -63,8 +64,10 @@ void end_on_signals(const sigset_t& signals) {
   }
   noted_signal = first;
   std::this_thread::sleep_for(kSame);
-  while (wait_until(Clock::now(), signals) != 0) {
-  }
+  sigset_t same;
+  sigemptyset(&same);
+  sigaddset(&same, first);
+  wait_until(Clock::now(), same);
   const int second = wait_until(Clock::now() + kPatience, signals);
   avo_io::abandon_outputs();
   if (is_heard()) say("ended by a signal; outputs that were not complete are not there");

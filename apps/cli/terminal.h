@@ -2,12 +2,16 @@
 // What is said to the user.
 #pragma once
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace avo_cli {
+
+/// Characters of a word of the command line that a message repeats.
+inline constexpr std::size_t kLongestWord = 60;
 
 /// First thing in main(): where the standard input, output or error output is closed, no file of
 /// ours gets its number, and using it fails. Writing to a pipe without a reader or beyond a limit

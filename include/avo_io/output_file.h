@@ -41,6 +41,7 @@ class OutputFile {
   std::string temporary_, backup_;  // empty: none
   std::string buffer_;
   int descriptor_ = -1;
+  bool closes_ = true;  // not the standard output
   Old old_ = Old::none;
 };
 

@@ -70,7 +70,6 @@ TEST(Signals, the_first_one_ends_the_run_with_what_it_has) {
 TEST(Signals, one_that_comes_twice_at_once_is_one) {
   const ProcessResult result = endless([](int pid) {
     kill(pid, SIGINT);
-    wait_ms(1);
     kill(pid, SIGINT);
   });
   EXPECT_EQ(result.exit_code, 130);
@@ -89,39 +88,49 @@ TEST(Signals, hangup_is_ignored_where_it_was_from_the_start) {
   expect_whole(result);
 }
 
-/// A run that cannot go on: nobody reads the pipe that it records to. After 20 s it is killed.
-ProcessResult blocked(const std::function<void(int pid)>& meanwhile) {
-  const std::string pipe = path_of("pipe");
-  EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const int reader = open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+/// A run that cannot go on where it writes to the file called `pipe`, which nobody reads. After 20
+/// s it is killed.
+ProcessResult blocked(const std::string& pipe, const std::function<void(int pid)>& meanwhile) {
+  EXPECT_EQ(mkfifo(path_of(pipe).c_str(), 0600), 0);
+  const int reader = open(path_of(pipe).c_str(), O_RDWR | O_CLOEXEC);
   EXPECT_GE(reader, 0);
-  const ProcessResult result = run_avo({"run", "circle-100", "--record", pipe, "--summary",
-                                        path_of("out.json"), "--figure", path_of("out.svg")},
-                                       {.before = [] { alarm(20); },
-                                        .meanwhile =
-                                            [&](int pid) {
-                                              wait_until_it_has_begun();
-                                              wait_ms(500);
-                                              meanwhile(pid);
-                                            }});
+  ProcessResult result =
+      run_avo({"run", "circle-200", "--set", "duration=1e4", "--record", path_of("out.csv"),
+               "--summary", path_of("out.json"), "--figure", path_of("out.svg")},
+              {.before = [] { alarm(20); },
+               .meanwhile =
+                   [&](int pid) {
+                     wait_until_it_has_begun();
+                     wait_ms(1000);
+                     meanwhile(pid);
+                   }});
   close(reader);
-  EXPECT_EQ(files_in(folder()), Strings{"pipe"}) << "no part of an output";
   EXPECT_EQ(result.err, "ended by a signal; outputs that were not complete are not there\n");
-  unlink(pipe.c_str());
   return result;
 }
 
 TEST(Signals, a_run_that_does_not_end_is_ended) {
-  EXPECT_EQ(blocked([](int pid) { kill(pid, SIGTERM); }).exit_code, 128 + SIGTERM);
+  const ProcessResult result = blocked("out.csv", [](int pid) { kill(pid, SIGTERM); });
+  EXPECT_EQ(result.exit_code, 128 + SIGTERM);
+  EXPECT_EQ(files_in(folder()), Strings{"out.csv"}) << "the pipe, no part of an output";
 }
 
 TEST(Signals, a_second_one_ends_it_at_once) {
-  const ProcessResult result = blocked([](int pid) {
+  const ProcessResult result = blocked("out.csv", [](int pid) {
     kill(pid, SIGTERM);
     wait_ms(300);
     kill(pid, SIGINT);
   });
   EXPECT_EQ(result.exit_code, 130) << "else it would be that of the first";
+  EXPECT_EQ(files_in(folder()), Strings{"out.csv"});
+}
+
+TEST(Signals, what_is_complete_is_kept_where_a_figure_takes_too_long) {
+  const ProcessResult result = blocked("out.svg", [](int pid) { kill(pid, SIGTERM); });
+  EXPECT_EQ(result.exit_code, 128 + SIGTERM);
+  EXPECT_EQ(files_in(folder()), (Strings{"out.csv", "out.json", "out.svg"}));
+  EXPECT_EQ(read_file(path_of("out.csv")).back(), '\n');
+  EXPECT_GT(Json::parse(read_file(path_of("out.json")))["steps"], 0);
 }
 
 TEST(Signals, explain_ends_as_well) {
