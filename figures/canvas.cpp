@@ -62,8 +62,8 @@ Canvas::Canvas(const std::string& path, double width, double height)
 
 Canvas::~Canvas() = default;
 
-void Canvas::finish() {
-  state_->finish();
+std::string Canvas::finish() {
+  return state_->finish();
 }
 
 double Canvas::width() const {

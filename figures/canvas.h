@@ -64,22 +64,22 @@ enum class Aspect {
   stretch,  ///< each axis has its own scale
 };
 
-/// Throws Error unless the name ends in .svg, .png or .pdf.
+/// Throws Error unless it is a name that ends in .svg, .png or .pdf.
 void check_figure_path(const std::string& path);
 
-/// Invariant: the file at `path` is either untouched or complete: finish() writes under a
-/// temporary name and renames. The output depends on the drawing only (no date, no random id).
+/// Draws into memory; whoever asked for the figure writes it. The bytes depend on the drawing only
+/// (no date, no random id).
 class Canvas {
  public:
-  /// Size in pt; a PNG has two pixels to the point. Throws Error on an unknown extension or when
-  /// Cairo cannot make the page.
+  /// Size in pt; a PNG has two pixels to the point. The extension of `path` says the format, no
+  /// file is opened. Throws Error on an unknown extension or when Cairo cannot make the page.
   Canvas(const std::string& path, double width, double height);
-  ~Canvas();  ///< without finish(): nothing is written
+  ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// Writes the file. Throws Error with the file name and the system's or Cairo's reason.
-  void finish();
+  /// What the file holds; once, at the end. Throws Error with the file name and Cairo's reason.
+  [[nodiscard]] std::string finish();
 
   [[nodiscard]] double width() const;
   [[nodiscard]] double height() const;

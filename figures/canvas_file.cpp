@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a page to a file: a surface by extension, into memory, then to disk under a temporary name.
+// From a page to the bytes of a file: a surface by extension.
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <png.h>
-#include <unistd.h>
 #include <utility>
 
 #include "avo/error.h"
@@ -58,7 +54,7 @@ cairo_surface_t* make_surface(const std::string& extension, double width, double
 }
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw Error(path + ": cannot write the figure: " + reason);
+  throw Error(path + ": cannot draw the figure: " + reason);
 }
 
 void check(const std::string& path, cairo_status_t status) {
@@ -105,32 +101,6 @@ void name_page(std::string& svg) {
   svg.replace(from, to - from, "<g id=\"page");
 }
 
-// All bytes, or errno.
-int write_all(int file, const std::string& bytes) {
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t count = ::write(file, bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return errno;
-    done += static_cast<std::size_t>(count);
-  }
-  return 0;
-}
-
-// Nobody ever sees half a file under `path`.
-void replace_file(const std::string& path, const std::string& bytes) {
-  const std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) fail(path, std::strerror(errno));
-  int reason = write_all(file, bytes);
-  if (::close(file) != 0 && reason == 0) reason = errno;
-  if (reason == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) reason = errno;
-  if (reason != 0) {
-    ::unlink(temporary.c_str());
-    fail(path, std::strerror(reason));
-  }
-}
-
 }  // namespace
 
 void check_figure_path(const std::string& path) {
@@ -138,10 +108,14 @@ void check_figure_path(const std::string& path) {
   if (extension != ".svg" && extension != ".png" && extension != ".pdf") {
     throw Error(path + ": found the extension '" + extension + "', allowed: .svg, .png, .pdf");
   }
+  const std::size_t before = path.size() - extension.size();
+  if (before == 0 || path[before - 1] == '/') {
+    throw Error(path + ": found an extension without a name, must be such as figure" + extension);
+  }
 }
 
-Canvas::State::State(std::string file, double page_width, double page_height)
-    : path(std::move(file)), width(page_width), height(page_height) {
+Canvas::State::State(std::string name, double page_width, double page_height)
+    : path(std::move(name)), width(page_width), height(page_height) {
   check_figure_path(path);
   const std::string extension = extension_of(path);
   png = extension == ".png";
@@ -160,7 +134,7 @@ Canvas::State::State(std::string file, double page_width, double page_height)
   check(path, cairo_status(cairo.get()));
 }
 
-void Canvas::State::finish() {
+std::string Canvas::State::finish() {
   check(path, cairo_status(cairo.get()));
   if (png) {
     cairo_surface_flush(surface.get());
@@ -171,7 +145,7 @@ void Canvas::State::finish() {
     check(path, cairo_surface_status(surface.get()));
     if (bytes.starts_with("<?xml")) name_page(bytes);
   }
-  replace_file(path, bytes);
+  return std::move(bytes);
 }
 
 void Canvas::State::set_color(Color color) const {

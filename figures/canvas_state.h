@@ -16,15 +16,15 @@ struct CairoDelete {
 };
 
 struct Canvas::State {
-  State(std::string file, double page_width, double page_height);
-  void finish();
+  State(std::string name, double page_width, double page_height);
+  std::string finish();
   void set_color(Color color) const;
   void set_pen(const Stroke& stroke) const;
 
-  std::string path;
+  std::string path;      // its extension says the format; never opened
   double width, height;  // pt
   bool png = false;
-  std::string bytes;  // the file, complete after finish(); outlives the surface that writes to it
+  std::string bytes;  // the file, complete in finish(); outlives the surface that writes to it
   std::unique_ptr<cairo_surface_t, CairoDelete> surface;
   std::unique_ptr<cairo_t, CairoDelete> cairo;
   Box page, world;

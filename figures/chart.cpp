@@ -65,7 +65,7 @@ void draw_legend(Canvas& canvas, const Chart& chart) {
 
 }  // namespace
 
-void draw_chart(const Chart& chart, const std::string& path, const FigureOptions& options) {
+std::string draw_chart(const Chart& chart, const std::string& path, const FigureOptions& options) {
   check_figure_path(path);
   const Box world = range_of(chart, path);
   const double top = options.title.empty() ? kTop : kTitleHeight;
@@ -88,7 +88,7 @@ void draw_chart(const Chart& chart, const std::string& path, const FigureOptions
     canvas.plain_page_text({0.5 * options.width, 12.0}, options.title,
                            {.size = 10.0, .color = gray(0.1), .align_x = 0.5});
   }
-  canvas.finish();
+  return canvas.finish();
 }
 
 }  // namespace avo::figures

@@ -24,7 +24,8 @@ struct Chart {
 };
 
 /// Both axes start at 0 unless a value is negative. Throws Error where no series has a point, and
-/// on a path that is no figure or cannot be written.
-void draw_chart(const Chart& chart, const std::string& path, const FigureOptions& options = {});
+/// on a path that is no figure. Returns what the file at `path` is to hold.
+[[nodiscard]] std::string draw_chart(const Chart& chart, const std::string& path,
+                                     const FigureOptions& options = {});
 
 }  // namespace avo::figures

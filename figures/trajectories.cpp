@@ -118,9 +118,9 @@ double panel_height(const Box& world, double panel_width) {
 }
 
 // The panels of one figure side by side, all on the same scale.
-void draw_panels(std::span<const TimeLapse> panels, const Box& world,
-                 std::span<const std::string> titles, const std::string& path,
-                 const FigureOptions& options) {
+std::string draw_panels(std::span<const TimeLapse> panels, const Box& world,
+                        std::span<const std::string> titles, const std::string& path,
+                        const FigureOptions& options) {
   const double left = options.axes ? kAxesLeft : kMargin;
   const double bottom = options.axes ? kAxesBottom : kMargin;
   const double top = (options.title.empty() ? kMargin : kTitleHeight) +
@@ -152,7 +152,7 @@ void draw_panels(std::span<const TimeLapse> panels, const Box& world,
                        {.size = 9.0, .color = gray(0.1), .align_x = 0.5});
     }
   }
-  canvas.finish();
+  return canvas.finish();
 }
 
 Box with_margin(const Box& world) {
@@ -162,19 +162,20 @@ Box with_margin(const Box& world) {
 
 }  // namespace
 
-void draw_trajectories(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
-                       const std::string& path, const FigureOptions& options) {
+std::string draw_trajectories(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
+                              const std::string& path, const FigureOptions& options) {
   check_figure_path(path);
   check_frames(scenario, frames);
   const std::size_t last = last_motion(scenario, frames);
   const TimeLapse lapse{scenario, frames, select_frames(scenario, frames, last, kMostDiscs),
                         robot_colors(scenario)};
-  draw_panels({&lapse, 1}, with_margin(covered(scenario, frames, 0, last)), {}, path, options);
+  return draw_panels({&lapse, 1}, with_margin(covered(scenario, frames, 0, last)), {}, path,
+                     options);
 }
 
-void draw_instants(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
-                   std::span<const double> times, double tail, const std::string& path,
-                   const FigureOptions& options) {
+std::string draw_instants(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
+                          std::span<const double> times, double tail, const std::string& path,
+                          const FigureOptions& options) {
   check_figure_path(path);
   check_frames(scenario, frames);
   std::vector<TimeLapse> panels;
@@ -189,7 +190,7 @@ void draw_instants(const Scenario& scenario, std::span<const TrajectoryFrame> fr
     titles.push_back("t = " + seconds(frames[last].time));
   }
   const Box world = with_margin(covered(scenario, frames, 0, frames.size() - 1));
-  draw_panels(panels, world, titles, path, options);
+  return draw_panels(panels, world, titles, path, options);
 }
 
 }  // namespace avo::figures

@@ -40,15 +40,18 @@ class TrajectoryRecorder {
   std::vector<TrajectoryFrame> kept_;
 };
 
-/// The whole run in one picture. Throws Error on a path that is no figure or cannot be written,
-/// and where the frames do not fit the scenario.
-void draw_trajectories(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
-                       const std::string& path, const FigureOptions& options = {});
+/// The whole run in one picture: what the file at `path` is to hold. Throws Error on a path that is
+/// no figure, and where the frames do not fit the scenario.
+[[nodiscard]] std::string draw_trajectories(const Scenario& scenario,
+                                            std::span<const TrajectoryFrame> frames,
+                                            const std::string& path,
+                                            const FigureOptions& options = {});
 
 /// One panel for each of `times` (s), side by side on one scale: everybody at that time, with the
 /// last `tail` seconds as a fading trace.
-void draw_instants(const Scenario& scenario, std::span<const TrajectoryFrame> frames,
-                   std::span<const double> times, double tail, const std::string& path,
-                   const FigureOptions& options = {});
+[[nodiscard]] std::string draw_instants(const Scenario& scenario,
+                                        std::span<const TrajectoryFrame> frames,
+                                        std::span<const double> times, double tail,
+                                        const std::string& path, const FigureOptions& options = {});
 
 }  // namespace avo::figures

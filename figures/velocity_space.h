@@ -61,8 +61,8 @@ std::vector<std::vector<Vec2>> obstacle_outline(const LabeledObstacle& obstacle,
 void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& space,
                          const FigureOptions& options = {});
 
-/// As a file of its own. Throws Error on a path that is no figure or cannot be written.
-void draw_velocity_space(const VelocitySpace& space, const std::string& path,
-                         const FigureOptions& options = {.width = 340.0});
+/// As a figure of its own: what the file at `path` is to hold. Throws Error on a path that is none.
+[[nodiscard]] std::string draw_velocity_space(const VelocitySpace& space, const std::string& path,
+                                              const FigureOptions& options = {.width = 340.0});
 
 }  // namespace avo::figures

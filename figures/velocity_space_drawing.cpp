@@ -231,8 +231,8 @@ void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& s
   }
 }
 
-void draw_velocity_space(const VelocitySpace& space, const std::string& path,
-                         const FigureOptions& options) {
+std::string draw_velocity_space(const VelocitySpace& space, const std::string& path,
+                                const FigureOptions& options) {
   const double left = options.axes ? kAxesLeft : kMargin;
   const double bottom = options.axes ? kAxesBottom : kMargin;
   const double top = options.title.empty() ? kMargin : kTitleHeight;
@@ -242,7 +242,7 @@ void draw_velocity_space(const VelocitySpace& space, const std::string& path,
   const double height = width * std::clamp(size.y / size.x, 0.4, 1.3);
   Canvas canvas(path, options.width, top + height + bottom);
   draw_velocity_space(canvas, {{left, top}, {left + width, top + height}}, space, options);
-  canvas.finish();
+  return canvas.finish();
 }
 
 }  // namespace avo::figures

@@ -84,6 +84,10 @@ std::optional<BuiltinText> find_builtin(const std::string& name) {
   return BuiltinText{yaml, {}};
 }
 
+bool is_builtin_scene(const std::string& name) {
+  return find_builtin(name).has_value();
+}
+
 const std::vector<BuiltinScene>& builtin_scenes() {
   static const std::vector<BuiltinScene> scenes = [] {
     std::vector<BuiltinScene> result;

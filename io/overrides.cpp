@@ -7,10 +7,13 @@
 #include <optional>
 
 #include "avo_io/errors.h"
+#include "avo_io/printable.h"
 #include "reader.h"
 
 namespace avo_io {
 namespace {
+
+constexpr std::size_t kLongestShown = 60;  // characters of an override in messages
 
 std::vector<std::string_view> parts_of(std::string_view key) {
   std::vector<std::string_view> parts;
@@ -78,11 +81,11 @@ std::vector<RobotPatch> apply_overrides(const std::vector<std::string>& override
                                         Document& document) {
   std::vector<RobotPatch> patches;
   for (const std::string& text : overrides) {
-    const std::string name = "--set " + text;
+    const std::string name = "--set " + printable(text, kLongestShown);
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
       throw OverrideError(
-          fmt::format("--set {}: found no key=value, must be such as time_step=0.1", text));
+          fmt::format("{}: found no key=value, must be such as time_step=0.1", name));
     const YamlNode value = parse_yaml(std::string_view(text).substr(equals + 1), name, document);
     const std::vector<std::string_view> parts = parts_of(std::string_view(text).substr(0, equals));
     const YamlNode* listed = std::as_const(document.root).find("robots");

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <limits>
 
+#include "avo_io/printable.h"
+
 namespace avo_io {
 
 std::string path_to(const std::string& parent, std::string_view key) {
@@ -13,7 +15,8 @@ std::string path_to(const std::string& parent, std::string_view key) {
 }
 
 std::string in_front(const std::string& path) {
-  return path.empty() ? "" : path + ": ";
+  constexpr std::size_t kLongest = 60;  // --set can ask for keys of any length
+  return path.empty() ? "" : printable(path, kLongest) + ": ";
 }
 
 std::string shown(const YamlNode& node) {

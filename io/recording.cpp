@@ -81,7 +81,8 @@ std::string to_json(const avo::RunSummary& summary) {
   json["step_milliseconds_median"] = or_null(summary.step_milliseconds_median);
   json["seed"] = summary.seed;
   json["version"] = avo::kVersion;
-  return json.dump(2) + "\n";
+  // the scene may be called like its file, whose name need not be UTF-8
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace avo_io

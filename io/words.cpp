@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <fmt/format.h>
 
+#include "avo_io/printable.h"
+
 namespace avo_io {
 namespace {
 
@@ -52,19 +54,7 @@ bool abbreviates(std::string_view found, std::string_view word) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  std::string shown;
-  std::size_t characters = 0;
-  for (const char c : text) {
-    const bool starts = (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-    if (starts && ++characters > kLongest) return '"' + shown + "...\"";
-    if (c == '\n')
-      shown += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-      shown += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
-    else
-      shown += c;
-  }
-  return '"' + shown + '"';
+  return '"' + printable(text, kLongest) + '"';
 }
 
 std::string joined(const std::vector<std::string_view>& words) {

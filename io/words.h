@@ -10,7 +10,7 @@
 
 namespace avo_io {
 
-/// At most 40 characters of `text` on one line, in quotes, control characters escaped.
+/// printable() with at most 40 characters, in quotes.
 std::string in_quotes(std::string_view text);
 
 /// "a, b, c".

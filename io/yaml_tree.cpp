@@ -12,6 +12,8 @@
 #include <yaml-cpp/parser.h>
 
 #include "avo_io/errors.h"
+#include "avo_io/printable.h"
+#include "utf8.h"
 
 namespace avo_io {
 namespace {
@@ -68,7 +70,8 @@ class TreeBuilder : public YAML::EventHandler {
     node.source = source_;
     if (anchor != 0) refuse_reference(node, "an anchor");
     if (!tag.empty() && tag != "?" && tag != "!")
-      document_.fail(node, fmt::format("found the tag {}, tags are not allowed", tag));
+      document_.fail(node,
+                     fmt::format("found the tag {}, tags are not allowed", printable(tag, 40)));
     return node;
   }
   [[noreturn]] void refuse_reference(const YamlNode& node, std::string_view what) const {
@@ -123,25 +126,6 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<YamlNode> open_;
   std::size_t values_ = 0;
 };
-
-/// Length of the UTF-8 character at the start of `text`, 0 if there is none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
-                             : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                           : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  if (lead == 0xE0 && byte(1) < 0xA0) return 0;   // overlong
-  if (lead == 0xED && byte(1) >= 0xA0) return 0;  // surrogates
-  if (lead == 0xF0 && byte(1) < 0x90) return 0;   // overlong
-  if (lead == 0xF4 && byte(1) >= 0x90) return 0;  // beyond U+10FFFF
-  return length;
-}
 
 /// Line ends become "\n"; anything that is not text is refused with its place.
 std::string checked_text(std::string_view yaml, const Document& document, std::int32_t source) {

@@ -8,6 +8,7 @@
 
 #include "avo/assumptions.h"
 #include "avo/error.h"
+#include "exit_codes.h"
 #include "terminal.h"
 
 namespace avo_cli {
@@ -111,10 +112,9 @@ void apply_remedies(const SceneArguments& arguments, avo::Scenario& scenario) {
 }
 
 void require_assumptions(const std::string& scene, const avo::Scenario& scenario) {
-  std::string text;
-  for (const std::string& line : complaints(scenario))
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", scene, line);
-  if (!text.empty()) throw avo::Error(text);
+  std::vector<std::string> lines = complaints(scenario);
+  for (std::string& line : lines) line = fmt::format("{}: {}", scene, line);
+  if (!lines.empty()) throw BrokenScene(lines);
 }
 
 }  // namespace avo_cli

@@ -8,7 +8,7 @@ namespace avo_cli {
 /// --start-at-rest and --limit-speed; tells what they changed.
 void apply_remedies(const SceneArguments& arguments, avo::Scenario& scenario);
 
-/// Throws avo::Error, one line for each thing that is broken.
+/// Throws BrokenScene.
 void require_assumptions(const std::string& scene, const avo::Scenario& scenario);
 
 }  // namespace avo_cli

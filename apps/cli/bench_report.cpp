@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "avo/simd.h"
+#include "avo_io/printable.h"
 
 namespace avo_cli {
 namespace {
@@ -77,7 +78,7 @@ std::string to_json(const avo::Scenario& scenario, const BenchResults& results) 
                               {"infeasible_share", one.infeasible},
                               {"stages", nlohmann::ordered_json::object()}};
   for (const avo::StageTime& stage : one.stages) json["stages"][stage.name] = stage.nanoseconds;
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string readable(const avo::Scenario& scenario, const BenchResults& results) {
@@ -89,7 +90,7 @@ std::string readable(const avo::Scenario& scenario, const BenchResults& results)
       static_cast<std::size_t>(std::clamp(std::round(1.0 / scenario.time_step), 1.0, 1e6));
   std::string text =
       fmt::format("{}: {} robots, {} thread{}, simd {}, precision {}, method {}, certificate {}\n",
-                  scenario.name, scenario.robots.size(), results.threads,
+                  avo_io::printable(scenario.name), scenario.robots.size(), results.threads,
                   results.threads == 1 ? "" : "s", avo::simd_target(), to_string(options.precision),
                   to_string(options.method), to_string(options.certificate));
   const auto line = [&](const char* name, const std::string& value) {

@@ -15,15 +15,12 @@
 #include "avo_io/scene.h"
 #include "check_report.h"
 #include "exit_codes.h"
+#include "files.h"
 #include "terminal.h"
 #include "verbs.h"
 
 namespace avo_cli {
 namespace {
-
-void require_above_zero(const char* option, double value) {
-  if (!(value > 0.0)) throw UsageError(fmt::format("{}: found {}, must be > 0", option, value));
-}
 
 void check_arguments(const CheckArguments& arguments) {
   const bool scene = !arguments.scene.scene.empty();
@@ -39,8 +36,11 @@ void check_arguments(const CheckArguments& arguments) {
           "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
           "and --max-speed",
           option));
-    if (value) require_above_zero(option, *value);
+    if (value && !(*value > 0.0))
+      throw UsageError(fmt::format("{}: found {}, must be > 0", option, *value));
   }
+  if (arguments.radius && !std::isfinite(*arguments.radius))
+    throw UsageError("--radius: found inf, must be finite");
   if (!scene && !arguments.scene.overrides.empty())
     throw UsageError("--set: found without --scene, must be with it");
   if (!scene && arguments.require_arrival)
@@ -135,6 +135,7 @@ void Judge::add(avo_io::RecordedTime& moment) {
 
 int check(const CheckArguments& arguments) {
   check_arguments(arguments);
+  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
   Judge judge(arguments);
   std::optional<std::int64_t> robots;
   if (judge.scenario) robots = static_cast<std::int64_t>(judge.scenario->robots.size());

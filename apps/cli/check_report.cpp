@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "avo/version.h"
+#include "avo_io/printable.h"
 
 namespace avo_cli {
 namespace {
@@ -82,12 +83,12 @@ std::string arrivals(const avo::CheckReport& report) {
 
 std::string readable(const Judgement& judgement) {
   const avo::CheckReport& report = judgement.report;
-  std::string text =
-      fmt::format("{}: {} robots, {} steps from {:.6g} s to {:.6g} s: {}\n", judgement.recording,
-                  report.robots, report.steps, report.from, report.to,
-                  !report.safe()       ? "unsafe"
-                  : judgement.passed() ? "safe"
-                                       : "safe, but not all arrived");
+  std::string text = fmt::format("{}: {} robots, {} steps from {:.6g} s to {:.6g} s: {}\n",
+                                 avo_io::printable(judgement.recording), report.robots,
+                                 report.steps, report.from, report.to,
+                                 !report.safe()       ? "unsafe"
+                                 : judgement.passed() ? "safe"
+                                                      : "safe, but not all arrived");
   const auto line = [&text](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };

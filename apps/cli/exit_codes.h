@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the command line tells its caller.
 #pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "avo/error.h"
 
 namespace avo_cli {
@@ -14,6 +18,14 @@ inline constexpr int kResources = 5;  ///< no memory, no threads
 inline constexpr int kOurFault = 6;
 inline constexpr int kSignal = 128;      ///< + number of the signal: 130, 143
 inline constexpr int kClosedPipe = 141;  ///< who read our output went away
+
+/// A scene that breaks what its certificate assumes, one line for each thing that is broken.
+class BrokenScene : public avo::Error {
+ public:
+  explicit BrokenScene(std::vector<std::string> complaints)
+      : avo::Error(complaints.at(0)), lines(std::move(complaints)) {}
+  std::vector<std::string> lines;
+};
 
 /// A command line that says something impossible.
 class UsageError : public avo::Error {

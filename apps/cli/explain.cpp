@@ -9,9 +9,11 @@
 
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
+#include "avo_io/printable.h"
 #include "exit_codes.h"
-#include "figures/canvas.h"
 #include "figures/velocity_space.h"
+#include "files.h"
+#include "signals.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -172,8 +174,8 @@ void append_certificate(const Decision& decision,
 
 std::string readable(const Decision& decision) {
   const avo::Robot& self = decision.seen.robot;
-  std::string result =
-      fmt::format("{}, robot {} at {:.6g} s\n", decision.scene, decision.robot, decision.time);
+  std::string result = fmt::format("{}, robot {} at {:.6g} s\n", avo_io::printable(decision.scene),
+                                   decision.robot, decision.time);
   const auto line = [&](const char* name, const std::string& value) {
     result += fmt::format("  {:<19} {}\n", name, value);
   };
@@ -202,16 +204,11 @@ std::string readable(const Decision& decision) {
 }  // namespace
 
 int explain(const ExplainArguments& arguments) {
-  if (!arguments.figure.empty()) {
-    try {
-      avo::figures::check_figure_path(arguments.figure);
-    } catch (const avo::Error& error) {
-      throw UsageError(std::string("--figure ") + error.what());
-    }
-  }
+  require_figure({"--figure", arguments.figure});
   if (!std::isfinite(arguments.time) || arguments.time < 0.0)
-    throw UsageError(fmt::format("--time: found {}, must be >= 0 s", arguments.time));
-  const avo::Scenario scenario = load(arguments.scene);
+    throw UsageError(fmt::format("--time: found {}, must be finite and >= 0 s", arguments.time));
+  catch_signals();
+  const avo::Scenario scenario = load(arguments.scene, {{"--figure", arguments.figure}});
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (arguments.robot < 0 || arguments.robot >= robots)
     throw UsageError(
@@ -222,7 +219,6 @@ int explain(const ExplainArguments& arguments) {
   std::optional<avo_io::OutputFile> figure;
   if (!arguments.figure.empty()) figure.emplace(arguments.figure);
 
-  catch_signals();
   avo::Simulation simulation(scenario);
   const std::int64_t steps = avo::last_step(scenario, arguments.time);
   for (Progress progress(steps, scenario.time_step); simulation.steps() < steps;) {
@@ -232,11 +228,15 @@ int explain(const ExplainArguments& arguments) {
   }
   const Decision decision = decide(simulation, scenario, arguments.robot);
   if (figure) {
-    draw_velocity_space(avo::figures::velocity_space(decision.seen, simulation.planner()),
-                        figure->temporary_path());
+    figure->write(drawn([&] {
+      return draw_velocity_space(avo::figures::velocity_space(decision.seen, simulation.planner()),
+                                 arguments.figure);
+    }));
     figure->commit();
   }
-  print(arguments.json ? to_json(decision).dump(2) + "\n" : readable(decision));
+  print(arguments.json
+            ? to_json(decision).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+            : readable(decision));
   return kDone;
 }
 

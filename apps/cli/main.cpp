@@ -14,6 +14,8 @@
 #include "avo/version.h"
 #include "avo_io/errors.h"
 #include "avo_io/nearest.h"
+#include "avo_io/output_file.h"
+#include "avo_io/printable.h"
 #include "exit_codes.h"
 #include "terminal.h"
 #include "verbs.h"
@@ -24,6 +26,13 @@ namespace {
 using Action = std::function<int()>;
 
 constexpr const char* kScene = "name of a built-in scene, or a YAML file";
+
+/// For options whose empty word could not be told from none.
+CLI::Option* not_empty(CLI::Option* option) {
+  return option->check([](const std::string& word) {
+    return word.empty() ? std::string("found an empty name, must have one") : std::string();
+  });
+}
 
 void add_overrides(CLI::App& verb, SceneArguments& arguments) {
   verb.add_option("--set", arguments.overrides,
@@ -38,7 +47,7 @@ void add_overrides(CLI::App& verb, SceneArguments& arguments) {
 }
 
 void add_scene(CLI::App& verb, SceneArguments& arguments) {
-  verb.add_option("SCENE", arguments.scene, kScene)->required();
+  not_empty(verb.add_option("SCENE", arguments.scene, kScene))->required();
   add_overrides(verb, arguments);
   verb.add_flag("--start-at-rest", arguments.start_at_rest, "all robots start with velocity 0");
   verb.add_flag("--limit-speed", arguments.limit_speed,
@@ -55,10 +64,12 @@ void add_run(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("run", "simulate a scene to its end");
   static RunArguments arguments;
   add_scene(*verb, arguments.scene);
-  verb->add_option("--record", arguments.record, "every state of every robot; - is stdout")
+  not_empty(
+      verb->add_option("--record", arguments.record, "every state of every robot; - is stdout"))
       ->type_name("FILE.csv");
-  verb->add_option("--summary", arguments.summary, "results; - is stdout")->type_name("FILE.json");
-  verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories")
+  not_empty(verb->add_option("--summary", arguments.summary, "results; - is stdout"))
+      ->type_name("FILE.json");
+  not_empty(verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories"))
       ->type_name("FILE.svg|.png|.pdf");
   add_threads(*verb, arguments.threads);
   verb->footer("Example: avo run circle-100 --record out.csv --summary out.json --figure out.svg");
@@ -73,7 +84,7 @@ void add_explain(CLI::App& app, Action& action) {
   verb->add_option("--time", arguments.time, "the last step until then is explained")
       ->type_name("T");
   CLI::Option* json = verb->add_flag("--json", arguments.json, "as JSON");
-  verb->add_option("--figure", arguments.figure, "velocity space")
+  not_empty(verb->add_option("--figure", arguments.figure, "velocity space"))
       ->type_name("FILE.svg|.png|.pdf")
       ->excludes(json);
   verb->footer("Example: avo explain circle-10 --robot 3 --time 4.2 --figure why.svg");
@@ -83,10 +94,11 @@ void add_explain(CLI::App& app, Action& action) {
 void add_check(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("check", "judge recorded motion, whoever made it");
   static CheckArguments arguments;
-  verb->add_option("RECORDING", arguments.recording, "as avo run --record writes it; - is stdin")
+  not_empty(verb->add_option("RECORDING", arguments.recording,
+                             "as avo run --record writes it; - is stdin"))
       ->type_name("FILE.csv")
       ->required();
-  verb->add_option("--scene", arguments.scene.scene, kScene)->type_name("SCENE");
+  not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);
   verb->add_option("--radius", arguments.radius, "of all robots, where there is no scene")
       ->type_name("M");
@@ -120,7 +132,7 @@ void add_others(CLI::App& app, Action& action) {
   CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or print one");
   static std::string name;
   static bool json = false;
-  scenes->add_option("NAME", name, "prints the text of this scene");
+  not_empty(scenes->add_option("NAME", name, "prints the text of this scene"));
   scenes->add_flag("--json", json, "the list as JSON");
   scenes->footer("Example: avo scenes circle-N > my-circle.yaml");
   scenes->callback([&action] { action = [] { return list_scenes(name, json); }; });
@@ -151,7 +163,8 @@ void check_options(const CLI::App& app, const std::vector<std::string>& words) {
     const std::string name = word.substr(0, word.find('='));
     if (!word.starts_with("--") || word == "--") continue;
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw UsageError(name + ": found no such option" + did_you_mean(name, names));
+      throw UsageError(avo_io::printable(name, kLongestWord) + ": found no such option" +
+                       did_you_mean(name, names));
   }
 }
 
@@ -165,8 +178,8 @@ void check_words(CLI::App& app, const std::vector<std::string>& words) {
     verbs.push_back(verb->get_name());
     list += (list.empty() ? "" : ", ") + verb->get_name();
   }
-  throw UsageError(words[0] + ": found no such verb, verbs are " + list +
-                   did_you_mean(words[0], verbs));
+  throw UsageError(avo_io::printable(words[0], kLongestWord) + ": found no such verb, verbs are " +
+                   list + did_you_mean(words[0], verbs));
 }
 
 void check_environment() {
@@ -202,6 +215,7 @@ int parse_and_act(int argc, char** argv) {
     throw UsageError(std::string(error.what()) + "; see avo --help");
   }
   check_environment();
+  (void)avo_io::OutputFile("-");  // all verbs write there: not to find out after a long run
   return action();
 }
 
@@ -216,6 +230,7 @@ int fail(int code, const std::string& message) {
 int main(int argc, char** argv) {
   using namespace avo_cli;
   try {
+    prepare_streams();
     return parse_and_act(argc, argv);
   } catch (const UsageError& error) {
     return fail(kUsage, std::string("avo: ") + error.what());
@@ -223,6 +238,9 @@ int main(int argc, char** argv) {
     return fail(kUsage, error.what());
   } catch (const avo_io::FileError& error) {
     return error.broken_pipe() ? kClosedPipe : fail(kFile, error.what());
+  } catch (const BrokenScene& error) {
+    say(error.lines);
+    return kBadScene;
   } catch (const avo::Error& error) {
     return fail(kBadScene, error.what());
   } catch (const std::bad_alloc&) {

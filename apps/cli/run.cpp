@@ -2,23 +2,33 @@
 // avo run: simulates a scene to its end, and writes what was asked for.
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <cstdint>
 #include <fmt/format.h>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
+#include "avo_io/printable.h"
 #include "avo_io/recording.h"
 #include "exit_codes.h"
-#include "figures/canvas.h"
 #include "figures/trajectories.h"
+#include "files.h"
+#include "signals.h"
 #include "terminal.h"
 #include "verbs.h"
 
 namespace avo_cli {
 namespace {
+
+std::vector<NamedFile> files_of(const RunArguments& arguments) {
+  return {{"--record", arguments.record},
+          {"--summary", arguments.summary},
+          {"--figure", arguments.figure}};
+}
 
 /// Everything that a run writes. Opened before the simulation, so that a place that cannot be
 /// written is reported at once; named after it.
@@ -26,8 +36,9 @@ struct Outputs {
   std::optional<avo_io::CsvRecording> record;
   std::optional<avo_io::OutputFile> summary, figure;
   std::optional<avo::figures::TrajectoryRecorder> trajectories;
+  std::string figure_path;
 
-  explicit Outputs(const RunArguments& arguments) {
+  explicit Outputs(const RunArguments& arguments) : figure_path(arguments.figure) {
     if (!arguments.figure.empty()) {
       figure.emplace(arguments.figure);
       trajectories.emplace();
@@ -41,33 +52,21 @@ struct Outputs {
     if (trajectories) trajectories->observe(simulation);
   }
 
-  /// All of them, or none where one cannot be written.
+  /// All of them, or none where one cannot be written. A figure can take longer to draw than a
+  /// signal leaves: then the others come first.
   void finish(const avo::Scenario& scenario, const avo::RunSummary& results) {
+    std::vector<avo_io::OutputFile*> files;
+    if (record) files.push_back(&record->file());
+    if (summary) files.push_back(&*summary);
     if (summary) summary->write(avo_io::to_json(results));
-    if (figure) draw_trajectories(scenario, trajectories->frames(), figure->temporary_path());
-    if (summary) summary->settle();
-    if (record) record->commit();
-    if (summary) summary->commit();
-    if (figure) figure->commit();
+    if (signal_caught() != 0) commit_all(files);
+    if (figure) files.push_back(&*figure);
+    if (figure)
+      figure->write(
+          drawn([&] { return draw_trajectories(scenario, trajectories->frames(), figure_path); }));
+    commit_all(files);
   }
 };
-
-void check_outputs(const RunArguments& arguments) {
-  if (!arguments.figure.empty()) {
-    try {
-      avo::figures::check_figure_path(arguments.figure);
-    } catch (const avo::Error& error) {
-      throw UsageError(std::string("--figure ") + error.what());
-    }
-  }
-  const std::string* paths[] = {&arguments.record, &arguments.summary, &arguments.figure};
-  for (const std::string* a : paths)
-    for (const std::string* b : paths)
-      if (a < b && !a->empty() &&
-          std::filesystem::path(*a).lexically_normal() ==
-              std::filesystem::path(*b).lexically_normal())
-        throw UsageError(fmt::format("{}: found as the name of two outputs, must differ", *a));
-}
 
 avo::RunSummary simulate(const avo::Scenario& scenario, int threads, Outputs& outputs) {
   using Clock = std::chrono::steady_clock;
@@ -117,34 +116,39 @@ std::string decisions(const avo::RunSummary& results) {
   return text;
 }
 
-/// Who has not arrived and is held or at rest; empty if nobody.
-std::string stuck(const avo::RunSummary& results) {
-  constexpr int kNamed = 5;
+/// Whether the robot moves at the end, and who is in its way.
+std::string state_of(const avo::NotArrived& robot) {
   constexpr double kAtRest = 1e-3;  // m/s
-  std::string text;
-  std::int64_t named = 0;
-  for (const avo::NotArrived& each : results.not_arrived) {
-    if (named == kNamed) break;
-    if (each.held_by.empty() && each.speed > kAtRest) continue;
-    std::string held_by;
-    for (const std::int64_t other : each.held_by)
-      held_by += (held_by.empty() ? "" : ", ") +
-                 (other >= 0 ? std::to_string(other) : fmt::format("obstacle {}", -1 - other));
-    text += fmt::format("{}robot {}, {:.1f} m to go, {}", named > 0 ? "; " : "", each.robot,
-                        each.distance, held_by.empty() ? "at rest" : "held by " + held_by);
-    ++named;
+  std::string text =
+      robot.speed > kAtRest ? fmt::format("moving at {:.2g} m/s", robot.speed) : "at rest";
+  const char* separator = ", held by ";
+  for (const std::int64_t other : robot.held_by) {
+    text +=
+        separator + (other >= 0 ? std::to_string(other) : fmt::format("obstacle {}", -1 - other));
+    separator = ", ";
   }
-  const std::int64_t others = results.robots - results.arrived - named;
-  if (named > 0 && others > 0) text += fmt::format("; {} more have not arrived", others);
   return text;
+}
+
+/// Who has not arrived, the first by number with their states; empty if nobody.
+std::string not_arrived(const avo::RunSummary& results) {
+  constexpr std::size_t kNamed = 5;
+  const std::size_t named = std::min(kNamed, results.not_arrived.size());
+  std::string text;
+  for (const avo::NotArrived& robot : std::span(results.not_arrived).first(named))
+    text += fmt::format("{}robot {}, {:.1f} m to go, {}", text.empty() ? "" : "; ", robot.robot,
+                        robot.distance, state_of(robot));
+  const std::int64_t others = results.robots - results.arrived - static_cast<std::int64_t>(named);
+  return others > 0 ? fmt::format("{}{}{} more", text, text.empty() ? "" : "; ", others) : text;
 }
 
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {
   const auto number = [](const std::optional<double>& value, const char* unit) {
     return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
   };
-  std::string text = fmt::format("{}: {} robots, {} steps of {} s\n", results.scene, results.robots,
-                                 results.steps, scenario.time_step);
+  std::string text =
+      fmt::format("{}: {} robots, {} steps of {} s\n", avo_io::printable(results.scene),
+                  results.robots, results.steps, scenario.time_step);
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
@@ -159,7 +163,7 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   line("no safe choice", fmt::format("{} of {} robot-steps", results.infeasible_steps,
                                      results.robots * results.steps));
   line("decisions", decisions(results));
-  if (const std::string who = stuck(results); !who.empty()) line("stuck", who);
+  if (const std::string who = not_arrived(results); !who.empty()) line("not arrived", who);
   line("time of a step", number(results.step_milliseconds_median, "ms (median)"));
   return text;
 }
@@ -167,15 +171,17 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
 }  // namespace
 
 int run(const RunArguments& arguments) {
-  check_outputs(arguments);
-  const avo::Scenario scenario = load(arguments.scene);
-  Outputs outputs(arguments);
+  require_ending({"--record", arguments.record}, ".csv");
+  require_ending({"--summary", arguments.summary}, ".json");
+  require_figure({"--figure", arguments.figure});
   catch_signals();
+  const avo::Scenario scenario = load(arguments.scene, files_of(arguments));
+  Outputs outputs(arguments);
   const avo::RunSummary results = simulate(scenario, arguments.threads, outputs);
   outputs.finish(scenario, results);
   const std::string text = readable(scenario, results);
   if (arguments.record == "-" || arguments.summary == "-")
-    say(text.substr(0, text.size() - 1));
+    say(lines_of(text));
   else
     print(text);
   const int caught = signal_caught();

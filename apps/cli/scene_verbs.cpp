@@ -4,14 +4,17 @@
 #include <nlohmann/json.hpp>
 
 #include "assumptions.h"
+#include "avo_io/printable.h"
 #include "avo_io/scene.h"
 #include "exit_codes.h"
+#include "files.h"
 #include "terminal.h"
 #include "verbs.h"
 
 namespace avo_cli {
 
-avo::Scenario load(const SceneArguments& arguments) {
+avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs) {
+  require_distinct({file_of(arguments)}, outputs);
   avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides);
   apply_remedies(arguments, scenario);
   require_assumptions(arguments.scene, scenario);
@@ -27,7 +30,8 @@ int list_scenes(const std::string& name, bool json) {
         print(scene.yaml);
         return kDone;
       }
-    throw UsageError(fmt::format("{}: found no such scene, `avo scenes` lists them", name));
+    throw UsageError(fmt::format("{}: found no such scene, `avo scenes` lists them",
+                                 avo_io::printable(name, kLongestWord)));
   }
   if (json) {
     auto list = nlohmann::ordered_json::array();
@@ -44,8 +48,9 @@ int list_scenes(const std::string& name, bool json) {
 int validate_scene(const SceneArguments& arguments) {
   const avo::Scenario scenario = load(arguments);
   print(fmt::format("{}: valid: {} robots, {} moving obstacles, {} steps of {} s\n",
-                    arguments.scene, scenario.robots.size(), scenario.moving_obstacles.size(),
-                    avo::last_step(scenario, scenario.duration), scenario.time_step));
+                    avo_io::printable(arguments.scene), scenario.robots.size(),
+                    scenario.moving_obstacles.size(), avo::last_step(scenario, scenario.duration),
+                    scenario.time_step));
   return kDone;
 }
 

@@ -1,55 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said to the user, and what the user says by signals.
+// What is said to the user.
 #include "terminal.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <system_error>
 #include <unistd.h>
 
 #include "avo_io/errors.h"
+#include "avo_io/output_file.h"
+#include "avo_io/printable.h"
 
 namespace avo_cli {
 namespace {
 
-volatile std::sig_atomic_t noted_signal = 0;
+constexpr std::size_t kLongestLine = 1000;
+constexpr std::string_view kWipe = "\r\033[K";
 
-extern "C" void note_signal(int number) {
-  noted_signal = number;
+std::atomic<bool> bar_shown = false;
+
+/// To the standard error output; there is nobody to tell that it failed.
+void write_error(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
 }
 
 }  // namespace
 
-void print(std::string_view text) {
-  errno = 0;
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return;
-  const int reason = errno;
-  throw avo_io::FileError("standard output: " + std::generic_category().message(reason),
-                          reason == EPIPE);
+void prepare_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    // the wrong way around: what is read from it or written to it fails, as it would if closed
+    const int direction = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (open("/dev/null", direction) < 0)  // takes the lowest free number
+      throw avo_io::FileError("/dev/null: " + std::generic_category().message(errno));
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void say(std::string_view line) {
-  fmt::print(stderr, "{}\n", line);
+void print(std::string_view text) {
+  avo_io::OutputFile out("-");
+  out.write(text);
+  out.commit();
+}
+
+void say(std::string_view line) noexcept {
+  try {
+    if (bar_shown.exchange(false)) write_error(kWipe);
+    write_error(avo_io::printable(line, kLongestLine) + "\n");
+  } catch (const std::bad_alloc&) {
+  }
+}
+
+void say(const std::vector<std::string>& lines) noexcept {
+  for (const std::string& line : lines) say(line);
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
 }
 
 void warn(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) say("warning: " + line);
-}
-
-void catch_signals() {
-  struct sigaction action = {};
-  action.sa_handler = note_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
-}
-
-int signal_caught() {
-  return noted_signal;
 }
 
 Progress::Progress(std::int64_t steps, double time_step)
@@ -60,7 +87,7 @@ Progress::Progress(std::int64_t steps, double time_step)
       last_(start_) {}
 
 Progress::~Progress() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (bar_shown.exchange(false)) write_error(kWipe);
 }
 
 void Progress::show(std::int64_t step) {
@@ -68,14 +95,15 @@ void Progress::show(std::int64_t step) {
   const Clock::time_point now = Clock::now();
   if (now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
-  shown_ = true;
+  bar_shown = true;
   const double part = static_cast<double>(step) / static_cast<double>(steps_);
   const double left = std::chrono::duration<double>(now - start_).count() * (1.0 / part - 1.0);
   constexpr int kWidth = 30;
   const auto filled = static_cast<std::size_t>(kWidth * part);
-  fmt::print(stderr, "\r[{:<{}}] {:3.0f} %  t = {:.1f} of {:.1f} s, {:.0f} s left\033[K",
-             std::string(filled, '#'), kWidth, 100.0 * part, static_cast<double>(step) * time_step_,
-             static_cast<double>(steps_) * time_step_, left);
+  write_error(fmt::format("\r[{:<{}}] {:3.0f} %  t = {:.1f} of {:.1f} s, {:.0f} s left\033[K",
+                          std::string(filled, '#'), kWidth, 100.0 * part,
+                          static_cast<double>(step) * time_step_,
+                          static_cast<double>(steps_) * time_step_, left));
 }
 
 }  // namespace avo_cli

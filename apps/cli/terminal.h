@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said to the user, and what the user says by signals.
+// What is said to the user.
 #pragma once
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,18 +10,24 @@
 
 namespace avo_cli {
 
-/// To the standard output, at once. Throws avo_io::FileError.
+/// Characters of a word of the command line that a message repeats.
+inline constexpr std::size_t kLongestWord = 60;
+
+/// First thing in main(): where the standard input, output or error output is closed, no file of
+/// ours gets its number, and using it fails. Writing to a pipe without a reader or beyond a limit
+/// of file size fails as well, instead of ending the program.
+void prepare_streams();
+
+/// To the standard output, at once, as it is. Throws avo_io::FileError.
 void print(std::string_view text);
-/// One line to the standard error output.
-void say(std::string_view line);
+/// One line to the standard error output, made printable; of a very long one the middle is left
+/// out. Nothing happens where it cannot be written.
+void say(std::string_view line) noexcept;
+void say(const std::vector<std::string>& lines) noexcept;
+/// The lines of a text.
+std::vector<std::string> lines_of(std::string_view text);
 /// One line for each, in front "warning: ".
 void warn(const std::vector<std::string>& lines);
-
-/// From here on SIGINT and SIGTERM are only noted, the first of them; a second one ends the
-/// program. SIGPIPE is ignored in favor of write errors.
-void catch_signals();
-/// The signal noted, or 0.
-int signal_caught();
 
 /// A bar on the standard error output, if that is a terminal; wiped at the end.
 class Progress {
@@ -36,7 +43,6 @@ class Progress {
   std::int64_t steps_;
   double time_step_;
   bool terminal_;
-  bool shown_ = false;
   Clock::time_point start_, last_;
 };
 

@@ -18,9 +18,16 @@ struct SceneArguments {
   bool start_at_rest = false;
   bool limit_speed = false;
 };
-/// Loads it, changes it as asked and warns of settings that do not fit. Throws avo::Error, one line
-/// for each, where it breaks what its certificate assumes.
-avo::Scenario load(const SceneArguments& arguments);
+/// A file that the command line names.
+struct NamedFile {
+  std::string role;  ///< "--record", "the scene"
+  std::string path;  ///< "-": the standard output, of an input the standard input; empty: none
+};
+
+/// Loads it, changes it as asked and warns of settings that do not fit. Throws UsageError where the
+/// file is one of the outputs, or two of these are one (files.h), and BrokenScene where it breaks
+/// what its certificate assumes.
+avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs = {});
 
 struct RunArguments {
   SceneArguments scene;

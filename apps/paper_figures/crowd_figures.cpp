@@ -118,13 +118,14 @@ std::string point(Vec2 at) {
 
 Caption draw_among_obstacles(const std::string& folder) {
   const Row row{.width = 430.0};
-  Canvas canvas(folder + "/fig-04.png", row.width, row.height());
+  const std::string path = folder + "/fig-04.png";
+  Canvas canvas(path, row.width, row.height());
   draw_configuration(canvas, row.box(0), false);
   const auto neighbors = neighbors_of_figure(0.0);
   const VelocitySpace space = space_of(neighbors, true);
   figures::draw_velocity_space(canvas, row.box(1), space);
   write_title(canvas, row.box(1), "(b) obstacles and CA_A");
-  canvas.finish();
+  save(path, canvas.finish());
   PlanWorkspace workspace;
   const Plan plan =
       planner_of_figure().plan_among_obstacles(robot_of_figure(), neighbors, workspace);
@@ -144,13 +145,14 @@ Caption draw_among_obstacles(const std::string& folder) {
 
 Caption draw_half_planes(const std::string& folder) {
   const Row row{.width = 430.0};
-  Canvas canvas(folder + "/fig-06.png", row.width, row.height());
+  const std::string path = folder + "/fig-06.png";
+  Canvas canvas(path, row.width, row.height());
   draw_configuration(canvas, row.box(0), true);
   const auto neighbors = neighbors_of_figure(1.0);
   const VelocitySpace space = space_of(neighbors, false);
   figures::draw_velocity_space(canvas, row.box(1), space);
   write_title(canvas, row.box(1), "(b) half-planes and CA_A");
-  canvas.finish();
+  save(path, canvas.finish());
   PlanWorkspace workspace;
   const Plan plan = planner_of_figure().plan(robot_of_figure(), neighbors, workspace);
   return {

@@ -27,6 +27,9 @@ Caption draw_circle(const std::string& folder);                 // Fig. 8
 Caption draw_cars(const std::string& folder);                   // Fig. 9
 Caption draw_speed(const std::string& folder);                  // Fig. 10
 
+/// Writes what a figure's file is to hold.
+void save(const std::string& path, const std::string& bytes);
+
 /// printf with the value of a double: format("%.2f m", x).
 std::string format(const char* pattern, double value);
 

@@ -8,6 +8,12 @@
 
 namespace avo::paper {
 
+void save(const std::string& path, const std::string& bytes) {
+  avo_io::OutputFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
 std::string format(const char* pattern, double value) {
   char text[64];
   std::snprintf(text, sizeof text, pattern, value);
@@ -50,9 +56,7 @@ void draw_all(const std::string& folder) {
     std::printf("%s/%s\n", folder.c_str(), captions.back().file.c_str());
     std::fflush(stdout);
   }
-  avo_io::OutputFile file(folder + "/README.md");
-  file.write(readme(captions));
-  file.commit();
+  save(folder + "/README.md", readme(captions));
   std::printf("%s/README.md\n", folder.c_str());
 }
 

@@ -181,12 +181,13 @@ void draw_share(Canvas& canvas, const Box& panel, Vec2 velocity, const HalfPlane
 Caption draw_velocity_obstacle(const std::string& folder) {
   const Row row{.panels = 3};
   const Obstacle obstacle = velocity_obstacle();
-  Canvas canvas(folder + "/fig-02.png", row.width, row.height());
+  const std::string path = folder + "/fig-02.png";
+  Canvas canvas(path, row.width, row.height());
   draw_configuration(canvas, row.box(0));
   draw_relative_motion(canvas, row.box(1), obstacle, obstacle.pair.velocity, "(b) under *v*_{AB}");
   draw_obstacle(canvas, row.box(2), obstacle, "VO^τ_{AB}",
                 {{obstacle.pair.velocity, "*v*_{AB}", figures::kBlack, true}});
-  canvas.finish();
+  save(path, canvas.finish());
   const ClosestApproach closest = closest_approach(obstacle, obstacle.pair.velocity);
   return {"2",
           "fig-02.png",
@@ -204,13 +205,14 @@ Caption draw_velocity_obstacle(const std::string& folder) {
 Caption draw_acceleration_obstacle(const std::string& folder) {
   const Row row{.panels = 3};
   const Obstacle obstacle = acceleration_velocity_obstacle();
-  Canvas canvas(folder + "/fig-03.png", row.width, row.height());
+  const std::string path = folder + "/fig-03.png";
+  Canvas canvas(path, row.width, row.height());
   draw_configuration(canvas, row.box(0));
   draw_relative_motion(canvas, row.box(1), obstacle, kNewVelocity, "(b) towards *v*′_{AB}");
   draw_obstacle(canvas, row.box(2), obstacle, "AVO^{δ,τ}_{AB}",
                 {{obstacle.pair.velocity, "*v*_{AB}", figures::kBlack, true},
                  {kNewVelocity, "*v*′_{AB}", kPath}});
-  canvas.finish();
+  save(path, canvas.finish());
   const ClosestApproach closest = closest_approach(obstacle, kNewVelocity);
   return {"3",
           "fig-03.png",
@@ -233,13 +235,14 @@ Caption draw_reciprocal_sets(const std::string& folder) {
   const std::vector<Vec2> hull = hull_of(sets);
   const HalfPlane mirrored{-sets.relative.normal, sets.relative.offset};
   const Row row{.panels = 3};
-  Canvas canvas(folder + "/fig-05.png", row.width, row.height());
+  const std::string path = folder + "/fig-05.png";
+  Canvas canvas(path, row.width, row.height());
   draw_relative_set(canvas, row.box(0), sets, hull);
   draw_share(canvas, row.box(1), kVelocityA, sets.relative, "A");
   write_title(canvas, row.box(1), "(b) set of A");
   draw_share(canvas, row.box(2), kVelocityB, mirrored, "B");
   write_title(canvas, row.box(2), "(c) set of B");
-  canvas.finish();
+  save(path, canvas.finish());
 
   double support = -std::numeric_limits<double>::infinity();  // of the hull along the normal
   for (const Vec2 corner : hull) {

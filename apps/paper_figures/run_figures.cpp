@@ -185,7 +185,8 @@ std::array<double, 3> crossing_times(const Run& run, double part) {
 
 Caption draw_exchange(const std::string& folder) {
   const Run run = run_scene("positions-exchange");
-  figures::draw_trajectories(run.scenario, run.frames, folder + "/fig-01.png");
+  const std::string path = folder + "/fig-01.png";
+  save(path, figures::draw_trajectories(run.scenario, run.frames, path));
   const Comparison comparison = compare(run);
   return {"1",
           "fig-01.png",
@@ -203,7 +204,8 @@ Caption draw_exchange(const std::string& folder) {
 
 Caption draw_moving_obstacle(const std::string& folder) {
   const Run run = run_scene("moving-obstacle");
-  figures::draw_trajectories(run.scenario, run.frames, folder + "/fig-07.png");
+  const std::string path = folder + "/fig-07.png";
+  save(path, figures::draw_trajectories(run.scenario, run.frames, path));
   const Comparison comparison = compare(run);
   return {"7",
           "fig-07.png",
@@ -218,8 +220,9 @@ Caption draw_moving_obstacle(const std::string& folder) {
 Caption draw_circle(const std::string& folder) {
   const Run run = run_scene("circle-100");
   const auto times = crossing_times(run, 0.65);
-  figures::draw_instants(run.scenario, run.frames, times, kTail, folder + "/fig-08.png",
-                         {.width = 500.0});
+  const std::string path = folder + "/fig-08.png";
+  save(path,
+       figures::draw_instants(run.scenario, run.frames, times, kTail, path, {.width = 500.0}));
   const Comparison comparison = compare(run);
   return {"8",
           "fig-08.png",
@@ -239,8 +242,9 @@ Caption draw_circle(const std::string& folder) {
 Caption draw_cars(const std::string& folder) {
   const Run run = run_scene("cars-100");
   const double times[] = {0.5 * run.summary.mean_arrival.value_or(run.scenario.duration)};
-  figures::draw_instants(run.scenario, run.frames, times, kCarTail, folder + "/fig-09.png",
-                         {.width = 360.0});
+  const std::string path = folder + "/fig-09.png";
+  save(path,
+       figures::draw_instants(run.scenario, run.frames, times, kCarTail, path, {.width = 360.0}));
   const Comparison comparison = compare(run);
   return {"9",
           "fig-09.png",

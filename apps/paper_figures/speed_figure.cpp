@@ -52,8 +52,9 @@ Caption draw_speed(const std::string& folder) {
     median.points.push_back({1.0 * robots, time.median});
     high.points.push_back({1.0 * robots, time.high});
   }
-  figures::draw_chart({"number of robots", "time of a step (ms)", {median, high}},
-                      folder + "/fig-10.png", {.width = 360.0});
+  const std::string path = folder + "/fig-10.png";
+  save(path, figures::draw_chart({"number of robots", "time of a step (ms)", {median, high}}, path,
+                                 {.width = 360.0}));
   const double thousand = median.points.back().y;
   const double hundred = median.points[2].y;
   return {"10",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that are whole or not there at all.
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -8,36 +9,50 @@
 
 namespace avo_io {
 
-/// Where something is written before it gets its name: beside it, with the same extension.
-/// Opening fails early (FileError) if the place cannot be written; the temporary file goes away
-/// unless commit() is called. Devices and pipes are written directly.
+/// Written under a temporary name beside its target, with the target's permissions where that
+/// exists; commit() gives it its name, else it goes away. Links are followed. Devices, pipes and
+/// the standard output are written directly.
 class OutputFile {
  public:
-  /// "-" is the standard output.
-  explicit OutputFile(std::string path);
+  /// "-" is the standard output. Throws FileError if the place cannot be written.
+  explicit OutputFile(const std::string& path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
   /// Buffered. Throws FileError, e.g. where the disk is full.
   void write(std::string_view bytes);
-  /// Puts all bytes on the disk, under the temporary name. Throws FileError.
-  void settle();
-  /// The same, and gives the file its name. Throws FileError.
+  /// The same as commit_all() of this one.
   void commit();
 
-  /// The name to write to for those who open files by name; commit() afterwards.
-  [[nodiscard]] const std::string& temporary_path() const { return temporary_; }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
  private:
+  enum class Old { none, kept, not_kept };
+
+  friend void commit_all(std::span<OutputFile* const> files);
+  void open_temporary();
   void flush();
+  void settle();
+  void keep_old();
+  bool put_old_back();
   [[noreturn]] void fail() const;
 
-  std::string path_, final_, temporary_;
+  std::string name_;                // what messages call it
+  std::string target_;              // behind all links; empty: written directly
+  std::string temporary_, backup_;  // empty: none
   std::string buffer_;
   int descriptor_ = -1;
-  bool renames_ = false;
+  bool closes_ = true;  // not the standard output
+  Old old_ = Old::none;
 };
+
+/// Gives all of them their names, or none: first all bytes go to the disk, then the files are
+/// renamed; where that fails for one, those before it get their old content back. Throws FileError,
+/// which names those that could not get it back. Files that have their names already are left
+/// alone.
+void commit_all(std::span<OutputFile* const> files);
+
+/// For a program that is about to end: removes what is not committed. Whoever writes on from
+/// another thread waits for ever; none is caught between two renames.
+void abandon_outputs();
 
 }  // namespace avo_io

@@ -22,6 +22,8 @@ class CsvRecording {
   /// One row a robot. Throws FileError.
   void add(const avo::Simulation& simulation);
   void commit() { file_.commit(); }
+  /// For commit_all().
+  OutputFile& file() { return file_; }
 
  private:
   OutputFile file_;

@@ -21,6 +21,10 @@ avo::Scenario load_scenario(const std::string& name_or_path,
 avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
                              const std::vector<std::string>& overrides = {});
 
+/// Is it a built-in name, so that load_scenario() reads no file? Throws OverrideError for N out of
+/// range.
+bool is_builtin_scene(const std::string& name);
+
 struct BuiltinScene {
   std::string name;         ///< "circle-N" for the whole family
   std::string description;  ///< one line

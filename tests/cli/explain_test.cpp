@@ -187,8 +187,10 @@ TEST(Explain, usage_errors) {
   };
   EXPECT_EQ(message({"--robot", "10"}), "avo: --robot: found 10, must be 0 to 9\n");
   EXPECT_EQ(message({"--robot", "-1"}), "avo: --robot: found -1, must be 0 to 9\n");
-  EXPECT_EQ(message({"--robot", "0", "--time", "-1"}), "avo: --time: found -1, must be >= 0 s\n");
-  EXPECT_EQ(message({"--robot", "0", "--time", "nan"}), "avo: --time: found nan, must be >= 0 s\n");
+  EXPECT_EQ(message({"--robot", "0", "--time", "-1"}),
+            "avo: --time: found -1, must be finite and >= 0 s\n");
+  EXPECT_EQ(message({"--robot", "0", "--time", "nan"}),
+            "avo: --time: found nan, must be finite and >= 0 s\n");
   EXPECT_EQ(message({"--robot", "0", "--time", "101"}),
             "avo: --time: found 101 s, must be <= duration = 100 s\n");
   EXPECT_NE(message({}).find("--robot"), std::string::npos);

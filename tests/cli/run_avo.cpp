@@ -20,18 +20,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A pipe that nobody reads.
+void redirect_to_closed_pipe(int target) {
+  int ends[2] = {-1, -1};
+  if (pipe(ends) != 0 || dup2(ends[1], target) < 0) _exit(99);
+  close(ends[0]);
+  close(ends[1]);
+}
+
 void redirect(const std::string& path, int target) {
+  if (path == "|") return redirect_to_closed_pipe(target);
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   if (file < 0 || dup2(file, target) < 0) _exit(99);
   close(file);
 }
 
 [[noreturn]] void become_avo(const std::vector<std::string>& arguments, const std::string& out,
-                             const std::string& err, int unread_pipe) {
-  if (unread_pipe >= 0)
-    dup2(unread_pipe, STDOUT_FILENO);
-  else
-    redirect(out, STDOUT_FILENO);
+                             const std::string& err, const std::function<void()>& before) {
+  redirect(out, STDOUT_FILENO);
   redirect(err, STDERR_FILENO);
   std::vector<char*> words;
   std::string name = "avo";
@@ -40,6 +46,7 @@ void redirect(const std::string& path, int target) {
   for (std::string& word : copies) words.push_back(word.data());
   words.push_back(nullptr);
   setenv("LSAN_OPTIONS", "print_suppressions=0:suppressions=" AVO_SUPPRESSIONS, 1);
+  if (before) before();
   execv(AVO_BINARY, words.data());
   _exit(98);
 }
@@ -56,27 +63,21 @@ struct TemporaryFolder {
 }  // namespace
 
 ProcessResult run_avo(const std::vector<std::string>& arguments, const ProcessOptions& options) {
-  const std::string err = path_of("stderr.txt");
-  const std::string own_out = path_of("stdout.txt");
-  const std::string out = options.out_path.empty() ? own_out : options.out_path;
-  int ends[2] = {-1, -1};
-  if (options.out_path == "|") {
-    if (pipe(ends) != 0) throw std::runtime_error("pipe");
-    close(ends[0]);
-  }
+  const std::string own_err = path_of("stderr.txt"), own_out = path_of("stdout.txt");
+  const std::string& err = options.err_path.empty() ? own_err : options.err_path;
+  const std::string& out = options.out_path.empty() ? own_out : options.out_path;
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork");
-  if (child == 0) become_avo(arguments, out, err, ends[1]);
-  if (ends[1] >= 0) close(ends[1]);
+  if (child == 0) become_avo(arguments, out, err, options.before);
   if (options.meanwhile) options.meanwhile(child);
   int status = 0;
   waitpid(child, &status, 0);
   ProcessResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   if (options.out_path.empty()) result.out = read_file(own_out);
-  result.err = read_file(err);
+  if (options.err_path.empty()) result.err = read_file(own_err);
   fs::remove(own_out);
-  fs::remove(err);
+  fs::remove(own_err);
   return result;
 }
 

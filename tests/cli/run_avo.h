@@ -13,8 +13,10 @@ struct ProcessResult {
 };
 
 struct ProcessOptions {
-  std::string out_path;  ///< standard output goes there instead; "|" is a pipe nobody reads
-  std::function<void(int pid)> meanwhile;  ///< called while it runs
+  std::string out_path = {};  ///< standard output goes there instead; "|" is a pipe nobody reads
+  std::string err_path = {};  ///< the same for the standard error output
+  std::function<void()> before = {};            ///< called in the process before avo starts
+  std::function<void(int pid)> meanwhile = {};  ///< called while it runs
 };
 
 /// In a folder of its own for each test, see folder().

@@ -11,7 +11,7 @@ constexpr Color kRed{1.0, 0.0, 0.0, 1.0};
 
 class CanvasFile : public FigureFile {};
 
-void draw_something(const std::string& path) {
+std::string drawing(const std::string& path) {
   Canvas canvas(path, 120.0, 80.0);
   canvas.set_view({{10.0, 10.0}, {110.0, 70.0}}, {{-1.0, -1.0}, {1.0, 1.0}});
   canvas.add_disc({{0.2, 0.1}, 0.5});
@@ -24,12 +24,12 @@ void draw_something(const std::string& path) {
     canvas.fill({0.0, 0.0, 1.0, 0.5});
   }
   canvas.text({-0.5, -0.5}, "*v*_{AB}^{pref} π", {.size = 10.0});
-  canvas.finish();
+  return canvas.finish();
 }
 
 std::string message_of(const std::string& path) {
   try {
-    draw_something(path);
+    (void)drawing(path);
   } catch (const Error& error) {
     return error.what();
   }
@@ -37,70 +37,33 @@ std::string message_of(const std::string& path) {
 }
 
 TEST_F(CanvasFile, one_drawing_code_makes_three_formats) {
-  for (const char* name : {"a.svg", "a.png", "a.pdf", "B.PNG"}) draw_something(path(name));
-  EXPECT_EQ(read_bytes(path("a.svg")).substr(0, 5), "<?xml");
-  EXPECT_EQ(read_bytes(path("a.png")).substr(1, 3), "PNG");
-  EXPECT_EQ(read_bytes(path("a.pdf")).substr(0, 5), "%PDF-");
-  EXPECT_EQ(read_bytes(path("B.PNG")), read_bytes(path("a.png")));
+  EXPECT_TRUE(drawing("a.svg").starts_with("<?xml"));
+  EXPECT_TRUE(drawing("a.pdf").starts_with("%PDF-"));
+  EXPECT_TRUE(drawing("a.png").starts_with("\x89PNG"));
+  EXPECT_EQ(drawing("B.PNG"), drawing("a.png"));
+  write_bytes(path("a.png"), drawing("a.png"));
   EXPECT_EQ(read_png(path("a.png")).width, 240U);
-  EXPECT_EQ(files(), 4U);  // and nothing temporary
 }
 
 TEST_F(CanvasFile, same_drawing_same_bytes_without_a_date) {
-  for (const char* extension : {".svg", ".png", ".pdf"}) {
-    const std::string file = path(std::string("a") + extension);
-    draw_something(file);
-    const std::string first = read_bytes(file);
-    draw_something(file);
-    EXPECT_TRUE(read_bytes(file) == first) << extension;
-    EXPECT_EQ(first.find("CreationDate"), std::string::npos) << extension;
+  for (const char* name : {"a.svg", "a.png", "a.pdf"}) {
+    const std::string first = drawing(name);
+    EXPECT_TRUE(drawing(name) == first) << name;
+    EXPECT_EQ(first.find("CreationDate"), std::string::npos) << name;
   }
 }
 
 TEST_F(CanvasFile, unknown_extensions_are_refused) {
   for (const char* name : {"a.jpg", "a", "png", "a.png.txt", ".d/svg"}) {
-    const std::string message = message_of(path(name));
-    EXPECT_NE(message.find(path(name)), std::string::npos) << message;
+    const std::string message = message_of(name);
+    EXPECT_TRUE(message.starts_with(name)) << message;
     EXPECT_NE(message.find("allowed: .svg, .png, .pdf"), std::string::npos) << message;
   }
-  EXPECT_EQ(files(), 0U);
 }
 
-TEST_F(CanvasFile, an_unwritable_path_is_named_with_the_reason) {
-  for (const char* name : {"missing/a.svg", "missing/a.png", "missing/a.pdf"}) {
-    const std::string message = message_of(path(name));
-    EXPECT_NE(message.find(path(name)), std::string::npos) << message;
-    EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
-  }
-}
-
-TEST_F(CanvasFile, a_failed_rename_leaves_nothing_behind) {
-  std::filesystem::create_directories(path("taken.png") + "/full");
-  const std::string message = message_of(path("taken.png"));
-  EXPECT_NE(message.find("directory"), std::string::npos) << message;
-  EXPECT_EQ(files(), 1U);
-}
-
-TEST_F(CanvasFile, a_full_disk_is_reported) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  // the temporary file of this process leads to a device that takes no byte
-  const std::string temporary = path("a.svg") + "." + std::to_string(::getpid()) + ".tmp";
-  std::filesystem::create_symlink("/dev/full", temporary);
-  const std::string message = message_of(path("a.svg"));
-  EXPECT_NE(message.find("No space left on device"), std::string::npos) << message;
-  EXPECT_EQ(files(), 0U);
-}
-
-TEST_F(CanvasFile, without_finish_the_old_file_stays) {
-  draw_something(path("a.png"));
-  const std::string before = read_bytes(path("a.png"));
-  {
-    Canvas canvas(path("a.png"), 10.0, 10.0);
-    canvas.add_page_box({{0.0, 0.0}, {10.0, 10.0}});
-    canvas.fill(kRed);
-  }
-  EXPECT_EQ(read_bytes(path("a.png")), before);
-  EXPECT_EQ(files(), 1U);
+TEST_F(CanvasFile, an_extension_without_a_name_is_refused) {
+  for (const char* name : {".svg", "folder/.png"})
+    EXPECT_NE(message_of(name).find("found an extension without a name"), std::string::npos);
 }
 
 TEST_F(CanvasFile, a_broken_page_is_an_error) {
@@ -136,7 +99,7 @@ TEST_F(CanvasFile, discs_fills_and_clips_end_up_where_they_belong) {
   }
   canvas.add_box({{-5.0, 4.5}, {-4.5, 5.0}});  // the clip is over
   canvas.fill(kRed);
-  canvas.finish();
+  write_bytes(path("a.png"), canvas.finish());
 
   const Picture picture = read_png(path("a.png"));
   const auto is = [&](Vec2 world, int red, int green) {

@@ -16,7 +16,7 @@ constexpr Color kRed{1.0, 0.0, 0.0, 1.0};
 
 TEST_F(ChartFile, points_stand_at_their_values) {
   const Chart chart{"x", "y", {{"", {{0.0, 0.0}, {500.0, 2.0}, {1000.0, 4.0}}, kRed}}};
-  draw_chart(chart, path("a.png"), {.width = 300.0});
+  write_bytes(path("a.png"), draw_chart(chart, path("a.png"), {.width = 300.0}));
   const Picture picture = read_png(path("a.png"));
   // the y axis reaches from 0 to 5, the first tick above 4 and some air
   const double width = 300.0 - kAxesLeft - 14.0;
@@ -33,17 +33,15 @@ TEST_F(ChartFile, points_stand_at_their_values) {
 }
 
 TEST_F(ChartFile, an_empty_or_broken_chart_is_refused) {
-  EXPECT_THROW(draw_chart({"x", "y", {}}, path("a.png")), Error);
-  EXPECT_THROW(draw_chart({"x", "y", {{"", {}, kRed}}}, path("a.png")), Error);
+  EXPECT_THROW((void)draw_chart({"x", "y", {}}, path("a.png")), Error);
+  EXPECT_THROW((void)draw_chart({"x", "y", {{"", {}, kRed}}}, path("a.png")), Error);
   const double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(draw_chart({"x", "y", {{"", {{0.0, infinite}}, kRed}}}, path("a.png")), Error);
-  EXPECT_THROW(draw_chart({"x", "y", {{"", {{0.0, 1.0}}, kRed}}}, path("a.bmp")), Error);
-  EXPECT_EQ(files(), 0U);
+  EXPECT_THROW((void)draw_chart({"x", "y", {{"", {{0.0, infinite}}, kRed}}}, path("a.png")), Error);
+  EXPECT_THROW((void)draw_chart({"x", "y", {{"", {{0.0, 1.0}}, kRed}}}, path("a.bmp")), Error);
 }
 
 TEST_F(ChartFile, a_single_point_can_be_drawn) {
-  draw_chart({"x", "y", {{"", {{0.0, 0.0}}, kRed}}}, path("a.svg"));
-  EXPECT_EQ(files(), 1U);
+  EXPECT_TRUE(draw_chart({"x", "y", {{"", {{0.0, 0.0}}, kRed}}}, "a.svg").ends_with("</svg>\n"));
 }
 
 }  // namespace

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user says by signals. A thread of its own waits for them, so that what it does then may
+// lock and allocate, and does not depend on what the others are doing.
+#include "signals.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <poll.h>
+#include <signal.h>
+#include <thread>
+#include <unistd.h>
+
+#include "avo_io/output_file.h"
+#include "exit_codes.h"
+#include "terminal.h"
+
+namespace avo_cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// timeout(1) and others send a signal to the process and to its group: twice within this time, it
+/// is one.
+constexpr std::chrono::milliseconds kSame{50};
+constexpr std::chrono::milliseconds kPatience{1000};
+
+std::atomic<int> noted_signal = 0;
+
+sigset_t awaited_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int number : {SIGINT, SIGTERM, SIGQUIT, SIGHUP}) {
+    struct sigaction action = {};
+    sigaction(number, nullptr, &action);
+    if (number != SIGHUP || action.sa_handler != SIG_IGN) sigaddset(&signals, number);
+  }
+  return signals;
+}
+
+/// The next of the signals, or 0 where none comes before `end`.
+int wait_until(Clock::time_point end, const sigset_t& signals) {
+  using std::chrono::nanoseconds;
+  while (true) {
+    const nanoseconds left = std::max(nanoseconds(end - Clock::now()), nanoseconds(0));
+    const timespec time{static_cast<time_t>(left / std::chrono::seconds(1)),
+                        static_cast<long>((left % std::chrono::seconds(1)).count())};
+    const int number = sigtimedwait(&signals, nullptr, &time);
+    if (number > 0) return number;
+    if (errno != EINTR) return 0;
+  }
+}
+
+/// Can a line be written to the standard error output without waiting for its reader?
+bool is_heard() {
+  pollfd error_output{STDERR_FILENO, POLLOUT, 0};
+  return poll(&error_output, 1, 0) == 1;
+}
+
+void end_on_signals(const sigset_t& signals) {
+  int first = 0;
+  while (sigwait(&signals, &first) != 0) {
+  }
+  noted_signal = first;
+  std::this_thread::sleep_for(kSame);
+  sigset_t same;
+  sigemptyset(&same);
+  sigaddset(&same, first);
+  wait_until(Clock::now(), same);
+  const int second = wait_until(Clock::now() + kPatience, signals);
+  avo_io::abandon_outputs();
+  if (is_heard()) say("ended by a signal; outputs that were not complete are not there");
+  _exit(kSignal + (second != 0 ? second : first));
+}
+
+}  // namespace
+
+void catch_signals() {
+  const sigset_t signals = awaited_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread(end_on_signals, signals).detach();
+}
+
+int signal_caught() {
+  return noted_signal;
+}
+
+}  // namespace avo_cli
