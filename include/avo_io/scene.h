@@ -15,12 +15,12 @@ namespace avo_io {
 /// file. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots
 /// that a group makes can be named as well. Throws SceneError, OverrideError or FileError; the
 /// scene returned has passed avo::validate.
-avo::Scenario load_scenario(const std::string& name_or_path,
-                            const std::vector<std::string>& overrides = {});
+AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
+                                    const std::vector<std::string>& overrides = {});
 
 /// The same from text; `file` stands in front of error messages.
-avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
-                             const std::vector<std::string>& overrides = {});
+AVO_API avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
+                                     const std::vector<std::string>& overrides = {});
 
 /// Is it a built-in name, so that load_scenario() reads no file? Throws OverrideError for N out of
 /// range.
