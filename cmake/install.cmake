@@ -5,6 +5,7 @@ set(avo_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/avo)
 set(avo_pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH avo_pc_to_prefix
   ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" avo_pc_to_prefix "${avo_pc_to_prefix}")
 file(RELATIVE_PATH avo_pc_to_include
   ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_FULL_INCLUDEDIR})
 file(RELATIVE_PATH avo_bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})

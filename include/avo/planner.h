@@ -136,12 +136,12 @@ struct Deciding;
 struct Sensing;
 struct Wished;
 class PlanWorkspace;
-AVO_API AVO_LOCAL void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                                     PlanWorkspace& workspace, StageClock& clock);
-AVO_API AVO_LOCAL void reserve_together(const Planner& planner, std::size_t robots,
-                                        std::size_t planes_each, std::size_t planes,
-                                        std::size_t neighbors_each, std::size_t neighbors,
-                                        std::size_t braking_steps, PlanWorkspace& workspace);
+AVO_LOCAL void plan_together(const Planner& planner, std::span<const Deciding> robots,
+                             PlanWorkspace& workspace, StageClock& clock);
+AVO_LOCAL void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
+                                std::size_t planes, std::size_t neighbors_each,
+                                std::size_t neighbors, std::size_t braking_steps,
+                                PlanWorkspace& workspace);
 
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
 /// Where memory runs out while it grows, plan() throws std::bad_alloc; it can be used again.

@@ -30,12 +30,12 @@ class AVO_API OutputFile {
   enum class Old { none, kept, not_kept };
 
   friend void commit_all(std::span<OutputFile* const> files);
-  void open_temporary();
-  void flush();
-  void settle();
-  void keep_old();
-  bool put_old_back();
-  [[noreturn]] void fail() const;
+  AVO_LOCAL void open_temporary();
+  AVO_LOCAL void flush();
+  AVO_LOCAL void settle();
+  AVO_LOCAL void keep_old();
+  AVO_LOCAL bool put_old_back();
+  [[noreturn]] AVO_LOCAL void fail() const;
 
   std::string name_;                // what messages call it
   std::string target_;              // behind all links; empty: written directly

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles and runs every C++ example of README.md by its own line of pkg-config, and validates the
-scenes of the documents.
+"""Compiles and runs every C++ example of the documents by README.md's line of pkg-config, and
+validates their scenes.
 
 usage: readme_examples.py PREFIX AVO [--compiler COMPILER] [--flags FLAGS]
 """
@@ -48,7 +48,7 @@ def main():
 
     examples = blocks("README.md", "cpp")
     assert len(examples) >= 2, "README.md has lost an example"
-    for number, text in enumerate(examples):
+    for number, text in enumerate(examples + blocks("docs/on_board.md", "cpp")):
         source = folder / f"example_{number}.cpp"
         source.write_text(text)
         run_program(arguments, source)
