@@ -45,6 +45,10 @@ def configure(arguments, source, build, *options):
         f"-DCMAKE_CXX_COMPILER={arguments.compiler}", f"-DCMAKE_CXX_FLAGS={arguments.flags}", *options)
 
 
+def build_all(build):
+    run("cmake", "--build", build, "--parallel", "2")
+
+
 def install_and_move(build, folder):
     """The prefix is not the one that the build was configured for, and moves after that."""
     run("cmake", "--install", build, "--prefix", folder / "installed")
@@ -55,7 +59,7 @@ def install_and_move(build, folder):
 def check_find_package(arguments, prefix):
     build = arguments.folder / "find_package"
     configure(arguments, CONSUMER, build, f"-DCMAKE_PREFIX_PATH={prefix}")
-    run("cmake", "--build", build)
+    build_all(build)
     print("find_package:", run(build / "core"), end="")
     print("find_package:", run(build / "io", build / "recording.csv"), end="")
     plugin = next(build.glob("libplugin.*"))
@@ -100,7 +104,7 @@ def check_shared(arguments):
     build = arguments.folder / "build"
     configure(arguments, ROOT, build, *QUICK, "-DBUILD_SHARED_LIBS=ON", "-DAVO_TESTS=OFF",
               "-DAVO_BENCH=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
-    run("cmake", "--build", build)
+    build_all(build)
     prefix = install_and_move(build, arguments.folder)
     shutil.rmtree(build)  # nothing may come from there
     check_installed(arguments, prefix)
@@ -110,7 +114,7 @@ def check_parent(arguments, shared=True):
     build, prefix = arguments.folder / "build", arguments.folder / "installed"
     configure(arguments, HERE / "parent", build, *QUICK, f"-DAVO_SOURCE={ROOT}",
               f"-DBUILD_SHARED_LIBS={'ON' if shared else 'OFF'}")
-    run("cmake", "--build", build)
+    build_all(build)
     print("add_subdirectory:", run(build / "core"), end="")
     tests = run("ctest", "--test-dir", build, "-N")
     expect("Total Tests: 1\n" in tests, f"not only its own test:\n{tests}")

@@ -55,7 +55,8 @@ def check(library):
              if not re.match(r"avo(_io)?::", name_of(symbol))
              or not set(re.findall(r"[A-Za-z_]\w*", name_of(symbol))) <= words | {"operator"}]
     if stray:
-        sys.exit(f"{library}: exports what is not public:\n  " + "\n  ".join(sorted(stray)))
+        sys.exit(f"{library}: exports {len(stray)} symbols that are not public, among them\n  "
+                 + "\n  ".join(sorted(stray)[:10]))
 
     namespace = "avo_io" if "avo_io" in pathlib.Path(library).name else "avo"
     declared = set()
