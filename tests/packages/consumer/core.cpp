@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uses the library as a user would: fails unless two robots pass each other, on two threads, and
 // unless an exception of the library's is caught as what it is.
-#include <avo/avo.h>
 #include <cstdio>
 #include <cstring>
+
+#include <avo/avo.h>
 
 namespace {
 

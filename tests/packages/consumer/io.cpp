@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes and recordings as a user would: a built-in scene is run, recorded, read again; a bad scene
 // is refused by an exception that is caught as what it is. usage: io RECORDING
-#include <avo/avo.h>
 #include <avo_io/recording.h>
 #include <avo_io/scene.h>
 #include <cstdio>
 #include <string>
+
+#include <avo/avo.h>
 
 namespace {
 
@@ -46,6 +47,7 @@ int main(int, char** arguments) {
   avo_io::RecordedTime moment;
   std::size_t rows = 0;
   while (reader.next(moment)) rows += moment.rows.size();
-  std::printf("%zu rows, %s\n", rows, avo_io::to_json(metrics.summary()).substr(0, 40).c_str());
+  const std::string summary = avo_io::to_json(metrics.summary());
+  std::printf("%zu rows, a summary of %zu bytes\n", rows, summary.size());
   return rows == 100 && refuses_bad_scenes() && refuses_missing_files() ? 0 : 1;
 }
