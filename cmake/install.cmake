@@ -1,21 +1,47 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(avo) and pkg-config: the library alone, what it needs is the compiler and threads.
+# find_package(avo) and pkg-config. An installed tree can be moved: all places in it are relative.
 include(CMakePackageConfigHelpers)
-install(TARGETS avo EXPORT avo-targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY include/avo ${PROJECT_BINARY_DIR}/include/avo
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT avo-targets NAMESPACE avo:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/avo)
+set(avo_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/avo)
+set(avo_pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH avo_pc_to_prefix
+  ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" avo_pc_to_prefix "${avo_pc_to_prefix}")
+file(RELATIVE_PATH avo_pc_to_include
+  ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+file(RELATIVE_PATH avo_bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+
+# A static library passes on what it needs; with a shared one it is nobody's business.
+set(avo_pc_threads "")
+set(avo_io_pc_needs "")
+if(NOT BUILD_SHARED_LIBS)
+  set(avo_pc_threads " -pthread")
+  set(avo_io_pc_needs " yaml-cpp fmt")
+endif()
+
+function(avo_install_library library)
+  install(TARGETS ${library} EXPORT ${library}-targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT ${library}-targets NAMESPACE avo:: DESTINATION ${avo_cmake_folder})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/${library}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  configure_file(cmake/${library}.pc.in ${PROJECT_BINARY_DIR}/${library}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${library}.pc DESTINATION ${avo_pc_folder})
+endfunction()
+
+avo_install_library(avo)
+install(FILES ${PROJECT_BINARY_DIR}/include/avo/version.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/avo)
+if(TARGET avo_io)
+  avo_install_library(avo_io)
+endif()
+if(TARGET avo_cli)
+  set_target_properties(avo_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${avo_bin_to_lib}")
+  install(TARGETS avo_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
 configure_package_config_file(cmake/avo-config.cmake.in ${PROJECT_BINARY_DIR}/avo-config.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/avo)
+  INSTALL_DESTINATION ${avo_cmake_folder} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/avo-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/avo-config.cmake ${PROJECT_BINARY_DIR}/avo-config-version.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/avo)
-
-set(avo_pc_private "${CMAKE_THREAD_LIBS_INIT}")
-configure_file(cmake/avo.pc.in ${PROJECT_BINARY_DIR}/avo.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/avo.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-if(AVO_CLI)
-  install(TARGETS avo_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+  DESTINATION ${avo_cmake_folder})

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# What every target of this project is compiled with.
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
-  set(CMAKE_BUILD_TYPE Release)
+# What every target of this project is compiled with. A project that adds this one keeps its own
+# build type.
+if(avo_top_level)
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release)
+  endif()
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 

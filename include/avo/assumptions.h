@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/scenario.h"
 
 namespace avo {
@@ -55,19 +56,19 @@ struct BrokenAssumptions {
 /// What the scene's certificate assumes and the scene does not keep; nothing where it has none.
 /// A billionth of a length or speed, which decimal fractions cost, breaks nothing. The scene has to
 /// pass validate().
-BrokenAssumptions broken_assumptions(const Scenario& scenario);
+AVO_API BrokenAssumptions broken_assumptions(const Scenario& scenario);
 
 /// The sensing radius that the certificate needs: two that meet first see each other so late that
 /// each has moved on for a whole step at max_speed, and can still brake. Obstacles are taken at
 /// their highest speed within the scene's duration. Unset without a certificate or anyone to meet.
-std::optional<SensingNeed> sensing_need(const Scenario& scenario);
+AVO_API std::optional<SensingNeed> sensing_need(const Scenario& scenario);
 
 /// m/s: the highest speed such that the sensing radius suffices if no robot may exceed it; to the
 /// last bit, rounded down. Infinite where it suffices as it is, 0 where no speed is low enough.
-double admissible_speed(const Scenario& scenario);
+AVO_API double admissible_speed(const Scenario& scenario);
 
 /// All robots start at rest. Returns how many did not.
-std::int64_t start_at_rest(Scenario& scenario);
+AVO_API std::int64_t start_at_rest(Scenario& scenario);
 
 struct LimitedSpeeds {
   std::int64_t robots = 0;  ///< with max_speed > limit before
@@ -77,6 +78,6 @@ struct LimitedSpeeds {
 /// Lowers max_speed to admissible_speed() where it is more, preferred_speed with it, and then the
 /// speeds at the start to max_speed. Changes nothing of a scene without a certificate, and no limit
 /// where no speed is low enough.
-LimitedSpeeds limit_speed(Scenario& scenario);
+AVO_API LimitedSpeeds limit_speed(Scenario& scenario);
 
 }  // namespace avo

@@ -4,6 +4,7 @@
 #include "avo/assumptions.h"
 #include "avo/check.h"
 #include "avo/error.h"
+#include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/half_plane.h"
 #include "avo/metrics.h"

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/vec.h"
 
 namespace avo {
@@ -85,13 +86,13 @@ struct CheckReport {
   std::vector<std::int64_t> not_arrived;  ///< ascending
 
   /// No overlap, no contact in motion, no limit exceeded.
-  [[nodiscard]] bool safe() const;
+  [[nodiscard]] AVO_API bool safe() const;
 };
 
 /// Feed it the rows of one time after the other. Between two rows a robot is judged on the cubic
 /// with their positions and velocities. Pairs overlap where their distance is less than
 /// (r_A + r_B)(1 - relative_tolerance) less the interpolation errors of both.
-class Check {
+class AVO_API Check {
  public:
   /// Throws Error on values out of range.
   explicit Check(const std::vector<CheckedRobot>& robots,
@@ -111,7 +112,7 @@ class Check {
   [[nodiscard]] CheckReport report() const;
 
  private:
-  struct State;
+  struct AVO_LOCAL State;
   std::unique_ptr<State> state_;
 };
 

@@ -5,10 +5,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "avo/export.h"
+
 namespace avo {
 
 /// One line that says where, what was found and what is allowed.
-class Error : public std::runtime_error {
+class AVO_API Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message) : std::runtime_error(message) {}
 };

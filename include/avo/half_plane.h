@@ -2,6 +2,7 @@
 // From two robots to one half-plane (paper §IV-B, §IV-C). Everything is relative to the present
 // velocities: w = v'_AB - v_AB, and w = 0 means "both keep their velocity".
 #pragma once
+#include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/horizon.h"
 #include "avo/velocity_obstacle.h"
@@ -31,16 +32,18 @@ struct RelativeHalfPlane {
 ///  (3) odd: (-p, -v) gives (-n, h), bit for bit;
 ///  (4) turning p and v by 90 degrees turns n, bit for bit; mirroring mirrors n, ties apart;
 ///  (5) ties (p parallel to v) are broken towards the left of p, so that A passes on its right.
-RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& horizon) noexcept;
+AVO_API RelativeHalfPlane half_plane(const Pair& pair, double reach,
+                                     const Horizon& horizon) noexcept;
 
 /// The same from the paper's boundary of `samples` points a side, joined by chords (§VI-A).
 /// Optimistic: chords cut through the obstacle. A reference, not for safety. May allocate.
-RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, const Horizon& horizon,
-                                     int samples);
+AVO_API RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, const Horizon& horizon,
+                                             int samples);
 
 /// ORCA's half-plane: the limit δ -> 0, reach -> infinity, in closed form. time_step is the
 /// window in which overlapping robots separate.
-RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon, double time_step) noexcept;
+AVO_API RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon,
+                                          double time_step) noexcept;
 
 /// Share of the responsibility of A, Eq. (20): proportional to its ability to change velocity.
 /// Requires: not both zero. (1) 0 <= share <= 1; (2) share(a, b) + share(b, a) = 1 to rounding.

@@ -3,6 +3,8 @@
 #pragma once
 #include <vector>
 
+#include "avo/export.h"
+
 namespace avo {
 
 /// One instant of the response, see Response.
@@ -25,7 +27,7 @@ struct ResponseTable {
 };
 
 /// Immutable; safe to share between threads.
-class Horizon {
+class AVO_API Horizon {
  public:
   /// δ, τ, Δt in s, all > 0.
   Horizon(double control_time, double time_horizon, double time_step);

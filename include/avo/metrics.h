@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/simulation.h"
 
 namespace avo {
@@ -55,7 +56,7 @@ struct RunSummary {
 };
 
 /// Call observe() once before the first step and once after every step.
-class Metrics {
+class AVO_API Metrics {
  public:
   explicit Metrics(const Scenario& scenario);
   ~Metrics();
@@ -64,7 +65,7 @@ class Metrics {
   [[nodiscard]] RunSummary summary() const;
 
  private:
-  struct State;
+  struct AVO_LOCAL State;
   std::unique_ptr<State> state_;
 };
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/robot.h"
 
@@ -51,10 +52,10 @@ struct SensingError {
 };
 
 /// As in scene files.
-const char* to_string(Method method);
-const char* to_string(Certificate certificate);
-const char* to_string(Motion motion);
-const char* to_string(Precision precision);
+AVO_API const char* to_string(Method method);
+AVO_API const char* to_string(Certificate certificate);
+AVO_API const char* to_string(Motion motion);
+AVO_API const char* to_string(Precision precision);
 
 struct PlannerOptions {
   Method method = Method::avo;
@@ -77,7 +78,7 @@ struct PlannerOptions {
 
 /// What is customary for the method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's
 /// δ 4 s, τ 10 s for the others (§VI-A).
-PlannerOptions default_options(Method method);
+AVO_API PlannerOptions default_options(Method method);
 
 enum class PlanStatus : std::uint8_t {
   /// Of method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
@@ -88,7 +89,7 @@ enum class PlanStatus : std::uint8_t {
   overlapping,    ///< in contact already, or braking no longer avoids it; v' separates if it can
   invalid_input,  ///< a number known or sensed is not finite or out of range: brakes
 };
-const char* to_string(PlanStatus status);
+AVO_API const char* to_string(PlanStatus status);
 
 struct Plan {
   /// [v'_A] m/s, Eqs. (14), (23). Of method avo, which approaches its target as fast as it may: the
@@ -135,12 +136,16 @@ struct Deciding;
 struct Sensing;
 struct Wished;
 class PlanWorkspace;
-void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                   PlanWorkspace& workspace, StageClock& clock);
+AVO_LOCAL void plan_together(const Planner& planner, std::span<const Deciding> robots,
+                             PlanWorkspace& workspace, StageClock& clock);
+AVO_LOCAL void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
+                                std::size_t planes, std::size_t neighbors_each,
+                                std::size_t neighbors, std::size_t braking_steps,
+                                PlanWorkspace& workspace);
 
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
 /// Where memory runs out while it grows, plan() throws std::bad_alloc; it can be used again.
-class PlanWorkspace {
+class AVO_API PlanWorkspace {
  public:
   PlanWorkspace();
   ~PlanWorkspace();
@@ -161,18 +166,14 @@ class PlanWorkspace {
   friend void reserve_together(const Planner&, std::size_t, std::size_t, std::size_t, std::size_t,
                                std::size_t, std::size_t, PlanWorkspace&);
   friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&, StageClock&);
-  struct Scratch;
+  struct AVO_LOCAL Scratch;
   std::unique_ptr<Scratch> scratch_;
 };
-
-void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, std::size_t neighbors_each, std::size_t neighbors,
-                      std::size_t braking_steps, PlanWorkspace& workspace);
 
 /// Decides for one robot. Immutable after construction and safe to share between threads: plan()
 /// is pure, it knows no time, ids, files or threads. It throws nothing but std::bad_alloc, and only
 /// while its workspace grows: see PlanWorkspace::reserve().
-class Planner {
+class AVO_API Planner {
  public:
   /// Throws Error on options out of range.
   explicit Planner(const PlannerOptions& options);
@@ -219,13 +220,15 @@ class Planner {
 
  private:
   friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&, StageClock&);
-  Plan choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-              const Wished& wished, PlanWorkspace& workspace, Detour& detour) const;
-  Plan certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
-               double violation, bool overlapping, PlanWorkspace& workspace) const;
-  Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status, double violation) const;
-  Plan step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status, double violation) const;
-  Plan brake(const Robot& robot, PlanStatus status, double violation) const;
+  AVO_LOCAL Plan choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
+                        const Wished& wished, PlanWorkspace& workspace, Detour& detour) const;
+  AVO_LOCAL Plan certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
+                         double violation, bool overlapping, PlanWorkspace& workspace) const;
+  AVO_LOCAL Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
+                        double violation) const;
+  AVO_LOCAL Plan step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
+                         double violation) const;
+  AVO_LOCAL Plan brake(const Robot& robot, PlanStatus status, double violation) const;
 
   PlannerOptions options_;
   std::shared_ptr<const Horizon> horizon_;  // tables of (δ, τ)

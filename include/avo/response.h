@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a new velocity v' = v + w is approached: x(t) = p + t v + g(t) w (paper Eqs. 7-9).
 #pragma once
+#include "avo/export.h"
 
 namespace avo {
 
 /// The response g of a robot to a change of its commanded velocity (or acceleration). Needed of
 /// any response: g(0) = 0, g' > 0 for t > 0, g convex. Evaluated to a few ulp at every t, without
 /// the cancellation of t + δ (e^{-t/δ} - 1) at small t/δ.
-class Response {
+class AVO_API Response {
  public:
   /// g = t: v' is adopted at once (velocity obstacle, ORCA).
   static Response velocity() { return Response(Kind::velocity, 0.0); }

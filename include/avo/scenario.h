@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/planner.h"
 #include "avo/vec.h"
 
@@ -51,17 +52,17 @@ struct Scenario {
 
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be
 /// > 0 m".
-void validate(const Scenario& scenario);
+AVO_API void validate(const Scenario& scenario);
 
 /// The scene's settings, with its method's own for what it leaves unset.
-PlannerOptions planner_options(const Scenario& scenario);
+AVO_API PlannerOptions planner_options(const Scenario& scenario);
 
 /// Number of the last step that begins no later than `time` >= 0 (s): step k is at k * time_step.
 /// A run of the whole scene takes last_step(scenario, scenario.duration) steps.
-std::int64_t last_step(const Scenario& scenario, double time);
+AVO_API std::int64_t last_step(const Scenario& scenario, double time);
 
 /// One line for each setting that does not fit the robots (δ, τ, Δt, sensing radius), with the
 /// arithmetic; empty where all is well. What a certificate assumes is told by broken_assumptions().
-std::vector<std::string> advice(const Scenario& scenario);
+AVO_API std::vector<std::string> advice(const Scenario& scenario);
 
 }  // namespace avo

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/planner.h"
 #include "avo/scenario.h"
 
@@ -50,7 +51,7 @@ struct StepProfile {
   std::vector<StageTime> stages = {};
 };
 
-class Simulation {
+class AVO_API Simulation {
  public:
   /// Throws Error on a bad scenario (see validate) or threads not in [0, 1024]. 0: as many as this
   /// process may use processors.
@@ -101,7 +102,7 @@ class Simulation {
   [[nodiscard]] int threads() const;  ///< that a step may use
 
  private:
-  struct State;
+  struct AVO_LOCAL State;
   std::unique_ptr<State> state_;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/response.h"
 
@@ -35,23 +36,23 @@ struct ClosestApproach {
 };
 
 /// w, the change that u stands for: u - v, or u itself for the acceleration obstacle.
-Vec2 change(const Obstacle& obstacle, Vec2 u);
+AVO_API Vec2 change(const Obstacle& obstacle, Vec2 u);
 
 /// Relative position at time t under u, Eq. (9).
-Vec2 relative_position(const Obstacle& obstacle, Vec2 u, double t);
+AVO_API Vec2 relative_position(const Obstacle& obstacle, Vec2 u, double t);
 
 /// Smallest distance of the centers over the window, exact to rounding (branch and bound on t).
-ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u);
+AVO_API ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u);
 
 /// Is u forbidden: a distance below r_AB somewhere in the window? Eqs. (4), (10).
-bool contains(const Obstacle& obstacle, Vec2 u);
+AVO_API bool contains(const Obstacle& obstacle, Vec2 u);
 
 /// The disc of all u that collide at time t > 0, Eqs. (5), (11), (27), (28).
-Disc disc(const Obstacle& obstacle, double t);
+AVO_API Disc disc(const Obstacle& obstacle, double t);
 
 /// Points where the two tangents from the origin touch `disc`, left q- then right q+, Eq. (26).
 /// From inside the disc there are none: both are its center then.
-std::pair<Vec2, Vec2> tangent_points(const Disc& disc);
+AVO_API std::pair<Vec2, Vec2> tangent_points(const Disc& disc);
 
 /// Times whose disc lies inside the discs just before them bear no boundary and are left out.
 struct Boundary {
@@ -61,6 +62,6 @@ struct Boundary {
 };
 
 /// `samples` points along each side, Eq. (29), at uniform times in (0, time_horizon].
-Boundary boundary(const Obstacle& obstacle, int samples);
+AVO_API Boundary boundary(const Obstacle& obstacle, int samples);
 
 }  // namespace avo

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "avo/export.h"
+
 namespace avo_io {
 
 /// Equal where writing to one file changes or replaces the other.
@@ -17,10 +19,10 @@ struct FileIdentity {
 
 /// All links followed. None for what several may share (devices, pipes, sockets), for folders, and
 /// where there is no such folder.
-std::optional<FileIdentity> identity_of(const std::string& path);
-std::optional<FileIdentity> identity_of(int descriptor);
+AVO_API std::optional<FileIdentity> identity_of(const std::string& path);
+AVO_API std::optional<FileIdentity> identity_of(int descriptor);
 
 /// Where the links at the end of `path` lead, dangling ones too.
-std::string behind_links(const std::string& path);
+AVO_API std::string behind_links(const std::string& path);
 
 }  // namespace avo_io

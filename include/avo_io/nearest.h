@@ -5,10 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "avo/export.h"
+
 namespace avo_io {
 
 /// The word most like `found`, if any is so like it that it may have been meant.
-std::optional<std::string_view> nearest(std::string_view found,
-                                        const std::vector<std::string_view>& words);
+AVO_API std::optional<std::string_view> nearest(std::string_view found,
+                                                const std::vector<std::string_view>& words);
 
 }  // namespace avo_io

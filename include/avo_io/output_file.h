@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "avo/export.h"
 #include "avo_io/errors.h"
 
 namespace avo_io {
@@ -12,7 +13,7 @@ namespace avo_io {
 /// Written under a temporary name beside its target, with the target's permissions where that
 /// exists; commit() gives it its name, else it goes away. Links are followed. Devices, pipes and
 /// the standard output are written directly.
-class OutputFile {
+class AVO_API OutputFile {
  public:
   /// "-" is the standard output. Throws FileError if the place cannot be written.
   explicit OutputFile(const std::string& path);
@@ -29,12 +30,12 @@ class OutputFile {
   enum class Old { none, kept, not_kept };
 
   friend void commit_all(std::span<OutputFile* const> files);
-  void open_temporary();
-  void flush();
-  void settle();
-  void keep_old();
-  bool put_old_back();
-  [[noreturn]] void fail() const;
+  AVO_LOCAL void open_temporary();
+  AVO_LOCAL void flush();
+  AVO_LOCAL void settle();
+  AVO_LOCAL void keep_old();
+  AVO_LOCAL bool put_old_back();
+  [[noreturn]] AVO_LOCAL void fail() const;
 
   std::string name_;                // what messages call it
   std::string target_;              // behind all links; empty: written directly
@@ -49,10 +50,10 @@ class OutputFile {
 /// renamed; where that fails for one, those before it get their old content back. Throws FileError,
 /// which names those that could not get it back. Files that have their names already are left
 /// alone.
-void commit_all(std::span<OutputFile* const> files);
+AVO_API void commit_all(std::span<OutputFile* const> files);
 
 /// For a program that is about to end: removes what is not committed. Whoever writes on from
 /// another thread waits for ever; none is caught between two renames.
-void abandon_outputs();
+AVO_API void abandon_outputs();
 
 }  // namespace avo_io

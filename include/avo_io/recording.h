@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "avo/check.h"
+#include "avo/export.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
@@ -16,7 +17,7 @@
 namespace avo_io {
 
 /// CSV with header "time,robot,x,y,vx,vy", 17 significant digits, rows by time then robot.
-class CsvRecording {
+class AVO_API CsvRecording {
  public:
   explicit CsvRecording(const std::string& path);
   /// One row a robot. Throws FileError.
@@ -38,7 +39,7 @@ struct RecordedTime {
 /// Reads what CsvRecording writes, and its like: columns in any order by the names of the first
 /// line, others ignored; times grouped and ascending, robots of one time in any order. Never holds
 /// more than one time.
-class RecordingReader {
+class AVO_API RecordingReader {
  public:
   /// "-" is the standard input. `robots`: numbers have to be lower. Throws FileError, and
   /// RecordingError where the first line does not name the columns.
@@ -54,11 +55,11 @@ class RecordingReader {
   [[nodiscard]] std::string place() const;
 
  private:
-  struct State;
+  struct AVO_LOCAL State;
   std::unique_ptr<State> state_;
 };
 
 /// One JSON object, keys in a fixed order; what there is not is null.
-std::string to_json(const avo::RunSummary& summary);
+AVO_API std::string to_json(const avo::RunSummary& summary);
 
 }  // namespace avo_io

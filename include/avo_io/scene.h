@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "avo/export.h"
 #include "avo/scenario.h"
 #include "avo_io/errors.h"
 
@@ -14,16 +15,16 @@ namespace avo_io {
 /// file. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots
 /// that a group makes can be named as well. Throws SceneError, OverrideError or FileError; the
 /// scene returned has passed avo::validate.
-avo::Scenario load_scenario(const std::string& name_or_path,
-                            const std::vector<std::string>& overrides = {});
+AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
+                                    const std::vector<std::string>& overrides = {});
 
 /// The same from text; `file` stands in front of error messages.
-avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
-                             const std::vector<std::string>& overrides = {});
+AVO_API avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
+                                     const std::vector<std::string>& overrides = {});
 
 /// Is it a built-in name, so that load_scenario() reads no file? Throws OverrideError for N out of
 /// range.
-bool is_builtin_scene(const std::string& name);
+AVO_API bool is_builtin_scene(const std::string& name);
 
 struct BuiltinScene {
   std::string name;         ///< "circle-N" for the whole family
@@ -31,9 +32,9 @@ struct BuiltinScene {
   std::string yaml;         ///< its text
 };
 /// By name, ascending.
-const std::vector<BuiltinScene>& builtin_scenes();
+AVO_API const std::vector<BuiltinScene>& builtin_scenes();
 
 /// JSON Schema (draft 2020-12) of scene files.
-std::string scenario_schema();
+AVO_API std::string scenario_schema();
 
 }  // namespace avo_io

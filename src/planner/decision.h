@@ -52,7 +52,8 @@ struct Wished {
 
   /// m/s, and by how much a neighbor with which everything within reach collides asks for more.
   double violation() const {
-    return std::max(result.violation, excess.empty() ? 0.0 : *std::ranges::max_element(excess));
+    return std::max(result.violation,
+                    excess.empty() ? 0.0 : *std::max_element(excess.begin(), excess.end()));
   }
 };
 

@@ -2,6 +2,8 @@
 #include "planner/relevance.h"
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
 
 #include "certificate/pair.h"
 #include "planner/arrival.h"

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Builds and runs users' programs with this library as a package.
+
+usage: check.py static BUILD      the finished build BUILD, installed and moved to another folder
+       check.py shared            a build with BUILD_SHARED_LIBS=ON, from scratch, likewise
+       check.py parent            a project that adds the sources, with a shared library
+       check.py libcxx            the same with a static one, by clang and libc++
+
+In an installed tree: by find_package and by pkg-config, each with avo and avo_io, and a plug-in
+that is loaded at run time; the command line, if the build has one; of a shared library also what it
+exports. Options: --folder FOLDER, for what is made (it is emptied); --compiler, --flags.
+"""
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import symbols
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+CONSUMER = HERE / "consumer"
+QUICK = ["-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DAVO_SIMD=OFF"]
+
+
+def run(*command, **changes):
+    """Its output; ends the check where the command fails."""
+    done = subprocess.run([str(word) for word in command], env=dict(os.environ, **changes),
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}\nexit status {done.returncode}")
+    return done.stdout
+
+
+def expect(condition, message):
+    if not condition:
+        sys.exit(message)
+
+
+def configure(arguments, source, build, *options):
+    run("cmake", "-G", "Ninja", "-S", source, "-B", build,
+        f"-DCMAKE_CXX_COMPILER={arguments.compiler}", f"-DCMAKE_CXX_FLAGS={arguments.flags}", *options)
+
+
+def build_all(build):
+    run("cmake", "--build", build, "--parallel", "2")
+
+
+def install_and_move(build, folder):
+    """The prefix is not the one that the build was configured for, and moves after that."""
+    run("cmake", "--install", build, "--prefix", folder / "installed")
+    (folder / "installed").rename(folder / "moved")
+    return folder / "moved"
+
+
+def check_find_package(arguments, prefix):
+    build = arguments.folder / "find_package"
+    configure(arguments, CONSUMER, build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    build_all(build)
+    print("find_package:", run(build / "core"), end="")
+    print("find_package:", run(build / "io", build / "recording.csv"), end="")
+    plugin = next(build.glob("libplugin.*"))
+    print("plug-in:     ", run(sys.executable, "-c", "import ctypes, sys\n"
+                               "sys.exit(ctypes.CDLL(sys.argv[1]).cross())", plugin), end="")
+
+
+def check_pkg_config(arguments, prefix):
+    build = arguments.folder / "pkg_config"
+    build.mkdir()
+    library = next(prefix.rglob("pkgconfig")).parent
+    package = {"PKG_CONFIG_PATH": str(library / "pkgconfig")}
+    for program, name in (("core", "avo"), ("io", "avo_io")):
+        for mode in ([], ["--static"]) if list(library.glob("*.a")) else ([],):
+            words = run("pkg-config", *mode, "--cflags", "--libs", name, **package).split()
+            run(arguments.compiler, *arguments.flags.split(), CONSUMER / f"{program}.cpp", *words,
+                "-o", build / program)
+            print("pkg-config:  ", run(build / program, build / "recording.csv",
+                                       LD_LIBRARY_PATH=str(library)), end="")
+
+
+def check_command_line(prefix):
+    program = prefix / "bin" / "avo"
+    run(program, "run", "circle-10", "--set", "duration=1")
+    print("command line:", run("ldd", program).count(str(prefix.resolve())), "libraries of its own")
+
+
+def check_installed(arguments, prefix):
+    check_find_package(arguments, prefix)
+    check_pkg_config(arguments, prefix)
+    if (prefix / "bin" / "avo").exists():
+        check_command_line(prefix)
+    for library in sorted(prefix.rglob("libavo*.so")):
+        symbols.check(library)
+
+
+def check_static(arguments):
+    check_installed(arguments, install_and_move(arguments.build, arguments.folder))
+
+
+def check_shared(arguments):
+    build = arguments.folder / "build"
+    configure(arguments, ROOT, build, *QUICK, "-DBUILD_SHARED_LIBS=ON", "-DAVO_TESTS=OFF",
+              "-DAVO_BENCH=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
+    build_all(build)
+    prefix = install_and_move(build, arguments.folder)
+    shutil.rmtree(build)  # nothing may come from there
+    check_installed(arguments, prefix)
+
+
+def check_parent(arguments, shared=True):
+    build, prefix = arguments.folder / "build", arguments.folder / "installed"
+    configure(arguments, HERE / "parent", build, *QUICK, f"-DAVO_SOURCE={ROOT}",
+              f"-DBUILD_SHARED_LIBS={'ON' if shared else 'OFF'}")
+    build_all(build)
+    print("add_subdirectory:", run(build / "core"), end="")
+    tests = run("ctest", "--test-dir", build, "-N")
+    expect("Total Tests: 1\n" in tests, f"not only its own test:\n{tests}")
+    run("cmake", "--install", build, "--prefix", prefix)
+    files = [str(path.relative_to(prefix)) for path in prefix.rglob("*") if path.is_file()]
+    expect(files == ["bin/core"], f"not only its own file is installed: {files}")
+
+
+def check_libcxx(arguments):
+    arguments.compiler, arguments.flags = "clang++", "-stdlib=libc++"
+    check_parent(arguments, shared=False)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("kind", choices=["static", "shared", "parent", "libcxx"])
+    parser.add_argument("build", nargs="?", type=pathlib.Path)
+    parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "packages")
+    parser.add_argument("--compiler", default="c++")
+    parser.add_argument("--flags", default="")
+    arguments = parser.parse_args()
+    arguments.folder = (arguments.folder / arguments.kind).absolute()
+    shutil.rmtree(arguments.folder, ignore_errors=True)
+    arguments.folder.mkdir(parents=True)
+    {"static": check_static, "shared": check_shared, "parent": check_parent,
+     "libcxx": check_libcxx}[arguments.kind](arguments)
+
+
+if __name__ == "__main__":
+    main()
