@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/elementary.h"
 #include "random.h"
 
 namespace avo_io {
@@ -223,7 +224,7 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
       robot.car->heading = random.between(-kPi, kPi);
     if (robot.car && group.heading == GroupHeading::goal) {
       const Vec2 way = robot.goal - robot.position;
-      robot.car->heading = std::atan2(way.y, way.x);
+      robot.car->heading = avo::elementary::atan2(way.y, way.x);
     }
     scenario.robots.push_back(robot);
   }

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <type_traits>
 
 #include "avo/error.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 
 namespace avo {
@@ -58,7 +58,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   double angle = 0.0;
   if (setup.car) {
     angle = setup.car->heading;
-    v = norm(v) * Vec2{std::cos(angle), std::sin(angle)};
+    v = norm(v) * elementary::direction(angle);
   }
   const std::size_t slot = size();
   for_each_column([&](auto& column) { column.resize(slot + 1); });
