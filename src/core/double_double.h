@@ -36,8 +36,7 @@ constexpr DoubleDouble halves(double a) {
 constexpr DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   const DoubleDouble x = halves(a), y = halves(b);
-  return {product,
-          ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low};
+  return {product, ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low};
 }
 
 constexpr DoubleDouble operator-(DoubleDouble a) {

@@ -95,8 +95,7 @@ inline constexpr DoubleDouble kArctangents[] = {
 constexpr DoubleDouble arctangent(double b, double a) {
   const auto k = static_cast<std::size_t>(16.0 * (b / a) + 0.5);
   const double tangent = static_cast<double>(k) / 16.0;
-  const DoubleDouble z =
-      (-two_product(tangent, a) + b) / (two_product(tangent, b) + a);
+  const DoubleDouble z = (-two_product(tangent, a) + b) / (two_product(tangent, b) + a);
   const double square = z.high * z.high;
   double tail = 0.0;
   for (double n = 13.0; n >= 3.0; n -= 2.0) tail = -square * (1.0 / n + tail);

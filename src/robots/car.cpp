@@ -84,7 +84,8 @@ MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimi
   const double slow = limits.max_acceleration * time_step;
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn =
-      moves ? elementary::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity)) : 0.0;
+      moves ? elementary::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity))
+            : 0.0;
   if (top > slow || (moves && std::abs(turn) <= kTurnInPlace)) {
     return drive(state, speed, control, time_step);
   }
