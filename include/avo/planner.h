@@ -62,7 +62,7 @@ struct PlannerOptions {
   double control_time = 2.0;  ///< [δ] s, > 0, Eq. (7)
   double time_horizon = 3.0;  ///< [τ] s, > 0, Definition 2
   double time_step = 0.1;     ///< [Δt] s, > 0, <= control_time where motion is held
-  int samples = 0;            ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
+  int samples = 0;            ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
   Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
   /// >= 1: the first so many get a half-plane; unset: all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};

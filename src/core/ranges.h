@@ -27,8 +27,8 @@ inline constexpr Range kAnyValue{-kLargest, kLargest, false};
 inline constexpr Range kPositive{0.0, kLargest, true};
 inline constexpr Range kNotNegative{0.0, kLargest, false};
 inline constexpr Range kAtLeastOne{1.0, std::numeric_limits<std::int32_t>::max(), false};
-/// Boundary samples a side: 0 (exact) or from 2.
-inline constexpr Range kSamples{0.0, 10000.0, false};
+/// Boundary samples a side: 0 (exact) or from 2. A decision takes time by their square.
+inline constexpr Range kSamples{0.0, 1000.0, false};
 
 /// Refused before anything is allocated.
 inline constexpr std::int64_t kMostRobots = 1'000'000;

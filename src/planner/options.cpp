@@ -6,6 +6,7 @@
 #include <string>
 
 #include "avo/error.h"
+#include "core/ranges.h"
 
 namespace avo {
 namespace {
@@ -106,8 +107,8 @@ void validate(const PlannerOptions& options) {
       options.time_step > options.control_time) {
     refuse("time_step", std::to_string(options.time_step), "<= control_time where motion is held");
   }
-  if (options.samples < 0 || options.samples == 1) {
-    refuse("samples", std::to_string(options.samples), "0 (exact) or >= 2");
+  if (!kSamples.contains(options.samples) || options.samples == 1) {
+    refuse("samples", std::to_string(options.samples), "0 (exact) or 2 to 1000");
   }
   if (options.max_neighbors && *options.max_neighbors < 1) {
     refuse("max_neighbors", std::to_string(*options.max_neighbors), ">= 1");
