@@ -40,26 +40,34 @@ constexpr Reduced reduced(double x) {
   return {rest, static_cast<int>(static_cast<std::int64_t>(quarters) & 3)};
 }
 
-// Taylor: what is small enough in double, the first terms in both parts.
+// Coefficients of Taylor's series that are small enough to be doubles: of x^7 and up, and of x^6.
+inline constexpr double kSineTail[] = {
+    -1.0 / 5040.0,          1.0 / 362880.0,          -1.0 / 39916800.0,          1.0 / 6227020800.0,
+    -1.0 / 1307674368000.0, 1.0 / 355687428096000.0, -1.0 / 121645100408832000.0};
+inline constexpr double kCosineTail[] = {
+    -1.0 / 720.0,         1.0 / 40320.0,          -1.0 / 3628800.0,         1.0 / 479001600.0,
+    -1.0 / 87178291200.0, 1.0 / 20922789888000.0, -1.0 / 6402373705728000.0};
+
+// z (c_0 + z (c_1 + ...))
+template <std::size_t count>
+constexpr double polynomial(const double (&coefficients)[count], double z) {
+  double sum = 0.0;
+  for (std::size_t k = count; k > 0; --k) sum = z * (coefficients[k - 1] + sum);
+  return sum;
+}
+
 constexpr double sine_near_zero(DoubleDouble r) {
   const DoubleDouble square = r * r;
-  const double z = square.high;
-  double tail = 0.0;
-  for (double n = 18.0; n >= 8.0; n -= 2.0) tail = z / (n * (n + 1.0)) * (1.0 - tail);
-  tail = -z / 5040.0 * (1.0 - tail);
-  DoubleDouble sum = DoubleDouble{0x1.1111111111111p-7, 0x1.1111111111111p-63} + tail;  // 1/5!
-  sum = DoubleDouble{-0x1.5555555555555p-3, -0x1.5555555555555p-57} + square * sum;     // -1/3!
+  DoubleDouble sum = {0x1.1111111111111p-7, 0x1.1111111111111p-63};  // 1/5!
+  sum = sum + polynomial(kSineTail, square.high);
+  sum = DoubleDouble{-0x1.5555555555555p-3, -0x1.5555555555555p-57} + square * sum;  // -1/3!
   return (r + r * (square * sum)).high;
 }
 
 constexpr double cosine_near_zero(DoubleDouble r) {
   const DoubleDouble square = r * r;
-  const double z = square.high;
-  double tail = 0.0;
-  for (double n = 17.0; n >= 9.0; n -= 2.0) tail = z / (n * (n + 1.0)) * (1.0 - tail);
-  tail = z / 40320.0 * (1.0 - tail);
-  DoubleDouble sum = DoubleDouble{-0x1.6c16c16c16c17p-10, 0x1.f49f49f49f49fp-65} + tail;  // -1/6!
-  sum = DoubleDouble{0x1.5555555555555p-5, 0x1.5555555555555p-59} + square * sum;         // 1/4!
+  DoubleDouble sum = {0x1.5555555555555p-5, 0x1.5555555555555p-59};  // 1/4!
+  sum = sum + polynomial(kCosineTail, square.high);
   sum = DoubleDouble{-0.5, 0.0} + square * sum;
   return (DoubleDouble{1.0, 0.0} + square * sum).high;
 }

@@ -169,7 +169,7 @@ def constants():
     for k in range(17):
         yield from parts(arctangent(Decimal(k) / 16), 2) if k else (0.0, 0.0)
     yield from (first, float(ln2 - Decimal(first)), float(1 / ln2))
-    for n in (6, 24, 120, 720):
+    for n in (6, 24, 120):
         yield from parts(1 / Decimal(n), 2)
 
 
