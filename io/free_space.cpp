@@ -41,6 +41,8 @@ FreeSpace::FreeSpace(Vec2 min, Vec2 max, double radius, double clearance, std::s
 }
 
 Cells FreeSpace::cells_of(double side) const {
+  constexpr double kSmallest = 1e-300;  // m, so that 1/side is finite
+  side = std::max({side, std::max(size_.x, size_.y) / most_cells_, kSmallest});
   const auto along = [&](double length) { return std::floor(length / side) + 1.0; };
   while (along(size_.x) * along(size_.y) > most_cells_) side *= 1.25;
   return {side, 1.0 / side, static_cast<int>(along(size_.x)), static_cast<int>(along(size_.y))};

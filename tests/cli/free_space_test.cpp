@@ -77,6 +77,18 @@ TEST(FreeSpace, touching_is_clear_and_nearer_is_not) {
   }
 }
 
+TEST(FreeSpace, of_the_smallest_and_largest_sizes) {
+  for (const double size : {0.0, 5e-324, 1.0, 1e12}) {
+    for (const double radius : {5e-324, 1e-300, 1e12}) {
+      avo_io::FreeSpace space({0, 0}, {size, size}, radius, 0.0, 2);
+      EXPECT_TRUE(space.is_clear({0, 0}));
+      space.add({{0, 0}, radius});
+      EXPECT_FALSE(space.is_clear({0, 0}));
+      EXPECT_EQ(space.is_clear({size, size}), std::sqrt(2.0) * size >= 2.0 * radius);
+    }
+  }
+}
+
 std::uint64_t hash_of(const avo::Scenario& scenario) {
   std::uint64_t hash = 0;
   const auto add = [&](double value) {
