@@ -30,6 +30,7 @@ std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, F
     const double x = from.between(min.x, max.x);
     return Vec2{x, from.between(min.y, max.y)};
   };
+  // a try draws two numbers whatever became of the last: cells are fetched that many tries ahead
   Random ahead = random;
   for (int k = 0; k < 32; ++k) space.prefetch(draw(ahead));
   std::vector<Vec2> points;
