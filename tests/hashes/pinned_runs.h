@@ -2,6 +2,7 @@
 // Runs whose state hashes are pinned: a change of any bit of motion shows here.
 #pragma once
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct PinnedRun {
   std::int64_t steps = 0;              // 0: to the end of the scene's duration
   std::uint64_t hash = 0;              // Simulation::state_hash() after the last step
 };
+
+inline std::ostream& operator<<(std::ostream& out, const PinnedRun& run) {
+  return out << run.name;
+}
 
 const std::vector<PinnedRun>& pinned_runs();
 
