@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
-#include <functional>
-#include <unordered_map>
 #include <vector>
 
+#include "core/elementary.h"
+#include "free_space.h"
 #include "random.h"
 
 namespace avo_io {
@@ -19,93 +19,31 @@ using avo::Vec2;
 
 constexpr double kPi = 3.141592653589793;
 
-struct PlacedDisc {
-  Vec2 center;
-  double radius;
-};
-
-/// Discs in square cells, to ask whether a new one is clear of all. Cells are looked up, never
-/// walked through, so that their order does not matter. They are wide, so that most questions look
-/// into one or two of them.
-class PlacedDiscs {
- public:
-  /// No disc added or asked about may be larger than `largest_radius`.
-  PlacedDiscs(double largest_radius, double clearance)
-      : largest_radius_(largest_radius),
-        clearance_(clearance),
-        cell_(4.0 * (2.0 * largest_radius + clearance)) {}
-
-  void reserve(int more) {
-    discs_.reserve(discs_.size() + static_cast<std::size_t>(more));
-    last_.reserve(discs_.size() + static_cast<std::size_t>(more));
-  }
-  bool is_clear(const PlacedDisc& disc) const {
-    const double reach = disc.radius + largest_radius_ + clearance_;  // <= cell_ / 4
-    const Cell low = cell_of(disc.center - Vec2{reach, reach});
-    const Cell high = cell_of(disc.center + Vec2{reach, reach});
-    for (const double x : {low.x, high.x}) {
-      for (const double y : {low.y, high.y}) {
-        if (!is_clear_of({x, y}, disc)) return false;
-        if (low.y == high.y) break;
-      }
-      if (low.x == high.x) break;
-    }
-    return true;
-  }
-  void add(const PlacedDisc& disc) {
-    const auto [last, is_first] = last_.try_emplace(cell_of(disc.center), kNone);
-    discs_.push_back({disc, last->second});
-    last->second = static_cast<int>(discs_.size()) - 1;
-  }
-
- private:
-  static constexpr int kNone = -1;
-  struct Entry {
-    PlacedDisc disc;
-    int before;  // in the same cell, or kNone
-  };
-  struct Cell {
-    double x, y;  // whole numbers, of any size
-    bool operator==(const Cell&) const = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Cell& c) const {
-      return std::hash<double>()(c.x) * 0x9E3779B97F4A7C15U + std::hash<double>()(c.y);
-    }
-  };
-  Cell cell_of(Vec2 p) const { return {std::floor(p.x / cell_), std::floor(p.y / cell_)}; }
-  bool is_clear_of(const Cell& cell, const PlacedDisc& disc) const {
-    const auto last = last_.find(cell);
-    if (last == last_.end()) return true;
-    for (int i = last->second; i != kNone; i = discs_[static_cast<std::size_t>(i)].before) {
-      const PlacedDisc& other = discs_[static_cast<std::size_t>(i)].disc;
-      if (norm(disc.center - other.center) < disc.radius + other.radius + clearance_) return false;
-    }
-    return true;
-  }
-
-  double largest_radius_, clearance_, cell_;
-  std::vector<Entry> discs_;
-  std::unordered_map<Cell, int, Hash> last_;  // of each cell
-};
-
-/// `number` centers, uniform in the rectangle, clear of each other and of `placed`; fewer if there
-/// is no room.
-std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, PlacedDiscs& placed,
+/// `number` centers, uniform in the rectangle of `space`, clear of each other and of all in it;
+/// fewer if there is no room.
+std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, FreeSpace& space,
                                 Random& random) {
-  constexpr int kTries = 2000;  // a disc; finds room up to about nine tenths of what is possible
+  // A disc; finds room up to about nine tenths of what is possible. That may take 2e7 tries in all
+  // for a million discs, nearly all of which end in a covered cell.
+  constexpr int kTries = 2000;
+  const auto draw = [&](Random& from) {
+    const double x = from.between(min.x, max.x);
+    return Vec2{x, from.between(min.y, max.y)};
+  };
+  // a try draws two numbers whatever became of the last: cells are fetched that many tries ahead
+  Random ahead = random;
+  for (int k = 0; k < 32; ++k) space.prefetch(draw(ahead));
   std::vector<Vec2> points;
-  placed.reserve(number);
   for (int i = 0; i < number; ++i) {
     int tries = 0;
-    PlacedDisc disc{{}, radius};
+    Vec2 center;
     do {
       if (++tries > kTries) return points;
-      disc.center.x = random.between(min.x, max.x);
-      disc.center.y = random.between(min.y, max.y);
-    } while (!placed.is_clear(disc));
-    placed.add(disc);
-    points.push_back(disc.center);
+      space.prefetch(draw(ahead));
+      center = draw(random);
+    } while (!space.is_clear(center));
+    space.add({center, radius});
+    points.push_back(center);
   }
   return points;
 }
@@ -151,13 +89,13 @@ Starts starts(const LinePlacement& line, int n) {
 
 Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenario& scenario,
               Random& random) {
-  double largest = group.robot.radius;
-  for (const auto& robot : scenario.robots) largest = std::max(largest, robot.radius);
-  for (const auto& mover : scenario.moving_obstacles) largest = std::max(largest, mover.radius);
-  PlacedDiscs placed(largest, area.clearance);
-  for (const auto& robot : scenario.robots) placed.add({robot.position, robot.radius});
-  for (const auto& mover : scenario.moving_obstacles) placed.add({mover.position, mover.radius});
-  return {random_points(group.number, area.min, area.max, group.robot.radius, placed, random),
+  const double radius = group.robot.radius;
+  const std::size_t count = scenario.robots.size() + scenario.moving_obstacles.size();
+  FreeSpace space(area.min, area.max, radius, area.clearance,
+                  count + static_cast<std::size_t>(group.number));
+  for (const auto& robot : scenario.robots) space.add({robot.position, robot.radius});
+  for (const auto& mover : scenario.moving_obstacles) space.add({mover.position, mover.radius});
+  return {random_points(group.number, area.min, area.max, radius, space, random),
           0.5 * (area.min + area.max)};
 }
 
@@ -168,8 +106,8 @@ std::vector<Vec2> goals(const Group& group, const Starts& from, Random& random) 
   } else if (const auto* offset = std::get_if<OffsetGoals>(&group.goals)) {
     for (Vec2& p : result) p = p + offset->by;
   } else if (const auto* area = std::get_if<RandomGoals>(&group.goals)) {
-    PlacedDiscs placed(group.robot.radius, area->clearance);
-    result = random_points(group.number, area->min, area->max, group.robot.radius, placed, random);
+    FreeSpace space(area->min, area->max, group.robot.radius, area->clearance, from.points.size());
+    result = random_points(group.number, area->min, area->max, group.robot.radius, space, random);
   } else {
     for (std::size_t i = result.size() - 1; i > 0; --i)  // Sattolo: one cycle through all
       std::swap(result[i], result[random.below(i)]);
@@ -223,7 +161,7 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
       robot.car->heading = random.between(-kPi, kPi);
     if (robot.car && group.heading == GroupHeading::goal) {
       const Vec2 way = robot.goal - robot.position;
-      robot.car->heading = std::atan2(way.y, way.x);
+      robot.car->heading = avo::elementary::atan2(way.y, way.x);
     }
     scenario.robots.push_back(robot);
   }

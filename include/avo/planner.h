@@ -64,7 +64,7 @@ struct PlannerOptions {
   double time_horizon = 3.0;  ///< [τ] s, > 0, Definition 2
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
-  int samples = 0;  ///< 0: exact half-planes; N >= 2: the paper's N boundary samples
+  int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
   Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
   /// >= 1: the nearest so many get a half-plane; unset: all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
+
 namespace avo::judge {
 namespace {
 
@@ -26,7 +28,7 @@ double arc_error(const CheckedState& before, const CheckedState& now, double max
   const double from = norm(before.velocity), to = norm(now.velocity);
   if (!(from > 0.0 && to > 0.0)) return any;
   const double turn =
-      std::atan2(cross(before.velocity, now.velocity), dot(before.velocity, now.velocity));
+      elementary::atan2(cross(before.velocity, now.velocity), dot(before.velocity, now.velocity));
   const double change = std::abs(to - from) * duration;  // a Δt², m
   const double top = std::max(from, to);
   const double rate = std::abs(turn) * top / (0.5 * (from + to));  // v κ Δt, rad

@@ -35,8 +35,8 @@ inline constexpr Range kAnyValue{-kLargest, kLargest, false};
 inline constexpr Range kPositive{0.0, kLargest, true};
 inline constexpr Range kNotNegative{0.0, kLargest, false};
 inline constexpr Range kAtLeastOne{1.0, std::numeric_limits<std::int32_t>::max(), false};
-/// Boundary samples a side: 0 (exact) or from 2.
-inline constexpr Range kSamples{0.0, 10000.0, false};
+/// Boundary samples a side: 0 (exact) or from 2. A decision takes time by their square.
+inline constexpr Range kSamples{0.0, 1000.0, false};
 
 /// [δ] s: (v' - v)/δ of a shorter one is rounding, and exceeds a_max.
 inline constexpr double kShortestControl = 1e-6;

@@ -2,7 +2,7 @@
 // Eqs. (7)-(9): g, g' and the lag of every response, without cancellation at small t/δ.
 #include "avo/response.h"
 
-#include <cmath>
+#include "core/elementary.h"
 
 namespace avo {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 // u + e^{-u} - 1 for u >= 0. Below 1/2 the subtraction would lose up to all digits: the series
 // u²/2 - u³/6 + ... is summed instead, to 2^-54 relative at u = 1/2 with 14 terms.
 double proportional_gain(double u) {
-  if (u > 0.5) return u + std::expm1(-u);
+  if (u > 0.5) return u + elementary::expm1(-u);
   double sum = 0.0;
   for (int k = 16; k >= 3; --k) sum = -(u / k) * (1.0 + sum);
   return 0.5 * u * u * (1.0 + sum);
@@ -43,7 +43,7 @@ double Response::rate(double t) const {
     case Kind::proportional:
       break;
   }
-  return -std::expm1(-t / control_time_);
+  return -elementary::expm1(-t / control_time_);
 }
 
 double Response::lag(double t) const {

@@ -123,8 +123,8 @@ void validate(const PlannerOptions& options) {
     refuse("time_step", text(options.time_step), "<= time_horizon");
   }
   if (!adopts_at_once(options.method)) validate_control(options);
-  if (options.samples < 0 || options.samples == 1) {
-    refuse("samples", std::to_string(options.samples), "0 (exact) or >= 2");
+  if (!kSamples.contains(options.samples) || options.samples == 1) {
+    refuse("samples", std::to_string(options.samples), "0 (exact) or 2 to 1000");
   }
   if (options.max_neighbors && *options.max_neighbors < 1) {
     refuse("max_neighbors", std::to_string(*options.max_neighbors), ">= 1");

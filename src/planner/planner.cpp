@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "avo/half_plane.h"
+#include "core/elementary.h"
 #include "core/ranges.h"
 #include "lp/lens.h"
 #include "lp/linear_program.h"
@@ -48,7 +49,7 @@ bool can_brake(const Robot& robot) {
 // Others predict that it brakes along its velocity, and it brakes along its heading.
 bool is_valid(const CarSetup& car, Vec2 velocity) {
   if ((is_known(car.heading) & is_size(car.wheelbase)) == 0) return false;
-  const Vec2 heading{std::cos(car.heading), std::sin(car.heading)};
+  const Vec2 heading = elementary::direction(car.heading);
   return norm_squared(velocity - norm(velocity) * heading) <=
          kHeadingTolerance * kHeadingTolerance * norm_squared(velocity);
 }

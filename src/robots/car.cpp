@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "robots/motion.h"
 
 namespace avo {
@@ -58,13 +59,13 @@ MotionStep drive(const MotionState& state, double speed, const Controls& control
   const double half_turn = 0.5 * control.curvature * length;
   const double middle = state.heading + half_turn;
   const double chord =
-      std::abs(half_turn) < 1e-8 ? length : length * (std::sin(half_turn) / half_turn);
+      std::abs(half_turn) < 1e-8 ? length : length * (elementary::sin(half_turn) / half_turn);
   const double top = std::max(speed, next_speed);
 
   MotionStep step;
-  step.next.position = state.position + chord * Vec2{std::cos(middle), std::sin(middle)};
+  step.next.position = state.position + chord * elementary::direction(middle);
   step.next.heading = wrapped(state.heading + 2.0 * half_turn);
-  step.next.velocity = next_speed * Vec2{std::cos(step.next.heading), std::sin(step.next.heading)};
+  step.next.velocity = next_speed * elementary::direction(step.next.heading);
   step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
   const bool early = speed + control.linear * time_step < -1e-9 * speed;
   step.bend =
@@ -76,14 +77,15 @@ MotionStep drive(const MotionState& state, double speed, const Controls& control
 
 MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimits& limits,
                        double time_step) {
-  const Vec2 heading{std::cos(state.heading), std::sin(state.heading)};
+  const Vec2 heading = elementary::direction(state.heading);
   const double speed = norm(state.velocity);
   const Controls control = controls(plan.acceleration, heading, speed, time_step);
   const double top = std::max(speed, speed + control.linear * time_step);
   const double slow = limits.max_acceleration * time_step;
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn =
-      moves ? std::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity)) : 0.0;
+      moves ? elementary::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity))
+            : 0.0;
   if (top > slow || (moves && std::abs(turn) <= kTurnInPlace)) {
     return drive(state, speed, control, time_step);
   }

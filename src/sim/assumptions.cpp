@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "core/elementary.h"
 #include "neighbors/uniform_grid.h"
 
 namespace avo {
@@ -34,7 +35,7 @@ struct Starts {
 // Of a car only the length counts, see CarSetup.
 Vec2 start_velocity(const RobotSetup& robot) {
   if (!robot.car) return robot.velocity;
-  return norm(robot.velocity) * Vec2{std::cos(robot.car->heading), std::sin(robot.car->heading)};
+  return norm(robot.velocity) * elementary::direction(robot.car->heading);
 }
 
 double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {

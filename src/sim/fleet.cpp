@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <type_traits>
 
 #include "avo/error.h"
+#include "core/elementary.h"
 
 namespace avo {
 namespace {
@@ -57,7 +57,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   double angle = 0.0;
   if (setup.car) {
     angle = setup.car->heading;
-    v = norm(v) * Vec2{std::cos(angle), std::sin(angle)};
+    v = norm(v) * elementary::direction(angle);
   }
   const std::size_t slot = size();
   // all that may throw, before anything changes

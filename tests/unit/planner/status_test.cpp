@@ -193,14 +193,16 @@ TEST(Options, out_of_range_are_refused_by_name) {
   expect_refused(coarse, "time_step");
   coarse.motion = Motion::exponential;
   EXPECT_NO_THROW(Planner{coarse});
-  for (const int bad : {-1, 1, -1000}) {
+  for (const int bad : {-1, 1, -1000, 1001, 10000}) {
     PlannerOptions options = test::paper_options();
     options.samples = bad;
     expect_refused(options, "samples");
   }
   PlannerOptions options = test::paper_options();
-  options.samples = 2;
-  EXPECT_NO_THROW(const Planner planner(options));
+  for (const int good : {2, 1000}) {
+    options.samples = good;
+    EXPECT_NO_THROW(const Planner planner(options));
+  }
 }
 
 TEST(Options, times_of_which_rounding_would_exceed_the_limits_are_refused) {

@@ -22,6 +22,7 @@ Case random_case(Random& random, Motion motion) {
   c.options.motion = motion;
   c.options.control_time = random.log_uniform(0.05, 50.0);
   c.options.time_step = c.options.control_time * random.log_uniform(1e-4, 1.0);
+  c.options.time_horizon = 50.0;
   c.state.position = test::in_disc(random, 10.0);
   c.state.velocity = test::in_disc(random, 3.0);
   c.plan.new_velocity = test::in_disc(random, 3.0);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hashes/pinned_runs.h"
+
+#include "avo/simulation.h"
+#include "avo_io/scene.h"
+
+namespace avo_test {
+
+const std::vector<PinnedRun>& pinned_runs() {
+  static const std::vector<PinnedRun> runs{
+      {"circle_100", "circle-100", {}, 0, 0x3d383cfd28de9b1d},
+      {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0xa66ab94362a4b029},
+      {"swap_blocks", "swap-blocks", {}, 0, 0xd2970f590ee36d74},
+      {"uniform_1000", "uniform-1000", {}, 100, 0xf6bfd85f2d058b08},
+      {"cars_100", "cars-100", {}, 0, 0x475e0d66afc27f0b},
+      {"moving_obstacle_exponential",
+       "moving-obstacle",
+       {"motion=exponential"},
+       0,
+       0xb6667258c747a752},
+  };
+  return runs;
+}
+
+std::uint64_t state_hash(const PinnedRun& run, int threads) {
+  const avo::Scenario scenario = avo_io::load_scenario(run.scene, run.overrides);
+  const std::int64_t steps =
+      run.steps > 0 ? run.steps : avo::last_step(scenario, scenario.duration);
+  avo::Simulation simulation(scenario, threads);
+  while (simulation.steps() < steps) simulation.step();
+  return simulation.state_hash();
+}
+
+}  // namespace avo_test

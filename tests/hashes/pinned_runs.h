@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs whose state hashes are pinned: a change of any bit of motion shows here.
+#pragma once
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace avo_test {
+
+struct PinnedRun {
+  std::string name;
+  std::string scene;
+  std::vector<std::string> overrides;  // as --set takes them
+  std::int64_t steps = 0;              // 0: to the end of the scene's duration
+  std::uint64_t hash = 0;              // Simulation::state_hash() after the last step
+};
+
+inline std::ostream& operator<<(std::ostream& out, const PinnedRun& run) {
+  return out << run.name;
+}
+
+const std::vector<PinnedRun>& pinned_runs();
+
+/// The hash that `run` has now. threads as Simulation takes them.
+std::uint64_t state_hash(const PinnedRun& run, int threads);
+
+}  // namespace avo_test
