@@ -54,7 +54,10 @@ void validate_certificate(const PlannerOptions& options) {
     refuse("certificate", certificate,
            std::string("none with method ") + to_string(options.method));
   }
-  require_positive(options.soft_stop_time, "soft_stop_time");
+  // a scene sets it by its slowest robot, whether it is used or not
+  if (!(std::isfinite(options.soft_stop_time) && options.soft_stop_time > 0.0)) {
+    refuse("soft_stop_time", text(options.soft_stop_time), "> 0 s");
+  }
   require_positive(options.arrival_distance, "arrival_distance", "> 0 m");
   validate_sensing_error(options);
   if (options.certificate != Certificate::linear_soft_stop) return;

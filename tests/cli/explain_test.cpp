@@ -79,13 +79,29 @@ TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
 }
 
 TEST(Explain, names_moving_obstacles) {
-  const Json json = explained({"positions-exchange", "--robot", "1", "--set", kPaper, "--set",
-                               "moving_obstacles=[{position: [30, 0]}, {position: [7, 0.5], "
-                               "velocity: [1, 0]}]"});
-  ASSERT_EQ(json["half_planes"].size(), 1U) << "the other robot is too far away";
+  std::vector<std::string> words{"positions-exchange",
+                                 "--robot",
+                                 "1",
+                                 "--set",
+                                 kPaper,
+                                 "--set",
+                                 "moving_obstacles=[{position: [36, 0]}, {position: [7, 0.5], "
+                                 "velocity: [1, 0]}]",
+                                 "--set",
+                                 "sensing_radius=25"};
+  Json json = explained(words);
+  ASSERT_EQ(json["half_planes"].size(), 2U);
   EXPECT_EQ(json["half_planes"][0]["neighbor"], "moving_obstacles.1");
+  EXPECT_EQ(json["half_planes"][1]["neighbor"], 0);
+  ASSERT_EQ(json["obstacles"].size(), 2U) << "the other one is too far away";
   EXPECT_EQ(json["obstacles"][0]["neighbor"], "moving_obstacles.1");
   EXPECT_EQ(json["obstacles"][0]["max_acceleration"], 0.0);
+  // where the other robot is too far away there is nobody to share half-planes with
+  words.back() = "sensing_radius=15";
+  json = explained(words);
+  EXPECT_EQ(json["rule"], "union_of_obstacles");
+  EXPECT_EQ(json["half_planes"], Json::array());
+  ASSERT_EQ(json["obstacles"].size(), 1U);
 }
 
 TEST(Explain, a_robot_alone_avoids_the_union_of_obstacles) {
