@@ -16,6 +16,10 @@ bool is_valid(const Neighbor& neighbor);
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors);
 bool all_valid(const Robot& robot, const Neighbors& neighbors);
 
+/// Whether a car moves along its valid heading, as those of a simulation do: others predict that it
+/// brakes along its velocity, and it brakes along its heading.
+bool follows_heading(const Robot& robot);
+
 /// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under
 /// every option.
 bool can_follow(const Robot& robot, const PlannerOptions& options);

@@ -46,21 +46,20 @@ bool can_brake(const Robot& robot) {
   return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed)) != 0;
 }
 
-// Others predict that it brakes along its velocity, and it brakes along its heading.
-bool is_valid(const CarSetup& car, Vec2 velocity) {
-  if ((is_known(car.heading) & is_size(car.wheelbase)) == 0) return false;
-  const Vec2 heading = elementary::direction(car.heading);
-  return norm_squared(velocity - norm(velocity) * heading) <=
-         kHeadingTolerance * kHeadingTolerance * norm_squared(velocity);
-}
-
 }  // namespace
 
 bool is_valid(const Robot& robot) {
   const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
   const int lengths = is_size(robot.radius) & static_cast<int>(robot.distance_to_goal >= 0.0);
   return can_brake(robot) && (places & lengths) != 0 &&
-         (!robot.car || is_valid(*robot.car, robot.velocity));
+         (!robot.car || (is_known(robot.car->heading) & is_size(robot.car->wheelbase)) != 0);
+}
+
+bool follows_heading(const Robot& robot) {
+  if (!robot.car) return true;
+  const Vec2 v = robot.velocity, heading = elementary::direction(robot.car->heading);
+  return norm_squared(v - norm(v) * heading) <=
+         kHeadingTolerance * kHeadingTolerance * norm_squared(v);
 }
 
 bool is_valid(const Neighbor& neighbor) {
@@ -245,7 +244,9 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace, Detour& detour) const {
   if (!is_sound(detour)) detour = {};
-  if (!all_valid(robot, neighbors)) return brake(robot, PlanStatus::invalid_input, 0.0);
+  if (!all_valid(robot, neighbors) || !follows_heading(robot)) {
+    return brake(robot, PlanStatus::invalid_input, 0.0);
+  }
   Plan plan;
   StageClock clock;
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
@@ -259,7 +260,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> given,
                                    PlanWorkspace& workspace) const {
-  if (!all_valid(robot, given) || !can_follow(robot, options_)) {
+  if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, options_)) {
     return brake(robot, PlanStatus::invalid_input, 0.0);
   }
   const std::span<const Neighbor> obstacles = nearest_first(robot, given, *workspace.scratch_);

@@ -49,23 +49,28 @@ double bend(double speed, double next_speed, const Controls& control, double tim
   return time_step * time_step * time_step * (3.0 * jerk(speed) + jerk(next_speed)) / 24.0;
 }
 
+// a turned by the angle of a unit vector.
+Vec2 turned(Vec2 a, Vec2 by) {
+  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
+}
+
 // Eq. (24) with held controls: an arc of the length that the speed covers, which stops at v = 0.
-MotionStep drive(const MotionState& state, double speed, const Controls& control,
+// heading: the unit vector of state.heading, which elementary functions are not asked for again.
+MotionStep drive(const MotionState& state, Vec2 heading, double speed, const Controls& control,
                  double time_step) {
   const bool stops = speed + control.linear * time_step <= 0.0;
   const double next_speed = stops ? 0.0 : speed + control.linear * time_step;
   const double length = stops && control.linear < 0.0 ? speed * speed / (-2.0 * control.linear)
                                                       : 0.5 * (speed + next_speed) * time_step;
   const double half_turn = 0.5 * control.curvature * length;
-  const double middle = state.heading + half_turn;
-  const double chord =
-      std::abs(half_turn) < 1e-8 ? length : length * (elementary::sin(half_turn) / half_turn);
+  const Vec2 half = elementary::direction(half_turn), middle = turned(heading, half);
+  const double chord = std::abs(half_turn) < 1e-8 ? length : length * (half.y / half_turn);
   const double top = std::max(speed, next_speed);
 
   MotionStep step;
-  step.next.position = state.position + chord * elementary::direction(middle);
+  step.next.position = state.position + chord * middle;
   step.next.heading = wrapped(state.heading + 2.0 * half_turn);
-  step.next.velocity = next_speed * elementary::direction(step.next.heading);
+  step.next.velocity = next_speed * turned(middle, half);
   step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
   const bool early = speed + control.linear * time_step < -1e-9 * speed;
   step.bend =
@@ -82,14 +87,15 @@ MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimi
   const Controls control = controls(plan.acceleration, heading, speed, time_step);
   const double top = std::max(speed, speed + control.linear * time_step);
   const double slow = limits.max_acceleration * time_step;
+  if (top > slow) return drive(state, heading, speed, control, time_step);
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn =
       moves ? elementary::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity))
             : 0.0;
-  if (top > slow || (moves && std::abs(turn) <= kTurnInPlace)) {
-    return drive(state, speed, control, time_step);
+  if (moves && std::abs(turn) <= kTurnInPlace) {
+    return drive(state, heading, speed, control, time_step);
   }
-  if (speed > 0.0) return drive(state, speed, {-speed / time_step, 0.0}, time_step);
+  if (speed > 0.0) return drive(state, heading, speed, {-speed / time_step, 0.0}, time_step);
 
   // the front axle, one wheelbase ahead, moves at v_max at most
   const double most = limits.max_speed / limits.wheelbase * time_step;

@@ -12,7 +12,7 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0xa66ab94362a4b029},
       {"swap_blocks", "swap-blocks", {}, 0, 0xd2970f590ee36d74},
       {"uniform_1000", "uniform-1000", {}, 100, 0xf6bfd85f2d058b08},
-      {"cars_100", "cars-100", {}, 0, 0x475e0d66afc27f0b},
+      {"cars_100", "cars-100", {}, 0, 0x110f6615994a3252},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
