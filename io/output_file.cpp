@@ -77,7 +77,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard 
   if (identity_of(target_) != identity_of(path))
     throw FileError(path + ": found a file without a name, must have one");
   if (exists && access(target_.c_str(), W_OK) != 0) fail();
-  open_temporary();
+  open_temporary(exists ? 0600 : 0666);  // of one that may be private: its permissions follow
   if (exists) copy_permissions(status, descriptor_);
 }
 
@@ -89,11 +89,11 @@ OutputFile::~OutputFile() {
   temporaries().paths.erase(temporary_);
 }
 
-void OutputFile::open_temporary() {
+void OutputFile::open_temporary(unsigned mode) {
   const std::lock_guard lock(temporaries().mutex);
   while (descriptor_ < 0) {
     const auto path = temporaries().paths.insert(random_name_beside(target_)).first;
-    descriptor_ = open(path->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    descriptor_ = open(path->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
     temporary_ = *path;
     if (descriptor_ >= 0) return;
     const int reason = errno;

@@ -197,7 +197,8 @@ class AVO_API Planner {
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 
-  /// The half-planes of plan() that cut into what the robot may choose, into workspace.planes.
+  /// The half-planes of plan() that cut into what the robot may choose, into workspace.planes; none
+  /// where plan() says invalid_input.
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
                            PlanWorkspace& workspace) const;
 

@@ -65,8 +65,8 @@ class AVO_API Simulation {
 
   /// One sensing-acting cycle of all robots: decide from the present generation, move by Δt.
   /// Bit-identical for any number of threads; allocates nothing once warm. Where memory runs out it
-  /// throws std::bad_alloc; some robots may have moved then and others not, and every later step
-  /// throws Error.
+  /// throws std::bad_alloc: either before anyone has moved, so that the step can be tried again, or
+  /// after some have, and then every later step throws Error.
   void step();
 
   /// Throws Error on bad values, and under a certificate on a robot that would have to be seen from

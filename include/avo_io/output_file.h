@@ -30,7 +30,7 @@ class AVO_API OutputFile {
   enum class Old { none, kept, not_kept };
 
   friend void commit_all(std::span<OutputFile* const> files);
-  AVO_LOCAL void open_temporary();
+  AVO_LOCAL void open_temporary(unsigned mode);
   AVO_LOCAL void flush();
   AVO_LOCAL void settle();
   AVO_LOCAL void keep_old();

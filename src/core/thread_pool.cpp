@@ -2,9 +2,12 @@
 #include "core/thread_pool.h"
 
 #include <algorithm>
-#include <system_error>
+#include <exception>
 #if defined(__linux__)
 #include <sched.h>
+#endif
+#if defined(__unix__)
+#include <unistd.h>
 #endif
 #if defined(__x86_64__) || defined(__i386__)
 #include <immintrin.h>
@@ -65,18 +68,28 @@ std::size_t usable_processors() {
 
 void ThreadPool::start() {
   started_ = true;
+#if defined(__unix__)
+  process_ = getpid();
+#endif
   try {
     helpers_.reserve(workers_ - 1);
     while (helpers_.size() + 1 < workers_) {
       helpers_.emplace_back(&ThreadPool::help, this, helpers_.size() + 1);
     }
-  } catch (const std::system_error&) {
-    return;  // as many as there are
+  } catch (const std::exception&) {
+    return;  // of the system or of memory: as many as there are
   }
 }
 
 ThreadPool::~ThreadPool() {
-  gate_.store(kStop, std::memory_order_release);
+#if defined(__unix__)
+  if (started_ &&
+      process_ != getpid()) {  // after a fork: threads stay behind, and so do their handles
+    static_cast<void>(new std::vector<std::thread>(std::move(helpers_)));
+    return;
+  }
+#endif
+  gate_.store(kStop);  // sequentially consistent: who is about to fall asleep is told, too
   gate_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
@@ -132,7 +145,7 @@ void ThreadPool::run(std::size_t count, Task task, void* context) {
   task_ = task, context_ = context, count_ = count;
   next_.store(0, std::memory_order_relaxed);
   const std::uint32_t gate = gate_.load(std::memory_order_relaxed);
-  gate_.store((gate / kOpening + 1) * kOpening | kOpen, std::memory_order_release);
+  gate_.store((gate / kOpening + 1) * kOpening | kOpen);
   gate_.notify_all();
   const Clock::time_point start = Clock::now();
   const std::size_t own = take_tasks(0);

@@ -51,6 +51,7 @@ class ThreadPool final : public Executor {
 
   std::size_t workers_;
   bool started_ = false;
+  long process_ = 0;            // that started the threads; a child of a fork goes on without
   Patience patience_;           // of the caller
   std::size_t alone_ = 0;       // calls for which it goes on without help
   std::size_t next_alone_ = 0;  // as many after the next wait that does not pay

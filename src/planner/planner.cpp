@@ -206,6 +206,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
                                   PlanWorkspace& workspace) const {
   workspace.planes.clear();
   workspace.overlapping = false;
+  if (!all_valid(robot, neighbors)) return;
   const Lens allowed = make_lens(acceleration_disc(robot), speed_disc(robot));
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   for (const std::uint32_t k : list_nearest(options_, robot, neighbors, scratch)) {
@@ -243,15 +244,15 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace, Detour& detour) const {
-  if (!is_sound(detour)) detour = {};
+  Detour next = is_sound(detour) ? detour : Detour{};
   if (!all_valid(robot, neighbors) || !follows_heading(robot)) {
+    detour = next;
     return brake(robot, PlanStatus::invalid_input, 0.0);
   }
   Plan plan;
   StageClock clock;
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   const Neighbors seen = in_columns(nearest_first(robot, neighbors, scratch), scratch.seen);
-  Detour next = detour;
   const Deciding alone{{&robot, seen, true}, &next, &plan};
   plan_together(*this, {&alone, 1}, workspace, clock);
   detour = next;

@@ -116,10 +116,12 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
       body(chunk * kChunk, std::min((chunk + 1) * kChunk, count));
     });
   };
+  std::size_t widest = 0;
+  for_each_column([&](auto& column) { widest = std::max(widest, sizeof column[0]); });
+  if (scratch_.size() < count * widest) scratch_.resize(count * widest);  // before anything changes
   for_each_column([&](auto& column) {
     using T = typename std::decay_t<decltype(column)>::value_type;
     static_assert(std::is_trivially_copyable_v<T>);
-    if (scratch_.size() < count * sizeof(T)) scratch_.resize(count * sizeof(T));
     std::byte* const copy = scratch_.data();
     for_each_chunk([&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {

@@ -87,8 +87,6 @@ std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
 struct Simulation::State : World {
   using World::World;
 
-  bool is_torn = false;  // a step ended before all had moved
-
   // in the order of ids; made when it is asked for
   std::mutex looking;
   std::atomic<bool> is_mirrored = false;
@@ -111,13 +109,9 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
-  if (state_->is_torn) {
-    throw Error("Simulation::step: found a state that an earlier step left half moved");
-  }
+  if (state_->torn) throw Error("Simulation::step: memory ran out in the midst of an earlier step");
   state_->is_mirrored = false;
-  state_->is_torn = true;
   avo::step(*state_);
-  state_->is_torn = false;
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {

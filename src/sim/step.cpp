@@ -220,6 +220,7 @@ void step(World& world) {
   const std::size_t robots = world.fleet.size();
   Executor& executor = executor_of(world);
   index(world, executor);
+  world.torn = true;
   parallel_for(executor, (robots + kTileRobots - 1) / kTileRobots,
                [&](std::size_t tile, std::size_t worker) {
                  const std::size_t first = tile * kTileRobots;
@@ -232,6 +233,7 @@ void step(World& world) {
     world.fast = world.fast || worker.fast;
     worker.fast = false;
   }
+  world.torn = false;
   world.obstacles.advance(world.settings.time_step);
   ++world.steps;
   if (world.workers[0].clock.is_on()) world.robot_steps += static_cast<std::int64_t>(robots);

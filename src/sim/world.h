@@ -50,6 +50,7 @@ struct World {
   std::unique_ptr<Executor> executor;
   SerialExecutor serial;
   std::vector<Worker> workers;   // as many as the executor has
+  bool torn = false;             // a step ended while some had moved and others not
   bool changed = true;           // robots came or went
   bool fast = false;             // some robot exceeds its max_speed
   bool valid = false;            // all robots were, when they came, and there is nobody else

@@ -13,6 +13,10 @@
 #if defined(__linux__)
 #include <sched.h>
 #endif
+#if defined(__unix__)
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 #include "avo/error.h"
 #include "core/thread_pool.h"
@@ -94,6 +98,27 @@ TEST(ThreadPool, the_number_of_threads_is_refused_where_nobody_can_mean_it) {
   EXPECT_THROW(Simulation(scene, 1025), Error);
   EXPECT_EQ(Simulation(scene, 1024).threads(), 1024);  // none starts for two robots
 }
+
+#if defined(__unix__)
+// As Python's multiprocessing does.
+TEST(ThreadPool, a_child_of_a_fork_goes_on_without_help_and_ends) {
+  auto simulation = std::make_unique<Simulation>(test::dense_scene(600, Motion::held), 4);
+  simulation->step();
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    alarm(60);
+    simulation->step();
+    const std::uint64_t hash = simulation->state_hash();
+    simulation.reset();
+    _exit(hash == 0 ? 1 : 0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  simulation->step();
+}
+#endif
 
 // A host's job system in miniature: backwards, and each task by another worker.
 class Backwards final : public Executor {

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which options of a planner are refused, and how that is said.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+
+#include "avo/error.h"
+#include "unit/planner/crowds.h"
+
+namespace avo {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+void expect_refused(const PlannerOptions& options, const std::string& field) {
+  try {
+    const Planner planner(options);
+    FAIL() << field << " was accepted";
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("PlannerOptions." + field), std::string::npos) << what;
+    EXPECT_NE(what.find("must be"), std::string::npos) << what;
+  }
+}
+
+TEST(Options, out_of_range_are_refused_by_name) {
+  for (const double bad : {0.0, -0.0, -1.0, kNaN, kInfinity, -kInfinity}) {
+    PlannerOptions options = test::paper_options();
+    options.control_time = bad;
+    expect_refused(options, "control_time");
+    options = test::paper_options();
+    options.time_horizon = bad;
+    expect_refused(options, "time_horizon");
+    options = test::paper_options();
+    options.time_step = bad;
+    expect_refused(options, "time_step");
+  }
+  PlannerOptions coarse = test::paper_options();
+  coarse.time_step = 4.1;
+  expect_refused(coarse, "time_step");
+  coarse.motion = Motion::exponential;
+  EXPECT_NO_THROW(Planner{coarse});
+  for (const int bad : {-1, 1, -1000, 1001, 10000}) {
+    PlannerOptions options = test::paper_options();
+    options.samples = bad;
+    expect_refused(options, "samples");
+  }
+  PlannerOptions options = test::paper_options();
+  for (const int good : {2, 1000}) {
+    options.samples = good;
+    EXPECT_NO_THROW(const Planner planner(options));
+  }
+}
+
+TEST(Options, times_of_which_rounding_would_exceed_the_limits_are_refused) {
+  for (const Method method : {Method::avo, Method::avo_paper}) {
+    PlannerOptions options = default_options(method);
+    options.motion = Motion::exponential;
+    for (const double bad : {5e-324, 1e-300, 1e-12, 1e-7, 1e-4}) {
+      options.control_time = bad;
+      expect_refused(options, "control_time");
+    }
+    // at the edge of what is accepted limits are kept
+    options.control_time = options.time_step / 700.0 * (1.0 + 1e-15);
+    const Planner planner(options);
+    PlanWorkspace workspace;
+    const Robot robot{.velocity = {1.0, 0.7}, .preferred_velocity = {-2.0, 0.3}};
+    const Plan plan = planner.plan(robot, {}, workspace);
+    EXPECT_TRUE(is_finite(plan.acceleration));
+    EXPECT_LE(norm(plan.acceleration), robot.max_acceleration * (1.0 + 1e-9));
+    options = default_options(method);
+    options.control_time = options.time_step = 1e-7;
+    expect_refused(options, "control_time");
+    options = default_options(method);
+    options.time_step = options.control_time = 1.01 * options.time_horizon;
+    expect_refused(options, "time_step");
+    options = default_options(method);
+    options.time_horizon = 1.1e12;
+    expect_refused(options, "time_horizon");
+  }
+  PlannerOptions at_once = default_options(Method::orca);
+  at_once.control_time = 1e-12;  // has none
+  EXPECT_NO_THROW(Planner{at_once});
+}
+
+std::string refusal(const PlannerOptions& options) {
+  try {
+    const Planner planner(options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Options, that_do_not_go_together_are_refused_by_name) {
+  PlannerOptions options;
+  for (const Method method : {Method::avo_paper, Method::velocity_obstacle, Method::orca}) {
+    options = default_options(method);
+    EXPECT_EQ(refusal(options), "");
+    options.certificate = Certificate::stopping_capsules;
+    EXPECT_EQ(refusal(options), std::string("PlannerOptions.certificate: found stopping_capsules, "
+                                            "must be none with method ") +
+                                    to_string(method));
+  }
+  options = {};
+  options.max_neighbors = 0;
+  EXPECT_EQ(refusal(options), "PlannerOptions.max_neighbors: found 0, must be >= 1");
+  options = {};
+  options.sensing_error = {.position = -0.01, .velocity = 0.0};
+  EXPECT_EQ(refusal(options), "PlannerOptions.sensing_error.position: found -0.01, must be >= 0 m");
+  options.sensing_error = {.position = 0.0, .velocity = std::nan("")};
+  EXPECT_EQ(refusal(options), "PlannerOptions.sensing_error.velocity: found nan, must be >= 0 m/s");
+  options.certificate = Certificate::stopping_capsules;
+  options.sensing_error = {.position = 0.01, .velocity = 0.0};
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.sensing_error: found one, must be none with certificate "
+            "stopping_capsules");
+  options = {};
+  options.soft_stop_time = 0.0;
+  EXPECT_EQ(refusal(options), "PlannerOptions.soft_stop_time: found 0, must be > 0 s");
+  options = {};
+  options.arrival_distance = 0.0;
+  EXPECT_EQ(refusal(options), "PlannerOptions.arrival_distance: found 0, must be > 0 m");
+  options = {};
+  options.certificate = Certificate::linear_soft_stop;
+  EXPECT_EQ(refusal(options), "");
+  options.motion = Motion::exponential;
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.motion: found exponential, must be held with "
+            "certificate linear_soft_stop");
+  options.motion = Motion::held;
+  options.soft_stop_time = 0.0625;
+  EXPECT_EQ(refusal(options),
+            "PlannerOptions.soft_stop_time: found 0.0625, must be >= time_step = 0.1 s");
+  options.certificate = Certificate::braking_trajectories;
+  EXPECT_EQ(refusal(options), "");
+}
+
+}  // namespace
+}  // namespace avo
