@@ -83,8 +83,8 @@ void ThreadPool::start() {
 
 ThreadPool::~ThreadPool() {
 #if defined(__unix__)
-  if (started_ &&
-      process_ != getpid()) {  // after a fork: threads stay behind, and so do their handles
+  // In a child of a fork the threads stay behind, and so do their handles.
+  if (started_ && process_ != getpid()) {
     static_cast<void>(new std::vector<std::thread>(std::move(helpers_)));
     return;
   }
