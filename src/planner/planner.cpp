@@ -120,17 +120,21 @@ template <typename Scratch>
 void rank(const Robot& robot, std::span<const Neighbor> neighbors, Scratch& scratch) {
   scratch.order.resize(neighbors.size());
   std::iota(scratch.order.begin(), scratch.order.end(), 0U);
-  std::ranges::sort(scratch.order, {}, [&](std::uint32_t k) {
+  const auto key = [&](std::uint32_t k) {
     return std::pair(distance_squared(robot, neighbors[k]), k);
-  });
+  };
+  std::sort(scratch.order.begin(), scratch.order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
 }
 
 // The neighbors in their canonical order: sorted, into scratch memory, only where they have to be.
 template <typename Scratch>
 std::span<const Neighbor> nearest_first(const Robot& robot, std::span<const Neighbor> neighbors,
                                         Scratch& scratch) {
-  const auto distance = [&](const Neighbor& neighbor) { return distance_squared(robot, neighbor); };
-  if (std::ranges::is_sorted(neighbors, {}, distance)) return neighbors;
+  const auto nearer = [&](const Neighbor& a, const Neighbor& b) {
+    return distance_squared(robot, a) < distance_squared(robot, b);
+  };
+  if (std::is_sorted(neighbors.begin(), neighbors.end(), nearer)) return neighbors;
   rank(robot, neighbors, scratch);
   scratch.ordered.clear();
   for (const std::uint32_t k : scratch.order) scratch.ordered.push_back(neighbors[k]);
@@ -143,7 +147,7 @@ std::span<const std::uint32_t> list_nearest(const PlannerOptions& options, const
                                             std::span<const Neighbor> neighbors, Scratch& scratch) {
   rank(robot, neighbors, scratch);
   scratch.order.resize(planned_with(options, neighbors.size()));
-  std::ranges::sort(scratch.order);
+  std::sort(scratch.order.begin(), scratch.order.end());
   return scratch.order;
 }
 
