@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The canonical order of neighbors, nearest first, whatever the order in which they are given.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "planner/decision.h"
+#include "planner/scratch.h"
+
+namespace avo {
+
+inline double distance_squared(const Robot& robot, const Neighbor& neighbor) {
+  return norm_squared(neighbor.position - robot.position);
+}
+
+// The canonical order of neighbors, ties as they are given, into scratch.order.
+template <typename Scratch>
+void rank(const Robot& robot, std::span<const Neighbor> neighbors, Scratch& scratch) {
+  scratch.order.resize(neighbors.size());
+  std::iota(scratch.order.begin(), scratch.order.end(), 0U);
+  const auto key = [&](std::uint32_t k) {
+    return std::pair(distance_squared(robot, neighbors[k]), k);
+  };
+  std::sort(scratch.order.begin(), scratch.order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+}
+
+// The neighbors in their canonical order: sorted, into scratch memory, only where they have to be.
+template <typename Scratch>
+std::span<const Neighbor> nearest_first(const Robot& robot, std::span<const Neighbor> neighbors,
+                                        Scratch& scratch) {
+  const auto nearer = [&](const Neighbor& a, const Neighbor& b) {
+    return distance_squared(robot, a) < distance_squared(robot, b);
+  };
+  if (std::is_sorted(neighbors.begin(), neighbors.end(), nearer)) return neighbors;
+  rank(robot, neighbors, scratch);
+  scratch.ordered.clear();
+  for (const std::uint32_t k : scratch.order) scratch.ordered.push_back(neighbors[k]);
+  return scratch.ordered;
+}
+
+// Which of the neighbors get a half-plane, in the order in which they are given.
+template <typename Scratch>
+std::span<const std::uint32_t> list_nearest(const PlannerOptions& options, const Robot& robot,
+                                            std::span<const Neighbor> neighbors, Scratch& scratch) {
+  rank(robot, neighbors, scratch);
+  scratch.order.resize(planned_with(options, neighbors.size()));
+  std::sort(scratch.order.begin(), scratch.order.end());
+  return scratch.order;
+}
+
+}  // namespace avo
