@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of a half-plane (Eqs. 15, 16) in batches of 640, by precision and kind of situation. The
+// Time of a half-plane (Eqs. 15, 16) in batches of 640, by kind of situation. The
 // instruction set is AVO_SIMD's.
 #include <benchmark/benchmark.h>
 #include <cstdint>
@@ -15,21 +15,20 @@ namespace {
 constexpr std::size_t kBatch = 640;  // ten neighbors of 64 robots
 constexpr std::size_t kBatches = 8;
 
-template <typename Number>
-void run(benchmark::State& state, Kind kind, double near, double far, double delta, double tau) {
+void batch(benchmark::State& state, Kind kind, double near, double far, double delta, double tau) {
   const Horizon horizon(delta, tau, 0.1);
   std::uint64_t seed = 2011;
-  std::vector<PairColumns<Number>> batches(kBatches);
-  for (PairColumns<Number>& pairs : batches) {
+  std::vector<PairColumns> batches(kBatches);
+  for (PairColumns& pairs : batches) {
     pairs.reserve(kBatch);
     while (pairs.count < kBatch) {
       const Pair pair = random_pair(seed, near, far);
       if (kind != Kind::mixed && kind_of(pair, horizon) != kind) continue;
-      pairs.put(pairs.count++, pair.position, pair.velocity, pair.radius, 2.0 * delta);
+      pairs.add(pair.position, pair.velocity, pair.radius, 2.0 * delta);
     }
   }
-  HalfPlaneWorkspace<Number> workspace;
-  PlaneColumns<Number> planes;
+  HalfPlaneWorkspace workspace;
+  PlaneColumns planes;
   std::size_t k = 0;
   HalfPlaneCases all;
   for (auto _ : state) {
@@ -55,26 +54,13 @@ void run(benchmark::State& state, Kind kind, double near, double far, double del
   state.SetLabel(simd_target());
 }
 
-void in_double(benchmark::State& state, Kind kind, double near, double far, double delta,
-               double tau) {
-  run<double>(state, kind, near, far, delta, tau);
-}
-void in_single(benchmark::State& state, Kind kind, double near, double far, double delta,
-               double tau) {
-  run<float>(state, kind, near, far, delta, tau);
-}
-
-#define AVO_HALF_PLANES(...)                 \
-  BENCHMARK_CAPTURE(in_double, __VA_ARGS__); \
-  BENCHMARK_CAPTURE(in_single, __VA_ARGS__)
-
-AVO_HALF_PLANES(mixed_1_to_7_m, Kind::mixed, 1.0, 7.0, 4.0, 10.0);
-AVO_HALF_PLANES(mixed_1_to_15_m, Kind::mixed, 1.0, 15.0, 4.0, 10.0);
-AVO_HALF_PLANES(crowd_1_to_15_m, Kind::mixed, 1.0, 15.0, 2.0, 3.0);
-AVO_HALF_PLANES(dense_1_to_2_m, Kind::mixed, 1.0, 2.0, 4.0, 10.0);
-AVO_HALF_PLANES(tip, Kind::tip, 1.0, 7.0, 4.0, 10.0);
-AVO_HALF_PLANES(convex, Kind::convex, 1.0, 7.0, 4.0, 10.0);
-AVO_HALF_PLANES(horn, Kind::horn, 1.0, 7.0, 4.0, 10.0);
+BENCHMARK_CAPTURE(batch, mixed_1_to_7_m, Kind::mixed, 1.0, 7.0, 4.0, 10.0);
+BENCHMARK_CAPTURE(batch, mixed_1_to_15_m, Kind::mixed, 1.0, 15.0, 4.0, 10.0);
+BENCHMARK_CAPTURE(batch, crowd_1_to_15_m, Kind::mixed, 1.0, 15.0, 2.0, 3.0);
+BENCHMARK_CAPTURE(batch, dense_1_to_2_m, Kind::mixed, 1.0, 2.0, 4.0, 10.0);
+BENCHMARK_CAPTURE(batch, tip, Kind::tip, 1.0, 7.0, 4.0, 10.0);
+BENCHMARK_CAPTURE(batch, convex, Kind::convex, 1.0, 7.0, 4.0, 10.0);
+BENCHMARK_CAPTURE(batch, horn, Kind::horn, 1.0, 7.0, 4.0, 10.0);
 
 }  // namespace
 }  // namespace avo

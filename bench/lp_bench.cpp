@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time of one linear program (Eqs. 22, 23) with the paper's limits: one robot at a time, and many
-// in lanes (lanes/NUMBER/half-planes/infeasible per cent; ns per robot is real_time).
+// in lanes (lanes/half-planes/infeasible per cent; ns per robot is real_time).
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdint>
@@ -93,17 +93,16 @@ std::vector<Program> mixed(int planes, int infeasible) {
   return all;
 }
 
-template <typename Number>
 void lanes(benchmark::State& state) {
   const std::vector<Program> all =
       mixed(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-  std::vector<ProgramBatch<Number>> batches(all.size() / 256);
+  std::vector<ProgramBatch> batches(all.size() / 256);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    ProgramBatch<Number>& batch = batches[k / 256];
+    ProgramBatch& batch = batches[k / 256];
     batch.add(all[k].acceleration, 2.0, all[k].preferred, all[k].soft);
   }
   std::size_t settled = 0;
-  for (ProgramBatch<Number>& batch : batches) {
+  for (ProgramBatch& batch : batches) {
     nearest_points(batch);
     for (std::size_t k = 0; k < batch.size(); ++k) settled += batch.settled(k);
   }
@@ -115,10 +114,9 @@ void lanes(benchmark::State& state) {
   state.counters["settled"] = static_cast<double>(settled) / static_cast<double>(all.size());
 }
 
-template <typename Number>
 void fill(benchmark::State& state) {
   const std::vector<Program> all = mixed(static_cast<int>(state.range(0)), 0);
-  ProgramBatch<Number> batch;
+  ProgramBatch batch;
   while (state.KeepRunningBatch(256)) {
     batch.clear();
     for (std::size_t k = 0; k < 256; ++k) {
@@ -128,10 +126,8 @@ void fill(benchmark::State& state) {
   }
 }
 
-BENCHMARK_TEMPLATE(lanes, double)->ArgsProduct({{4, 10, 32}, {0, 5, 50}});
-BENCHMARK_TEMPLATE(lanes, float)->ArgsProduct({{4, 10, 32}, {0, 5, 50}});
-BENCHMARK_TEMPLATE(fill, double)->Arg(10);
-BENCHMARK_TEMPLATE(fill, float)->Arg(10);
+BENCHMARK(lanes)->ArgsProduct({{4, 10, 32}, {0, 5, 50}});
+BENCHMARK(fill)->Arg(10);
 
 }  // namespace
 }  // namespace avo

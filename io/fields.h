@@ -91,9 +91,9 @@ struct MembersOf<Group> {
 };
 template <>
 struct MembersOf<avo::Scenario> {
-  using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
-                        std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
-                        avo::Motion, avo::Precision>;
+  using type =
+      MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>, std::uint64_t,
+               std::string, avo::Method, std::optional<avo::Certificate>, avo::Motion>;
 };
 template <class T>
 using Member = typename MembersOf<T>::type;
@@ -130,8 +130,6 @@ inline constexpr std::array<std::pair<std::string_view, avo::Certificate>, 4> kC
      {"linear_soft_stop", avo::Certificate::linear_soft_stop}}};
 inline constexpr std::array<std::pair<std::string_view, avo::Motion>, 2> kMotions{
     {{"held", avo::Motion::held}, {"exponential", avo::Motion::exponential}}};
-inline constexpr std::array<std::pair<std::string_view, avo::Precision>, 2> kPrecisions{
-    {{"double", avo::Precision::double_precision}, {"single", avo::Precision::single_precision}}};
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
 

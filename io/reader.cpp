@@ -175,9 +175,6 @@ void Reader::set(std::optional<avo::Certificate>& value, const YamlNode& node, c
 void Reader::set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMotions);
 }
-void Reader::set(avo::Precision& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = choice(node, path, kPrecisions);
-}
 
 void Reader::fail_choice(const YamlNode& node, const std::string& path,
                          const std::vector<std::string_view>& words) const {

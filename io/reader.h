@@ -95,7 +95,6 @@ class Reader {
   void set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
   void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
-  void set(avo::Precision& value, const YamlNode& node, const Path& path, const Rule& rule) const;
 
   const Document& document_;
 };

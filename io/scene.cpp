@@ -29,6 +29,17 @@ void read_version(const Reader& reader, const YamlNode& root) {
     reader.fail(*version, "version", shown(*version), "must be 1");
 }
 
+// There is one precision; scenes may say so.
+void check_precision(const Reader& reader, const YamlNode& root) {
+  const YamlNode* precision = root.find("precision");
+  if (precision == nullptr) return;
+  const bool is_text = precision->kind == YamlNode::Kind::text;
+  if (is_text && precision->text == "double") return;
+  const bool is_single = is_text && precision->text == "single";
+  reader.fail(*precision, "precision", shown(*precision),
+              is_single ? "must be double; single precision was removed" : "must be double");
+}
+
 /// A tree becomes a scenario; knows which value each robot comes from.
 class SceneBuilder {
  public:
@@ -40,6 +51,7 @@ class SceneBuilder {
       reader_.fail(root, "", "nothing", "must be a map with at least version and robots or groups");
     reader_.check_keys(root, "", keys_of(fields<Scenario>()));
     read_version(reader_, root);
+    check_precision(reader_, root);
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
     add_robots();

@@ -83,9 +83,6 @@ ValueSchema describe(avo::Method value, const avo::Range&) {
 ValueSchema describe(avo::Motion value, const avo::Range&) {
   return {names_schema(kMotions), name_of(kMotions, value)};
 }
-ValueSchema describe(avo::Precision value, const avo::Range&) {
-  return {names_schema(kPrecisions), name_of(kPrecisions, value)};
-}
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
 }
@@ -179,11 +176,12 @@ std::string scenario_schema() {
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
             {"title", "avo scene"},
             {"description", "Robots, moving obstacles, and how they are simulated. SI units."}};
-  json.update(
-      map_schema(fields<avo::Scenario>(), {{"version", {{"const", 1}}},
-                                           {"robots", list_schema("robot")},
-                                           {"groups", list_schema("group")},
-                                           {"moving_obstacles", list_schema("moving_obstacle")}}));
+  json.update(map_schema(fields<avo::Scenario>(),
+                         {{"version", {{"const", 1}}},
+                          {"precision", {{"const", "double"}, {"default", "double"}}},
+                          {"robots", list_schema("robot")},
+                          {"groups", list_schema("group")},
+                          {"moving_obstacles", list_schema("moving_obstacle")}}));
   json["properties"]["samples"]["not"] = {{"const", 1}};
   json["anyOf"] = {
       {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},

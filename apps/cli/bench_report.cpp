@@ -69,7 +69,7 @@ std::string to_json(const avo::Scenario& scenario, const BenchResults& results) 
                               {"robots", scenario.robots.size()},
                               {"threads", results.threads},
                               {"simd", avo::simd_target()},
-                              {"precision", to_string(options.precision)},
+                              {"precision", "double"},
                               {"method", to_string(options.method)},
                               {"certificate", to_string(options.certificate)},
                               {"step_milliseconds_median", step},
@@ -88,11 +88,11 @@ std::string readable(const avo::Scenario& scenario, const BenchResults& results)
   const double least = *std::min_element(results.milliseconds.begin(), results.milliseconds.end());
   const auto in_a_second =
       static_cast<std::size_t>(std::clamp(std::round(1.0 / scenario.time_step), 1.0, 1e6));
-  std::string text =
-      fmt::format("{}: {} robots, {} thread{}, simd {}, precision {}, method {}, certificate {}\n",
-                  avo_io::printable(scenario.name), scenario.robots.size(), results.threads,
-                  results.threads == 1 ? "" : "s", avo::simd_target(), to_string(options.precision),
-                  to_string(options.method), to_string(options.certificate));
+  std::string text = fmt::format(
+      "{}: {} robots, {} thread{}, simd {}, precision double, method {}, certificate {}\n",
+      avo_io::printable(scenario.name), scenario.robots.size(), results.threads,
+      results.threads == 1 ? "" : "s", avo::simd_target(), to_string(options.method),
+      to_string(options.certificate));
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };

@@ -17,10 +17,9 @@ struct ResponseAt {
 };
 
 /// The table as kernels read it: g and g' at the nodes k · seconds_per_node, 0 <= k <= last.
-template <typename Number>
 struct ResponseTable {
-  const Number* gain;  ///< s
-  const Number* rate;
+  const double* gain;  ///< s
+  const double* rate;
   double nodes_per_second, seconds_per_node, last;
   double control_time, per_control_time;  ///< [δ] s, [1/δ] 1/s
   double end;                             ///< [τ] s
@@ -40,14 +39,12 @@ class AVO_API Horizon {
   [[nodiscard]] const ResponseAt& step() const noexcept { return step_; }
   [[nodiscard]] double control_time() const noexcept { return control_time_; }
 
-  /// Number: double or float. Valid as long as the Horizon is.
-  template <typename Number>
-  [[nodiscard]] ResponseTable<Number> table() const noexcept;
+  /// Valid as long as the Horizon is.
+  [[nodiscard]] ResponseTable table() const noexcept;
 
  private:
   double control_time_;
   std::vector<double> gain_, rate_;
-  std::vector<float> float_gain_, float_rate_;
   ResponseAt end_, step_;
 };
 

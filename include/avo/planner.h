@@ -40,10 +40,6 @@ enum class Motion : std::uint8_t {
   exponential,  ///< Eqs. (8), (9) exactly
 };
 
-/// Lanes of the soft half-planes and of their program only; the certificate, states and motion are
-/// double.
-enum class Precision : std::uint8_t { double_precision, single_precision };
-
 /// Bounds on how far the neighbors are from where, and as fast as, they are sensed.
 struct SensingError {
   double position = 0.0;  ///< m, >= 0
@@ -55,7 +51,6 @@ struct SensingError {
 AVO_API const char* to_string(Method method);
 AVO_API const char* to_string(Certificate certificate);
 AVO_API const char* to_string(Motion motion);
-AVO_API const char* to_string(Precision precision);
 
 struct PlannerOptions {
   Method method = Method::avo;
@@ -73,7 +68,6 @@ struct PlannerOptions {
   SensingError sensing_error = {};  ///< of braking_trajectories; each robot declares its own
   /// m, > 0: of its goal; beside others that stay, a robot of method avo rests within half of it.
   double arrival_distance = 0.5;
-  Precision precision = Precision::double_precision;
 };
 
 /// What is customary for the method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's
@@ -138,10 +132,9 @@ struct Wished;
 class PlanWorkspace;
 AVO_LOCAL void plan_together(const Planner& planner, std::span<const Deciding> robots,
                              PlanWorkspace& workspace, StageClock& clock);
-AVO_LOCAL void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                                std::size_t planes, std::size_t neighbors_each,
-                                std::size_t neighbors, std::size_t braking_steps,
-                                PlanWorkspace& workspace);
+AVO_LOCAL void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,
+                                std::size_t neighbors_each, std::size_t neighbors,
+                                std::size_t braking_steps, PlanWorkspace& workspace);
 
 /// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
 /// Where memory runs out while it grows, plan() throws std::bad_alloc; it can be used again.
@@ -163,8 +156,8 @@ class AVO_API PlanWorkspace {
 
  private:
   friend class Planner;
-  friend void reserve_together(const Planner&, std::size_t, std::size_t, std::size_t, std::size_t,
-                               std::size_t, std::size_t, PlanWorkspace&);
+  friend void reserve_together(std::size_t, std::size_t, std::size_t, std::size_t, std::size_t,
+                               std::size_t, PlanWorkspace&);
   friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&, StageClock&);
   struct AVO_LOCAL Scratch;
   std::unique_ptr<Scratch> scratch_;

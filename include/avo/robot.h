@@ -16,8 +16,8 @@ struct CarSetup {
   double heading = 0.0;    ///< [θ] rad, counter-clockwise from +x
 };
 
-/// rad, of a car's velocity off its heading: more is PlanStatus::invalid_input. Single precision
-/// keeps within it; others predict the car's braking that much off, 2 µm after 2 m.
+/// rad, of a car's velocity off its heading: more is PlanStatus::invalid_input. What is rounded to
+/// float keeps within it; others predict the car's braking that much off, 2 µm after 2 m.
 inline constexpr double kHeadingTolerance = 1e-6;
 
 /// Robot A, the one that decides.

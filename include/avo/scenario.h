@@ -42,7 +42,6 @@ struct Scenario {
   Method method = Method::avo;
   std::optional<Certificate> certificate = {};  ///< unset: default_options(method)
   Motion motion = Motion::held;
-  Precision precision = Precision::double_precision;
   int samples = 0;                ///< 0: exact half-planes; 2 to 1000: the paper's samples
   double arrival_distance = 0.5;  ///< m, > 0
   std::uint64_t seed = 1;         ///< of random placements

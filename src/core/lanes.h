@@ -68,15 +68,17 @@ struct Pack {
   friend HWY_INLINE Pack select(Mask mask, Pack yes, Pack no) {
     return Pack(hn::IfThenElse(mask.raw, yes.raw, no.raw));
   }
-  /// Of whole a below 2^23: added to 2^23, or 2^52, they are its last bits.
-  friend HWY_INLINE Pack lookup(const T* table, Pack a) {
-    const hn::RebindToSigned<D> whole;
-    const auto shift = hn::Set(D(), static_cast<T>(sizeof(T) == 8 ? 0x1p52 : 0x1p23));
-    return Pack(hn::GatherIndex(
-        D(), table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
-  }
   friend HWY_INLINE Pack floor(Pack a) { return Pack(hn::Trunc(a.raw)); }
 };
+
+/// table[a] of whole a, 0 <= a < 2^52: added to 2^52, they are its last bits.
+HWY_INLINE Pack<double> lookup(const double* table, Pack<double> a) {
+  const hn::ScalableTag<double> lanes;
+  const hn::RebindToSigned<hn::ScalableTag<double>> whole;
+  const auto shift = hn::Set(lanes, 0x1p52);
+  return Pack<double>(hn::GatherIndex(
+      lanes, table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
+}
 
 /// Of numbers whose sum is exact.
 template <typename T>
@@ -87,21 +89,16 @@ HWY_INLINE T sum_of(Pack<T> a) {
 /// Stores the chosen lanes side by side and returns how many those are; may write all lanes.
 /// (Highway's own compresses into memory, which is slow on some processors, or by tables that g++
 /// copies first.)
-template <typename T>
-HWY_INLINE std::size_t store_chosen(MaskOf<T> chosen, Pack<T> a, T* to) {
+HWY_INLINE std::size_t store_chosen(MaskOf<double> chosen, Pack<double> a, double* to) {
 #if HWY_TARGET == HWY_AVX3
-  if constexpr (sizeof(T) == 8) {
-    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(chosen.raw.raw, a.raw.raw));
-  } else {
-    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(chosen.raw.raw, a.raw.raw));
-  }
-  return hn::CountTrue(hn::ScalableTag<T>(), chosen.raw);
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(chosen.raw.raw, a.raw.raw));
+  return hn::CountTrue(hn::ScalableTag<double>(), chosen.raw);
 #else
-  alignas(HWY_MAX_BYTES) T lanes[Pack<T>::kLanes] = {};
+  alignas(HWY_MAX_BYTES) double lanes[Pack<double>::kLanes] = {};
   a.store(lanes);
   const std::uint32_t chosen_bits = bits(chosen);
   std::size_t count = 0;
-  for (std::size_t k = 0; k < Pack<T>::kLanes; ++k) {
+  for (std::size_t k = 0; k < Pack<double>::kLanes; ++k) {
     to[count] = lanes[k];
     count += (chosen_bits >> k) & 1U;
   }
@@ -126,35 +123,32 @@ HWY_INLINE std::size_t store_chosen(std::uint32_t chosen, const Pack<double> (&v
 #endif
 
 /// Two packs as one: while the one waits for its divisions the other goes on.
-template <typename T>
 struct TwoMasks {
-  MaskOf<T> a, b;
+  MaskOf<double> a, b;
   friend HWY_INLINE TwoMasks operator&(TwoMasks x, TwoMasks y) { return {x.a & y.a, x.b & y.b}; }
   friend HWY_INLINE TwoMasks operator|(TwoMasks x, TwoMasks y) { return {x.a | y.a, x.b | y.b}; }
   friend HWY_INLINE TwoMasks operator!(TwoMasks x) { return {!x.a, !x.b}; }
   friend HWY_INLINE bool any(TwoMasks x) { return any(x.a | x.b); }
   friend HWY_INLINE std::uint32_t bits(TwoMasks x) {
-    return bits(x.a) | bits(x.b) << hn::Lanes(typename Pack<T>::D());
+    return bits(x.a) | bits(x.b) << Pack<double>::kLanes;
   }
 };
 
-template <typename T>
 struct TwoPacks {
-  using Number = T;
-  using Mask = TwoMasks<T>;
-  static constexpr std::size_t kLanes = 2 * Pack<T>::kLanes;
-  Pack<T> a, b;
+  using Mask = TwoMasks;
+  static constexpr std::size_t kLanes = 2 * Pack<double>::kLanes;
+  Pack<double> a, b;
 
   TwoPacks() = default;
   HWY_INLINE TwoPacks(double constant) : a(constant), b(constant) {}  // NOLINT: as literals are
-  HWY_INLINE TwoPacks(Pack<T> first, Pack<T> second) : a(first), b(second) {}
+  HWY_INLINE TwoPacks(Pack<double> first, Pack<double> second) : a(first), b(second) {}
 
-  static HWY_INLINE TwoPacks load(const T* from) {
-    return {Pack<T>::load(from), Pack<T>::load(from + Pack<T>::kLanes)};
+  static HWY_INLINE TwoPacks load(const double* from) {
+    return {Pack<double>::load(from), Pack<double>::load(from + Pack<double>::kLanes)};
   }
-  HWY_INLINE void store(T* to) const {
+  HWY_INLINE void store(double* to) const {
     a.store(to);
-    b.store(to + Pack<T>::kLanes);
+    b.store(to + Pack<double>::kLanes);
   }
 
   friend HWY_INLINE TwoPacks operator+(TwoPacks x, TwoPacks y) { return {x.a + y.a, x.b + y.b}; }
@@ -172,40 +166,35 @@ struct TwoPacks {
   friend HWY_INLINE TwoPacks select(Mask mask, TwoPacks yes, TwoPacks no) {
     return {select(mask.a, yes.a, no.a), select(mask.b, yes.b, no.b)};
   }
-  friend HWY_INLINE TwoPacks lookup(const T* table, TwoPacks x) {
+  friend HWY_INLINE TwoPacks lookup(const double* table, TwoPacks x) {
     return {lookup(table, x.a), lookup(table, x.b)};
   }
 };
 
-template <typename T>
-HWY_INLINE std::size_t store_chosen(TwoMasks<T> chosen, TwoPacks<T> x, T* to) {
+HWY_INLINE std::size_t store_chosen(TwoMasks chosen, TwoPacks x, double* to) {
   const std::size_t count = store_chosen(chosen.a, x.a, to);
   return count + store_chosen(chosen.b, x.b, to + count);
 }
 
 // Both of these return the second where the comparison fails, as x86 has them.
-template <typename T>
-HWY_INLINE Pack<T> min(Pack<T> a, Pack<T> b) {
+HWY_INLINE Pack<double> min(Pack<double> a, Pack<double> b) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-  return Pack<T>(hn::Min(a.raw, b.raw));
+  return Pack<double>(hn::Min(a.raw, b.raw));
 #else
   return select(a < b, a, b);
 #endif
 }
-template <typename T>
-HWY_INLINE Pack<T> max(Pack<T> a, Pack<T> b) {
+HWY_INLINE Pack<double> max(Pack<double> a, Pack<double> b) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-  return Pack<T>(hn::Max(a.raw, b.raw));
+  return Pack<double>(hn::Max(a.raw, b.raw));
 #else
   return select(a > b, a, b);
 #endif
 }
-template <typename T>
-HWY_INLINE TwoPacks<T> min(TwoPacks<T> x, TwoPacks<T> y) {
+HWY_INLINE TwoPacks min(TwoPacks x, TwoPacks y) {
   return {min(x.a, y.a), min(x.b, y.b)};
 }
-template <typename T>
-HWY_INLINE TwoPacks<T> max(TwoPacks<T> x, TwoPacks<T> y) {
+HWY_INLINE TwoPacks max(TwoPacks x, TwoPacks y) {
   return {max(x.a, y.a), max(x.b, y.b)};
 }
 

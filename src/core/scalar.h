@@ -42,14 +42,8 @@ struct Pack {
   Pack() = default;
   Pack(double constant) : value(static_cast<T>(constant)) {}  // NOLINT: as literals are
 
-  template <typename U>
-  static Pack load(const U* from) {
-    return Pack(static_cast<double>(*from));
-  }
-  template <typename U>
-  void store(U* to) const {
-    *to = static_cast<U>(value);
-  }
+  static Pack load(const T* from) { return make(*from); }
+  void store(T* to) const { *to = value; }
   /// first, first + 1, ...
   static Pack numbers_from(std::size_t first) { return Pack(static_cast<double>(first)); }
 
@@ -66,7 +60,7 @@ struct Pack {
   friend Pack sqrt(Pack a) { return make(std::sqrt(a.value)); }
   friend Pack abs(Pack a) { return make(std::abs(a.value)); }
   friend Pack select(Mask mask, Pack yes, Pack no) { return mask.bit ? yes : no; }
-  /// table[a] of whole a, 0 <= a < 2^23
+  /// table[a] of whole a, 0 <= a < 2^31
   friend Pack lookup(const T* table, Pack a) {
     return make(table[static_cast<std::size_t>(a.value)]);
   }

@@ -5,26 +5,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 #include "core/scalar.h"
 #include "lp/programs.h"
 
 namespace avo {
 
-template <typename Number>
-constexpr double kUlp = std::numeric_limits<Number>::epsilon();
+constexpr double kUlp = std::numeric_limits<double>::epsilon();
 constexpr double kToleranceUlps = 8.0;
 constexpr double kTouchingUlps = 2.0;
 // The corners need fourth powers, of numbers that are not denormal.
-template <typename Number>
-constexpr double kLargest = std::is_same_v<Number, double> ? 0x1p200 : 0x1p20;
-template <typename Number>
-constexpr double kSmallest = std::is_same_v<Number, double> ? 0x1p-200 : 0x1p-20;
+constexpr double kLargest = 0x1p200;
+constexpr double kSmallest = 0x1p-200;
 // A point just computed on one circle may miss the other one's inside by rounding alone. For discs
 // that are nearly equal that must not look like "outside of both": the corner may be far away.
-template <typename Number>
-constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp<Number>;
+constexpr double kRoundingOfSquares = 1.0 + 8.0 * kUlp;
 
 // Of `count` half-planes by all lanes of a pack, in the plane and then on the way to the least
 // unsafe point: some lanes begin with the second when others have done with the first.
@@ -37,8 +32,7 @@ namespace scalar::planar {
 }  // namespace scalar::planar
 
 struct ProgramKernels {
-  void (*solve_double)(Programs<double>&, ProgramRow<double>*, bool);
-  void (*solve_single)(Programs<float>&, ProgramRow<float>*, bool);
+  void (*solve)(Programs&, ProgramRow*, bool);
 };
 
 }  // namespace avo

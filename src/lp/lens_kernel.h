@@ -34,23 +34,21 @@ AVO_KERNEL Real largest_component(Vec<Real> a) {
 
 template <typename Real>
 AVO_KERNEL Mask<Real> is_ordinary(Vec<Real> a) {
-  const Real largest = kLargest<typename Real::Number>;
+  const Real largest = kLargest;
   return (abs(a.x) <= largest) & (abs(a.y) <= largest);
 }
 
 template <typename Real>
 AVO_KERNEL Mask<Real> is_ordinary(const Discs<Real>& discs) {
-  using Number = typename Real::Number;
   const Real size = max(largest_component(discs.center), max(discs.radius, discs.top_speed));
   return is_ordinary(discs.center) & is_ordinary(Vec<Real>{discs.radius, discs.top_speed}) &
-         (size >= Real(kSmallest<Number>));
+         (size >= Real(kSmallest));
 }
 
 template <typename Real>
 AVO_KERNEL Lens<Real> make_lens(const Discs<Real>& discs) {
-  using Number = typename Real::Number;
   const Vec<Real> zero{0.0, 0.0};
-  const Real ulps = kToleranceUlps * kUlp<Number>;
+  const Real ulps = kToleranceUlps * kUlp;
   Lens<Real> lens;
   lens.speed_is_larger = discs.radius <= discs.top_speed;
   const Vec<Real> larger_center = select(lens.speed_is_larger, zero, discs.center);
@@ -98,7 +96,7 @@ struct LensPoint {
 
 template <typename Real>
 AVO_KERNEL LensPoint<Real> nearest(const Lens<Real>& lens, Vec<Real> p) {
-  constexpr double rounding = kRoundingOfSquares<typename Real::Number>;
+  constexpr double rounding = kRoundingOfSquares;
   const Mask<Real> inside_smaller = in_smaller(lens, p, 1.0);
   const Mask<Real> inside_larger = in_larger(lens, p, 1.0);
   const Mask<Real> moved = !(inside_smaller & inside_larger);
@@ -121,7 +119,7 @@ AVO_KERNEL LensPoint<Real> nearest(const Lens<Real>& lens, Vec<Real> p) {
 
 template <typename Real>
 AVO_KERNEL Vec<Real> farthest_along(const Lens<Real>& lens, Vec<Real> direction) {
-  constexpr double rounding = kRoundingOfSquares<typename Real::Number>;
+  constexpr double rounding = kRoundingOfSquares;
   const Vec<Real> n = direction / norm(direction);
   const Vec<Real> on_smaller = lens.radius * n;
   const Mask<Real> smaller = in_larger(lens, on_smaller, rounding);

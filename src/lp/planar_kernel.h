@@ -4,9 +4,6 @@
 // Included after lens_kernel.h, once per instruction set.
 
 template <typename Real>
-using Row = ProgramRow<typename Real::Number>;
-
-template <typename Real>
 struct Plane {
   Vec<Real> normal;
   Real offset;
@@ -26,17 +23,17 @@ AVO_KERNEL Real violation(const Plane<Real>& plane, Vec<Real> u) {
 /// Half-planes relative to Lens::origin, of lanes first .. first + Real::kLanes.
 template <typename Real>
 struct Planes {
-  Row<Real>* rows;
+  ProgramRow* rows;
   std::size_t first;
   std::size_t count;
 
   AVO_KERNEL Plane<Real> operator[](std::size_t i) const {
-    const Row<Real>& row = rows[i];
+    const ProgramRow& row = rows[i];
     return {{Real::load(row.n_x + first), Real::load(row.n_y + first)},
             Real::load(row.relative + first)};
   }
   AVO_KERNEL void add(const Plane<Real>& plane) {
-    Row<Real>& row = rows[count++];
+    ProgramRow& row = rows[count++];
     plane.normal.x.store(row.n_x + first);
     plane.normal.y.store(row.n_y + first);
     plane.offset.store(row.relative + first);

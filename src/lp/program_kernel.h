@@ -6,7 +6,7 @@
 template <typename Real>
 AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real>& give, Plane<Real> next,
                              Vec<Real> preferred, Mask<Real> active, Planes<Real>& taken,
-                             Row<Real>* scratch, Vec<Real>& point) {
+                             ProgramRow* scratch, Vec<Real>& point) {
   while (any(active)) {
     Planes<Real> projected{scratch, give.first, 0};
     for (std::size_t j = 0; j < taken.count; ++j) {
@@ -53,8 +53,8 @@ AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real>& p
 /// The programs of one pack. Where as many as `enough` have no solution, the least unsafe points of
 /// these are found as well, else they are left and marked as failed.
 template <typename Real>
-AVO_KERNEL void solve_pack(ProgramGroup<typename Real::Number>& group, Row<Real>* rows,
-                           Row<Real>* scratch, std::size_t first, int enough) {
+AVO_KERNEL void solve_pack(ProgramGroup& group, ProgramRow* rows, ProgramRow* scratch,
+                           std::size_t first, int enough) {
   const Discs<Real> discs{{Real::load(group.c_x + first), Real::load(group.c_y + first)},
                           Real::load(group.radius + first),
                           Real::load(group.top_speed + first)};
@@ -95,12 +95,12 @@ AVO_KERNEL void solve_pack(ProgramGroup<typename Real::Number>& group, Row<Real>
 
 /// Unless all are solved, few in a pack that have no solution are left.
 template <typename Real>
-void solve_programs(Programs<typename Real::Number>& programs, Row<Real>* scratch, bool all) {
+void solve_programs(Programs& programs, ProgramRow* scratch, bool all) {
   const int enough = all ? 1 : static_cast<int>(Real::kLanes * 3 / 4 + 1);
   for (std::size_t g = 0; g < programs.groups; ++g) {
-    ProgramGroup<typename Real::Number>& group = programs.group[g];
+    ProgramGroup& group = programs.group[g];
     group.settled = group.failed = group.moved = 0;
-    Row<Real>* const rows = programs.row.data() + group.first;
+    ProgramRow* const rows = programs.row.data() + group.first;
     for (std::size_t lane = 0; lane < kProgramLanes; lane += Real::kLanes) {
       solve_pack<Real>(group, rows, scratch, lane, enough);
     }

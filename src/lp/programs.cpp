@@ -22,8 +22,7 @@ namespace planar {
 #include "lp/program_kernels.h"
 }  // namespace planar
 
-constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>,
-                                  planar::solve_programs<Pack<float>>};
+constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>};
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
@@ -32,22 +31,13 @@ HWY_AFTER_NAMESPACE();
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
 namespace scalar {
-constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>,
-                                  planar::solve_programs<Pack<float>>};
+constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>};
 }  // namespace scalar
 namespace {
 
 constexpr KernelTable<ProgramKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
-void solve(Programs<double>& programs, ProgramRow<double>* scratch, bool all) {
-  kKernels->solve_double(programs, scratch, all);
-}
-void solve(Programs<float>& programs, ProgramRow<float>* scratch, bool all) {
-  kKernels->solve_single(programs, scratch, all);
-}
-
-template <typename Number>
-std::size_t most_rows(const Programs<Number>& programs) {
+std::size_t most_rows(const Programs& programs) {
   std::size_t most = 0;
   for (std::size_t g = 0; g < programs.groups; ++g) most = std::max(most, programs.group[g].count);
   return most;
@@ -58,23 +48,21 @@ std::size_t most_rows(const Programs<Number>& programs) {
 constexpr std::size_t kRowsAtOnce = 4;
 
 // Copies one robot's program to the end of others.
-template <typename Number>
-void copy(const Programs<Number>& from, std::size_t robot, Programs<Number>& to) {
-  const ProgramGroup<Number>& source = from.group[robot / kProgramLanes];
+void copy(const Programs& from, std::size_t robot, Programs& to) {
+  const ProgramGroup& source = from.group[robot / kProgramLanes];
   const std::size_t lane = robot % kProgramLanes;
   const std::size_t new_lane = to.robots % kProgramLanes;
-  ProgramGroup<Number>& target = to.add_robot();
+  ProgramGroup& target = to.add_robot();
   for (auto column :
-       {&ProgramGroup<Number>::c_x, &ProgramGroup<Number>::c_y, &ProgramGroup<Number>::radius,
-        &ProgramGroup<Number>::top_speed, &ProgramGroup<Number>::p_x, &ProgramGroup<Number>::p_y,
-        &ProgramGroup<Number>::planes}) {
+       {&ProgramGroup::c_x, &ProgramGroup::c_y, &ProgramGroup::radius, &ProgramGroup::top_speed,
+        &ProgramGroup::p_x, &ProgramGroup::p_y, &ProgramGroup::planes}) {
     (target.*column)[new_lane] = (source.*column)[lane];
   }
   const auto planes = static_cast<std::size_t>(source.planes[lane]);
   to.add_rows(planes);
   for (std::size_t i = 0; i < planes; ++i) {
-    const ProgramRow<Number>& row = from.row[source.first + i];
-    ProgramRow<Number>& copied = to.row[target.first + i];
+    const ProgramRow& row = from.row[source.first + i];
+    ProgramRow& copied = to.row[target.first + i];
     copied.n_x[new_lane] = row.n_x[lane];
     copied.n_y[new_lane] = row.n_y[lane];
     copied.offset[new_lane] = row.offset[lane];
@@ -83,37 +71,32 @@ void copy(const Programs<Number>& from, std::size_t robot, Programs<Number>& to)
 
 }  // namespace
 
-template <typename Number>
-ProgramGroup<Number>& Programs<Number>::add_robot() {
+ProgramGroup& Programs::add_robot() {
   if (robots++ % kProgramLanes == 0) {
     if (groups == group.size()) group.emplace_back();
-    ProgramGroup<Number>& next = group[groups++];
-    std::fill_n(next.planes, kProgramLanes, Number());
+    ProgramGroup& next = group[groups++];
+    std::fill_n(next.planes, kProgramLanes, 0.0);
     next.first = rows;
     next.count = 0;
   }
   return group[groups - 1];
 }
 
-template <typename Number>
-void Programs<Number>::add_rows(std::size_t count) {
-  ProgramGroup<Number>& last = group[groups - 1];
+void Programs::add_rows(std::size_t count) {
+  ProgramGroup& last = group[groups - 1];
   last.count = std::max(last.count, count);
   rows = last.first + last.count;
   if (row.size() < rows + kRowsAtOnce) row.resize(rows + kRowsAtOnce);
 }
 
-template <typename Number>
-void ProgramBatch<Number>::clear() {
+void ProgramBatch::clear() {
   programs_.clear();
   preferred_.clear();
 }
 
-template <typename Number>
-void ProgramBatch<Number>::reserve(std::size_t robots, std::size_t planes_each,
-                                   std::size_t planes) {
+void ProgramBatch::reserve(std::size_t robots, std::size_t planes_each, std::size_t planes) {
   const std::size_t groups = robots / kProgramLanes + 1;
-  for (Programs<Number>* programs : {&programs_, &infeasible_}) {
+  for (Programs* programs : {&programs_, &infeasible_}) {
     programs->group.reserve(groups);
     programs->row.reserve(std::min(groups * planes_each, planes) + kRowsAtOnce);
   }
@@ -122,41 +105,39 @@ void ProgramBatch<Number>::reserve(std::size_t robots, std::size_t planes_each,
   scratch_.reserve(3 * most_taken(planes_each));
 }
 
-template <typename Number>
-void ProgramBatch<Number>::add(const Disc& acceleration, double top_speed, Vec2 preferred,
-                               std::span<const HalfPlane> planes) {
+void ProgramBatch::add(const Disc& acceleration, double top_speed, Vec2 preferred,
+                       std::span<const HalfPlane> planes) {
   const std::size_t lane = programs_.robots % kProgramLanes;
-  ProgramGroup<Number>& group = programs_.add_robot();
-  group.c_x[lane] = static_cast<Number>(acceleration.center.x);
-  group.c_y[lane] = static_cast<Number>(acceleration.center.y);
-  group.radius[lane] = static_cast<Number>(acceleration.radius);
-  group.top_speed[lane] = static_cast<Number>(top_speed);
-  group.p_x[lane] = static_cast<Number>(preferred.x);
-  group.p_y[lane] = static_cast<Number>(preferred.y);
-  group.planes[lane] = static_cast<Number>(planes.size());
+  ProgramGroup& group = programs_.add_robot();
+  group.c_x[lane] = acceleration.center.x;
+  group.c_y[lane] = acceleration.center.y;
+  group.radius[lane] = acceleration.radius;
+  group.top_speed[lane] = top_speed;
+  group.p_x[lane] = preferred.x;
+  group.p_y[lane] = preferred.y;
+  group.planes[lane] = static_cast<double>(planes.size());
   preferred_.push_back(preferred);
   programs_.add_rows(planes.size());
-  ProgramRow<Number>* const rows = programs_.row.data() + group.first;
+  ProgramRow* const rows = programs_.row.data() + group.first;
   for (std::size_t first = 0; first < planes.size(); first += kRowsAtOnce) {
     for (std::size_t i = first; i < first + kRowsAtOnce; ++i) {
       const HalfPlane& plane = planes[std::min(i, planes.size() - 1)];
-      rows[i].n_x[lane] = static_cast<Number>(plane.normal.x);
-      rows[i].n_y[lane] = static_cast<Number>(plane.normal.y);
-      rows[i].offset[lane] = static_cast<Number>(plane.offset);
+      rows[i].n_x[lane] = plane.normal.x;
+      rows[i].n_y[lane] = plane.normal.y;
+      rows[i].offset[lane] = plane.offset;
     }
   }
 }
 
 // Those that half-planes leave nothing to need far more time: gathered, they fill lanes of their
 // own, unless they nearly do already.
-template <typename Number>
-void nearest_points(ProgramBatch<Number>& batch) {
-  Programs<Number>& all = batch.programs_;
-  Programs<Number>& infeasible = batch.infeasible_;
+void nearest_points(ProgramBatch& batch) {
+  Programs& all = batch.programs_;
+  Programs& infeasible = batch.infeasible_;
   std::vector<std::size_t>& robots = batch.robots_;
-  std::vector<ProgramRow<Number>>& scratch = batch.scratch_;
+  std::vector<ProgramRow>& scratch = batch.scratch_;
   scratch.resize(std::max(scratch.size(), 3 * most_taken(most_rows(all))));
-  solve(all, scratch.data(), false);
+  kKernels->solve(all, scratch.data(), false);
   infeasible.clear();
   robots.clear();
   for (std::size_t g = 0; g < all.groups; ++g) {
@@ -165,24 +146,17 @@ void nearest_points(ProgramBatch<Number>& batch) {
       copy(all, robots.back(), infeasible);
     }
   }
-  solve(infeasible, scratch.data(), true);
+  kKernels->solve(infeasible, scratch.data(), true);
   for (std::size_t k = 0; k < robots.size(); ++k) {
     const std::size_t from_lane = k % kProgramLanes, lane = robots[k] % kProgramLanes;
-    const ProgramGroup<Number>& from = infeasible.group[k / kProgramLanes];
-    ProgramGroup<Number>& to = all.group[robots[k] / kProgramLanes];
+    const ProgramGroup& from = infeasible.group[k / kProgramLanes];
+    ProgramGroup& to = all.group[robots[k] / kProgramLanes];
     to.x[lane] = from.x[from_lane];
     to.y[lane] = from.y[from_lane];
     to.violation[lane] = from.violation[from_lane];
     to.settled |= 1U << lane;
   }
 }
-
-template struct Programs<double>;
-template struct Programs<float>;
-template class ProgramBatch<double>;
-template class ProgramBatch<float>;
-template void nearest_points(ProgramBatch<double>&);
-template void nearest_points(ProgramBatch<float>&);
 
 }  // namespace avo
 #endif

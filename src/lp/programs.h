@@ -13,9 +13,8 @@ namespace avo {
 /// Robots whose programs' numbers lie side by side: a multiple of every instruction set's lanes.
 inline constexpr std::size_t kProgramLanes = 16;
 
-template <typename Number>
 struct ProgramGroup {
-  using Lanes = Number[kProgramLanes];
+  using Lanes = double[kProgramLanes];
   Lanes c_x, c_y, radius;    // acceleration disc
   Lanes top_speed;           // speed disc around 0
   Lanes p_x, p_y;            // preferred
@@ -28,29 +27,26 @@ struct ProgramGroup {
 };
 
 /// One half-plane of each lane, anything where a robot has fewer.
-template <typename Number>
 struct ProgramRow {
-  using Lanes = Number[kProgramLanes];
+  using Lanes = double[kProgramLanes];
   Lanes n_x, n_y, offset;
   Lanes relative;  // the offset, from Lens::origin
 };
 
-template <typename Number>
 struct Programs {
   std::size_t robots = 0, groups = 0, rows = 0;  // in use
-  std::vector<ProgramGroup<Number>> group;
-  std::vector<ProgramRow<Number>> row;
+  std::vector<ProgramGroup> group;
+  std::vector<ProgramRow> row;
 
   void clear() { robots = groups = rows = 0; }
 
   /// The group of the next robot; its lane is robots % kProgramLanes before the call.
-  ProgramGroup<Number>& add_robot();
+  ProgramGroup& add_robot();
   /// Room for so many rows in the last group.
   void add_rows(std::size_t count);
 };
 
 /// Programs to be solved at once, filled robot by robot; allocates only while it grows.
-template <typename Number>
 class ProgramBatch {
  public:
   void clear();
@@ -77,35 +73,25 @@ class ProgramBatch {
   }
 
  private:
-  template <typename Any>
-  friend void nearest_points(ProgramBatch<Any>& batch);
+  friend void nearest_points(ProgramBatch& batch);
 
-  [[nodiscard]] const ProgramGroup<Number>& group(std::size_t robot) const {
+  [[nodiscard]] const ProgramGroup& group(std::size_t robot) const {
     return programs_.group[robot / kProgramLanes];
   }
   static bool bit(std::uint32_t bits, std::size_t robot) {
     return (bits >> robot % kProgramLanes & 1U) != 0;
   }
 
-  Programs<Number> programs_;
+  Programs programs_;
   std::vector<Vec2> preferred_;      // as given
-  Programs<Number> infeasible_;      // those that failed, side by side
+  Programs infeasible_;              // those that failed, side by side
   std::vector<std::size_t> robots_;  // whose these are
-  std::vector<ProgramRow<Number>> scratch_;
+  std::vector<ProgramRow> scratch_;
 };
 
 /// Solves all programs of the batch: nearest_point() of lp/linear_program.h without hard
-/// half-planes, and what it says in state optimal or least_unsafe, bit for bit where Number is
-/// double. The same bits for every instruction set.
-///
-/// In single precision it is the same program, narrowed, by the same operations. Bounds, with
-/// ulp = 2^-23 and M the larger of |c| + r of the acceleration disc and top_speed:
-///  (1) |point - c| <= r + 8 ulp M for both discs: 4 as there, and at most half of one for each
-///      number narrowed, two components of c and the radii of both discs;
-///  (2) half-planes are violated by at most 34 ulp (M + violation) more than violation(): 32 as
-///      there, and narrowing moves n . u - offset by ulp / 2 (|n_x u_x| + |n_y u_y| + |offset|) at
-///      most, where |u| <= M and, of planes that matter, |offset| <= M + violation.
-template <typename Number>
-void nearest_points(ProgramBatch<Number>& batch);
+/// half-planes, and what it says in state optimal or least_unsafe, bit for bit. The same bits for
+/// every instruction set.
+void nearest_points(ProgramBatch& batch);
 
 }  // namespace avo

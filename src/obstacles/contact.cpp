@@ -11,10 +11,10 @@ namespace avo {
 RelativeHalfPlane separate(const Pair& pair, double reach, const Horizon& horizon) noexcept {
   using Real = scalar::Pack<double>;
   const double d = norm(pair.position);
-  const bool equal_centers = !(d > kTiniest<double>);
+  const bool equal_centers = !(d > kTiniest);
   const Vec2 along = equal_centers ? pair.velocity : pair.position;
   const double length = norm(along);
-  if (!(length > kTiniest<double>)) return {PairState::coincident, {}};
+  if (!(length > kTiniest)) return {PairState::coincident, {}};
   const double per_length = 1.0 / length;
   const double depth = pair.radius - (equal_centers ? 0.0 : d);
   const double h =

@@ -18,7 +18,7 @@ struct Found {
 };
 
 Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {
-  const ResponseTable<double> table = horizon.table<double>();
+  const ResponseTable table = horizon.table();
   scalar::HornPlane<Real> found = scalar::horn<Look::quickly>(local, horizon.end(), table);
   if (!found.settled.bit) found = scalar::horn<Look::closely>(local, horizon.end(), table);
   if (!found.settled.bit) found = scalar::horn<Look::thoroughly>(local, horizon.end(), table);
@@ -30,7 +30,7 @@ Found local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon)
   const scalar::Tip<Real> tip = scalar::tip(frame.local, horizon.end());
   if (tip.nearest.bit) return {tip.plane, tip.plane.h.value <= -frame.local.R.value};
   if (!frame.on_collision_course.bit) return horn(frame.local, horizon);
-  return {scalar::convex(frame.local, horizon.table<double>())};
+  return {scalar::convex(frame.local, horizon.table())};
 }
 
 scalar::Frame<Real> frame_of(const Pair& pair, double reach, const Horizon& horizon) {

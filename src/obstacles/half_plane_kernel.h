@@ -82,8 +82,7 @@ AVO_KERNEL Approach<Real> approach(const Local<Real>& pair) {
 // linear in t halfway through the disc of radius r.
 template <typename Real>
 AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
-                            const ResponseTable<typename Real::Number>& table, Real low,
-                            Real high) {
+                            const ResponseTable& table, Real low, Real high) {
   const Real half_chord2 = max((pair.r - approach.b) * (pair.r + approach.b), Real(0.0));
   const Real halfway = Real(0.5) * sqrt(half_chord2) * approach.per_speed;
   const At<Real> middle = at(table, min(max(approach.t_m - halfway, Real(0.0)), Real(table.end)));
@@ -97,7 +96,7 @@ AVO_KERNEL Real first_sigma(const Local<Real>& pair, const Approach<Real>& appro
 // t_m): Newton's iteration, guarded by bisection; excess and slope are times |x|.
 template <typename Real>
 AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& approach, Real cosine,
-                               const ResponseTable<typename Real::Number>& table) {
+                               const ResponseTable& table) {
   const Real tau = table.end, b2 = approach.b * approach.b;
   Real low = max(Real(0.0), approach.speed * (approach.t_m - tau));
   Real high = approach.speed * approach.t_m;
@@ -118,8 +117,7 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
     const auto rises = slope > Real(0.0);
     const Real newton = sigma - excess / select(rises, slope, Real(1.0));
     // the last step is taken too, but for the guard's, where rounding is all that is left
-    const auto moves =
-        (!rises) | (abs(newton - sigma) > Real(kConvexTolerance<typename Real::Number>) * sigma);
+    const auto moves = (!rises) | (abs(newton - sigma) > Real(kConvexTolerance) * sigma);
     const Real next = select(rises & (newton > low) & (newton < high), newton,
                              select(moves, Real(0.5) * (low + high), sigma));
     sigma = select(active, next, sigma);
@@ -130,9 +128,7 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
 }
 
 template <typename Real>
-AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
-                              const ResponseTable<typename Real::Number>& table) {
-  using Number = typename Real::Number;
+AVO_KERNEL Plane<Real> convex(const Local<Real>& pair, const ResponseTable& table) {
   const Approach<Real> course = approach(pair);
   const Real tau = table.end;
   const At<Real> latest = at(table, min(course.t_m, tau));
@@ -143,22 +139,21 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair,
   const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = inverse(x);
   // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
   // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
-  constexpr Number kRounding = 4 * std::numeric_limits<Number>::epsilon();
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
   const At<Real> found = at(table, max(course.time(sigma, tau), Real(kRounding) * course.t_m));
-  const Real r = demanding_radius(pair, tau);
-  Real h = (r - x) / found.gain;
+  Real h = (pair.r - x) / found.gain;
   const auto touching = pair.r - x < Real(1e-7) * pair.r;
   h = select(touching, max(h, course.speed * (sigma * per_x) * found.per_rate), h);
   Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
 
   // head-on, both sides are equally near, and n is where n . y = r at t_m itself; so it is where a
   // miss distance, of either side, is one of rounding
-  const Real rounding = Real(std::numeric_limits<Number>::epsilon()) * pair.d;
+  const Real rounding = Real(std::numeric_limits<double>::epsilon()) * pair.d;
   const auto head_on = (course.b <= rounding) & (course.t_m <= tau) & (cosine < Real(1.0));
   const Real sine = sqrt(max(Real(1.0) - cosine * cosine, Real(0.0)));
   const Vec<Real> side = cosine * course.u + sine * course.e;
   n.x = select(head_on, side.x, n.x);
   n.y = select(head_on, side.y, n.y);
-  h = select(head_on, (r - sine * course.b) / latest.gain, h);
+  h = select(head_on, (pair.r - sine * course.b) / latest.gain, h);
   return {n, h};
 }

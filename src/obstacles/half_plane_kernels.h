@@ -3,7 +3,6 @@
 // namespace that has Pack, once per instruction set.
 // clang-format off
 #include "obstacles/response_kernel.h"
-#include "obstacles/single_kernel.h"
 #include "obstacles/contact_kernel.h"
 #include "obstacles/half_plane_kernel.h"
 #include "obstacles/horn_kernel.h"

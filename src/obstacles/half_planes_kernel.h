@@ -21,15 +21,13 @@ struct Frame {
 // to survive rounding, or robots on a circle would each choose a side at random.
 template <typename Real>
 AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const ResponseAt& end) {
-  using Number = typename Real::Number;
   const Real d = norm(p), per_d = inverse(d), v2 = dot(v, v);
   const Real across = (p.x * v.y - p.y * v.x) * per_d;
   const Real across2 = across * abs(across);
   Frame<Real> frame;
-  frame.side = select(across2 < Real(-kTie<Number> * kTie<Number>) * v2, Real(-1.0), Real(1.0));
+  frame.side = select(across2 < Real(-kTie * kTie) * v2, Real(-1.0), Real(1.0));
   frame.e = per_d * p;
-  frame.local = widened<Real>({d, {dot(p, v) * per_d, frame.side * across}, r, R}, end.time);
-  r = frame.local.r;
+  frame.local = {d, {dot(p, v) * per_d, frame.side * across}, r, R};
   frame.in_contact = (d < r) | !(d > Real(0.0));
   // too far to touch before τ whatever both do: |p + t v| > r + R g(t) on the whole window
   const Real gap = d - r - R * Real(end.gain), sine = r * per_d;
@@ -41,10 +39,9 @@ AVO_KERNEL Frame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R, const 
 /// Those chosen of a pack go behind the others, `count` of them. Of a pack that was just read from
 /// the same queue they stay in it: whole packs are written, but no farther than where it was.
 template <typename Real>
-AVO_KERNEL void push(HalfPlaneQueue<typename Real::Number>& queue, Real index,
-                     const Frame<Real>& frame, typename Frame<Real>::Mask chosen,
-                     std::size_t count) {
-  const auto put = [&](Real value, std::vector<typename Real::Number>& column) {
+AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const Frame<Real>& frame,
+                     typename Frame<Real>::Mask chosen, std::size_t count) {
+  const auto put = [&](Real value, std::vector<double>& column) {
     store_chosen(chosen, value, &column[queue.count]);
   };
   put(index, queue.index);
@@ -55,10 +52,8 @@ AVO_KERNEL void push(HalfPlaneQueue<typename Real::Number>& queue, Real index,
 }
 
 template <typename Real>
-AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue<typename Real::Number>& queue, std::size_t i) {
-  const auto load = [i](const std::vector<typename Real::Number>& column) {
-    return Real::load(&column[i]);
-  };
+AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue& queue, std::size_t i) {
+  const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
   Frame<Real> frame{};  // nobody asks its masks again
   frame.local = {
       load(queue.d), {load(queue.v_x), load(queue.v_y)}, load(queue.radius), load(queue.reach)};
@@ -69,7 +64,7 @@ AVO_KERNEL Frame<Real> queued(const HalfPlaneQueue<typename Real::Number>& queue
 
 /// Its last place is repeated, as far as the last pack reads.
 template <typename Real>
-AVO_KERNEL void fill_up(HalfPlaneQueue<typename Real::Number>& queue) {
+AVO_KERNEL void fill_up(HalfPlaneQueue& queue) {
   if (queue.count == 0) return;
   for (auto* column : {&queue.d, &queue.v_x, &queue.v_y, &queue.radius, &queue.reach, &queue.e_x,
                        &queue.e_y, &queue.side}) {
@@ -77,9 +72,8 @@ AVO_KERNEL void fill_up(HalfPlaneQueue<typename Real::Number>& queue) {
   }
 }
 
-template <typename Real>
-AVO_KERNEL void set_state(PlaneColumns<typename Real::Number>& planes, std::size_t first,
-                          std::uint32_t lanes, PairState state) {
+AVO_KERNEL void set_state(PlaneColumns& planes, std::size_t first, std::uint32_t lanes,
+                          PairState state) {
   for (; lanes != 0; lanes &= lanes - 1) {
     planes.state[first + static_cast<std::size_t>(std::countr_zero(lanes))] = state;
   }
@@ -87,27 +81,15 @@ AVO_KERNEL void set_state(PlaneColumns<typename Real::Number>& planes, std::size
 
 /// Of all lanes, of which those whose bits are set are free.
 template <typename Real>
-AVO_KERNEL void set_states(PlaneColumns<typename Real::Number>& planes, std::size_t first,
-                           std::uint32_t free) {
-  constexpr std::size_t kBits = std::min<std::size_t>(Real::kLanes, 8);
-  for (std::size_t k = 0; k < Real::kLanes; k += kBits) {
-    std::copy_n(kFreeOrNot[free >> k & 0xffU].begin(), kBits, &planes.state[first + k]);
-  }
-}
-
-/// Pairs in contact, but for equal centers and what single precision leaves to double.
-template <typename Real>
-AVO_KERNEL auto overlaps(const Frame<Real>& frame) {
-  if constexpr (kSingle<Real>) return frame.local.d < Real(0.0);
-  return frame.in_contact & (frame.local.d > Real(kTiniest<typename Real::Number>));
+AVO_KERNEL void set_states(PlaneColumns& planes, std::size_t first, std::uint32_t free) {
+  std::copy_n(kFreeOrNot[free].begin(), Real::kLanes, &planes.state[first]);
 }
 
 /// Frames of all pairs, half-planes of those in contact and of those that the tip decides, queues
 /// of the others.
 template <typename Real>
-void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
-              HalfPlaneWorkspace<typename Real::Number>& work,
-              PlaneColumns<typename Real::Number>& planes) {
+void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& work,
+              PlaneColumns& planes) {
   const ResponseAt& end = horizon.end();
   for (std::size_t i = 0; i < pairs.count; i += Real::kLanes) {
     const Real R = Real::load(&pairs.reach[i]);
@@ -115,7 +97,8 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
                                              {Real::load(&pairs.v_x[i]), Real::load(&pairs.v_y[i])},
                                              Real::load(&pairs.radius[i]), R, end);
     const Tip<Real> last = tip(frame.local, end);
-    const auto overlapping = overlaps(frame);
+    // equal centers have no normal
+    const auto overlapping = frame.in_contact & (frame.local.d > Real(kTiniest));
     Vec<Real> n = frame.turned_back(last.plane.n);
     Real h = last.plane.h;
     if (any(overlapping)) {
@@ -127,7 +110,7 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
     n.y.store(&planes.n_y[i]);
     const auto free = (!overlapping) & (frame.too_far | (last.nearest & (h <= -R)));
     const auto beyond_reach = (h > R) & (!free);
-    const Real none = -std::numeric_limits<typename Real::Number>::infinity();
+    const Real none = -std::numeric_limits<double>::infinity();
     select(free, none, select(beyond_reach, R, h)).store(&planes.h[i]);
     select(beyond_reach, h - R, Real(0.0)).store(&planes.excess[i]);
     const std::uint32_t free_lanes = bits(free);
@@ -141,21 +124,21 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
       open &= ~lanes;
       return lanes;
     };
-    const auto contact = frame.in_contact | in_doubt(frame.local, end);
-    const std::uint32_t in_contact = take(bits(contact));
+    const std::uint32_t in_contact = take(bits(frame.in_contact));
     if (in_contact != 0) {
       const std::uint32_t settled = in_contact & bits(overlapping);
-      set_state<Real>(planes, i, settled, PairState::overlapping);
-      store_chosen(contact & (!overlapping), Real::numbers_from(i), &work.rest[work.rest_count]);
+      set_state(planes, i, settled, PairState::overlapping);
+      store_chosen(frame.in_contact & (!overlapping), Real::numbers_from(i),
+                   &work.rest[work.rest_count]);
       work.rest_count += static_cast<std::size_t>(std::popcount(in_contact & ~settled));
       work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
     }
     take(free_lanes);
     const std::uint32_t tips = take(bits(last.nearest));
-    set_state<Real>(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
+    set_state(planes, i, tips & bits(beyond_reach), PairState::unavoidable);
     work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
     if (open == 0) continue;
-    const auto waits = !(contact | free | last.nearest);
+    const auto waits = !(frame.in_contact | free | last.nearest);
     const auto number_of = [](std::uint32_t lanes) {
       return static_cast<std::size_t>(std::popcount(lanes));
     };
@@ -167,13 +150,11 @@ void classify(const PairColumns<typename Real::Number>& pairs, const Horizon& ho
 }
 
 template <typename Real>
-AVO_KERNEL void put(const Frame<Real>& frame, const Plane<Real>& plane,
-                    const typename Real::Number* index, std::size_t lanes,
-                    PlaneColumns<typename Real::Number>& planes) {
-  using Number = typename Real::Number;
+AVO_KERNEL void put(const Frame<Real>& frame, const Plane<Real>& plane, const double* index,
+                    std::size_t lanes, PlaneColumns& planes) {
   const Vec<Real> n = frame.turned_back(plane.n);
   const auto beyond_reach = plane.h > frame.local.R;
-  alignas(64) std::array<Number, Real::kLanes> n_x{}, n_y{}, h{}, excess{};
+  alignas(64) std::array<double, Real::kLanes> n_x{}, n_y{}, h{}, excess{};
   n.x.store(n_x.data());
   n.y.store(n_y.data());
   select(beyond_reach, frame.local.R, plane.h).store(h.data());
@@ -191,10 +172,9 @@ AVO_KERNEL void put(const Frame<Real>& frame, const Plane<Real>& plane,
 }
 
 template <typename Real>
-void solve_convex(const Horizon& horizon, HalfPlaneWorkspace<typename Real::Number>& work,
-                  PlaneColumns<typename Real::Number>& planes) {
-  HalfPlaneQueue<typename Real::Number>& queue = work.convex;
-  const ResponseTable<typename Real::Number> table = horizon.table<typename Real::Number>();
+void solve_convex(const Horizon& horizon, HalfPlaneWorkspace& work, PlaneColumns& planes) {
+  HalfPlaneQueue& queue = work.convex;
+  const ResponseTable table = horizon.table();
   work.cases.convex = queue.count;
   fill_up<Real>(queue);
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
@@ -207,20 +187,18 @@ void solve_convex(const Horizon& horizon, HalfPlaneWorkspace<typename Real::Numb
 /// A pack of a queue of `count`; those that are not settled stay in it.
 template <Look look, typename Real>
 AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horizon& horizon,
-                               HalfPlaneQueue<typename Real::Number>& queue,
-                               PlaneColumns<typename Real::Number>& planes) {
-  using Number = typename Real::Number;
-  const Number* index = &queue.index[first];
+                               HalfPlaneQueue& queue, PlaneColumns& planes) {
+  const double* index = &queue.index[first];
   const std::size_t lanes = std::min(Real::kLanes, count - first);
   const Frame<Real> frame = queued<Real>(queue, first);
-  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), horizon.table<Number>());
+  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), horizon.table());
   put(frame, result.plane, index, lanes, planes);
   const std::uint32_t settled = bits(result.settled), all = 0xffffffffU >> (32U - lanes);
   for (std::uint32_t left = settled & bits(result.free) & all; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(index[std::countr_zero(left)]);
     planes.state[i] = PairState::free;
-    planes.h[i] = -std::numeric_limits<Number>::infinity();
-    planes.excess[i] = Number(0);
+    planes.h[i] = -std::numeric_limits<double>::infinity();
+    planes.excess[i] = 0.0;
   }
   const std::uint32_t open = all & ~settled;
   if (open == 0) return;
@@ -230,8 +208,7 @@ AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horiz
 
 /// By wide packs as long as they are more than half full. Returns how many pairs there were.
 template <Look look, typename Real, typename Wide>
-std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue<typename Real::Number>& queue,
-                        PlaneColumns<typename Real::Number>& planes) {
+std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue& queue, PlaneColumns& planes) {
   fill_up<Wide>(queue);
   const std::size_t count = queue.count;
   queue.count = 0;
@@ -245,9 +222,8 @@ std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue<typename Real::Nu
 
 /// Wide: what hides the time that Newton's iterations wait for their divisions.
 template <typename Real, typename Wide>
-void solve(const PairColumns<typename Real::Number>& pairs, const Horizon& horizon,
-           HalfPlaneWorkspace<typename Real::Number>& work,
-           PlaneColumns<typename Real::Number>& planes) {
+void solve(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& work,
+           PlaneColumns& planes) {
   static_assert(Wide::kLanes <= kSparePairs);
   classify<Real>(pairs, horizon, work, planes);
   solve_convex<Wide>(horizon, work, planes);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "avo/response.h"
 #include "obstacles/kernels.h"
@@ -29,37 +28,26 @@ Horizon::Horizon(double control_time, double time_horizon, double time_step)
     const double t = static_cast<double>(k) * seconds_per_node;
     gain_.push_back(response.gain(t));
     rate_.push_back(response.rate(t));
-    float_gain_.push_back(static_cast<float>(gain_.back()));
-    float_rate_.push_back(static_cast<float>(rate_.back()));
   }
   end_.time = time_horizon;
   end_ = at(time_horizon);
   step_ = at(time_step);
 }
 
-template <typename Number>
-ResponseTable<Number> Horizon::table() const noexcept {
+ResponseTable Horizon::table() const noexcept {
   const double seconds_per_node = control_time_ / kNodesPerControlTime;
-  ResponseTable<Number> table{nullptr,
-                              nullptr,
-                              1.0 / seconds_per_node,
-                              seconds_per_node,
-                              static_cast<double>(gain_.size() - 1),
-                              control_time_,
-                              1.0 / control_time_,
-                              end_.time};
-  if constexpr (std::is_same_v<Number, double>) {
-    table.gain = gain_.data(), table.rate = rate_.data();
-  } else {
-    table.gain = float_gain_.data(), table.rate = float_rate_.data();
-  }
-  return table;
+  return {gain_.data(),
+          rate_.data(),
+          1.0 / seconds_per_node,
+          seconds_per_node,
+          static_cast<double>(gain_.size() - 1),
+          control_time_,
+          1.0 / control_time_,
+          end_.time};
 }
-template ResponseTable<double> Horizon::table() const noexcept;
-template ResponseTable<float> Horizon::table() const noexcept;
 
 ResponseAt Horizon::at(double t) const noexcept {
-  const auto result = scalar::at(table<double>(), scalar::Pack<double>(t));
+  const auto result = scalar::at(table(), scalar::Pack<double>(t));
   return {t, result.gain.value, result.rate.value, result.lag.value, result.per_rate.value};
 }
 

@@ -25,7 +25,7 @@ constexpr double kTurnTolerance = 1e-7;  // relative; every use is of second ord
 
 struct Search {
   scalar::Horn<Real> horn;
-  ResponseTable<double> table;
+  ResponseTable table;
   double R, speed;  // m/s
   double t_m;       // time of the closest approach or 0, s
   double first;     // the time from which on the near side matters, s
@@ -72,8 +72,8 @@ void cross(const Search& search, const Touch& from, const Touch& to, Corners& co
   const double f_from = f(from.length), f_to = f(to.length);
   const double start = (from.t * f_to - to.t * f_from) / (f_to - f_from);
   const scalar::Crossing<Real> found = scalar::crossing(
-      search.horn, {from.t, to.t, start, from.outside ? 1.0 : -1.0, kCloseTolerance<double>},
-      search.table, scalar::Mask{true});
+      search.horn, {from.t, to.t, start, from.outside ? 1.0 : -1.0, kCloseTolerance}, search.table,
+      scalar::Mask{true});
   const scalar::TwoPoints<Real> ends =
       scalar::circle_points(search.horn, scalar::at(search.table, found.time));
   const bool on_near_end = found.tangential.value >= 0.0;
@@ -167,11 +167,11 @@ void find_crossings(const Search& search, Corners& corners) {
 Search search_of(const scalar::Local<Real>& pair, const Horizon& horizon) {
   const scalar::Horn<Real> horn = scalar::horn_of(pair);
   const double speed = horn.speed.value, R = pair.R.value;
-  Search search{horn, horizon.table<double>(), R, speed, 0.0, 0.0};
+  Search search{horn, horizon.table(), R, speed, 0.0, 0.0};
   const double contact = contact_time(search), clear = (horn.closest - pair.r).value;
   const double t_m = std::max(0.0, -(horn.z * horn.per_speed).value);
   const double r = pair.r.value;
-  const bool grazes = pair.d.value - r <= kContact<double> * r && !(horn.gap2.value > 0.0);
+  const bool grazes = pair.d.value - r <= kContact * r && !(horn.gap2.value > 0.0);
   search.t_m = t_m < contact || grazes ? 0.0 : t_m;
   const double out_of_reach = std::sqrt(std::max(0.0, 2.0 * search.table.control_time * clear / R));
   search.first = std::max(

@@ -31,7 +31,7 @@ AVO_KERNEL NearSide<Real> select(decltype(Real() < Real()) mask, const NearSide<
 // crossing. Once `settled`, |b| can only fall through R, once, up to τ.
 template <typename Real>
 AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& passage,
-                                  const ResponseTable<typename Real::Number>& table) {
+                                  const ResponseTable& table) {
   using Lanes = decltype(Real() < Real());
   const Real R = horn.pair.R, tau = table.end, t_m = passage.t_m;
   const Strides<Real> stride = strides(horn, t_m, table);
@@ -40,7 +40,7 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
   NearSide<Real> from = near_side(horn, at(table, t), table);
   Real from_length = length_of(from);
   Lanes inside = from_length <= R, lost = active & (!active), doubt = lost;
-  const Real one = Real(1.0), tolerance = Real(kCloseTolerance<typename Real::Number>);
+  const Real one = Real(1.0), tolerance = Real(kCloseTolerance);
   const Bracket<Real> fall{passage.first, t, first_time(horn, table), one, tolerance};
   const Bracket<Real> rise{t, tau, t, -one, tolerance};
   Crossings<Real> result{{fall, rise, fall}, {active & inside, lost, lost}, lost};

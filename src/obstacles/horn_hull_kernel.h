@@ -37,7 +37,7 @@ struct Hull {
 
   // Of the points within reach: where the disc's extreme point is not, its corners take its place.
   AVO_KERNEL Real support(Vec<Real> n) const {
-    const Real none = Real(-std::numeric_limits<typename Real::Number>::infinity());
+    const Real none = Real(-std::numeric_limits<double>::infinity());
     const Vec<Real> extreme = center + radius * n;
     Real h =
         select(disc_in_reach & (dot(extreme, extreme) <= R * R), dot(n, center) + radius, none);
@@ -72,8 +72,7 @@ struct Hull {
 
 template <typename Real, std::size_t kCrossings>
 AVO_KERNEL Plane<Real> least_support(const Hull<Real, kCrossings>& hull) {
-  using Number = typename Real::Number;
-  const Real infinity = Real(std::numeric_limits<Number>::infinity());
+  const Real infinity = Real(std::numeric_limits<double>::infinity());
   Plane<Real> best{{Real(0.0), Real(0.0)}, infinity};
   const Real length = norm(hull.center);
   hull.offer(-inverse(length) * hull.center, hull.disc_in_reach, best);
@@ -106,7 +105,7 @@ AVO_KERNEL Hull<Real, kCrossings> hull_of(const Horn<Real>& horn, const At<Real>
 /// One crossing at most, as Passage says or, if it does not, a walk does.
 template <bool kWalks, typename Real>
 AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                        const ResponseTable<typename Real::Number>& table) {
+                                        const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
   const At<Real> end = constant<Real>(horizon_end);
   Passage<Real> way = passage(shape, horizon_end, table);
@@ -121,10 +120,9 @@ AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseA
     has_crossing = (has_crossing | crossed) & (way.first < end.time);
   }
   hull.has_crossing[0] = has_crossing;
-  const Crossing<Real> cross = crossing(shape,
-                                        {way.first, way.last, first_time(shape, table), Real(1.0),
-                                         Real(kTimeTolerance<typename Real::Number>)},
-                                        table, has_crossing & way.once & way.ordinary);
+  const Crossing<Real> cross = crossing(
+      shape, {way.first, way.last, first_time(shape, table), Real(1.0), Real(kTimeTolerance)},
+      table, has_crossing & way.once & way.ordinary);
   hull.crossing[0] = circle_points(shape, at(table, cross.time)).near;
   HornPlane<Real> result;
   result.plane = least_support(hull);
@@ -140,7 +138,7 @@ AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseA
 /// time of that crossing has corners of its own, which are left to the general search.
 template <typename Real>
 AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                         const ResponseTable<typename Real::Number>& table) {
+                                         const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
   const Crossings<Real> all = follow(shape, passage(shape, horizon_end, table), table);
   auto hull = hull_of<kMostCrossings>(shape, constant<Real>(horizon_end), horizon_end);
@@ -157,14 +155,14 @@ AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const Response
   HornPlane<Real> result;
   result.plane = least_support(hull);
   result.free = !(hull.disc_in_reach | all.found[0]);
-  const Real infinity = Real(std::numeric_limits<typename Real::Number>::infinity());
+  const Real infinity = Real(std::numeric_limits<double>::infinity());
   result.settled = regular & (result.free | (result.plane.h < infinity));
   return result;
 }
 
 template <Look look, typename Real>
 AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                const ResponseTable<typename Real::Number>& table) {
+                                const ResponseTable& table) {
   if constexpr (look == Look::thoroughly) return often_crossed(pair, horizon_end, table);
   return once_crossed<look == Look::closely>(pair, horizon_end, table);
 }

@@ -23,7 +23,7 @@ AVO_KERNEL Horn<Real> horn_of(const Local<Real>& pair) {
   Horn<Real> horn;
   horn.pair = pair;
   horn.speed = norm(pair.v);
-  horn.per_speed = Real(1.0) / max(horn.speed, Real(kSlowest<typename Real::Number>));
+  horn.per_speed = Real(1.0) / max(horn.speed, Real(kSlowest));
   horn.z = pair.d * pair.v.x * horn.per_speed;
   horn.miss = pair.d * pair.v.y * horn.per_speed;
   horn.closest = select(horn.z < Real(0.0), horn.miss, pair.d);
@@ -50,7 +50,7 @@ struct NearSide {
 
 template <typename Real>
 AVO_KERNEL NearSide<Real> near_side(const Horn<Real>& horn, const At<Real>& at,
-                                    const ResponseTable<typename Real::Number>& table) {
+                                    const ResponseTable& table) {
   NearSide<Real> side;
   side.at = at;
   side.lead = at.gain * at.per_rate;
@@ -123,7 +123,7 @@ struct Passage {
 // Else, if the closest approach is in reach, |b| <= |x|/g <= R from there on.
 template <typename Real>
 AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
-                                 const ResponseTable<typename Real::Number>& table) {
+                                 const ResponseTable& table) {
   const Real kappa_end = (horizon_end.time - horizon_end.lag) / horizon_end.lag;
   const Local<Real>& pair = horn.pair;
   const Real delta = table.control_time, tau = table.end, zero = Real(0.0);
@@ -156,15 +156,14 @@ AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horiz
           select(in_reach, t_m, tau),
           in_reach | (no_turn & no_cusp),
           in_reach,
-          clear > Real(kContact<typename Real::Number>) * pair.r,
+          clear > Real(kContact) * pair.r,
           t_m};
 }
 
 /// About where |b| = R. |g b|² is near l² at t = 0 and |v t|² at last: here the parabola with both
 /// and the slope at t = 0, and g is t²/(2 δ k²), k = 1 + t/(6 δ).
 template <typename Real>
-AVO_KERNEL Real first_time(const Horn<Real>& horn,
-                           const ResponseTable<typename Real::Number>& table) {
+AVO_KERNEL Real first_time(const Horn<Real>& horn, const ResponseTable& table) {
   const Local<Real>& pair = horn.pair;
   const Real delta = table.control_time, per_6_delta = table.per_control_time / 6.0;
   const Real per_d2 = inverse(pair.d * pair.d), back = min(horn.z, Real(0.0));
@@ -216,8 +215,7 @@ struct Crossing {
 
 template <typename Real>
 AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& bracket,
-                                   const ResponseTable<typename Real::Number>& table,
-                                   decltype(Real() < Real()) wanted) {
+                                   const ResponseTable& table, decltype(Real() < Real()) wanted) {
   const Real one = Real(1.0), zero = Real(0.0), R = horn.pair.R;
   Real low = bracket.low, high = bracket.high, t = bracket.guess;
   t = select((t > low) & (t < high), t, Real(0.5) * (low + high));

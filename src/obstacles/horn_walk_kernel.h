@@ -5,7 +5,7 @@
 // The time whose lag is t_m, where y comes nearest, in two steps of Newton's iteration: what lies
 // between the cusps of a close pass lies around it.
 template <typename Real>
-AVO_KERNEL Real cusp_time(Real t_m, const ResponseTable<typename Real::Number>& table) {
+AVO_KERNEL Real cusp_time(Real t_m, const ResponseTable& table) {
   const Real per_delta = table.per_control_time;
   Real t = Real(2.0) * t_m * (Real(1.0) + t_m * per_delta * Real(1.0 / 3.0));
   for (int i = 0; i < 2; ++i) {
@@ -36,8 +36,7 @@ struct Strides {
 };
 
 template <typename Real>
-AVO_KERNEL Strides<Real> strides(const Horn<Real>& horn, Real t_m,
-                                 const ResponseTable<typename Real::Number>& table) {
+AVO_KERNEL Strides<Real> strides(const Horn<Real>& horn, Real t_m, const ResponseTable& table) {
   const auto closing = horn.z < Real(0.0);
   return {closing, t_m, select(closing, cusp_time(t_m, table), Real(0.0)),
           min(Real(0.125) * horn.closest * horn.per_speed, Real(0.25) * t_m)};
@@ -70,8 +69,7 @@ AVO_KERNEL auto turns_near(const NearSide<Real>& from, Real from_length, const N
 // get there; a lane where neither is so, or where |b| rises through R, is not `once`. Ends where
 // |b| stays below R, or can only fall from there.
 template <typename Real>
-AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable<typename Real::Number>& table,
-                     Passage<Real>& passage) {
+AVO_KERNEL void walk(const Horn<Real>& horn, const ResponseTable& table, Passage<Real>& passage) {
   const Real R = horn.pair.R, tau = table.end, zero = Real(0.0), t_m = passage.t_m;
   const Strides<Real> stride = strides(horn, t_m, table);
   auto once = (!passage.once) & passage.ordinary & (passage.first < tau);

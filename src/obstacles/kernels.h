@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <type_traits>
 
 #include "avo/horizon.h"
 #include "core/scalar.h"
@@ -30,45 +29,30 @@ constexpr int kMaxPieces = 24;
 constexpr double kFlat = 0.1;   // of l²
 constexpr double kWide = 0.25;  // of the time, and of R
 // Of the last two steps' product, relative, which leaves about its square: a use of second order.
-template <typename Number>
-constexpr double kTimeTolerance = std::is_same_v<Number, double> ? 1e-4 : 3e-4;
+constexpr double kTimeTolerance = 1e-4;
 // The same where the near side may have cusps near by.
-template <typename Number>
-constexpr double kCloseTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-5;
+constexpr double kCloseTolerance = 1e-8;
 // Relative, of Newton's last step in σ, which leaves about its square.
-template <typename Number>
-constexpr double kConvexTolerance = std::is_same_v<Number, double> ? 1e-8 : 1e-4;
+constexpr double kConvexTolerance = 1e-8;
 // Its square does not underflow.
-template <typename Number>
-constexpr double kTiniest = std::is_same_v<Number, double> ? 1e-150 : 1e-18;
+constexpr double kTiniest = 1e-150;
 // |sin| of an angle that may be one of rounding.
-template <typename Number>
-constexpr double kTie = std::is_same_v<Number, double> ? 1e-9 : 1e-6;
+constexpr double kTie = 1e-9;
 // Of r: nearer than this, what is left is of the order of rounding.
-template <typename Number>
-constexpr double kContact = std::is_same_v<Number, double> ? 1e-9 : 1e-4;
-// Of d + |v| τ: what single precision may do to a path. Of that, the least gap and the most reach
-// times g(τ) that it is trusted with.
-constexpr double kBlur = 0x1p-19, kLeastGap = 32.0, kMostReach = 0x1p29;
-// m: nearer centers are left to double precision, for products of lengths become too small.
-constexpr double kLeastDistance = 1e-6;
+constexpr double kContact = 1e-9;
 // m/s; slower is at rest.
-template <typename Number>
-constexpr double kSlowest = std::is_same_v<Number, double> ? 1e-100 : 1e-18;
+constexpr double kSlowest = 1e-100;
 
 namespace scalar {
 #include "obstacles/half_plane_kernels.h"
 }  // namespace scalar
 
 struct HalfPlaneKernels {
-  void (*solve_double)(const PairColumns<double>&, const Horizon&, HalfPlaneWorkspace<double>&,
-                       PlaneColumns<double>&);
-  void (*solve_single)(const PairColumns<float>&, const Horizon&, HalfPlaneWorkspace<float>&,
-                       PlaneColumns<float>&);
-  void (*relate)(std::span<const PairOwner>, const NeighborColumns&, double, PairColumns<double>&,
+  void (*solve)(const PairColumns&, const Horizon&, HalfPlaneWorkspace&, PlaneColumns&);
+  void (*relate)(std::span<const PairOwner>, const NeighborColumns&, double, PairColumns&,
                  std::vector<double>&);
-  void (*share_out)(std::span<const PairOwner>, std::span<const double>,
-                    const PlaneColumns<double>&, SharedPlanes&);
+  void (*share_out)(std::span<const PairOwner>, std::span<const double>, const PlaneColumns&,
+                    SharedPlanes&);
 };
 
 }  // namespace avo

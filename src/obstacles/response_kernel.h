@@ -6,7 +6,7 @@
 /// 1/a for a >= 0; finite for a = 0, where nobody wants it, but lanes compute it all the same.
 template <typename Real>
 AVO_KERNEL Real inverse(Real a) {
-  return Real(1.0) / max(a, Real(kTiniest<typename Real::Number>));
+  return Real(1.0) / max(a, Real(kTiniest));
 }
 
 /// One instant of the response, see Response.
@@ -15,13 +15,12 @@ struct At {
   Real time, gain, rate, per_rate, lag;
 };
 
-/// 2 (u + e^{-u} - 1)/u² for 0 <= u <= 1/32: up to u^7, 2^-58 of it, and to u^3, 2^-28.
+/// 2 (u + e^{-u} - 1)/u² for 0 <= u <= 1/32: up to u^7, 2^-58 of it.
 template <typename Real>
 AVO_KERNEL Real response_series(Real u) {
   const Real u2 = u * u;
   const Real low =
       (Real(1.0) - u * Real(1.0 / 3.0)) + u2 * (Real(1.0 / 12.0) - u * Real(1.0 / 60.0));
-  if constexpr (std::is_same_v<typename Real::Number, float>) return low;
   const Real high = (Real(1.0 / 360.0) - u * Real(1.0 / 2520.0)) +
                     u2 * (Real(1.0 / 20160.0) - u * Real(1.0 / 181440.0));
   return low + u2 * u2 * high;
@@ -29,7 +28,7 @@ AVO_KERNEL Real response_series(Real u) {
 
 /// Where t >= 0. Past the table, at 40 δ, g grows by the time itself.
 template <typename Real>
-AVO_KERNEL At<Real> at(const ResponseTable<typename Real::Number>& table, Real t) {
+AVO_KERNEL At<Real> at(const ResponseTable& table, Real t) {
   const Real k = floor(min(t * Real(table.nodes_per_second), Real(table.last)));
   const Real h = max(t - k * Real(table.seconds_per_node), Real(0.0));
   const Real node_rate = lookup(table.rate, k), decay = Real(1.0) - node_rate;

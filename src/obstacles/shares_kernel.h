@@ -4,7 +4,7 @@
 
 template <typename Real>
 void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
-            double control_time, PairColumns<double>& pairs, std::vector<double>& share) {
+            double control_time, PairColumns& pairs, std::vector<double>& share) {
   const Real delta = control_time;
   std::size_t first = 0;
   for (const PairOwner& own : robots) {
@@ -30,7 +30,7 @@ void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
 /// keeps to it.
 template <typename Real>
 void share_out(std::span<const PairOwner> robots, std::span<const double> share,
-               const PlaneColumns<double>& relative, SharedPlanes& shared) {
+               const PlaneColumns& relative, SharedPlanes& shared) {
   const Real lane = lane_numbers<Real>();
   std::size_t first = 0, kept = 0;
   auto exceeding = lane < Real(0.0);  // none

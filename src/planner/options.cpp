@@ -104,10 +104,6 @@ const char* to_string(Motion motion) {
   return motion == Motion::held ? "held" : "exponential";
 }
 
-const char* to_string(Precision precision) {
-  return precision == Precision::double_precision ? "double" : "single";
-}
-
 PlannerOptions default_options(Method method) {
   PlannerOptions options;
   options.method = method;

@@ -133,10 +133,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   scratch.wishes.reserve(1);
   scratch.columns.reserve(1);
   scratch.results.reserve(1);
-  scratch.in_single.reserve(1, neighbors, neighbors);
-  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-    avo::reserve(1, neighbors, precision, scratch.soft);
-  }
+  avo::reserve(1, neighbors, scratch.soft);
 }
 
 Planner::Planner(const PlannerOptions& options) : options_(options) {

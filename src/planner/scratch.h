@@ -25,8 +25,7 @@ struct PlanWorkspace::Scratch {
   std::vector<Vec2> wishes;
   RobotColumns columns;  // of method avo
   std::vector<ProgramResult> results;
-  ProgramBatch<double> in_double;
-  ProgramBatch<float> in_single;
+  ProgramBatch programs;
   std::vector<HalfPlane> projected;
   std::vector<PassiveObstacle> obstacles;
   // of the neighbors given: numbers, and themselves sorted by distance

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "planner/decision.h"
 
@@ -33,8 +32,8 @@ std::size_t list_owners(const PlannerOptions& options, std::span<const Sensing> 
 }
 
 // What those that do not decide add to a pair, and by how much it can raise the offset.
-void add_movers(const PlannerOptions& options, const NeighborColumns& neighbors,
-                PairColumns<double>& pairs, std::vector<PairOwner>& owners) {
+void add_movers(const PlannerOptions& options, const NeighborColumns& neighbors, PairColumns& pairs,
+                std::vector<PairOwner>& owners) {
   std::size_t i = 0;
   for (PairOwner& own : owners) {
     for (std::size_t k = own.neighbor; i < own.end; ++i, ++k) {
@@ -46,30 +45,10 @@ void add_movers(const PlannerOptions& options, const NeighborColumns& neighbors,
   }
 }
 
-const PlaneColumns<double>& widened(const PlaneColumns<double>& planes, std::size_t,
-                                    PlaneColumns<double>&) {
-  return planes;
-}
-// The program counts on unit normals: one step of Newton's iteration for 1/|n|.
-const PlaneColumns<double>& widened(const PlaneColumns<float>& planes, std::size_t count,
-                                    PlaneColumns<double>& wide) {
-  for (auto* column : {&wide.n_x, &wide.n_y, &wide.h, &wide.excess}) grow(*column, planes.h.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 n{planes.n_x[i], planes.n_y[i]};
-    const double per_length = 1.5 - 0.5 * dot(n, n);
-    wide.n_x[i] = per_length * n.x;
-    wide.n_y[i] = per_length * n.y;
-    wide.h[i] = per_length * planes.h[i];
-    wide.excess[i] = planes.excess[i];
-  }
-  return wide;
-}
-
 // Robots in contact. Without an early end, several pairs are looked at in one instruction.
-template <typename Number>
-void mark_overlaps(const HalfPlaneBatch<Number>& batch, SoftPlanes& soft) {
-  if (batch.workspace.cases.contact == 0) return;
-  const std::vector<PairState>& states = batch.planes.state;
+void mark_overlaps(SoftPlanes& soft) {
+  if (soft.workspace.cases.contact == 0) return;
+  const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.owners.size(); ++r) {
     bool found = false;
@@ -87,7 +66,8 @@ double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec
              : options.control_time * dot(normal, neighbor.acceleration);
 }
 
-void keep(const PlaneColumns<double>& relative, std::size_t robots, SoftPlanes& soft) {
+void keep(std::size_t robots, SoftPlanes& soft) {
+  const PlaneColumns& relative = soft.relative;
   const std::size_t count = robots > 0 ? soft.shared.kept_end[robots - 1] : 0;
   soft.planes.resize(count);
   soft.excess.assign(count, 0.0);
@@ -119,43 +99,25 @@ void raise_for_movers(const PlannerOptions& options, std::span<const Sensing> ro
   }
 }
 
-void reserve(std::size_t pairs, PairColumns<double>& columns, SoftPlanes& soft) {
-  columns.reserve(pairs);
+void reserve(std::size_t pairs, SoftPlanes& soft) {
+  soft.pairs.reserve(pairs);
   if (soft.share.size() < pairs + kSparePairs) soft.share.resize(pairs + kSparePairs, 1.0);
   grow(soft.shared.offset, pairs + kSparePairs);
   grow(soft.shared.kept, pairs + kSparePairs);
 }
 
-PairColumns<double>& narrowed(PairColumns<double>& pairs, PairColumns<double>&) {
-  return pairs;
-}
-PairColumns<float>& narrowed(PairColumns<double>& pairs, PairColumns<float>& narrow) {
-  narrow.reserve(pairs.count);
-  for (std::size_t i = 0; i < pairs.count; ++i) {
-    narrow.put(i, {pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i],
-               pairs.reach[i]);
-  }
-  narrow.count = pairs.count;
-  return narrow;
-}
-
-template <typename Number>
 void collect_exact(const PlannerOptions& options, const Horizon& horizon,
-                   std::span<const Sensing> robots, HalfPlaneBatch<Number>& batch,
-                   SoftPlanes& soft) {
+                   std::span<const Sensing> robots, SoftPlanes& soft) {
   soft.overlapping.assign(robots.size(), 0);
   if (robots.empty()) return;
   const NeighborColumns& neighbors = *robots[0].neighbors.columns;
-  PairColumns<double>& exact = soft.in_double.pairs;
-  reserve(list_owners(options, robots, soft), exact, soft);
-  relate(soft.owners, neighbors, options.control_time, exact, soft.share);
-  if (neighbors.has_movers) add_movers(options, neighbors, exact, soft.owners);
-  PairColumns<Number>& pairs = narrowed(exact, batch.pairs);
-  half_planes(pairs, horizon, batch.workspace, batch.planes);
-  const PlaneColumns<double>& relative = widened(batch.planes, pairs.count, soft.in_double.planes);
-  share_out(soft.owners, soft.share, relative, soft.shared);
-  mark_overlaps(batch, soft);
-  keep(relative, robots.size(), soft);
+  reserve(list_owners(options, robots, soft), soft);
+  relate(soft.owners, neighbors, options.control_time, soft.pairs, soft.share);
+  if (neighbors.has_movers) add_movers(options, neighbors, soft.pairs, soft.owners);
+  half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
+  share_out(soft.owners, soft.share, soft.relative, soft.shared);
+  mark_overlaps(soft);
+  keep(robots.size(), soft);
   if (neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
 
@@ -224,18 +186,9 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
   return {index, plane, std::min(alpha * relative.excess, std::numeric_limits<double>::max())};
 }
 
-void reserve(std::size_t robots, std::size_t pairs, Precision precision, SoftPlanes& soft) {
-  reserve(pairs, soft.in_double.pairs, soft);
-  if (precision == Precision::single_precision) {
-    soft.in_single.pairs.reserve(pairs);
-    reserve(pairs, soft.in_single.workspace, soft.in_single.planes);
-    PlaneColumns<double>& wide = soft.in_double.planes;
-    for (auto* column : {&wide.n_x, &wide.n_y, &wide.h, &wide.excess}) {
-      grow(*column, pairs + kSparePairs);
-    }
-  } else {
-    reserve(pairs, soft.in_double.workspace, soft.in_double.planes);
-  }
+void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
+  reserve(pairs, soft);
+  reserve(pairs, soft.workspace, soft.relative);
   soft.planes.reserve(pairs);
   soft.excess.reserve(pairs);
   grow(soft.shared.kept_end, robots);
@@ -248,10 +201,8 @@ void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon,
                          std::span<const Sensing> robots, SoftPlanes& soft) {
   if (options.method == Method::orca || options.samples > 0) {
     collect_others(options, horizon, robots, soft);
-  } else if (options.precision == Precision::single_precision) {
-    collect_exact(options, horizon, robots, soft.in_single, soft);
   } else {
-    collect_exact(options, horizon, robots, soft.in_double, soft);
+    collect_exact(options, horizon, robots, soft);
   }
 }
 

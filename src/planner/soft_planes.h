@@ -12,14 +12,6 @@
 
 namespace avo {
 
-/// Scratch memory of half_planes().
-template <typename Number>
-struct HalfPlaneBatch {
-  PairColumns<Number> pairs;
-  HalfPlaneWorkspace<Number> workspace;
-  PlaneColumns<Number> planes;
-};
-
 /// Allocates only while it grows.
 struct SoftPlanes {
   std::vector<HalfPlane> planes;          ///< of all robots, each in the order of its neighbors
@@ -32,8 +24,9 @@ struct SoftPlanes {
   std::vector<double> share;  // of each pair, Eq. (20)
   std::vector<PairOwner> owners;
   SharedPlanes shared;
-  HalfPlaneBatch<double> in_double;
-  HalfPlaneBatch<float> in_single;
+  PairColumns pairs;
+  HalfPlaneWorkspace workspace;
+  PlaneColumns relative;
 
   [[nodiscard]] std::span<const HalfPlane> of(std::size_t i) const {
     return std::span(planes).subspan(first[i], first[i + 1] - first[i]);
@@ -50,7 +43,7 @@ Pair relative(const Robot& robot, const Neighbor& neighbor);
 /// do.
 double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor);
 
-/// One by one, in double precision.
+/// One by one.
 RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
                                       const Robot& robot, const Neighbor& neighbor);
 
@@ -58,7 +51,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative);
 
-void reserve(std::size_t robots, std::size_t pairs, Precision precision, SoftPlanes& soft);
+void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 
 /// Of what either limit holds by itself nothing is kept: such a plane cannot cut.
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon,

@@ -36,9 +36,8 @@ ProgramResult solve_program(const Planner& planner, const Robot& robot,
                        wish, projected);
 }
 
-template <typename Number>
 void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, const SoftPlanes& soft,
-                    std::span<const Vec2> wishes, ProgramBatch<Number>& batch,
+                    std::span<const Vec2> wishes, ProgramBatch& batch,
                     std::vector<HalfPlane>& projected, std::vector<ProgramResult>& results) {
   batch.clear();
   for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -64,12 +63,8 @@ template <typename Scratch>
 void solve_programs(const Planner& planner, const SoftPlanes& soft, Scratch& scratch) {
   std::vector<ProgramResult>& results = scratch.results;
   results.clear();
-  if (planner.options().precision == Precision::single_precision) {
-    return solve_in_lanes(planner, scratch.sensing, soft, scratch.wishes, scratch.in_single,
-                          scratch.projected, results);
-  }
   if (scratch.sensing.size() > 1) {
-    return solve_in_lanes(planner, scratch.sensing, soft, scratch.wishes, scratch.in_double,
+    return solve_in_lanes(planner, scratch.sensing, soft, scratch.wishes, scratch.programs,
                           scratch.projected, results);
   }
   for (std::size_t i = 0; i < scratch.sensing.size(); ++i) {
@@ -209,9 +204,9 @@ namespace {
 constexpr std::size_t kMostNear = 2048;  // pairs; of more, memory grows when it is needed
 }  // namespace
 
-void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, std::size_t neighbors_each, std::size_t neighbors,
-                      std::size_t braking_steps, PlanWorkspace& workspace) {
+void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,
+                      std::size_t neighbors_each, std::size_t neighbors, std::size_t braking_steps,
+                      PlanWorkspace& workspace) {
   PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   scratch.reserve_choice(neighbors_each, braking_steps);
   scratch.certified.walls.near.reserve(robots, std::min(neighbors, kMostNear));
@@ -221,12 +216,8 @@ void reserve_together(const Planner& planner, std::size_t robots, std::size_t pl
   scratch.columns.reserve(robots);
   scratch.results.reserve(robots);
   scratch.projected.reserve(4 * planes_each);
-  if (planner.options().precision == Precision::single_precision) {
-    scratch.in_single.reserve(robots, planes_each, planes);
-  } else if (robots > 1) {
-    scratch.in_double.reserve(robots, planes_each, planes);
-  }
-  reserve(robots, planes, planner.options().precision, scratch.soft);
+  if (robots > 1) scratch.programs.reserve(robots, planes_each, planes);
+  reserve(robots, planes, scratch.soft);
 }
 
 }  // namespace avo

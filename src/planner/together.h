@@ -22,8 +22,8 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
 
 /// Room for so many robots with at most so many half-planes each, and in all, among at most so many
 /// neighbors each, and in all, which brake for at most so many steps.
-void reserve_together(const Planner& planner, std::size_t robots, std::size_t planes_each,
-                      std::size_t planes, std::size_t neighbors_each, std::size_t neighbors,
-                      std::size_t braking_steps, PlanWorkspace& workspace);
+void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,
+                      std::size_t neighbors_each, std::size_t neighbors, std::size_t braking_steps,
+                      PlanWorkspace& workspace);
 
 }  // namespace avo

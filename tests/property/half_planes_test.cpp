@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Half-planes of many pairs at once, in either precision: sound, odd, turned, mirrored, ties.
+// Half-planes of many pairs at once: sound, odd, turned, mirrored, ties.
 #include "obstacles/half_planes.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <type_traits>
 
 #include "avo/velocity_obstacle.h"
 #include "support/half_plane_batches.h"
@@ -19,23 +18,11 @@ using test::Situation;
 constexpr int kBatches = 600;
 constexpr std::size_t kSize = 256;
 
-template <typename Number>
-class HalfPlanesIn : public testing::Test {
- protected:
-  static constexpr bool kSingle = std::is_same_v<Number, float>;
-  // Of r. Double precision is off by as much near contact, where single precision takes its answer
-  // too; elsewhere that is never below.
-  static double overlap(const Pair& pair) {
-    return kSingle && norm(pair.position) > 1.001 * pair.radius ? 1e-9 : 1e-7;
-  }
-  static constexpr double kRounding = kSingle ? 0x1p-24 : 0x1p-53;
-  // |sin| up to which p and v are parallel: kTie, and its rounding.
-  static constexpr double kParallel = kSingle ? 2e-6 : 2e-9;
-
-  Batch<Number> batch, other;
-};
-using Precisions = testing::Types<double, float>;
-TYPED_TEST_SUITE(HalfPlanesIn, Precisions);
+// Of r, near contact.
+constexpr double kOverlap = 1e-7;
+constexpr double kRounding = 0x1p-53;
+// |sin| up to which p and v are parallel: kTie, and its rounding.
+constexpr double kParallel = 2e-9;
 
 template <typename Map>
 std::vector<Situation> mapped(std::vector<Situation> all, Map map) {
@@ -58,19 +45,20 @@ void expect_mapped(const RelativeHalfPlane& found, const RelativeHalfPlane& orig
 
 // Nothing that is within reach and in the half-plane collides, on its line nor beyond; nothing at
 // all within reach where there is no half-plane.
-TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
+TEST(HalfPlanes, P3_what_they_admit_does_not_collide) {
+  Batch batch;
   Random random(31);
   int constrained = 0, free = 0;
-  for (int k = 0; k < kBatches && !this->HasFailure(); ++k) {
+  for (int k = 0; k < kBatches && !testing::Test::HasFailure(); ++k) {
     const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
-    this->batch.solve(all, test::horizon_of(all));
+    batch.solve(all, test::horizon_of(all));
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Situation& s = all[i];
-      const RelativeHalfPlane found = this->batch[i];
+      const RelativeHalfPlane found = batch[i];
       const Obstacle obstacle = test::obstacle_of(s);
       const auto expect_apart = [&](Vec2 w) {
         const double distance = closest_approach(obstacle, s.pair.velocity + w).distance;
-        EXPECT_GE(distance, s.pair.radius * (1.0 - this->overlap(s.pair)))
+        EXPECT_GE(distance, s.pair.radius * (1.0 - kOverlap))
             << "w " << w.x << ", " << w.y << " h " << found.plane.offset << "\n"
             << s;
       };
@@ -83,7 +71,7 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
       const Vec2 n = found.plane.normal;
       // n is a unit vector to rounding only: the line is where n . w = h all the same
       const double length = norm(n), h = found.plane.offset / length;
-      ASSERT_NEAR(length, 1.0, 8.0 * this->kRounding) << s;
+      ASSERT_NEAR(length, 1.0, 8.0 * kRounding) << s;
       if (std::abs(h) > s.reach) continue;
       const double half = std::sqrt((s.reach - h) * (s.reach + h));
       for (const double part : {0.0, -1.0, 1.0, random.uniform(-1.0, 1.0)}) {
@@ -99,7 +87,8 @@ TYPED_TEST(HalfPlanesIn, P3_what_they_admit_does_not_collide) {
 
 // Where a step of the search for the crossing happens to be tiny, the next is not made from two
 // points that differ by rounding.
-TYPED_TEST(HalfPlanesIn, P3_tiny_steps_towards_a_crossing_end_no_search) {
+TEST(HalfPlanes, P3_tiny_steps_towards_a_crossing_end_no_search) {
+  Batch batch;
   for (const Situation& s : {Situation{{{-4.8841251634019063, -1.993916870801274},
                                         {2.2015201452919504, 0.43834581162565339},
                                         1.0},
@@ -112,8 +101,8 @@ TYPED_TEST(HalfPlanesIn, P3_tiny_steps_towards_a_crossing_end_no_search) {
                                        1.8940392364495664,
                                        0.5,
                                        10.0}}) {
-    this->batch.solve({s}, test::horizon_of({s}));
-    const HalfPlane plane = this->batch[0].plane;
+    batch.solve({s}, test::horizon_of({s}));
+    const HalfPlane plane = batch[0].plane;
     const double half = std::sqrt((s.reach - plane.offset) * (s.reach + plane.offset));
     for (const double part : {-1.0, 0.0, 1.0}) {
       const Vec2 w = plane.offset * plane.normal + (part * half) * perpendicular(plane.normal);
@@ -123,59 +112,25 @@ TYPED_TEST(HalfPlanesIn, P3_tiny_steps_towards_a_crossing_end_no_search) {
   }
 }
 
-// docs/single_precision.md: between the half-planes of double precision for r and r + 3 blurs.
-TEST(HalfPlanesInSingle, P3_offsets_are_those_of_a_radius_three_blurs_wider_at_most) {
-  Random random(24);
-  Batch<float> batch;
-  std::size_t compared = 0;
-  for (int k = 0; k < kBatches && !testing::Test::HasFailure(); ++k) {
-    const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
-    const Horizon horizon = test::horizon_of(all);
-    batch.solve(all, horizon);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Situation& s = all[i];
-      const RelativeHalfPlane found = batch[i];
-      const Vec2 p = s.pair.position, v = s.pair.velocity;
-      const double d = norm(p);
-      const double blur = 0x1p-19 * (d + s.time_horizon * (std::abs(v.x) + std::abs(v.y)));
-      Pair wider = s.pair;
-      wider.radius += 3.0 * blur;
-      // ties of single precision may be none of double precision
-      if (found.state != PairState::constrained || !(d > wider.radius) ||
-          std::abs(cross(p, v)) <= 2e-6 * d * norm(v)) {
-        continue;
-      }
-      const RelativeHalfPlane low = half_plane(s.pair, s.reach, horizon);
-      const RelativeHalfPlane high = half_plane(wider, s.reach, horizon);
-      ++compared;
-      const double rounding = 1e-7 * s.reach;
-      ASSERT_NE(high.state, PairState::free) << s;
-      EXPECT_LE(found.plane.offset, high.plane.offset + rounding) << s;
-      if (low.state == PairState::free) continue;
-      EXPECT_GE(found.plane.offset, low.plane.offset - rounding) << s;
-    }
-  }
-  EXPECT_GT(compared, 20'000);
-}
-
 // The wall of the first time, among many, at whose end the pair can be apart; the demand of a
 // window falls as that grows. Without any, that of the last one.
-TYPED_TEST(HalfPlanesIn, overlapping_pairs_part_within_the_shortest_window) {
+TEST(HalfPlanes, overlapping_pairs_part_within_the_shortest_window) {
+  Batch batch;
   constexpr int kTimes = 1000;
   Random random(60);
   int at_once = 0, later = 0, never = 0;
-  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+  for (int k = 0; k < kBatches && !testing::Test::HasFatalFailure(); ++k) {
     auto all = test::situations_of_one_horizon(random, 16, k % 2 == 0);
     for (Situation& s : all) s = test::touching(random, s);
-    this->batch.solve(all, test::horizon_of(all));
+    batch.solve(all, test::horizon_of(all));
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Situation& s = all[i];
       const double d = norm(s.pair.position), R = s.reach;
       const double step = 0.1, last = std::max(step, s.time_horizon);
-      const RelativeHalfPlane found = this->batch[i];
+      const RelativeHalfPlane found = batch[i];
       if (found.state != PairState::overlapping || !(d > 0.0)) continue;
       const Vec2 n = s.pair.position / d;
-      ASSERT_LE(norm(found.plane.normal - n), 8.0 * this->kRounding) << s;
+      ASSERT_LE(norm(found.plane.normal - n), 8.0 * kRounding) << s;
       const Response response = Response::proportional(s.control_time);
       const auto demand = [&](double T) {
         return (s.pair.radius - d - T * dot(n, s.pair.velocity)) / response.gain(T);
@@ -184,7 +139,7 @@ TYPED_TEST(HalfPlanesIn, overlapping_pairs_part_within_the_shortest_window) {
       int first = 0;
       while (first <= kTimes && demand(time(first)) > R) ++first;
       const double rounding =
-          64.0 * this->kRounding *
+          64.0 * kRounding *
           (R + (s.pair.radius + step * norm(s.pair.velocity)) / response.gain(step));
       const double least = first <= kTimes ? std::min(demand(time(first)), R) : R;
       const double most = first == 0 ? least : R;
@@ -200,51 +155,55 @@ TYPED_TEST(HalfPlanesIn, overlapping_pairs_part_within_the_shortest_window) {
   EXPECT_GT(never, 500);
 }
 
-TYPED_TEST(HalfPlanesIn, P7_exchanging_the_robots_negates_them_bit_for_bit) {
+TEST(HalfPlanes, P7_exchanging_the_robots_negates_them_bit_for_bit) {
+  Batch batch, other;
   Random random(7);
   const auto negated = [](Vec2 a) { return -a; };
-  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+  for (int k = 0; k < kBatches && !testing::Test::HasFatalFailure(); ++k) {
     const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
-    this->batch.solve(all, test::horizon_of(all));
-    this->other.solve(mapped(all, negated), test::horizon_of(all));
+    batch.solve(all, test::horizon_of(all));
+    other.solve(mapped(all, negated), test::horizon_of(all));
     for (std::size_t i = 0; i < all.size(); ++i) {
-      expect_mapped(this->other[i], this->batch[i], negated, all[i]);
+      expect_mapped(other[i], batch[i], negated, all[i]);
     }
   }
 }
 
-TYPED_TEST(HalfPlanesIn, P6_turning_by_90_degrees_turns_them_bit_for_bit) {
+TEST(HalfPlanes, P6_turning_by_90_degrees_turns_them_bit_for_bit) {
+  Batch batch, other;
   Random random(6);
   const auto turned = [](Vec2 a) { return perpendicular(a); };
-  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+  for (int k = 0; k < kBatches && !testing::Test::HasFatalFailure(); ++k) {
     const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
-    this->batch.solve(all, test::horizon_of(all));
-    this->other.solve(mapped(all, turned), test::horizon_of(all));
+    batch.solve(all, test::horizon_of(all));
+    other.solve(mapped(all, turned), test::horizon_of(all));
     for (std::size_t i = 0; i < all.size(); ++i) {
-      expect_mapped(this->other[i], this->batch[i], turned, all[i]);
+      expect_mapped(other[i], batch[i], turned, all[i]);
     }
   }
 }
 
-TYPED_TEST(HalfPlanesIn, P6_mirroring_mirrors_them_bit_for_bit) {
+TEST(HalfPlanes, P6_mirroring_mirrors_them_bit_for_bit) {
+  Batch batch, other;
   Random random(66);
   const auto mirrored = [](Vec2 a) { return Vec2{a.x, -a.y}; };
-  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+  for (int k = 0; k < kBatches && !testing::Test::HasFatalFailure(); ++k) {
     const auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
-    this->batch.solve(all, test::horizon_of(all));
-    this->other.solve(mapped(all, mirrored), test::horizon_of(all));
+    batch.solve(all, test::horizon_of(all));
+    other.solve(mapped(all, mirrored), test::horizon_of(all));
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Vec2 p = all[i].pair.position, v = all[i].pair.velocity;
-      if (!(std::abs(cross(p, v)) > this->kParallel * norm(p) * norm(v))) continue;  // a tie
-      expect_mapped(this->other[i], this->batch[i], mirrored, all[i]);
+      if (!(std::abs(cross(p, v)) > kParallel * norm(p) * norm(v))) continue;  // a tie
+      expect_mapped(other[i], batch[i], mirrored, all[i]);
     }
   }
 }
 
-TYPED_TEST(HalfPlanesIn, P6_ties_are_broken_towards_the_left_of_p) {
+TEST(HalfPlanes, P6_ties_are_broken_towards_the_left_of_p) {
+  Batch batch;
   Random random(5);
   std::size_t planes = 0;
-  for (int k = 0; k < kBatches && !this->HasFatalFailure(); ++k) {
+  for (int k = 0; k < kBatches && !testing::Test::HasFatalFailure(); ++k) {
     auto all = test::situations_of_one_horizon(random, kSize, k % 2 == 0);
     for (Situation& s : all) {  // on an axis, so that p and v are parallel exactly
       const double share = random.below(4) == 0 ? 0.0 : random.uniform(-2.0, 1.0);
@@ -253,9 +212,9 @@ TYPED_TEST(HalfPlanesIn, P6_ties_are_broken_towards_the_left_of_p) {
       s.pair.position = along_x ? Vec2{d, 0.0} : Vec2{0.0, d};
       s.pair.velocity = along_x ? Vec2{speed, 0.0} : Vec2{0.0, speed};
     }
-    this->batch.solve(all, test::horizon_of(all));
+    batch.solve(all, test::horizon_of(all));
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const RelativeHalfPlane found = this->batch[i];
+      const RelativeHalfPlane found = batch[i];
       if (found.state != PairState::constrained && found.state != PairState::unavoidable) continue;
       ++planes;
       ASSERT_GE(dot(found.plane.normal, perpendicular(all[i].pair.position)), 0.0) << all[i];

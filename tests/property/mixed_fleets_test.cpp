@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which constants robots have to share: fleets whose robots plan with any δ, τ, max_neighbors and
-// precision, judged by Check, and fleets that differ in what they do have to share: there, only
-// pairs with an odd robot touch.
+// Which constants robots have to share: fleets whose robots plan with any δ, τ and max_neighbors,
+// judged by Check, and fleets that differ in what they do have to share: there, only pairs with an
+// odd robot touch.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -46,7 +46,6 @@ PlannerOptions any_options(Random& random) {
   options.control_time = random.log_uniform(options.time_step, 8.0);
   options.time_horizon = random.log_uniform(0.5, 12.0);
   if (random.below(3) > 0) options.max_neighbors = 1 + random.below(8);
-  if (random.below(4) == 0) options.precision = Precision::single_precision;
   if (random.below(6) == 0) options.samples = 25;
   options.arrival_distance = random.uniform(0.1, 1.0);
   return options;

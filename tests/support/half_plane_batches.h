@@ -76,11 +76,10 @@ inline Horizon horizon_of(const std::vector<Situation>& all) {
 }
 
 /// Scratch memory; grows only.
-template <typename Number>
 struct Batch {
-  PairColumns<Number> pairs;
-  HalfPlaneWorkspace<Number> workspace;
-  PlaneColumns<Number> planes;
+  PairColumns pairs;
+  HalfPlaneWorkspace workspace;
+  PlaneColumns planes;
 
   void solve(const std::vector<Situation>& all, const Horizon& horizon) {
     pairs.count = 0;
@@ -102,7 +101,7 @@ struct Batch {
  private:
   // What no pair wrote must not matter: neither the columns past the last pair nor old answers.
   void spoil() {
-    const auto other = static_cast<Number>(0.5);
+    constexpr double other = 0.5;
     for (auto* column :
          {&pairs.p_x, &pairs.p_y, &pairs.v_x, &pairs.v_y, &pairs.radius, &pairs.reach}) {
       std::fill(column->begin() + static_cast<std::ptrdiff_t>(pairs.count), column->end(), other);
@@ -120,13 +119,5 @@ struct Batch {
     std::fill(workspace.rest.begin(), workspace.rest.end(), other);
   }
 };
-
-/// The half-plane of one pair, by half_planes().
-template <typename Number>
-RelativeHalfPlane solved_alone(const Situation& s) {
-  static Batch<Number> batch;
-  batch.solve({s}, Horizon(s.control_time, s.time_horizon, 0.1));
-  return batch[0];
-}
 
 }  // namespace avo::test

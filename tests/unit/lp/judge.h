@@ -12,17 +12,14 @@
 
 namespace avo::test {
 
-/// All but the ulps relative to the size of the program.
-struct Allowed {
-  Real ulp = 0x1p-52L;
-  Real ulps = 32;           ///< by which half-planes may be violated, of the header's m
-  bool narrowed = false;    ///< the input was: m is that of the larger disc
-  Real disc_ulps = 4;       ///< by which either disc may be left
-  Real margin = 1e-13L;     ///< what is thinner may count as nothing
-  Real nearer = 1e-16L;     ///< than the point returned
-  Real violation = 1e-14L;  ///< between the one reported and that of the point
-  Real least = 1e-9L;       ///< between the least and that of the point
-};
+// Relative to the size of the program, but for the ulps.
+constexpr Real kUlp = 0x1p-52L;
+constexpr Real kPlaneUlps = 32;       // by which half-planes may be violated, of the header's m
+constexpr Real kDiscUlps = 4;         // by which either disc may be left
+constexpr Real kMargin = 1e-13L;      // what is thinner may count as nothing
+constexpr Real kNearer = 1e-16L;      // than the point returned
+constexpr double kViolation = 1e-14;  // between the one reported and that of the point
+constexpr Real kLeast = 1e-9L;        // between the least and that of the point
 
 inline std::string text(const Program& p, const ProgramResult& r) {
   std::ostringstream out;
@@ -64,10 +61,10 @@ inline Real extent(const Program& p) {
 }
 
 // Bound (1) of the header.
-inline void expect_in(const Disc& disc, Vec2 u, const Allowed& allowed) {
+inline void expect_in(const Disc& disc, Vec2 u) {
   if (!std::isfinite(disc.radius)) return;
   const Real size = std::hypot(disc.center.x, disc.center.y) + disc.radius;
-  EXPECT_LE(excess(disc, wide(u)), allowed.disc_ulps * allowed.ulp * size);
+  EXPECT_LE(excess(disc, wide(u)), kDiscUlps * kUlp * size);
 }
 
 // The set of `p` with every bound drawn in by `margin` and the given half-planes pushed out.
@@ -81,46 +78,45 @@ inline ConvexSet set_of(const Program& p, Real margin, const std::vector<HalfPla
   return set;
 }
 
-// The worst violation cannot be smaller by more than allowed.least of the size, whatever the point.
-inline void expect_least(const Program& p, const ProgramResult& r, const Allowed& allowed,
+// The worst violation cannot be smaller by more than kLeast of the size, whatever the point.
+inline void expect_least(const Program& p, const ProgramResult& r,
                          const std::vector<HalfPlane>& kept,
                          const std::vector<HalfPlane>& yielding) {
   const Real size = std::max<Real>(extent(p), r.violation);
   EXPECT_GT(r.violation, 0.0);
   EXPECT_NEAR(static_cast<double>(worst(yielding, wide(r.point)) / size),
-              static_cast<double>(r.violation / size), static_cast<double>(allowed.violation));
-  const ConvexSet better =
-      set_of(p, allowed.margin * size, kept, yielding, r.violation - allowed.least * size);
+              static_cast<double>(r.violation / size), kViolation);
+  const ConvexSet better = set_of(p, kMargin * size, kept, yielding, r.violation - kLeast * size);
   EXPECT_FALSE(better.nearest(wide(p.preferred), 1e-17L * size).has_value());
 }
 
-inline void judge(const Program& p, const ProgramResult& r, const Allowed& allowed) {
+inline void judge(const Program& p, const ProgramResult& r) {
   const Real size = extent(p);
-  const Real m = allowed.narrowed ? size : magnitude(p);
+  const Real m = magnitude(p);
   ASSERT_TRUE(is_finite(r.point) && std::isfinite(r.violation));
-  expect_in(p.acceleration, r.point, allowed);
-  if (r.state != ProgramState::discs_disjoint) expect_in(p.speed, r.point, allowed);
+  expect_in(p.acceleration, r.point);
+  if (r.state != ProgramState::discs_disjoint) expect_in(p.speed, r.point);
   if (r.state != ProgramState::hard_infeasible && r.state != ProgramState::discs_disjoint) {
-    EXPECT_LE(worst(p.hard, wide(r.point)), allowed.ulps * allowed.ulp * m);
+    EXPECT_LE(worst(p.hard, wide(r.point)), kPlaneUlps * kUlp * m);
   }
   std::vector<HalfPlane> all = p.hard;
   all.insert(all.end(), p.soft.begin(), p.soft.end());
   switch (r.state) {
     case ProgramState::optimal: {
       EXPECT_EQ(r.violation, 0.0);
-      EXPECT_LE(worst(all, wide(r.point)), allowed.ulps * allowed.ulp * m);
-      const ConvexSet inner = set_of(p, allowed.margin * size, all, {}, 0);
+      EXPECT_LE(worst(all, wide(r.point)), kPlaneUlps * kUlp * m);
+      const ConvexSet inner = set_of(p, kMargin * size, all, {}, 0);
       const auto best = inner.nearest(wide(p.preferred), 1e-17L * size);
       if (!best) break;  // thinner than that: feasible to rounding is all there is to ask
       EXPECT_LE(distance(wide(r.point), p.preferred),
-                distance(*best, p.preferred) + allowed.nearer * size);
+                distance(*best, p.preferred) + kNearer * size);
       break;
     }
     case ProgramState::least_unsafe:
-      expect_least(p, r, allowed, p.hard, p.soft);
+      expect_least(p, r, p.hard, p.soft);
       break;
     case ProgramState::hard_infeasible:
-      expect_least(p, r, allowed, {}, p.hard);
+      expect_least(p, r, {}, p.hard);
       break;
     case ProgramState::discs_disjoint: {
       EXPECT_GT(gap_of_discs(p), 0);

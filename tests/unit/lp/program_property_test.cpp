@@ -27,7 +27,7 @@ TEST_P(Programs, P10_P11_agree_with_all_vertices) {
     const Program p = GetParam().make(random);
     const ProgramResult r = run(p);
     ++states[static_cast<int>(r.state)];
-    judge(p, r, {});
+    judge(p, r);
     if (HasFailure()) FAIL() << "program " << k << '\n' << text(p, r);
   }
   EXPECT_GT(states[0], kPrograms / 10);

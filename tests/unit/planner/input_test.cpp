@@ -127,7 +127,7 @@ TEST(Status, a_car_that_moves_off_its_heading_is_invalid) {
       EXPECT_EQ(status(speed * (along + 1.1 * off * across)), PlanStatus::invalid_input);
       EXPECT_EQ(status(speed * across), PlanStatus::invalid_input);
       EXPECT_EQ(status(-speed * along), PlanStatus::invalid_input);
-      // as single precision has it
+      // rounded to float, as some drivers have it
       const auto narrow = static_cast<float>(heading);
       car.car->heading = static_cast<double>(narrow);
       const Vec2 rounded{static_cast<double>(static_cast<float>(speed * along.x)),

@@ -95,12 +95,6 @@ TEST(Allocation, none_per_step_of_avo_under_any_certificate) {
   }
 }
 
-TEST(Allocation, none_per_step_in_single_precision) {
-  Scenario scene = test::dense_scene(280, Motion::held);
-  scene.precision = Precision::single_precision;
-  EXPECT_EQ(allocations_when_warm(scene, 2, 60, 60), 0);
-}
-
 TEST(Allocation, none_per_step_of_orca) {
   Scenario scene = test::dense_scene(200, Motion::held);
   scene.method = Method::orca;
@@ -189,20 +183,16 @@ TEST(Allocation, none_per_plan_in_a_crowd_that_thickens) {
     }
     return neighbors;
   };
-  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-    PlannerOptions options;
-    options.precision = precision;
-    const Planner planner(options);
-    const Robot robot{{}, {0.4, 0.0}, {1.0, 0.0}};
-    const std::vector<Neighbor> few = neighbors_on_a_spiral(1), many = neighbors_on_a_spiral(60);
-    PlanWorkspace workspace;
-    workspace.reserve(60, 32);
-    double sum = planner.plan(robot, few, workspace).new_velocity.x;
-    const long before = allocations;
-    sum += planner.plan(robot, many, workspace).new_velocity.x;
-    EXPECT_EQ(allocations - before, 0);
-    EXPECT_TRUE(std::isfinite(sum));
-  }
+  const Planner planner(PlannerOptions{});
+  const Robot robot{{}, {0.4, 0.0}, {1.0, 0.0}};
+  const std::vector<Neighbor> few = neighbors_on_a_spiral(1), many = neighbors_on_a_spiral(60);
+  PlanWorkspace workspace;
+  workspace.reserve(60, 32);
+  double sum = planner.plan(robot, few, workspace).new_velocity.x;
+  const long before = allocations;
+  sum += planner.plan(robot, many, workspace).new_velocity.x;
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_TRUE(std::isfinite(sum));
 }
 
 // Calls action() with memory that is out after 0, 1, 2 ... allocations until it succeeds; returns

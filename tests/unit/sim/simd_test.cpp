@@ -25,8 +25,7 @@ std::uint64_t hash_after(const Scenario& scene, int threads, int steps) {
   return simulation.state_hash();
 }
 
-void expect_one_hash(Scenario scene, Precision precision, int steps) {
-  scene.precision = precision;
+void expect_one_hash(const Scenario& scene, int steps) {
   ASSERT_GE(scene.robots.size(), std::size_t{256});  // fewer are planned by one thread
   std::optional<std::uint64_t> hash;
   for (const char* target : simd_targets()) {
@@ -34,37 +33,20 @@ void expect_one_hash(Scenario scene, Precision precision, int steps) {
     ASSERT_STREQ(simd_target(), target);
     for (const int threads : {1, 2, 3, 7}) {
       const std::uint64_t found = hash_after(scene, threads, steps);
-      EXPECT_EQ(hash.value_or(found), found)
-          << target << ", " << threads << " threads, " << to_string(precision) << " precision";
+      EXPECT_EQ(hash.value_or(found), found) << target << ", " << threads << " threads";
       hash = hash.value_or(found);
     }
   }
 }
 
-TEST_F(Simd, one_hash_of_the_paper_in_double_precision) {
-  expect_one_hash(test::dense_scene(300, Motion::held), Precision::double_precision, 80);
+TEST_F(Simd, one_hash_of_the_paper) {
+  expect_one_hash(test::dense_scene(300, Motion::held), 80);
 }
 
-TEST_F(Simd, one_hash_of_the_paper_in_single_precision) {
-  expect_one_hash(test::dense_scene(300, Motion::held), Precision::single_precision, 80);
-}
-
-TEST_F(Simd, one_hash_of_avo_in_double_precision) {
-  expect_one_hash(test::dense_avo_scene(300, Motion::held, Certificate::braking_trajectories),
-                  Precision::double_precision, 80);
-}
-
-TEST_F(Simd, one_hash_of_avo_in_single_precision) {
-  expect_one_hash(
-      test::dense_avo_scene(300, Motion::exponential, Certificate::braking_trajectories),
-      Precision::single_precision, 80);
-}
-
-TEST_F(Simd, precision_matters_to_the_choice) {
-  Scenario scene = test::dense_scene(300, Motion::held);
-  const std::uint64_t in_double = hash_after(scene, 1, 40);
-  scene.precision = Precision::single_precision;
-  EXPECT_NE(hash_after(scene, 1, 40), in_double);
+TEST_F(Simd, one_hash_of_avo) {
+  for (const Motion motion : {Motion::held, Motion::exponential}) {
+    expect_one_hash(test::dense_avo_scene(300, motion, Certificate::braking_trajectories), 80);
+  }
 }
 
 TEST_F(Simd, targets_are_told_by_name) {
