@@ -158,17 +158,24 @@ struct PackFarBound {
   Real speed_squared;
 };
 
+/// At least what one step and stopping take of one as fast as v, as a polynomial in v: v²/2a and
+/// what is lost by stopping in steps.
+template <typename Real>
+AVO_KERNEL std::array<Real, 3> reach_bound(Real u, const StepLaw& law) {
+  const Real h(law.time_step), half(0.5), per_u = Real(1.0) / u;
+  const Real top = Real(law.sensing_error.velocity) + u;  // that one at rest may have
+  const Real lost(std::abs(law.lag - 0.5 * law.time_step));
+  return {(h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
+          h + h * top * per_u + lost, half * h * per_u};
+}
+
 template <typename Real>
 AVO_KERNEL PackFarBound<Real> far_bound_of(Vec<Real> position, Real radius,
                                            const PackProfile<Real>& own, Real max_speed,
                                            const StepLaw& law) {
-  const Real h(law.time_step), half(0.5), one(1.0), u = own.decrement, per_u = one / u;
-  const Real top = Real(law.sensing_error.velocity) + u;  // that one at rest may have
-  const Real lost(std::abs(law.lag - 0.5 * law.time_step));
-  // at least what one step and stopping take: v²/2a and what is lost by stopping in steps
-  const std::array<Real, 3> reach{
-      (h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
-      h + h * top * per_u + lost, half * h * per_u};
+  const Real h(law.time_step), u = own.decrement, per_u = Real(1.0) / u;
+  const Real top = Real(law.sensing_error.velocity) + u;
+  const std::array<Real, 3> reach = reach_bound(u, law);
   const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
   const Real speed = Real(kFarther) * max(max_speed, own.speed);
   const Real intervals = Real(3.0) + (speed + top) * per_u;

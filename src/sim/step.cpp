@@ -49,7 +49,8 @@ void find_ranges(World& world) {
   world.fast = false;
   for (const std::uint32_t slot : fleet.slot_of) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
-    sum += std::min(fleet.range[slot], world.settings.sensing_radius);
+    sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed),
+                    world.settings.sensing_radius);
     world.fast = world.fast || world.is_fast(slot);
   }
   world.valid = world.obstacles.setup.empty() && world.settings.sensing_radius <= kFarthestTrusted;
@@ -115,7 +116,7 @@ double near_range(const World& world, std::size_t slot) {
   // among movers it matters whether anybody decides at all
   if (world.fast || !world.obstacles.setup.empty() || !(farthest <= kMostRelevantPosition))
     return everyone;
-  return world.fleet.range[slot];
+  return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
 
 // In canonical order, behind the others.
