@@ -198,8 +198,9 @@ struct Outcome {
   Plane<Real> next;  // where failed: the half-plane that leaves nothing
 };
 
-/// A lane that has failed looks at the same half-plane again and again: what it adds to `taken` is
-/// the one that is taken next for the least unsafe point, and twice does no harm.
+/// Where others go on, a lane that has failed looks at the same half-plane again and again: what it
+/// adds to `taken` is the one that is taken next for the least unsafe point, and twice does no
+/// harm.
 template <bool kLinear, typename Real, typename Row>
 AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real, Row>& planes,
                                       const Goal<Real>& goal, Mask<Real> active,
@@ -220,6 +221,7 @@ AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real,
     outcome.failed = outcome.failed | stuck;
     outcome.moved = outcome.moved | found;
     active = found;
+    if (!any(active)) return outcome;
     taken.add(worst);
   }
 }
