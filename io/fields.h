@@ -123,11 +123,10 @@ inline constexpr std::array<std::pair<std::string_view, avo::Method>, 4> kMethod
      {"avo_paper", avo::Method::avo_paper},
      {"velocity_obstacle", avo::Method::velocity_obstacle},
      {"orca", avo::Method::orca}}};
-inline constexpr std::array<std::pair<std::string_view, avo::Certificate>, 4> kCertificates{
+inline constexpr std::array<std::pair<std::string_view, avo::Certificate>, 3> kCertificates{
     {{"none", avo::Certificate::none},
      {"stopping_capsules", avo::Certificate::stopping_capsules},
-     {"braking_trajectories", avo::Certificate::braking_trajectories},
-     {"linear_soft_stop", avo::Certificate::linear_soft_stop}}};
+     {"braking_trajectories", avo::Certificate::braking_trajectories}}};
 inline constexpr std::array<std::pair<std::string_view, avo::Motion>, 2> kMotions{
     {{"held", avo::Motion::held}, {"exponential", avo::Motion::exponential}}};
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{

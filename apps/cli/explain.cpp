@@ -157,16 +157,15 @@ void append_certificate(const Decision& decision,
   line("certificate",
        fmt::format("{}, {} walls of {} neighbors", avo::to_string(decision.certificate),
                    walls.size(), neighbors.size()));
-  const bool soft_stop = decision.certificate == avo::Certificate::linear_soft_stop;
   int named = 0, last = -1;
   for (const avo::CertificateWall& wall : walls) {
     if (named == kNamed) break;
     if (wall.neighbor == last) continue;
     last = wall.neighbor;
     ++named;
-    line("wall", fmt::format("{} . q >= {:.6g} {} on step {}, of {}", text(wall.normal),
-                             wall.offset, soft_stop ? "m/s" : "m", wall.interval,
-                             text_of(decision.seen.source[static_cast<std::size_t>(last)])));
+    line("wall",
+         fmt::format("{} . q >= {:.6g} m on step {}, of {}", text(wall.normal), wall.offset,
+                     wall.interval, text_of(decision.seen.source[static_cast<std::size_t>(last)])));
   }
   if (decision.seen.detour.angle > 0.0)
     line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));

@@ -21,11 +21,10 @@ constexpr Names<Method, 4> kMethods{{{"avo", Method::avo},
                                      {"avo_paper", Method::avo_paper},
                                      {"velocity_obstacle", Method::velocity_obstacle},
                                      {"orca", Method::orca}}};
-constexpr Names<Certificate, 4> kCertificates{
+constexpr Names<Certificate, 3> kCertificates{
     {{"none", Certificate::none},
      {"stopping_capsules", Certificate::stopping_capsules},
-     {"braking_trajectories", Certificate::braking_trajectories},
-     {"linear_soft_stop", Certificate::linear_soft_stop}}};
+     {"braking_trajectories", Certificate::braking_trajectories}}};
 constexpr Names<Motion, 2> kMotions{{{"held", Motion::held}, {"exponential", Motion::exponential}}};
 
 template <class T, std::size_t N>
@@ -132,7 +131,7 @@ const char* usage() {
   --first-seed S      seed of the first scene of each row, default 1
   --robot-steps X     robot-steps of each crush in all its scenes, default 1e7
   --method NAME       avo, avo_paper, velocity_obstacle, orca
-  --certificate NAME  none, stopping_capsules, braking_trajectories, linear_soft_stop
+  --certificate NAME  none, stopping_capsules, braking_trajectories
   --motion NAME       held, exponential
   --control-time S    delta, where the row does not name its own
   --time-horizon S    tau, likewise

@@ -18,7 +18,7 @@ struct BrokenStart {
   int other = 0;          ///< of another one, greater; or -1 - k for moving obstacle k
   double distance = 0.0;  ///< m, between their centers
   /// m, <= the sum of radii: how far they overlap at worst if both brake at once as the certificate
-  /// says, or how far the areas do in which they would stop (stopping_capsules, linear_soft_stop).
+  /// says, or how far the areas do in which they would stop (stopping_capsules).
   double depth = 0.0;
 };
 

@@ -29,9 +29,8 @@ constexpr bool adopts_at_once(Method method) {
 /// What no decision may break, whatever the half-planes ask for (docs/certificate.md).
 enum class Certificate : std::uint8_t {
   none,
-  stopping_capsules,     ///< S1: disjoint areas to stop in, whenever
-  braking_trajectories,  ///< S3: disjoint places at every time while braking
-  linear_soft_stop,      ///< S2: one linear constraint a neighbor
+  stopping_capsules,     ///< disjoint areas to stop in, whenever
+  braking_trajectories,  ///< disjoint places at every time while braking
 };
 
 /// What happens between two decisions.
@@ -63,8 +62,6 @@ struct PlannerOptions {
   Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
   /// >= 1: the nearest so many get a half-plane; unset: all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};
-  /// [d_s] s, > 0, of linear_soft_stop: the same for all, >= v_max/a_max of all and >= time_step.
-  double soft_stop_time = 2.0;
   SensingError sensing_error = {};  ///< of braking_trajectories; each robot declares its own
   /// m, > 0: of its goal; beside others that stay, a robot of method avo rests within half of it.
   double arrival_distance = 0.5;
@@ -113,7 +110,7 @@ struct Detour {
 /// normal . q >= offset. For braking_trajectories q = y - x, m: from the point x of A's braking
 /// path to the point y of its path, sufficient for the three Bézier points of the interval;
 /// interval 0 is the step decided upon. For stopping_capsules q is any point of where A would next
-/// stop, m; for linear_soft_stop q = v_A + d_s a_A, m/s; interval is 0.
+/// stop, m; interval is 0.
 struct CertificateWall {
   int neighbor = 0;  ///< index into the neighbors given
   int interval = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fleet of robots that all plan alone and at the same time, each from the same generation.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -59,6 +60,9 @@ class AVO_API Simulation {
   /// braking does not keep apart are held to the distance that it does keep, so that no overlap
   /// grows deeper than braking makes it, and their decisions say `overlapping`.
   explicit Simulation(const Scenario& scenario, int threads = 0);
+  /// Goes on from what another one saved: a checkpoint, or a state that someone reports. The bytes
+  /// hold the scene as well. Throws Error as restore() does, and on the number of threads.
+  explicit Simulation(std::span<const std::byte> saved, int threads = 0);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -75,6 +79,19 @@ class AVO_API Simulation {
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
+
+  /// The state and the setup as bytes, the same on every machine, 64 of state and 56 of setup
+  /// (goal, radius, limits, wheelbase) a robot. Whoever has them has an equal state_hash() and an
+  /// equal future, for any number of threads. They do not hold what only tells of the last step or
+  /// of the past: plan and applied_acceleration of fleet(), which are value-initialized until the
+  /// next step, sums of measure(), Metrics. Throws Error where a step ended in the midst.
+  [[nodiscard]] std::vector<std::byte> save() const;
+  /// Back, or forth, to what this simulation or another one of the same settings and obstacles has
+  /// saved: a rollback, which keeps threads and memory. Robots, goals and ids become those that
+  /// were saved; ids that were given since may come again. Throws Error on bytes that are cut off,
+  /// changed, of another version of the library or of another scene; changes nothing where it
+  /// throws. Makes a simulation whole whose step ended in the midst.
+  void restore(std::span<const std::byte> saved);
 
   [[nodiscard]] FleetView fleet() const;
   [[nodiscard]] ObstacleView obstacles() const;

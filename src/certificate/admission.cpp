@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// S3: the test of a candidate against the walls, and what would have been admitted instead.
+// Braking trajectories: the test of a candidate against the walls, and what would have been
+// admitted instead.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S3: the walls of neighbors.
+// Braking trajectories: the walls of neighbors.
 #include "certificate/braking_trajectories.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S3, braking trajectories: each robot keeps, interval by interval, to its own side of a line that
+// Braking trajectories: each robot keeps, interval by interval, to its own side of a line that
 // both robots of a pair derive from the paths on which they would brake now (docs/certificate.md).
 #pragma once
 #include <array>

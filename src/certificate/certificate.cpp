@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three certificates behind one set of functions.
+// Both certificates behind one set of functions.
 #include "certificate/certificate.h"
 
 #include <algorithm>
@@ -10,7 +10,6 @@ namespace avo {
 void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
                    CertificateWalls& walls) {
   walls.capsules.reserve(neighbors);
-  walls.soft_stops.reserve(neighbors);
   walls.near.reserve(1, neighbors);
   // those of a pair are stored by whole packs
   const std::size_t steps = (braking_steps + kWallLanes - 1) / kWallLanes * kWallLanes;
@@ -20,7 +19,7 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
 
 void find_near(std::span<const Sensing> robots, const CertificateLaw& law,
                CertificateWalls& walls) {
-  if (law.kind == Certificate::none || law.kind == Certificate::linear_soft_stop) return;
+  if (law.kind == Certificate::none) return;
   const bool everyone = law.kind == Certificate::braking_trajectories;
   find_near(robots, everyone ? Whom::everyone : Whom::movers, law.step, walls.near);
 }
@@ -39,14 +38,9 @@ void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& 
   walls.trajectories.columns.count = 0;
   walls.trajectories.stays_at_rest = false;
   walls.capsules.clear();
-  walls.soft_stops.clear();
-  if (law.kind == Certificate::linear_soft_stop) {
-    collect_soft_stops(robot, sensing.neighbors, law.step.time_step, law.soft_stop_time,
-                       walls.soft_stops, walls.invariant);
-  } else if (law.kind != Certificate::none) {
-    collect_walls(robot, sensing.neighbors, walls.near, i, law.step, walls.trajectories,
-                  walls.invariant);
-  }
+  if (law.kind == Certificate::none) return;
+  collect_walls(robot, sensing.neighbors, walls.near, i, law.step, walls.trajectories,
+                walls.invariant);
   if (law.kind == Certificate::stopping_capsules) {
     collect_capsules(robot, sensing.neighbors, law.step, walls.capsules, walls.invariant);
   }
@@ -54,10 +48,6 @@ void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& 
 
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateWalls& walls) {
-  if (law.kind == Certificate::linear_soft_stop) {
-    return keeps(walls.soft_stops, soft_stop_velocity(robot.velocity, next_velocity,
-                                                      law.step.time_step, law.soft_stop_time));
-  }
   if (walls.demand_nothing()) return true;
   walls.path = follow(robot, next_velocity, law.step);
   const bool trajectories_kept = keeps(walls.path, law.step, walls.trajectories);
@@ -66,12 +56,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
 }
 
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
-  const double decrement = braking_decrement(robot.max_acceleration, law.step);
-  // faster than v_max the soft stop would ask for more than a_max
-  const bool softly = law.kind == Certificate::linear_soft_stop &&
-                      law.step.time_step / law.soft_stop_time * norm(robot.velocity) <= decrement;
-  return softly ? softly_braked(robot.velocity, law.step.time_step, law.soft_stop_time)
-                : braked(robot.velocity, decrement);
+  return braked(robot.velocity, braking_decrement(robot.max_acceleration, law.step));
 }
 
 void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<CertificateWall>& list) {
@@ -83,9 +68,6 @@ void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<Certif
   }
   for (const CapsuleWall& wall : walls.capsules) {
     list.push_back({wall.neighbor, 0, wall.normal, wall.offset + dot(wall.normal, position)});
-  }
-  for (const SoftStopWall& wall : walls.soft_stops) {
-    list.push_back({wall.neighbor, 0, wall.half_plane.normal, wall.half_plane.offset});
   }
 }
 

@@ -7,7 +7,6 @@
 
 #include "avo/planner.h"
 #include "certificate/braking_trajectories.h"
-#include "certificate/linear_soft_stop.h"
 #include "certificate/stopping_capsules.h"
 #include "core/neighbor_columns.h"
 
@@ -17,7 +16,6 @@ namespace avo {
 struct CertificateLaw {
   Certificate kind = Certificate::braking_trajectories;
   StepLaw step;
-  double soft_stop_time = 2.0;  ///< [d_s] s, of linear_soft_stop
 };
 
 /// What the neighbors demand of a robot. Scratch memory; allocates only while it grows.
@@ -25,14 +23,13 @@ struct CertificateWalls {
   Invariant invariant;
   TrajectoryWalls trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
   std::vector<CapsuleWall> capsules;
-  std::vector<SoftStopWall> soft_stops;
   CandidatePath path;    ///< of the last candidate asked about
   NearPairs near;        ///< of all robots of find_near()
   NeighborColumns seen;  ///< where neighbors were not given in columns
 
   bool demand_nothing() const {
-    return trajectories.columns.count == 0 && capsules.empty() && soft_stops.empty() &&
-           !invariant.unknown && !invariant.touched;
+    return trajectories.columns.count == 0 && capsules.empty() && !invariant.unknown &&
+           !invariant.touched;
   }
 };
 
@@ -55,7 +52,7 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateWalls& walls);
 
-/// [v_1] of what is always allowed: full braking, or the soft stop.
+/// [v_1] of what is always allowed: full braking.
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law);
 
 /// All walls, for those who want to look at them (see CertificateWall in avo/planner.h).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S1: separating lines of stopping capsules.
+// Separating lines of stopping capsules.
 #include "certificate/stopping_capsules.h"
 
 #include <algorithm>

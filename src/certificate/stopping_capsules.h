@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S1, stopping capsules: each robot keeps what it needs to stop on its own side of a line that both
+// Stopping capsules: each robot keeps what it needs to stop on its own side of a line that both
 // robots of a pair derive from the capsules in which they would stop now (docs/certificate.md).
 #pragma once
 #include <span>

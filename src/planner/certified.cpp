@@ -3,7 +3,6 @@
 #include "planner/certified.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -100,22 +99,17 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   return choice;
 }
 
-// The other certificates are half-planes in v_1: for stopping capsules up to a speed, the present
-// one and a step more, the present one, or a step less, at which braking satisfies them.
+// Stopping capsules are half-planes in v_1 up to a speed: the present one and a step more, the
+// present one, or a step less, at which braking satisfies them.
 CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const Robot& robot = proposals.robot;
   const CertificateLaw& law = proposals.law;
   CertifiedWorkspace& workspace = proposals.workspace;
-  const bool capsules = law.kind == Certificate::stopping_capsules;
   const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
-  const std::array<double, 3> limits{speed + u, speed, std::max(speed - u, 0.0)};
-  for (int i = 0; i < (capsules ? 3 : 1); ++i) {
-    const double top_speed =
-        capsules ? std::min(limits[static_cast<std::size_t>(i)], robot.max_speed) : robot.max_speed;
+  for (const double limit : {speed + u, speed, std::max(speed - u, 0.0)}) {
+    const double top_speed = std::min(limit, robot.max_speed);
     workspace.hard.clear();
     append_half_planes(workspace.walls.capsules, robot, law.step, top_speed, workspace.hard);
-    append_half_planes(workspace.walls.soft_stops, robot.velocity, law.step.time_step,
-                       law.soft_stop_time, workspace.hard);
     for (HalfPlane& half_plane : workspace.hard) half_plane.offset += kInside * u;
     for (int round = 0; round < kRounds; ++round) {
       const ProgramResult result = propose(proposals, top_speed);
@@ -138,9 +132,8 @@ CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const Certific
                                  CertifiedWorkspace& workspace) {
   const double u = braking_decrement(robot.max_acceleration, law.step);
   const Proposals proposals{robot, law, {robot.velocity, u}, wanted, workspace};
-  return law.kind == Certificate::none || law.kind == Certificate::braking_trajectories
-             ? choose_by_cuts(proposals)
-             : choose_by_half_planes(proposals);
+  return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
+                                                    : choose_by_cuts(proposals);
 }
 
 }  // namespace avo

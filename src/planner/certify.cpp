@@ -19,8 +19,7 @@ CertificateLaw certificate_law(const Planner& planner) {
                                   : planner.step_rate() * options.control_time;
   return {options.certificate,
           {options.time_step, planner.step_lag(), braking_time, options.sensing_error,
-           options.control_time},
-          options.soft_stop_time};
+           options.control_time}};
 }
 
 namespace {

@@ -2,7 +2,6 @@
 // Options of a planner: what is customary, what is possible, and what they are called.
 #include "planner/options.h"
 
-#include <cmath>
 #include <string>
 
 #include "avo/error.h"
@@ -49,25 +48,12 @@ void validate_sensing_error(const PlannerOptions& options) {
 }
 
 void validate_certificate(const PlannerOptions& options) {
-  const std::string certificate = to_string(options.certificate);
   if (options.certificate != Certificate::none && options.method != Method::avo) {
-    refuse("certificate", certificate,
+    refuse("certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(options.method));
-  }
-  // a scene sets it by its slowest robot, whether it is used or not
-  if (!(std::isfinite(options.soft_stop_time) && options.soft_stop_time > 0.0)) {
-    refuse("soft_stop_time", text(options.soft_stop_time), "> 0 s");
   }
   require_positive(options.arrival_distance, "arrival_distance", "> 0 m");
   validate_sensing_error(options);
-  if (options.certificate != Certificate::linear_soft_stop) return;
-  if (options.motion != Motion::held) {
-    refuse("motion", to_string(options.motion), "held with certificate " + certificate);
-  }
-  if (options.soft_stop_time < options.time_step) {
-    refuse("soft_stop_time", text(options.soft_stop_time),
-           ">= time_step = " + text(options.time_step) + " s");
-  }
 }
 
 }  // namespace
@@ -94,8 +80,6 @@ const char* to_string(Certificate certificate) {
       return "stopping_capsules";
     case Certificate::braking_trajectories:
       return "braking_trajectories";
-    case Certificate::linear_soft_stop:
-      return "linear_soft_stop";
   }
   return "unknown";
 }

@@ -81,8 +81,7 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors) {
 }
 
 bool can_follow(const Robot& robot, const PlannerOptions& options) {
-  return !robot.car || options.certificate == Certificate::none ||
-         (options.motion == Motion::held && options.certificate != Certificate::linear_soft_stop);
+  return !robot.car || options.certificate == Certificate::none || options.motion == Motion::held;
 }
 
 const char* to_string(PlanStatus status) {

@@ -50,15 +50,7 @@ void include(Peers& peers, const Planner& planner, const Robot& robot) {
 double relevant_range(const Planner& planner, const Robot& robot, const Peers& peers) {
   const PlannerOptions& options = planner.options();
   if (!options.max_neighbors) return kInfinity;
-  switch (options.certificate) {
-    case Certificate::none:
-      return 0.0;
-    case Certificate::linear_soft_stop:
-      return kInfinity;  // each neighbor is a wall
-    case Certificate::braking_trajectories:
-    case Certificate::stopping_capsules:
-      break;
-  }
+  if (options.certificate == Certificate::none) return 0.0;
   const double range =
       std::max(certificate_range(planner, robot, peers), arrival_range(robot, peers.radius));
   return (1.0 + kRounding) * range;

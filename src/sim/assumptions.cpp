@@ -40,16 +40,12 @@ Vec2 start_velocity(const RobotSetup& robot) {
 
 double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
   const double speed = norm(robot.velocity);
-  if (law.kind == Certificate::linear_soft_stop) return law.soft_stop_time;
   return law.step.time_step *
          braking_steps(speed, braking_decrement(robot.max_acceleration, law.step));
 }
 
 Vec2 way_of(const RobotSetup& robot, const CertificateLaw& law) {
   const Vec2 v = start_velocity(robot);
-  if (law.kind == Certificate::linear_soft_stop) {
-    return (law.soft_stop_time - 0.5 * law.step.time_step) * v;
-  }
   const double speed = norm(v);
   if (!(speed > 0.0)) return {};
   const double u = braking_decrement(robot.max_acceleration, law.step);

@@ -11,20 +11,13 @@
 
 #include "avo/error.h"
 #include "core/elementary.h"
+#include "core/hash.h"
 
 namespace avo {
 namespace {
 
-// Finalizer of a 64-bit mixing generator: every input bit reaches every output bit.
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
-  hash += value + 0x9e3779b97f4a7c15u;
-  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
-  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
-  return hash ^ (hash >> 31);
-}
-
 std::uint64_t mixed(std::uint64_t hash, double value) {
-  return mixed(hash, std::bit_cast<std::uint64_t>(value));
+  return avo::mixed(hash, std::bit_cast<std::uint64_t>(value));
 }
 
 std::uint64_t mixed(std::uint64_t hash, Vec2 value) {

@@ -2,7 +2,6 @@
 // Which scenes can be simulated at all (the ranges of the paper's constants, §VI-A).
 #include "avo/scenario.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -103,25 +102,6 @@ void check_times(const Scenario& scenario) {
                " s where motion is exponential");
 }
 
-void check_at_rest(std::size_t k, std::string_view field, Vec2 value) {
-  if (value == Vec2{}) return;
-  refuse(name_of(Place{"moving_obstacles", k, field}),
-         "[" + text(value.x) + ", " + text(value.y) + "]",
-         "[0, 0] with certificate linear_soft_stop");
-}
-
-void check_soft_stop(const Scenario& scenario) {
-  const std::string with = " with certificate linear_soft_stop";
-  if (scenario.motion != Motion::held) refuse("motion", to_string(scenario.motion), "held" + with);
-  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-    if (scenario.robots[i].car)  // it brakes fully, and drives no straight line to rest
-      refuse(name_of(Place{"robots", i, "car"}), "a car-like robot", "none" + with);
-  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
-    check_at_rest(k, "velocity", scenario.moving_obstacles[k].velocity);
-    check_at_rest(k, "acceleration", scenario.moving_obstacles[k].acceleration);
-  }
-}
-
 // Braking lasts for so many steps only as can be looked at one by one.
 void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   const double steps = static_cast<double>(kMostBrakingSteps);
@@ -150,7 +130,6 @@ void check_certificate(const Scenario& scenario) {
   if (scenario.method != Method::avo)
     refuse("certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(scenario.method));
-  if (options.certificate == Certificate::linear_soft_stop) check_soft_stop(scenario);
   check_braking(scenario, options);
 }
 
@@ -182,13 +161,6 @@ PlannerOptions planner_options(const Scenario& scenario) {
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
   if (scenario.certificate) options.certificate = *scenario.certificate;
-  // who comes later has to stop as soon: see Simulation::add_robot
-  if (!scenario.robots.empty()) options.soft_stop_time = 0.0;
-  options.soft_stop_time = std::max(options.soft_stop_time, scenario.time_step);
-  for (const RobotSetup& robot : scenario.robots) {
-    options.soft_stop_time =
-        std::max(options.soft_stop_time, robot.max_speed / robot.max_acceleration);
-  }
   return options;
 }
 

@@ -29,13 +29,8 @@ struct Part {
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[i];
   const double v = robot.max_speed, step = law.step.time_step;
-  const int number = static_cast<int>(i);
-  if (law.kind == Certificate::linear_soft_stop) {
-    const double seconds = law.soft_stop_time + 0.5 * step;  // a step, and z = p + (d_s - Δt/2) v
-    return {number, robot.radius + seconds * v, seconds};
-  }
   const double u = braking_decrement(robot.max_acceleration, law.step);
-  return {number, robot.radius + (step * v + stopping_length(v, u, law.step)),
+  return {static_cast<int>(i), robot.radius + (step * v + stopping_length(v, u, law.step)),
           step * (1.0 + braking_steps(v, u))};
 }
 
@@ -99,24 +94,23 @@ double scene_top_speed(const Scenario& scenario) {
   return top;
 }
 
-// The scene with no robot faster than a limit. d_s follows from the speeds, the rest does not.
+// The scene with no robot faster than a limit.
 class LimitedScene {
  public:
-  LimitedScene(const Scenario& scenario, CertificateLaw law)
+  LimitedScene(const Scenario& scenario, const CertificateLaw& law)
       : scenario_(scenario), limited_(scenario), law_(law) {}
 
   bool is_seen(double limit) {
     for (std::size_t i = 0; i < scenario_.robots.size(); ++i) {
       limited_.robots[i].max_speed = std::min(scenario_.robots[i].max_speed, limit);
     }
-    law_.soft_stop_time = planner_options(limited_).soft_stop_time;
     return suffices(scenario_.sensing_radius, need(limited_, law_));
   }
 
  private:
   const Scenario& scenario_;
   Scenario limited_;
-  CertificateLaw law_;
+  const CertificateLaw& law_;
 };
 
 }  // namespace

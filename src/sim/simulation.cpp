@@ -12,6 +12,7 @@
 #include "avo/error.h"
 #include "core/thread_pool.h"
 #include "planner/decision.h"
+#include "sim/saved_state.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -21,16 +22,8 @@ namespace {
 void check(const World& world, const RobotSetup& setup, RobotId robot) {
   Scenario scene = world.settings;
   scene.robots = {setup};
-  const PlannerOptions& options = world.planner.options();
   try {
     validate(scene);
-    // the others count on it to stop as soon as they do
-    if (options.certificate == Certificate::linear_soft_stop &&
-        setup.max_speed / setup.max_acceleration > options.soft_stop_time) {
-      throw Error("robots.0.max_speed: found " + std::to_string(setup.max_speed) +
-                  ", must be <= max_acceleration * " + std::to_string(options.soft_stop_time) +
-                  " s with certificate linear_soft_stop");
-    }
   } catch (const Error& error) {
     const std::string_view what = error.what(), place = "robots.0.";
     if (!what.starts_with(place)) throw;
@@ -82,6 +75,21 @@ std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
   return hits;
 }
 
+std::unique_ptr<Executor> thread_pool(int threads) {
+  constexpr int kMost = static_cast<int>(kMostWorkers);
+  if (threads < 0 || threads > kMost) {
+    throw Error("threads: found " + std::to_string(threads) + ", must be 0 (all there are) to " +
+                std::to_string(kMost));
+  }
+  return std::make_unique<ThreadPool>(threads > 0 ? static_cast<std::size_t>(threads)
+                                                  : std::min(usable_processors(), kMostWorkers));
+}
+
+void require_whole(const World& world, const char* call) {
+  if (!world.torn) return;
+  throw Error(std::string(call) + ": memory ran out in the midst of an earlier step");
+}
+
 }  // namespace
 
 struct Simulation::State : World {
@@ -95,21 +103,19 @@ struct Simulation::State : World {
 
 Simulation::Simulation(const Scenario& scenario, int threads) {
   validate(scenario);
-  constexpr int kMost = static_cast<int>(kMostWorkers);
-  if (threads < 0 || threads > kMost) {
-    throw Error("threads: found " + std::to_string(threads) + ", must be 0 (all there are) to " +
-                std::to_string(kMost));
-  }
-  const std::size_t workers =
-      threads > 0 ? static_cast<std::size_t>(threads) : std::min(usable_processors(), kMostWorkers);
-  state_ = std::make_unique<State>(scenario, std::make_unique<ThreadPool>(workers));
+  state_ = std::make_unique<State>(scenario, thread_pool(threads));
+}
+Simulation::Simulation(std::span<const std::byte> saved, int threads) {
+  const SavedState state = from_bytes(saved);
+  state_ = std::make_unique<State>(state.scene, thread_pool(threads));
+  avo::restore(state, *state_);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step() {
-  if (state_->torn) throw Error("Simulation::step: memory ran out in the midst of an earlier step");
+  require_whole(*state_, "Simulation::step");
   state_->is_mirrored = false;
   avo::step(*state_);
 }
@@ -138,6 +144,16 @@ void Simulation::set_goal(RobotId robot, Vec2 goal) {
   setup.goal = goal;
   check(*state_, setup, robot);
   state_->fleet.goal[slot] = goal;
+  state_->is_mirrored = false;
+}
+
+std::vector<std::byte> Simulation::save() const {
+  require_whole(*state_, "Simulation::save");
+  return to_bytes(saved_state(*state_));
+}
+
+void Simulation::restore(std::span<const std::byte> saved) {
+  avo::restore(from_bytes(saved), *state_);
   state_->is_mirrored = false;
 }
 

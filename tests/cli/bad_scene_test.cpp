@@ -148,28 +148,16 @@ const std::vector<BadScene> kBadScenes{
      "4:9: method: found 3, must be one of avo, avo_paper, velocity_obstacle, orca"},
     {"certificate_unknown", kGood + s("certificate: capsules\n"),
      "4:14: certificate: found \"capsules\", must be one of none, stopping_capsules, "
-     "braking_trajectories, linear_soft_stop"},
+     "braking_trajectories"},
     {"certificate_of_another_method",
      kGood + s("method: avo_paper\ncertificate: "
                "braking_trajectories\n"),
      "5:14: certificate: found braking_trajectories, must be none with method avo_paper"},
-    {"soft_stop_of_exponential_motion",
-     kGood + s("certificate: linear_soft_stop\nmotion: exponential\n"),
-     "5:9: motion: found exponential, must be held with certificate linear_soft_stop"},
-    {"soft_stop_of_a_car",
-     s("version: 1\ncertificate: linear_soft_stop\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n"
-       "  - {position: [0, 9], goal: [1, 0], car: {}}\n"),
-     "5:43: robots.1.car: found a car-like robot, must be none with certificate linear_soft_stop"},
-    {"soft_stop_among_movers",
-     kGood + s("certificate: linear_soft_stop\nmoving_obstacles:\n  - {position: [0, 9]}\n  - "
-               "{position: [0, 7], velocity: [0.5, 0]}\n"),
-     "7:34: moving_obstacles.1.velocity: found [0.5, 0], must be [0, 0] with certificate "
-     "linear_soft_stop"},
-    {"soft_stop_among_accelerating_movers",
-     kGood + s("certificate: linear_soft_stop\nmoving_obstacles:\n  - {position: [0, 7], "
-               "acceleration: [0, 0.1]}\n"),
-     "6:38: moving_obstacles.0.acceleration: found [0, 0.1], must be [0, 0] with certificate "
-     "linear_soft_stop"},
+    {"certificate_that_there_is_not", kGood + s("certificate: linear_soft_stop\n"),
+     "4:14: certificate: found \"linear_soft_stop\", must be one of none, stopping_capsules, "
+     "braking_trajectories"},
+    {"key_that_there_is_not", kGood + s("soft_stop_time: 2\n"),
+     s("4:1: found the unknown key \"soft_stop_time\", allowed are ") + kSceneKeys},
     {"braking_for_ever",
      s("version: 1\nduration: 9\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_speed: 2, "
        "max_acceleration: 0.0001}\n"),

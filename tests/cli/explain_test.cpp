@@ -121,8 +121,7 @@ const Strings kAvo{"circle-10", "--set",          "method=avo", "--set", "contro
                    "--set",     "time_horizon=3", "--time",     "10"};
 
 TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
-  for (const char* kind :
-       {"none", "stopping_capsules", "braking_trajectories", "linear_soft_stop"}) {
+  for (const char* kind : {"none", "stopping_capsules", "braking_trajectories"}) {
     Strings arguments = kAvo;
     arguments.insert(arguments.end(),
                      {"--robot", "3", "--set", std::string("certificate=") + kind});

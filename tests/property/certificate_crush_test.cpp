@@ -41,9 +41,6 @@ std::vector<RobotSetup> unequal_robots(const Crush& crush, Random& random) {
     });
     if (!clear) continue;
     robot.max_acceleration = random.uniform(0.3, 3.0);
-    if (crush.kind == Certificate::linear_soft_stop) {
-      robot.max_speed = std::min(2.0, 2.0 * robot.max_acceleration);  // d_s is 2 s
-    }
     robots.push_back(robot);
   }
   return robots;
@@ -119,22 +116,21 @@ TEST_P(Crushed, unequal_robots_at_one_point_never_overlap) {
   EXPECT_GT(report.largest_speed, 1.0);      // and fast
 }
 
-constexpr Certificate kS1 = Certificate::stopping_capsules;
-constexpr Certificate kS2 = Certificate::linear_soft_stop;
-constexpr Certificate kS3 = Certificate::braking_trajectories;
+constexpr Certificate kCapsules = Certificate::stopping_capsules;
+constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 
 INSTANTIATE_TEST_SUITE_P(
     , Crushed,
-    testing::Values(
-        Crush{"stopping_capsules_60", kS1, Motion::held, 60, 12.0, 2000},
-        Crush{"stopping_capsules_exponential_60", kS1, Motion::exponential, 60, 12.0, 2000},
-        Crush{"linear_soft_stop_60", kS2, Motion::held, 60, 12.0, 2000},
-        Crush{"braking_trajectories_60", kS3, Motion::held, 60, 12.0, 2000},
-        Crush{"braking_trajectories_exponential_60", kS3, Motion::exponential, 60, 12.0, 2000},
-        Crush{"stopping_capsules_200", kS1, Motion::held, 200, 22.0, 800},
-        Crush{"linear_soft_stop_200", kS2, Motion::held, 200, 22.0, 800},
-        Crush{"braking_trajectories_200", kS3, Motion::held, 200, 22.0, 800},
-        Crush{"braking_trajectories_exponential_200", kS3, Motion::exponential, 200, 22.0, 800}),
+    testing::Values(Crush{"stopping_capsules_60", kCapsules, Motion::held, 60, 12.0, 2000},
+                    Crush{"stopping_capsules_exponential_60", kCapsules, Motion::exponential, 60,
+                          12.0, 2000},
+                    Crush{"braking_trajectories_60", kTrajectories, Motion::held, 60, 12.0, 2000},
+                    Crush{"braking_trajectories_exponential_60", kTrajectories, Motion::exponential,
+                          60, 12.0, 2000},
+                    Crush{"stopping_capsules_200", kCapsules, Motion::held, 200, 22.0, 800},
+                    Crush{"braking_trajectories_200", kTrajectories, Motion::held, 200, 22.0, 800},
+                    Crush{"braking_trajectories_exponential_200", kTrajectories,
+                          Motion::exponential, 200, 22.0, 800}),
     [](const testing::TestParamInfo<Crush>& each) { return each.param.name; });
 
 }  // namespace

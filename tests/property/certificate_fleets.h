@@ -18,15 +18,12 @@ struct Fleet {
   std::vector<Neighbor> movers;  ///< decide nothing, keep their acceleration
 };
 
-/// Unequal radii, a_max, v_max, over a decade each; linear_soft_stop: v_max <= d_s a_max.
-inline Robot random_robot(Random& random, const PlannerOptions& options) {
+/// Unequal radii, a_max, v_max, over a decade each.
+inline Robot random_robot(Random& random) {
   Robot robot;
   robot.radius = random.log_uniform(0.1, 1.5);
   robot.max_acceleration = random.log_uniform(0.3, 4.0);
   robot.max_speed = random.log_uniform(0.4, 4.0);
-  if (options.certificate == Certificate::linear_soft_stop) {
-    robot.max_speed = std::min(robot.max_speed, options.soft_stop_time * robot.max_acceleration);
-  }
   return robot;
 }
 
@@ -41,15 +38,13 @@ inline bool touches(const Robot& robot, const std::vector<Neighbor>& all) {
 inline Fleet random_fleet(Random& random, Certificate kind, Motion motion) {
   Fleet fleet;
   fleet.options = random_options(random, kind, motion);
-  if (kind == Certificate::linear_soft_stop)
-    fleet.options.soft_stop_time = random.uniform(0.6, 4.0);
   const CertificateLaw law = law_of(fleet.options);
   const Vec2 offset = random.below(8) == 0 ? 1e7 * random.direction() : Vec2{};
   const int count = 2 + random.below(7);
   double extent = 1.0;
   while (static_cast<int>(fleet.robots.size()) < count) {
     extent *= 1.05;
-    Robot robot = random_robot(random, fleet.options);
+    Robot robot = random_robot(random);
     robot.position = offset + in_disc(random, extent);
     if (touches(robot, others(fleet.robots, count))) continue;
     fleet.robots.push_back(robot);

@@ -29,7 +29,7 @@ Fleet fleet_among_movers(Random& random, Certificate kind, Motion motion) {
   fleet.options = random_options(random, kind, motion);
   const int robots = 1 + random.below(3), movers = 1 + random.below(3);
   while (static_cast<int>(fleet.robots.size()) < robots) {
-    Robot robot = random_robot(random, fleet.options);
+    Robot robot = random_robot(random);
     robot.position = in_disc(random, 4.0);
     if (!touches(robot, others(fleet.robots, fleet.robots.size()))) fleet.robots.push_back(robot);
   }

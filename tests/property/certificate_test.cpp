@@ -17,10 +17,7 @@ class Certified : public testing::TestWithParam<std::tuple<Certificate, Motion>>
 
 std::string name_of(const testing::TestParamInfo<Certified::ParamType>& info) {
   const auto [kind, motion] = info.param;
-  const std::string name = kind == Certificate::stopping_capsules      ? "stopping_capsules"
-                           : kind == Certificate::braking_trajectories ? "braking_trajectories"
-                                                                       : "linear_soft_stop";
-  return name + (motion == Motion::held ? "_held" : "_exponential");
+  return std::string(to_string(kind)) + (motion == Motion::held ? "_held" : "_exponential");
 }
 
 // Every robot picks by a whim of its own; all move; the distance within the step is looked at.
@@ -83,7 +80,7 @@ Fleet far_pair(Random& random, Certificate kind, Motion motion) {
   Fleet fleet;
   fleet.options = random_options(random, kind, motion);
   const Vec2 place = 1e7 * random.direction();
-  fleet.robots = {random_robot(random, fleet.options), random_robot(random, fleet.options)};
+  fleet.robots = {random_robot(random), random_robot(random)};
   const double apart = fleet.robots[0].radius + fleet.robots[1].radius + random.uniform(0.01, 0.5);
   fleet.robots[0].position = place;
   fleet.robots[1].position = place + apart * random.direction();
@@ -126,8 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(std::tuple(Certificate::stopping_capsules, Motion::held),
                     std::tuple(Certificate::stopping_capsules, Motion::exponential),
                     std::tuple(Certificate::braking_trajectories, Motion::held),
-                    std::tuple(Certificate::braking_trajectories, Motion::exponential),
-                    std::tuple(Certificate::linear_soft_stop, Motion::held)),
+                    std::tuple(Certificate::braking_trajectories, Motion::exponential)),
     name_of);
 
 }  // namespace

@@ -110,20 +110,12 @@ TEST_P(EveryCertificate, is_safe_and_lets_arrive) {
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryCertificate,
                          testing::Values(Kind{Certificate::stopping_capsules, Motion::held},
                                          Kind{Certificate::stopping_capsules, Motion::exponential},
-                                         Kind{Certificate::linear_soft_stop, Motion::held},
                                          Kind{Certificate::braking_trajectories,
                                               Motion::exponential}),
                          [](const auto& kind) {
                            const bool held = kind.param.motion == Motion::held;
-                           switch (kind.param.certificate) {
-                             case Certificate::stopping_capsules:
-                               return std::string("stopping_capsules") +
-                                      (held ? "_held" : "_exponential");
-                             case Certificate::linear_soft_stop:
-                               return std::string("linear_soft_stop");
-                             default:
-                               return std::string("braking_trajectories_exponential");
-                           }
+                           return std::string(avo::to_string(kind.param.certificate)) +
+                                  (held ? "_held" : "_exponential");
                          });
 
 }  // namespace

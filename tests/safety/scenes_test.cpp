@@ -131,10 +131,10 @@ TEST(StraightTime, is_that_of_the_slowest_from_rest_to_rest) {
   EXPECT_DOUBLE_EQ(straight_time(scenario), 1.0);
 }
 
-TEST(SeeFarEnough, widens_for_the_certificate_that_needs_more) {
+TEST(SeeFarEnough, widens_for_robots_that_brake_longer) {
   Scenario scenario = mixed(1).scenario;
   const double for_braking = scenario.sensing_radius;
-  scenario.certificate = Certificate::linear_soft_stop;
+  for (RobotSetup& robot : scenario.robots) robot.max_acceleration *= 0.4;
   see_far_enough(scenario);
   EXPECT_GT(scenario.sensing_radius, 1.5 * for_braking);
   EXPECT_FALSE(broken_assumptions(scenario).unseen);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three certificates written out plainly for held motion, with switches that take one step of
+// Both certificates written out plainly for held motion, with switches that take one step of
 // the proof away, and a search for robots that then overlap.
 #pragma once
 #include <algorithm>
@@ -65,7 +65,7 @@ inline Vec2 turned(Vec2 a, double angle) {
 /// rad, between the lines of two robots that differ
 inline constexpr double kTurn = 0.2;
 
-/// S3 with all steps of its proof, unless one is switched off.
+/// Braking trajectories with all steps of its proof, unless one is switched off.
 struct TrajectoryRule {
   bool middle_coefficient = true;  ///< of intervals after the first
   bool whole_intervals = true;     ///< or the times at their ends only
@@ -130,7 +130,7 @@ struct TrajectoryRule {
   }
 };
 
-/// S1, likewise.
+/// Stopping capsules, likewise.
 struct CapsuleRule {
   bool discrete_length = true;  ///< or v²/2a
   bool same_lines = true;       ///< or turned by kTurn, for every second robot
@@ -169,34 +169,6 @@ struct CapsuleRule {
       });
     };
     return {keeps_all, hardest_braked(A, options)};
-  }
-};
-
-/// S2, likewise; its switches are the soft stop times. |a| <= a_max in any case.
-struct SoftStopRule {
-  std::vector<double> time;  ///< [d_s] s, of every robot: what it takes for common
-
-  Choices operator()(const std::vector<Robot>& robots, std::size_t self,
-                     const PlannerOptions& options) const {
-    const Robot A = robots[self];
-    const double d = time[self], h = options.time_step;
-    std::vector<HalfPlane> walls;  // of v + d_s a
-    for (const std::size_t k : nearest_others(robots, self, robots.size())) {
-      const Robot& B = robots[k];
-      const Vec2 p = A.position - B.position, z = p + (d - 0.5 * h) * (A.velocity - B.velocity);
-      const Vec2 n = direction_of_nearest(std::array<Vec2, 2>{p, z});
-      const double share = A.max_acceleration / (A.max_acceleration + B.max_acceleration);
-      walls.push_back({n, -share * (dot(n, z) - A.radius - B.radius) / h});
-    }
-    const auto keeps_all = [walls, A, d, h](Vec2 next) {
-      const Vec2 constrained = A.velocity + (d / h) * (next - A.velocity);
-      return std::all_of(walls.begin(), walls.end(), [&](const HalfPlane& wall) {
-        return violation(wall, constrained) <= 0.0;
-      });
-    };
-    const double speed = norm(A.velocity);
-    const double change = std::min(h * speed / d, A.max_acceleration * h);
-    return {keeps_all, speed > 0.0 ? A.velocity - (change / speed) * A.velocity : Vec2{}};
   }
 };
 

@@ -53,83 +53,70 @@ Search search_of(Certificate kind, double time_step, int trials, int steps,
   return {std::move(start), options_of(kind, Motion::held, time_step, 2.0), trials, steps};
 }
 
-constexpr Certificate kS1 = Certificate::stopping_capsules;
-constexpr Certificate kS2 = Certificate::linear_soft_stop;
-constexpr Certificate kS3 = Certificate::braking_trajectories;
+constexpr Certificate kCapsules = Certificate::stopping_capsules;
+constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 
 TEST(BrokenProof, middle_coefficient) {
   TrajectoryRule broken;
   broken.middle_coefficient = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 5e-3);
+                search_of(kTrajectories, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 5e-3);
 }
 
 TEST(BrokenProof, sampled_times) {
   TrajectoryRule broken;
   broken.whole_intervals = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
+                search_of(kTrajectories, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
 }
 
 TEST(BrokenProof, own_stop) {
   TrajectoryRule broken;
   broken.until_both_rest = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.3);
+                search_of(kTrajectories, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.3);
 }
 
 TEST(BrokenProof, unequal_interval_counts) {
   TrajectoryRule broken;
   broken.same_number = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.2);
+                search_of(kTrajectories, 0.1, 200, 30, crowd(2, 0.3, 3.0, 2.0, 2.0)), 0.2);
 }
 
 TEST(BrokenProof, different_normals) {
   TrajectoryRule broken;
   broken.same_normals = false;
   expect_needed(broken, TrajectoryRule{},
-                search_of(kS3, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
+                search_of(kTrajectories, 0.4, 400, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
 }
 
 TEST(BrokenProof, capped_neighbors) {
   TrajectoryRule broken;
   broken.most_neighbors = 2;
-  expect_needed(broken, TrajectoryRule{}, search_of(kS3, 0.1, 6, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)),
-                0.5);
+  expect_needed(broken, TrajectoryRule{},
+                search_of(kTrajectories, 0.1, 6, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)), 0.5);
 }
 
 TEST(BrokenProof, continuous_stopping_length) {
   CapsuleRule broken;
   broken.discrete_length = false;
-  expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.4, 300, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)),
-                0.05);
+  expect_needed(broken, CapsuleRule{},
+                search_of(kCapsules, 0.4, 300, 12, crowd(2, 1.0, 4.0, 4.0, 2.0)), 0.05);
 }
 
 TEST(BrokenProof, different_lines_of_capsules) {
   CapsuleRule broken;
   broken.same_lines = false;
-  expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.1, 200, 30, crowd(2, 0.5, 2.0, 2.0, 2.0)),
-                0.01);
+  expect_needed(broken, CapsuleRule{},
+                search_of(kCapsules, 0.1, 200, 30, crowd(2, 0.5, 2.0, 2.0, 2.0)), 0.01);
 }
 
 TEST(BrokenProof, capped_neighbors_of_capsules) {
   CapsuleRule broken;
   broken.most_neighbors = 2;
-  expect_needed(broken, CapsuleRule{}, search_of(kS1, 0.1, 20, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)),
-                0.5);
-}
-
-TEST(BrokenProof, soft_stop_shorter_than_a_max_allows) {
-  // v_max/a_max is 2 s
-  expect_needed(SoftStopRule{{1.0, 1.0}}, SoftStopRule{{2.0, 2.0}},
-                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 0.3);
-}
-
-TEST(BrokenProof, soft_stops_of_unequal_duration) {
-  // each at least v_max/a_max
-  expect_needed(SoftStopRule{{2.0, 4.0}}, SoftStopRule{{2.0, 2.0}},
-                search_of(kS2, 0.1, 200, 30, crowd(2, 1.0, 1.0, 2.0, 2.0)), 0.5);
+  expect_needed(broken, CapsuleRule{},
+                search_of(kCapsules, 0.1, 20, 30, crowd(8, 0.5, 2.0, 2.0, 2.5)), 0.5);
 }
 
 }  // namespace

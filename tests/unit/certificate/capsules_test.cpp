@@ -8,7 +8,7 @@
 namespace avo::test {
 namespace {
 
-constexpr Certificate kS1 = Certificate::stopping_capsules;
+constexpr Certificate kCapsules = Certificate::stopping_capsules;
 constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
 
 CertificateWalls walls_of(const Robot& self, const Robot& other, const CertificateLaw& law) {
@@ -28,7 +28,7 @@ TEST(Capsules, lines_of_a_pair_are_mirror_images_bit_for_bit) {
     Random random(31);
     int compared = 0;
     for (int i = 0; i < 3000; ++i) {
-      const PairSituation s = random_pair(random, kS1, motion);
+      const PairSituation s = random_pair(random, kCapsules, motion);
       const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
       if (of_A.capsules.empty() || of_B.capsules.empty()) continue;
       ASSERT_EQ(of_A.capsules[0].normal.x, -of_B.capsules[0].normal.x);
@@ -43,7 +43,7 @@ TEST(Capsules, lines_of_a_pair_are_mirror_images_bit_for_bit) {
 TEST(Capsules, line_separates_and_shares_the_gap) {
   Random random(32);
   for (int i = 0; i < 2000; ++i) {
-    const PairSituation s = sound_pair(random, kS1, Motion::held);
+    const PairSituation s = sound_pair(random, kCapsules, Motion::held);
     const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
     if (of_A.capsules.empty() || of_B.capsules.empty()) continue;
     const Vec2 n = of_A.capsules[0].normal;
@@ -60,7 +60,7 @@ TEST(Capsules, line_separates_and_shares_the_gap) {
 }
 
 TEST(Capsules, line_between_parallel_ones_is_unique) {
-  const CertificateLaw law = law_of(options_of(kS1, Motion::held, 0.1, 2.0));
+  const CertificateLaw law = law_of(options_of(kCapsules, Motion::held, 0.1, 2.0));
   Robot a{{0.0, 2.0}, {1.5, 0.0}, {}, 0.5, 1.0, 2.0}, b{{0.0, 0.0}, {1.5, 0.0}, {}, 0.5, 1.0, 2.0};
   for (const double ahead : {-1.0, -0.25, 0.0, 0.25, 1.0}) {
     for (const double sign : {-1.0, 1.0}) {  // the same way, and against each other
@@ -80,7 +80,7 @@ TEST(Capsules, next_one_when_braking_lies_in_the_present_one) {
   for (const Motion motion : kMotions) {
     Random random(33);
     for (int i = 0; i < 2000; ++i) {
-      const PairSituation s = random_pair(random, kS1, motion);
+      const PairSituation s = random_pair(random, kCapsules, motion);
       const double u = braking_decrement(s.a.max_acceleration, s.law.step);
       const CandidatePath path = follow(s.a, braked(s.a.velocity, u), s.law.step);
       const Vec2 next = s.a.position + path.first;
@@ -97,7 +97,7 @@ TEST(Capsules, braking_is_always_admitted) {
   for (const Motion motion : kMotions) {
     Random random(34);
     for (int i = 0; i < 2000; ++i) {
-      const PairSituation s = sound_pair(random, kS1, motion);
+      const PairSituation s = sound_pair(random, kCapsules, motion);
       CertificateWalls walls = walls_of(s.a, s.b, s.law);
       if (walls.invariant.slack < 1e-9) continue;
       EXPECT_TRUE(admits(s.a, backup_velocity(s.a, s.law), s.law, walls));
@@ -110,7 +110,7 @@ TEST(Capsules, next_capsule_and_step_are_what_is_tested) {
     Random random(35);
     int refused = 0;
     for (int i = 0; i < 3000; ++i) {
-      const PairSituation s = sound_pair(random, kS1, motion);
+      const PairSituation s = sound_pair(random, kCapsules, motion);
       CertificateWalls walls = walls_of(s.a, s.b, s.law);
       if (walls.capsules.empty()) continue;
       const CapsuleWall& wall = walls.capsules[0];
@@ -133,7 +133,7 @@ TEST(Capsules, half_planes_suffice_up_to_their_speed) {
     Random random(36);
     int inside = 0;
     for (int i = 0; i < 4000; ++i) {
-      const PairSituation s = sound_pair(random, kS1, motion);
+      const PairSituation s = sound_pair(random, kCapsules, motion);
       CertificateWalls walls = walls_of(s.a, s.b, s.law);
       const double u = braking_decrement(s.a.max_acceleration, s.law.step);
       const double speed = norm(s.a.velocity);

@@ -62,9 +62,6 @@ bool are_sane(const CertificateWalls& walls) {
     for (const double offset : wall.offset) sane = sane && is_sane(wall.normal, offset);
   }
   for (const CapsuleWall& wall : walls.capsules) sane = sane && is_sane(wall.normal, wall.offset);
-  for (const SoftStopWall& wall : walls.soft_stops) {
-    sane = sane && is_sane(wall.half_plane.normal, wall.half_plane.offset);
-  }
   return sane;
 }
 
@@ -72,8 +69,7 @@ constexpr std::pair<Certificate, Motion> kLaws[] = {
     {Certificate::stopping_capsules, Motion::held},
     {Certificate::stopping_capsules, Motion::exponential},
     {Certificate::braking_trajectories, Motion::held},
-    {Certificate::braking_trajectories, Motion::exponential},
-    {Certificate::linear_soft_stop, Motion::held}};
+    {Certificate::braking_trajectories, Motion::exponential}};
 
 TEST(DegenerateCertificate, walls_are_sane_and_braking_is_admitted) {
   for (const auto& [kind, motion] : kLaws) {

@@ -13,7 +13,7 @@
 namespace avo::test {
 namespace {
 
-constexpr Certificate kS3 = Certificate::braking_trajectories;
+constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 
 // A robot and a few neighbors, some of whom may be movers; now and then with sensing errors.
 struct Crowd {
@@ -25,7 +25,7 @@ struct Crowd {
 
 Crowd random_crowd(Random& random) {
   const Motion motion = random.below(2) == 0 ? Motion::held : Motion::exponential;
-  PlannerOptions options = random_options(random, kS3, motion);
+  PlannerOptions options = random_options(random, kTrajectories, motion);
   if (random.below(4) == 0) options.sensing_error = {0.01, 0.02};
   Crowd crowd{law_of(options), random_body(random), {}, {}};
   crowd.robot.position = in_disc(random, 5.0);
@@ -149,7 +149,7 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   NearPairs near;
   for (int i = 0; i < 4000; ++i) {
     const PairSituation s =
-        random_pair(random, kS3, i % 2 == 0 ? Motion::held : Motion::exponential);
+        random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
     const StepLaw& law = s.law.step;
     const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, law);
     const Sensing sensing{&s.a, in_columns({}, columns), true};
@@ -196,7 +196,8 @@ TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
   Random random(43);
   int far = 0, beyond = 0;
   for (int i = 0; i < 8000; ++i) {
-    PairSituation s = random_pair(random, kS3, i % 2 == 0 ? Motion::held : Motion::exponential);
+    PairSituation s =
+        random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
     if (i % 8 == 0) s.law.step.sensing_error = {0.01, 0.02};
     s.b.max_acceleration = s.a.max_acceleration;
     if (norm(s.b.velocity) > s.a.max_speed) s.b.velocity = {};

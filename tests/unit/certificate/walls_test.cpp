@@ -9,7 +9,7 @@
 namespace avo::test {
 namespace {
 
-constexpr Certificate kS3 = Certificate::braking_trajectories;
+constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
 
 CertificateWalls walls_of(const Robot& self, const Robot& other, const CertificateLaw& law) {
@@ -23,7 +23,7 @@ TEST(Walls, of_a_pair_are_mirror_images_bit_for_bit) {
     Random random(21);
     int compared = 0, broken = 0;
     for (int i = 0; i < 3000; ++i) {
-      const PairSituation s = random_pair(random, kS3, motion);
+      const PairSituation s = random_pair(random, kTrajectories, motion);
       const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
       const std::vector<TrajectoryWall> a = all_walls(of_A.trajectories);
       const std::vector<TrajectoryWall> b = all_walls(of_B.trajectories);
@@ -51,7 +51,7 @@ TEST(Walls, shares_of_a_pair_add_up_to_the_gap) {
   for (const Motion motion : kMotions) {
     Random random(22);
     for (int i = 0; i < 1000; ++i) {
-      const PairSituation s = sound_pair(random, kS3, motion);
+      const PairSituation s = sound_pair(random, kTrajectories, motion);
       const auto of_A = all_walls(walls_of(s.a, s.b, s.law).trajectories);
       const auto of_B = all_walls(walls_of(s.b, s.a, s.law).trajectories);
       if (of_A.empty() || of_B.empty() || of_A[0].interval != 0 || of_B[0].interval != 0) continue;
@@ -99,7 +99,7 @@ TEST(Walls, left_out_could_refuse_nothing) {
     Random random(23);
     int refused = 0, admitted = 0;
     for (int i = 0; i < 2500; ++i) {
-      const PairSituation s = sound_pair(random, kS3, motion);
+      const PairSituation s = sound_pair(random, kTrajectories, motion);
       CertificateWalls walls = walls_of(s.a, s.b, s.law);
       for (int k = 0; k < 8; ++k) {
         const Vec2 next = random_choice(random, s);
@@ -131,7 +131,7 @@ TEST(Walls, tangent_is_the_derivative) {
     Random random(24);
     int compared = 0;
     while (compared < 1000) {
-      const PairSituation s = sound_pair(random, kS3, motion);
+      const PairSituation s = sound_pair(random, kTrajectories, motion);
       CertificateWalls walls = walls_of(s.a, s.b, s.law);
       const Vec2 next = random_choice(random, s);
       const double u = braking_decrement(s.a.max_acceleration, s.law.step);
@@ -160,7 +160,7 @@ TEST(Walls, tangent_is_the_derivative) {
 TEST(Walls, bound_is_sufficient_for_the_deviation_from_braking) {
   Random random(25);
   for (int i = 0; i < 300; ++i) {
-    const PairSituation s = sound_pair(random, kS3, Motion::held);
+    const PairSituation s = sound_pair(random, kTrajectories, Motion::held);
     const CertificateWalls walls = walls_of(s.a, s.b, s.law);
     const double u = braking_decrement(s.a.max_acceleration, s.law.step);
     for (const TrajectoryWall& wall : all_walls(walls.trajectories)) {

@@ -98,29 +98,21 @@ inline Crowd random_crowd(Random& random, double least_gap) {
 }
 
 inline constexpr Certificate kCertificates[] = {Certificate::none, Certificate::stopping_capsules,
-                                                Certificate::braking_trajectories,
-                                                Certificate::linear_soft_stop};
+                                                Certificate::braking_trajectories};
 
-/// The same crowd by method avo. For linear_soft_stop A stops soon enough, and who does not decide
-/// stands still.
+/// The same crowd by method avo.
 inline Crowd by_avo(Random& random, Crowd crowd, Certificate certificate) {
   crowd.options.method = Method::avo;
   crowd.options.certificate = certificate;
   Robot& A = crowd.robot;
   if (random.below(3) > 0) A.distance_to_goal = A.radius * random.log_uniform(0.1, 30.0);
-  if (certificate != Certificate::linear_soft_stop) return crowd;
-  crowd.options.soft_stop_time =
-      std::max(crowd.options.time_step, A.max_speed / A.max_acceleration);
-  for (Neighbor& B : crowd.neighbors) {
-    if (B.max_acceleration == 0.0) B.velocity = B.acceleration = {};
-  }
   return crowd;
 }
 
 /// By the paper's method, or by avo under each certificate in turn.
 inline Crowd any_crowd(Random& random, int turn, double least_gap) {
   const Crowd crowd = random_crowd(random, least_gap);
-  return turn % 5 == 0 ? crowd : by_avo(random, crowd, kCertificates[turn % 5 - 1]);
+  return turn % 4 == 0 ? crowd : by_avo(random, crowd, kCertificates[turn % 4 - 1]);
 }
 
 inline Plan plan_of(const Crowd& crowd) {

@@ -104,9 +104,7 @@ TEST(Limits, P12_hold_for_every_decision_of_avo) {
     std::map<PlanStatus, int> seen;
     for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
       Crowd crowd = test::by_avo(random, possibly_too_fast(random), certificate);
-      if (k % 2 == 0 && certificate != Certificate::linear_soft_stop) {
-        crowd.options.motion = Motion::exponential;
-      }
+      if (k % 2 == 0) crowd.options.motion = Motion::exponential;
       const Plan plan = test::plan_of(crowd);
       expect_step_within_limits(crowd, plan);
       ++seen[plan.status];

@@ -118,24 +118,8 @@ TEST(Options, that_do_not_go_together_are_refused_by_name) {
             "PlannerOptions.sensing_error: found one, must be none with certificate "
             "stopping_capsules");
   options = {};
-  options.soft_stop_time = 0.0;
-  EXPECT_EQ(refusal(options), "PlannerOptions.soft_stop_time: found 0, must be > 0 s");
-  options = {};
   options.arrival_distance = 0.0;
   EXPECT_EQ(refusal(options), "PlannerOptions.arrival_distance: found 0, must be > 0 m");
-  options = {};
-  options.certificate = Certificate::linear_soft_stop;
-  EXPECT_EQ(refusal(options), "");
-  options.motion = Motion::exponential;
-  EXPECT_EQ(refusal(options),
-            "PlannerOptions.motion: found exponential, must be held with "
-            "certificate linear_soft_stop");
-  options.motion = Motion::held;
-  options.soft_stop_time = 0.0625;
-  EXPECT_EQ(refusal(options),
-            "PlannerOptions.soft_stop_time: found 0.0625, must be >= time_step = 0.1 s");
-  options.certificate = Certificate::braking_trajectories;
-  EXPECT_EQ(refusal(options), "");
 }
 
 }  // namespace

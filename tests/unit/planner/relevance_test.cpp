@@ -200,8 +200,6 @@ TEST(Relevance, everyone_matters_where_nothing_bounds_it) {
   EXPECT_TRUE(std::isinf(relevant_range(Planner(options), robot, peers)));  // all half-planes
   options.max_neighbors = 10;
   EXPECT_TRUE(std::isfinite(relevant_range(Planner(options), robot, peers)));
-  options.certificate = Certificate::linear_soft_stop;
-  EXPECT_TRUE(std::isinf(relevant_range(Planner(options), robot, peers)));
   options = default_options(Method::avo_paper);
   options.max_neighbors = 10;
   EXPECT_EQ(relevant_range(Planner(options), robot, peers), 0.0);

@@ -91,8 +91,7 @@ TEST(Symmetry, P6_lengths_times_a_power_of_two_scale_every_bit) {
 
 Crowd slowed(Crowd crowd, double time) {
   PlannerOptions& options = crowd.options;
-  for (double* each : {&options.control_time, &options.time_horizon, &options.time_step,
-                       &options.soft_stop_time}) {
+  for (double* each : {&options.control_time, &options.time_horizon, &options.time_step}) {
     *each *= time;
   }
   Robot& A = crowd.robot;

@@ -308,6 +308,35 @@ TEST(OutOfMemory, a_step_that_ends_while_robots_are_moved_is_the_last) {
   }
 }
 
+TEST(OutOfMemory, what_was_saved_makes_a_torn_simulation_whole) {
+  Scenario scene = test::dense_scene(400, Motion::held);
+  scene.method = Method::velocity_obstacle;
+  scene.max_neighbors = 6;
+  Simulation whole(scene, 1), torn(scene, 1);
+  const std::vector<std::byte> saved = torn.save();
+  const long before = allocations;
+  whole.step();
+  ASSERT_TRUE(fails(torn, allocations - before - 1));
+  EXPECT_THROW(static_cast<void>(torn.save()), Error);
+  torn.restore(saved);
+  torn.step();
+  EXPECT_EQ(torn.state_hash(), whole.state_hash());
+}
+
+TEST(OutOfMemory, a_state_is_restored_or_nothing_changes) {
+  Simulation simulation(test::dense_scene(40, Motion::held), 1);
+  const std::vector<std::byte> saved = simulation.save();
+  const std::uint64_t hash = simulation.state_hash();
+  simulation.step();
+  const std::uint64_t stepped = simulation.state_hash();
+  EXPECT_GT(failures([&] {
+              EXPECT_EQ(simulation.state_hash(), stepped);
+              simulation.restore(saved);
+            }),
+            5);
+  EXPECT_EQ(simulation.state_hash(), hash);
+}
+
 TEST(OutOfMemory, a_robot_comes_whole_or_not_at_all) {
   Simulation simulation(test::dense_scene(20, Motion::held), 1);
   for (int k = 0; k < 40; ++k) {

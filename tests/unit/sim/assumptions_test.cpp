@@ -29,9 +29,7 @@ bool accepts(const Scenario& scenario) {
 // Half of what two robots head-on at 2 m/s need between their edges.
 double stopping_way(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
-  return law.kind == Certificate::linear_soft_stop
-             ? 2.0 * (law.soft_stop_time - 0.5 * law.step.time_step)
-             : stopping_length(2.0, braking_decrement(1.0, law.step), law.step);
+  return stopping_length(2.0, braking_decrement(1.0, law.step), law.step);
 }
 
 TEST(Assumptions, head_on_is_accepted_up_to_the_last_millimeter) {
@@ -50,9 +48,8 @@ TEST(Assumptions, head_on_is_accepted_up_to_the_last_millimeter) {
     EXPECT_EQ(broken.fast_count, 0);
     EXPECT_FALSE(broken.unseen);
   }
-  // 2 m each by a = 1 m/s² held over steps of 0.1 s; soft stop of 2 s: 1.95 s * 2 m/s each
+  // 2 m each by a = 1 m/s² held over steps of 0.1 s
   EXPECT_DOUBLE_EQ(stopping_way(head_on(1.0, kKinds[0])), 2.0);
-  EXPECT_DOUBLE_EQ(stopping_way(head_on(1.0, {Certificate::linear_soft_stop, Motion::held})), 3.9);
 }
 
 TEST(Assumptions, crossing_one_after_the_other_breaks_capsules_only) {
@@ -230,11 +227,9 @@ TEST(Assumptions, the_search_finds_exactly_what_all_pairs_find) {
       if (random.below(3) > 0) robot.velocity = test::in_disc(random, robot.max_speed);
       scene.robots.push_back(robot);
     }
-    const bool at_rest = kind.certificate == Certificate::linear_soft_stop;
     for (int k = 0; k < 15; ++k) {
       const Vec2 place = extent * Vec2{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-      const Vec2 v = test::in_disc(random, at_rest ? 0.0 : 4.0);
-      const Vec2 a = test::in_disc(random, at_rest ? 0.0 : 0.5);
+      const Vec2 v = test::in_disc(random, 4.0), a = test::in_disc(random, 0.5);
       scene.moving_obstacles.push_back({place, v, a, random.log_uniform(0.1, 5.0)});
     }
     const std::int64_t expected = counted_one_by_one(scene);

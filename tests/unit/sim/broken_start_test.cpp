@@ -72,8 +72,8 @@ Simulation with_cluster(int count, Kind kind, Random& random) {
   scene.robots.resize(1);
   scene.robots[0].position = {0.0, 40.0};
   scene.robots[0].goal = {0.0, 60.0};
-  scene.robots[0].max_acceleration = 0.5;  // d_s as for the slowest of the cluster
-  scene.sensing_radius = 25.0;             // all are seen early enough
+  scene.robots[0].max_acceleration = 0.5;
+  scene.sensing_radius = 25.0;  // all are seen early enough
   Simulation simulation(scene, 1);
   for (int k = 0; k < 5; ++k) simulation.step();
   const double extent = 0.25 * std::sqrt(static_cast<double>(count));

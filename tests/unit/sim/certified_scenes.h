@@ -19,8 +19,7 @@ struct Kind {
 inline constexpr std::array kKinds{Kind{Certificate::braking_trajectories, Motion::held},
                                    Kind{Certificate::braking_trajectories, Motion::exponential},
                                    Kind{Certificate::stopping_capsules, Motion::held},
-                                   Kind{Certificate::stopping_capsules, Motion::exponential},
-                                   Kind{Certificate::linear_soft_stop, Motion::held}};
+                                   Kind{Certificate::stopping_capsules, Motion::exponential}};
 
 /// Two robots at 2 m/s towards each other and goals beyond, r 0.5 m, a_max 1 m/s².
 inline Scenario head_on(double distance, Kind kind) {

@@ -71,29 +71,6 @@ TEST(Fleet, bad_robots_and_goals_are_refused_and_change_nothing) {
   EXPECT_EQ(simulation.add_robot(far_robot()).value, 10u);
 }
 
-// The others count on it that all stop within the same time.
-TEST(Fleet, under_a_soft_stop_nobody_is_added_who_stops_later) {
-  Scenario scene;
-  scene.certificate = Certificate::linear_soft_stop;
-  scene.robots = {robot_at({0, 0}, {0, 0})};  // 2 m/s, 1 m/s^2
-  Simulation simulation(scene, 1);
-  RobotSetup slow = far_robot();
-  slow.max_acceleration = 0.5;
-  try {
-    simulation.add_robot(slow);
-    FAIL() << "accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "robot 1: max_speed: found 2.000000, must be <= max_acceleration * 2.000000 s with "
-              "certificate linear_soft_stop");
-  }
-  slow.max_speed = 1.0;
-  EXPECT_EQ(simulation.add_robot(slow).value, 1u);
-  scene.certificate = Certificate::braking_trajectories;
-  slow.max_speed = 2.0;
-  EXPECT_EQ(Simulation(scene, 1).add_robot(slow).value, 1u);
-}
-
 TEST(Fleet, detours_are_shown_and_stay_with_their_robots) {
   Simulation simulation(dense_avo_scene(40, Motion::held, Certificate::braking_trajectories, 3), 1);
   for (int k = 0; k < 40; ++k) simulation.step();
@@ -114,8 +91,7 @@ TEST(Fleet, a_far_robot_changes_no_bit_of_the_others) {
   for (const Scenario& scene :
        {dense_scene(60, Motion::held, 9), dense_scene(60, Motion::exponential, 9),
         dense_avo_scene(60, Motion::held, Certificate::stopping_capsules, 9),
-        dense_avo_scene(60, Motion::held, Certificate::braking_trajectories, 9),
-        dense_avo_scene(60, Motion::held, Certificate::linear_soft_stop, 9)}) {
+        dense_avo_scene(60, Motion::held, Certificate::braking_trajectories, 9)}) {
     Simulation plain(scene, 2), other(scene, 2);
     RobotId far{};
     for (int k = 0; k < 120; ++k) {

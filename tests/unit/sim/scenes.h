@@ -56,17 +56,13 @@ inline Scenario dense_scene(int count, Motion motion, std::uint64_t seed = 1) {
   return scene;
 }
 
-/// The same by method avo: without cars; for linear_soft_stop the obstacles stand still. Some pairs
-/// start too near and too fast to keep apart.
+/// The same by method avo, without cars. Some pairs start too near and too fast to keep apart.
 inline Scenario dense_avo_scene(int count, Motion motion, Certificate certificate,
                                 std::uint64_t seed = 1) {
   Scenario scene = dense_scene(count, motion, seed);
   scene.method = Method::avo;
   scene.certificate = certificate;
   for (RobotSetup& robot : scene.robots) robot.car.reset();
-  if (certificate == Certificate::linear_soft_stop) {
-    for (MovingObstacle& each : scene.moving_obstacles) each.velocity = each.acceleration = {};
-  }
   return scene;
 }
 
@@ -78,7 +74,6 @@ struct AvoKind {
 inline constexpr AvoKind kAvoKinds[] = {
     {Motion::held, Certificate::stopping_capsules},
     {Motion::held, Certificate::braking_trajectories},
-    {Motion::held, Certificate::linear_soft_stop},
     {Motion::exponential, Certificate::stopping_capsules},
     {Motion::exponential, Certificate::braking_trajectories},
 };

@@ -47,8 +47,6 @@ TEST(SensingNeed, radii_a_step_and_braking_of_the_two_that_need_most) {
   EXPECT_EQ(need.other, 3);
   EXPECT_DOUBLE_EQ(need.robot_part, 2.7);
   EXPECT_DOUBLE_EQ(need.other_part, 5.3);
-  scene.certificate = Certificate::linear_soft_stop;  // now d_s = 3 s: 0.5 + 3.05 * 3
-  EXPECT_DOUBLE_EQ(sensing_need(scene)->range, 0.5 + 6.1 + 0.5 + 9.15);
 }
 
 TEST(SensingNeed, one_robot_needs_to_see_nobody_but_obstacles) {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the future of a simulation depends on, as data and as bytes. What only the time of a step
+// depends on is not saved, such as the order of the robots in memory.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "avo/scenario.h"
+#include "avo/simulation.h"
+
+namespace avo {
+
+struct World;
+
+/// What steps change of a robot: its state, beside its setup.
+struct RobotState {
+  RobotId id;
+  Vec2 position, velocity;  // m, m/s
+  double heading = 0.0;     // rad
+  Detour detour;
+};
+static_assert(sizeof(RobotState) == 64, "it says so in avo/simulation.h");
+
+struct ObstacleState {
+  Vec2 position, velocity;  // m, m/s
+};
+
+struct SavedState {
+  Scenario scene;  // what is in RobotState does not count in its robots
+  std::int64_t steps = 0;
+  std::uint64_t next_id = 0;
+  std::vector<RobotState> robots;        // by ascending id, as many as the scene has
+  std::vector<ObstacleState> obstacles;  // likewise
+};
+
+std::vector<std::byte> to_bytes(SavedState state);
+/// Throws Error on all that to_bytes() did not make; reads no size that it has not checked.
+SavedState from_bytes(std::span<const std::byte> bytes);
+
+SavedState saved_state(const World& world);
+/// Throws Error unless the state is one of a scene with the world's settings and obstacles. Changes
+/// nothing where it throws.
+void restore(const SavedState& state, World& world);
+
+}  // namespace avo

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// A world's state, taken out and put back.
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "avo/error.h"
+#include "core/ranges.h"
+#include "sim/saved_settings.h"
+#include "sim/saved_state.h"
+#include "sim/world.h"
+
+namespace avo {
+namespace {
+
+template <typename Value>
+std::string shown(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return to_string(value);
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    std::string line = value;
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
+    return '"' + line + '"';
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return text(value);
+  } else {
+    return std::to_string(value);
+  }
+}
+
+template <typename Value>
+std::string shown(const std::optional<Value>& value) {
+  return value ? shown(*value) : "none";
+}
+
+void require_same_scene(const Scenario& saved, const World& world) {
+  for_each_setting([&](const char* key, auto member) {
+    const auto &theirs = saved.*member, &ours = world.settings.*member;
+    if (theirs == ours) return;
+    throw Error(std::string("saved state: ") + key + ": found " + shown(theirs) + ", must be " +
+                shown(ours) + " as in this simulation");
+  });
+  const auto same = [](const MovingObstacle& a, const MovingObstacle& b) {
+    bool all = true;
+    for_each_obstacle_value([&](const char*, auto member) { all = all && a.*member == b.*member; });
+    return all;
+  };
+  const std::vector<MovingObstacle>&theirs = saved.moving_obstacles, &ours = world.obstacles.setup;
+  if (std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same)) return;
+  throw Error("saved state: moving_obstacles: found others, must be those of this simulation");
+}
+
+Fleet fleet_of(const SavedState& state) {
+  Fleet fleet;
+  fleet.reserve(state.robots.size());
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    const RobotState& robot = state.robots[k];
+    RobotSetup setup = state.scene.robots[k];
+    setup.position = robot.position;
+    if (setup.car) setup.car->heading = robot.heading;
+    fleet.add(robot.id, setup);
+    fleet.velocity[k] = robot.velocity;  // to the last bit, of cars as well
+    fleet.detour[k] = robot.detour;
+  }
+  return fleet;
+}
+
+ObstacleColumns obstacles_of(const SavedState& state) {
+  ObstacleColumns obstacles;
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    obstacles.add(state.scene.moving_obstacles[k]);
+    obstacles.position[k] = state.obstacles[k].position;
+    obstacles.velocity[k] = state.obstacles[k].velocity;
+  }
+  return obstacles;
+}
+
+}  // namespace
+
+SavedState saved_state(const World& world) {
+  const Fleet& fleet = world.fleet;
+  SavedState state{world.settings, world.steps, world.next_id, {}, {}};
+  state.scene.moving_obstacles = world.obstacles.setup;
+  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
+    state.obstacles.push_back({world.obstacles.position[k], world.obstacles.velocity[k]});
+  }
+  state.scene.robots.reserve(fleet.size());
+  state.robots.reserve(fleet.size());
+  for (const std::uint32_t slot : fleet.slot_of) {
+    state.scene.robots.push_back(fleet.setup(slot));
+    state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
+                            fleet.heading[slot], fleet.detour[slot]});
+  }
+  return state;
+}
+
+void restore(const SavedState& state, World& world) {
+  require_same_scene(state.scene, world);
+  Fleet fleet = fleet_of(state);
+  ObstacleColumns obstacles = obstacles_of(state);
+  // nothing throws from here on
+  std::swap(world.fleet, fleet);
+  std::swap(world.obstacles, obstacles);
+  world.steps = state.steps;
+  world.next_id = state.next_id;
+  world.next_layout = state.steps + 1;
+  world.changed = true;
+  world.torn = false;
+  for (Worker& worker : world.workers) {
+    worker.tile.clear();  // of a torn step
+    worker.fast = false;
+  }
+}
+
+}  // namespace avo
