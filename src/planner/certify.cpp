@@ -28,7 +28,7 @@ namespace {
 struct Decision {
   const Robot& robot;
   CertificateLaw law;
-  Disc acceleration, speed;  // of v'
+  Disc acceleration;  // of v'
   std::span<const HalfPlane> half_planes;
   CertifiedWorkspace& certified;
 
@@ -42,8 +42,8 @@ CertifiedChoice choose(const Decision& decision, Vec2 wanted) {
 
 CertifiedChoice choose(const Decision& decision, std::span<const HalfPlane> half_planes,
                        Vec2 wish) {
-  const ProgramResult result = nearest_point({}, half_planes, decision.acceleration, decision.speed,
-                                             wish, decision.certified.projected);
+  const ProgramResult result = nearest_point(
+      half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
   return choose(decision, approach(decision.robot.velocity, result.point, decision.decrement()));
 }
 
@@ -98,8 +98,7 @@ Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw
                      const Wished& wished, PlanWorkspace& workspace, Detour& detour) const {
   const Robot& robot = *sensing.robot;
   CertifiedWorkspace& certified = workspace.scratch_->certified;
-  const Decision decision{
-      robot, law, acceleration_disc(robot), speed_disc(robot), wished.half_planes, certified};
+  const Decision decision{robot, law, acceleration_disc(robot), wished.half_planes, certified};
   collect_walls(sensing, i, law, certified.walls);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
   const double violation = wished.violation();
