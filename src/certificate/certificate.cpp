@@ -11,6 +11,7 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
                    CertificateWalls& walls) {
   walls.capsules.reserve(neighbors);
   walls.near.reserve(1, neighbors);
+  walls.trajectories.waiting.reserve(neighbors);
   // those of a pair are stored by whole packs
   const std::size_t steps = (braking_steps + kWallLanes - 1) / kWallLanes * kWallLanes;
   walls.trajectories.columns.reserve(std::min(neighbors * steps, most_walls));
@@ -28,19 +29,21 @@ void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls) {
   const Sensing alone{&robot, in_columns(neighbors, walls.seen), true};
   find_near({&alone, 1}, law, walls);
-  collect_walls(alone, 0, law, walls);
+  begin_walls(alone, 0, law, walls);
+  collect_waiting(law.step, walls.trajectories, walls.invariant);
 }
 
-void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-                   CertificateWalls& walls) {
+void begin_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
+                 CertificateWalls& walls) {
   const Robot& robot = *sensing.robot;
   walls.invariant = {std::numeric_limits<double>::infinity()};
   walls.trajectories.columns.count = 0;
   walls.trajectories.stays_at_rest = false;
+  walls.trajectories.waiting.clear();
   walls.capsules.clear();
   if (law.kind == Certificate::none) return;
-  collect_walls(robot, sensing.neighbors, walls.near, i, law.step, walls.trajectories,
-                walls.invariant);
+  begin_walls(robot, sensing.neighbors, walls.near, i, law.step, walls.trajectories,
+              walls.invariant);
   if (law.kind == Certificate::stopping_capsules) {
     collect_capsules(robot, sensing.neighbors, law.step, walls.capsules, walls.invariant);
   }
@@ -50,6 +53,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateWalls& walls) {
   if (walls.demand_nothing()) return true;
   walls.path = follow(robot, next_velocity, law.step);
+  collect_refusing(robot, walls.path, law.step, walls.trajectories, walls.invariant);
   const bool trajectories_kept = keeps(walls.path, law.step, walls.trajectories);
   if (walls.invariant.unknown || (walls.invariant.touched && walls.path.moving > 0)) return false;
   return trajectories_kept && keeps(walls.capsules, walls.path, law.step);

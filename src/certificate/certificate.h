@@ -28,8 +28,8 @@ struct CertificateWalls {
   NeighborColumns seen;  ///< where neighbors were not given in columns
 
   bool demand_nothing() const {
-    return trajectories.columns.count == 0 && capsules.empty() && !invariant.unknown &&
-           !invariant.touched;
+    return trajectories.columns.count == 0 && trajectories.waiting.empty() && capsules.empty() &&
+           !invariant.unknown && !invariant.touched;
   }
 };
 
@@ -37,13 +37,14 @@ struct CertificateWalls {
 void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
                    CertificateWalls& walls);
 
-/// Of robots in lanes what collect_walls() asks, before it is asked of each of them.
+/// Of robots in lanes what begin_walls() asks, before it is asked of each of them.
 void find_near(std::span<const Sensing> robots, const CertificateLaw& law, CertificateWalls& walls);
 
-/// Those of robot i of the robots that find_near() was given last.
-void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-                   CertificateWalls& walls);
-/// Those of one robot, looked at by itself.
+/// Those of robot i of the robots that find_near() was given last; admits() collects what a
+/// candidate may be refused by.
+void begin_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
+                 CertificateWalls& walls);
+/// All of those of one robot, looked at by itself.
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls);
 

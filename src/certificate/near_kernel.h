@@ -25,10 +25,12 @@ void fill(const StepLaw& law, BrakingColumns& own) {
     store(slow.speed, own.slow_speed), store(slow.full_steps, own.slow_steps);
     store(most_ahead, own.most_ahead), store(most_aside, own.most_aside);
 
-    const PackFarBound<Real> bound = far_bound_of({load(own.x), load(own.y)}, load(own.radius),
-                                                  a.profile, load(own.max_speed), law);
-    store(bound.distance, own.far_distance), store(bound.speed_squared, own.far_speed_squared);
+    const PackBound<Real> bound = bound_of({load(own.x), load(own.y)}, load(own.radius), a.profile,
+                                           deviation, load(own.max_speed), law);
+    store(bound.far_distance, own.far_distance), store(bound.speed_squared, own.far_speed_squared);
     for (std::size_t k = 0; k < 3; ++k) store(bound.reach[k], own.far_reach[k]);
+    store(bound.clear_distance, own.clear_distance);
+    store(bound.per_decrement, own.per_decrement);
   }
 }
 
@@ -57,8 +59,8 @@ AVO_KERNEL void push(const BrakingColumns& a, std::size_t i, const PackNeighbor<
 }
 
 template <typename Real>
-AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, std::size_t lane, double robot,
-                            double neighbor) {
+AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real>& clearance,
+                            std::size_t lane, double robot, double neighbor) {
   const auto number = [lane](Real value) {
     alignas(64) double lanes[Real::kLanes];
     value.store(lanes);
@@ -76,7 +78,9 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, std::size_t lane, double
            {number(b.direction.x), number(b.direction.y)},
            number(b.length),
            number(b.reach),
-           number(b.intervals)}};
+           number(b.intervals)},
+          number(clearance.gap),
+          number(clearance.against)};
 }
 
 /// Keeps those of the queue that may meet A and can refuse a candidate, and empties it.
@@ -103,13 +107,14 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
     const PackPair<Real> pair = pair_of(self, of, law);
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
-    if (exact) {
-      chosen = chosen & !refuses_nothing(self, load(queue.most_ahead), load(queue.most_aside), pair,
-                                         of, law);
-    }
+    PackClearance<Real> clearance = clearance_of(self, pair, of, law);
+    if (!exact) clearance.gap = Real(-std::numeric_limits<double>::infinity());
+    chosen = chosen &
+             !(clearance.gap > clearance.against * load(queue.most_ahead) + load(queue.most_aside));
     for (std::uint32_t lanes = bits(chosen); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      kept.push_back(lane_of(pair, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
+      kept.push_back(
+          lane_of(pair, clearance, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
     }
   }
   queue.count = 0;
@@ -121,11 +126,20 @@ AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, c
                          NearPairs& pairs) {
   const NeighborColumns& columns = *neighbors.columns;
   const BrakingColumns& own = pairs.own;
-  const Vec<Real> p{own.x[i], own.y[i]};
-  const PackFarBound<Real> bound{own.far_distance[i],
-                                 {own.far_reach[0][i], own.far_reach[1][i], own.far_reach[2][i]},
-                                 own.far_speed_squared[i]};
-  const Real zero(0.0), a_max(own.max_acceleration[i]);
+  const bool exact = law.sensing_error == SensingError{};
+  const BrakingPoint<Real> self{{own.x[i], own.y[i]},
+                                {own.v_x[i], own.v_y[i]},
+                                {own.direction_x[i], own.direction_y[i]},
+                                own.speed[i],
+                                own.max_acceleration[i]};
+  const PackBound<Real> bound{own.far_distance[i],
+                              {own.far_reach[0][i], own.far_reach[1][i], own.far_reach[2][i]},
+                              own.far_speed_squared[i],
+                              own.clear_distance[i],
+                              own.per_decrement[i],
+                              own.most_ahead[i],
+                              exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
+  const Real zero(0.0);
   auto movers = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
@@ -139,7 +153,8 @@ AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, c
     const auto decides = of.max_acceleration > zero;
     movers = movers | (counted & !decides);
     if (whom == Whom::movers) continue;
-    const auto near = counted & decides & !are_far(bound, a_max, p - of.position, of);
+    const auto near =
+        counted & decides & !(are_far(bound, self, of) | are_clear(bound, self, of, law));
     if (!any(near)) continue;
     push(own, i, of, Real::numbers_from(k), near, pairs.queue);
     if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);

@@ -35,6 +35,8 @@ void BrakingColumns::reserve(std::size_t robots) {
                          &most_aside,
                          &far_distance,
                          &far_speed_squared,
+                         &clear_distance,
+                         &per_decrement,
                          &far_reach[0],
                          &far_reach[1],
                          &far_reach[2]}) {

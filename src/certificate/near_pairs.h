@@ -31,6 +31,7 @@ struct BrakingColumns {
   Column ahead_start, ahead_slope, across_start, across_slope, anyhow_start, anyhow_slope;
   Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
   Column far_distance, far_speed_squared;  // m, m²/s²
+  Column clear_distance, per_decrement;    // m, s/m
   std::array<Column, 3> far_reach;         // of the other's speed, a polynomial: m, s, s²/m
 
   void reserve(std::size_t robots);
@@ -64,6 +65,7 @@ struct NearPair {
   Vec2 p;
   double contact, inflated, error, share;
   Braking b;
+  double gap, against;  ///< see PackClearance
 
   BrakingPair with(const Braking& a) const {
     return {p, contact, inflated, error, share, true, a, b};

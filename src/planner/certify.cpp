@@ -99,7 +99,7 @@ Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw
   const Robot& robot = *sensing.robot;
   CertifiedWorkspace& certified = workspace.scratch_->certified;
   const Decision decision{robot, law, acceleration_disc(robot), wished.half_planes, certified};
-  collect_walls(sensing, i, law, certified.walls);
+  begin_walls(sensing, i, law, certified.walls);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
   const double violation = wished.violation();
   return step_to(robot, choice.next_velocity,

@@ -56,8 +56,7 @@ RelevantRange relevant_range(const Planner& planner, const Robot& robot, const P
   const PlannerOptions& options = planner.options();
   if (!options.max_neighbors) return {kInfinity};
   if (options.certificate == Certificate::none) return {};
-  RelevantRange range{arrival_range(robot, peers.radius),
-                      certificate_range(planner, robot, peers)};
+  RelevantRange range{arrival_range(robot, peers.radius), certificate_range(planner, robot, peers)};
   range.least *= 1.0 + kRounding;
   for (double& part : range.reach) part *= 1.0 + kRounding;
   return range;

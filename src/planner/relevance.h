@@ -22,7 +22,7 @@ void include(Peers& peers, const Planner& planner, const Robot& robot);
 
 /// By the speed that a robot has: see relevant_range().
 struct RelevantRange {
-  double least = 0.0;              ///< m, whatever the speed
+  double least = 0.0;             ///< m, whatever the speed
   std::array<double, 3> reach{};  ///< m, s, s²/m: a polynomial of the speed
 
   [[nodiscard]] double at(double speed) const {

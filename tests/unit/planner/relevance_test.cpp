@@ -140,7 +140,8 @@ Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
     const Crowd crowd =
         k % 4 == 0 ? duel(random, certificate, motion) : crowd_of(random, certificate, motion);
     const Planner planner(crowd.options);
-    const double range = relevant_range(planner, crowd.robot, peers_of(crowd, planner)).at(norm(crowd.robot.velocity));
+    const double range = relevant_range(planner, crowd.robot, peers_of(crowd, planner))
+                             .at(norm(crowd.robot.velocity));
     const Detour detour{random.uniform(0.0, 1.0), random.uniform(0.0, 2.0)};
     const Decision all = decide(planner, crowd.robot, crowd.neighbors, detour);
     const std::vector<Neighbor> kept = relevant(crowd, range);
