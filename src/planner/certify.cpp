@@ -29,7 +29,7 @@ namespace {
 struct Decision {
   const Robot& robot;
   CertificateLaw law;
-  Disc acceleration, speed;  // of v'
+  Disc acceleration;  // of v'
   std::span<const HalfPlane> half_planes;
   CertifiedWorkspace& certified;
 
@@ -43,8 +43,8 @@ CertifiedChoice choose(const Decision& decision, Vec2 wanted) {
 
 CertifiedChoice choose(const Decision& decision, std::span<const HalfPlane> half_planes,
                        Vec2 wish) {
-  const ProgramResult result = nearest_point({}, half_planes, decision.acceleration, decision.speed,
-                                             wish, decision.certified.projected);
+  const ProgramResult result = nearest_point(
+      half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
   return choose(decision, approach(decision.robot.velocity, result.point, decision.decrement()));
 }
 
@@ -106,11 +106,7 @@ Plan plan_to(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity, 
 Plan certify(const Planner& planner, const CertificateLaw& law, const Sensing& sensing,
              std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour) {
   const Robot& robot = *sensing.robot;
-  const Decision decision{robot,
-                          law,
-                          planner.acceleration_disc(robot),
-                          planner.speed_disc(robot),
-                          wished.half_planes,
+  const Decision decision{robot, law, planner.acceleration_disc(robot), wished.half_planes,
                           certified};
   collect_walls(sensing, i, law, certified.walls);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);

@@ -118,9 +118,9 @@ constexpr std::size_t kMostWalls = 8192;  // of more, memory grows when it is ne
 }  // namespace
 
 void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t braking_steps) {
-  projected.reserve(4 * neighbors);
+  rows.reserve(program_rows(neighbors));
   certified.hard.reserve(kMostCuts * neighbors);
-  certified.projected.reserve(4 * kMostCuts * neighbors);
+  certified.rows.reserve(program_rows(kMostCuts * neighbors));
   reserve_walls(neighbors, braking_steps, kMostWalls, certified.walls);
 }
 
@@ -169,7 +169,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   half_planes.planes.clear();
   half_planes.overlapping = false;
   if (!all_valid(robot, neighbors)) return;
-  const Lens allowed = make_lens(acceleration_disc(robot), speed_disc(robot));
+  const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   for (const std::uint32_t k :
        list_nearest(options_, robot, neighbors, PlanWorkspace::Scratch::of(workspace))) {
     const Neighbor& neighbor = neighbors[k];

@@ -25,7 +25,7 @@ struct PlanWorkspace::Scratch {
   RobotColumns columns;  // of method avo
   std::vector<ProgramResult> results;
   ProgramBatch programs;
-  std::vector<HalfPlane> projected;
+  ProgramRows rows;
   std::vector<PassiveObstacle> obstacles;
   // of the neighbors given: numbers, and themselves sorted by distance
   std::vector<std::uint32_t> order;

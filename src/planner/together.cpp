@@ -30,15 +30,13 @@ double worst_violation(const SoftPlanes& soft, std::size_t i, const ProgramResul
 
 // One by one: those that lanes leave out, and robots that decide alone.
 ProgramResult solve_program(const Planner& planner, const Robot& robot,
-                            std::span<const HalfPlane> planes, Vec2 wish,
-                            std::vector<HalfPlane>& projected) {
-  return nearest_point({}, planes, planner.acceleration_disc(robot), planner.speed_disc(robot),
-                       wish, projected);
+                            std::span<const HalfPlane> planes, Vec2 wish, ProgramRows& rows) {
+  return nearest_point(planes, planner.acceleration_disc(robot), robot.max_speed, wish, rows);
 }
 
 void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, const SoftPlanes& soft,
-                    std::span<const Vec2> wishes, ProgramBatch& batch,
-                    std::vector<HalfPlane>& projected, std::vector<ProgramResult>& results) {
+                    std::span<const Vec2> wishes, ProgramBatch& batch, ProgramRows& rows,
+                    std::vector<ProgramResult>& results) {
   batch.clear();
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const Robot& robot = *robots[i].robot;
@@ -47,7 +45,7 @@ void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, con
   nearest_points(batch);
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (!batch.settled(i)) {
-      results.push_back(solve_program(planner, *robots[i].robot, soft.of(i), wishes[i], projected));
+      results.push_back(solve_program(planner, *robots[i].robot, soft.of(i), wishes[i], rows));
       continue;
     }
     ProgramResult result;
@@ -65,11 +63,11 @@ void solve_programs(const Planner& planner, const SoftPlanes& soft,
   results.clear();
   if (scratch.sensing.size() > 1) {
     return solve_in_lanes(planner, scratch.sensing, soft, scratch.wishes, scratch.programs,
-                          scratch.projected, results);
+                          scratch.rows, results);
   }
   for (std::size_t i = 0; i < scratch.sensing.size(); ++i) {
     results.push_back(solve_program(planner, *scratch.sensing[i].robot, soft.of(i),
-                                    scratch.wishes[i], scratch.projected));
+                                    scratch.wishes[i], scratch.rows));
   }
 }
 
@@ -208,7 +206,7 @@ void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t p
   scratch.wishes.reserve(robots);
   scratch.columns.reserve(robots);
   scratch.results.reserve(robots);
-  scratch.projected.reserve(4 * planes_each);
+  scratch.rows.reserve(program_rows(planes_each));
   if (robots > 1) scratch.programs.reserve(robots, planes_each, planes);
   reserve(robots, planes, scratch.soft);
 }

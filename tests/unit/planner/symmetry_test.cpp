@@ -171,7 +171,7 @@ TEST(Symmetry, P10_order_of_the_half_planes_changes_rounding_only) {
   Random random(11);
   PlanWorkspace workspace;
   HalfPlanes half_planes;
-  std::vector<HalfPlane> scratch;
+  ProgramRows scratch;
   int infeasible = 0;
   for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
     const Crowd crowd = test::random_crowd(random, -0.5);
@@ -180,9 +180,8 @@ TEST(Symmetry, P10_order_of_the_half_planes_changes_rounding_only) {
     std::vector<HalfPlane> planes;
     for (const NeighborPlane& own : half_planes.planes) planes.push_back(own.plane);
     const auto solve = [&] {
-      return nearest_point({}, planes, planner.acceleration_disc(crowd.robot),
-                           planner.speed_disc(crowd.robot), crowd.robot.preferred_velocity,
-                           scratch);
+      return nearest_point(planes, planner.acceleration_disc(crowd.robot), crowd.robot.max_speed,
+                           crowd.robot.preferred_velocity, scratch);
     };
     const ProgramResult result = solve();
     for (std::size_t i = planes.size(); i > 1; --i) {
