@@ -48,7 +48,7 @@ TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
 
 /// Those of robot i, of the robots that were looked at, for candidates with |v_1 - v| <= u: the
 /// walls of its movers, while those of other neighbors wait until a candidate comes that they can
-/// refuse. Neighbors that do not decide, of max_acceleration 0, are taken to keep their
+/// refuse. Neighbors that do not decide are taken to keep their
 /// acceleration, A's share is 1, and only the time counts in which A moves.
 void begin_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
                  std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);

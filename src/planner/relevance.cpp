@@ -8,7 +8,7 @@
 #include "certificate/kernels.h"
 #include "certificate/pair.h"
 #include "planner/arrival.h"
-#include "planner/scratch.h"
+#include "planner/certify.h"
 
 namespace avo {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "certificate/certificate.h"
-#include "planner/scratch.h"
+#include "planner/certify.h"
 #include "support/certificates.h"
 
 namespace avo {
