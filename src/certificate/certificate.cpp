@@ -18,8 +18,7 @@ void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t
   walls.trajectories.own_columns.reserve(std::min(braking_steps, most_walls));
 }
 
-void find_near(std::span<const Sensing> robots, const CertificateLaw& law,
-               CertificateWalls& walls) {
+void find_near(const RobotColumns& robots, const CertificateLaw& law, CertificateWalls& walls) {
   if (law.kind == Certificate::none) return;
   const bool everyone = law.kind == Certificate::braking_trajectories;
   find_near(robots, everyone ? Whom::everyone : Whom::movers, law.step, walls.near);
@@ -27,25 +26,26 @@ void find_near(std::span<const Sensing> robots, const CertificateLaw& law,
 
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls) {
-  const Sensing alone{&robot, in_columns(neighbors, walls.seen), true};
-  find_near({&alone, 1}, law, walls);
-  begin_walls(alone, 0, law, walls);
+  walls.alone.reserve(1);
+  walls.alone.clear();
+  walls.alone.add(robot, in_columns(neighbors, walls.seen));
+  find_near(walls.alone, law, walls);
+  begin_walls(robot, walls.alone.neighbors[0], 0, law, walls);
   collect_waiting(law.step, walls.trajectories, walls.invariant);
 }
 
-void begin_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-                 CertificateWalls& walls) {
-  const Robot& robot = *sensing.robot;
+void begin_walls(const Robot& robot, const Neighbors& neighbors, std::size_t i,
+                 const CertificateLaw& law, CertificateWalls& walls) {
   walls.invariant = {std::numeric_limits<double>::infinity()};
   walls.trajectories.columns.count = 0;
   walls.trajectories.stays_at_rest = false;
   walls.trajectories.waiting.clear();
   walls.capsules.clear();
   if (law.kind == Certificate::none) return;
-  begin_walls(robot, sensing.neighbors, walls.near, i, law.step, walls.trajectories,
+  begin_walls(robot, neighbors, walls.near, i, law.step, walls.trajectories,
               walls.invariant);
   if (law.kind == Certificate::stopping_capsules) {
-    collect_capsules(robot, sensing.neighbors, law.step, walls.capsules, walls.invariant);
+    collect_capsules(robot, neighbors, law.step, walls.capsules, walls.invariant);
   }
 }
 

@@ -2,20 +2,19 @@
 // Who is near enough to be braked for. Included into a namespace that has Pack, after
 // pair_kernel.h, once per instruction set.
 
-/// Of all that was given.
 template <typename Real>
-void fill(const StepLaw& law, BrakingColumns& own) {
-  for (std::size_t i = 0; i < own.count; i += Real::kLanes) {
+void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
+  for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const auto store = [i](Real value, std::vector<double>& column) { value.store(&column[i]); };
-    const Real a_max = load(own.max_acceleration);
-    const PackBraking<Real> a = braking_of({load(own.v_x), load(own.v_y)}, a_max, law);
+    const Real a_max = load(robots.max_acceleration);
+    const PackBraking<Real> a = braking_of({load(robots.v_x), load(robots.v_y)}, a_max, law);
     store(a.profile.speed, own.speed), store(a.profile.decrement, own.decrement);
     store(a.profile.full_steps, own.full_steps);
     store(a.direction.x, own.direction_x), store(a.direction.y, own.direction_y);
     store(a.length, own.length), store(a.reach, own.reach), store(a.intervals, own.intervals);
 
-    const auto is_car = load(own.is_car) > Real(0.0);
+    const auto is_car = load(robots.wheelbase) > Real(0.0);
     const PackDeviation<Real> deviation = deviation_of(a, is_car, law);
     const auto& [ahead, across, anyhow, fast, slow, most_ahead, most_aside] = deviation;
     store(ahead.start, own.ahead_start), store(ahead.per_distance, own.ahead_slope);
@@ -25,8 +24,8 @@ void fill(const StepLaw& law, BrakingColumns& own) {
     store(slow.speed, own.slow_speed), store(slow.full_steps, own.slow_steps);
     store(most_ahead, own.most_ahead), store(most_aside, own.most_aside);
 
-    const PackBound<Real> bound = bound_of({load(own.x), load(own.y)}, load(own.radius), a.profile,
-                                           deviation, load(own.max_speed), law);
+    const PackBound<Real> bound = bound_of({load(robots.x), load(robots.y)}, load(robots.radius),
+                                           a.profile, deviation, load(robots.max_speed), law);
     store(bound.far_distance, own.far_distance), store(bound.speed_squared, own.far_speed_squared);
     for (std::size_t k = 0; k < 3; ++k) store(bound.reach[k], own.far_reach[k]);
     store(bound.clear_distance, own.clear_distance);
@@ -36,15 +35,16 @@ void fill(const StepLaw& law, BrakingColumns& own) {
 
 /// Of one robot i and the chosen of its neighbors.
 template <typename Real>
-AVO_KERNEL void push(const BrakingColumns& a, std::size_t i, const PackNeighbor<Real>& of,
-                     Real neighbor, decltype(Real() < Real()) chosen, NearQueue& queue) {
+AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
+                     const PackNeighbor<Real>& of, Real neighbor, decltype(Real() < Real()) chosen, NearQueue& queue) {
   const std::size_t first = queue.count;
   const auto all = [first](double value, NearQueue::Column& column) {
     Real(value).store(&column[first]);
   };
   all(static_cast<double>(i), queue.robot);
-  all(a.x[i], queue.x), all(a.y[i], queue.y), all(a.v_x[i], queue.v_x), all(a.v_y[i], queue.v_y);
-  all(a.radius[i], queue.radius), all(a.max_acceleration[i], queue.max_acceleration);
+  all(robots.x[i], queue.x), all(robots.y[i], queue.y);
+  all(robots.v_x[i], queue.v_x), all(robots.v_y[i], queue.v_y);
+  all(robots.radius[i], queue.radius), all(robots.max_acceleration[i], queue.max_acceleration);
   all(a.full_steps[i], queue.full_steps), all(a.length[i], queue.length);
   all(a.direction_x[i], queue.direction_x), all(a.direction_y[i], queue.direction_y);
   all(a.reach[i], queue.reach), all(a.intervals[i], queue.intervals);
@@ -122,16 +122,17 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
 
 /// Neighbors of robot i that are not far go to the queue; returns whether any does not decide.
 template <typename Real>
-AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, const StepLaw& law,
+AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, const StepLaw& law,
                          NearPairs& pairs) {
+  const Neighbors& neighbors = robots.neighbors[i];
   const NeighborColumns& columns = *neighbors.columns;
   const BrakingColumns& own = pairs.own;
   const bool exact = law.sensing_error == SensingError{};
-  const BrakingPoint<Real> self{{own.x[i], own.y[i]},
-                                {own.v_x[i], own.v_y[i]},
+  const BrakingPoint<Real> self{constant<Real>(robots.position(i)),
+                                constant<Real>(robots.velocity(i)),
                                 {own.direction_x[i], own.direction_y[i]},
                                 own.speed[i],
-                                own.max_acceleration[i]};
+                                robots.max_acceleration[i]};
   const PackBound<Real> bound{own.far_distance[i],
                               {own.far_reach[0][i], own.far_reach[1][i], own.far_reach[2][i]},
                               own.far_speed_squared[i],
@@ -156,29 +157,26 @@ AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, c
     const auto near =
         counted & decides & !(are_far(bound, self, of) | are_clear(bound, self, of, law));
     if (!any(near)) continue;
-    push(own, i, of, Real::numbers_from(k), near, pairs.queue);
+    push(robots, own, i, of, Real::numbers_from(k), near, pairs.queue);
     if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
   }
   return any(movers);
 }
 
 template <typename Real>
-void find_near(std::span<const Sensing> robots, Whom whom, const StepLaw& law, NearPairs& pairs) {
-  BrakingColumns& own = pairs.own;
-  own.reserve(robots.size());
-  own.count = 0;
-  for (const Sensing& each : robots) own.add(*each.robot);
-  fill<Real>(law, own);
+void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& pairs) {
+  pairs.own.reserve(robots.count);
+  fill<Real>(robots, law, pairs.own);
   pairs.kept.clear();
   pairs.queue.count = 0;  // some are left where memory ran out
-  pairs.has_movers.resize(robots.size());
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    pairs.has_movers[i] = look_for<Real>(robots[i].neighbors, i, whom, law, pairs) ? 1 : 0;
+  pairs.has_movers.resize(robots.count);
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    pairs.has_movers[i] = look_for<Real>(robots, i, whom, law, pairs) ? 1 : 0;
   }
   judge<Real>(law, pairs.queue, pairs.kept);
-  pairs.end.resize(robots.size());
+  pairs.end.resize(robots.count);
   std::size_t end = 0;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
+  for (std::size_t i = 0; i < robots.count; ++i) {
     while (end < pairs.kept.size() && pairs.kept[end].robot == i) ++end;
     pairs.end[i] = end;
   }

@@ -5,15 +5,7 @@ namespace avo {
 
 void BrakingColumns::reserve(std::size_t robots) {
   if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // the last to grow
-  for (Column* column : {&x,
-                         &y,
-                         &v_x,
-                         &v_y,
-                         &radius,
-                         &max_acceleration,
-                         &max_speed,
-                         &is_car,
-                         &speed,
+  for (Column* column : {&speed,
                          &decrement,
                          &full_steps,
                          &direction_x,

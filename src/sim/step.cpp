@@ -190,6 +190,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   const std::size_t robots =
       world.snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
+    const std::size_t first = worker.tile.neighbors.count;
     if (world.obstacles.setup.empty()) {
       append(world, worker.search.found[i], worker.search, worker.tile.neighbors);
     } else {
@@ -197,7 +198,8 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     }
     fleet.nearest[slots[i]] =
         reach_of_nearest(worker.search.found[i], world.most_nearest(), worker.search);
-    worker.tile.first.push_back(worker.tile.neighbors.count);
+    const NeighborColumns& neighbors = worker.tile.neighbors;
+    worker.tile.robots.neighbors.push_back({&neighbors, first, neighbors.count - first});
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
     if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }
