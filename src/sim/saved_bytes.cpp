@@ -142,13 +142,10 @@ constexpr Method last(Method) {
   return Method::orca;
 }
 constexpr Certificate last(Certificate) {
-  return Certificate::linear_soft_stop;
+  return Certificate::braking_trajectories;
 }
 constexpr Motion last(Motion) {
   return Motion::exponential;
-}
-constexpr Precision last(Precision) {
-  return Precision::single_precision;
 }
 
 template <typename Archive, typename Choice>
