@@ -48,10 +48,9 @@ std::vector<Program> programs(int planes, double crowd, double radius) {
 void solve(benchmark::State& state, int planes, double crowd, double radius,
            ProgramState expected) {
   std::vector<Program> all;
-  std::vector<HalfPlane> scratch;
-  const Disc speed{{0, 0}, 2.0};
+  ProgramRows scratch;
   for (Program& p : programs(planes, crowd, radius)) {
-    if (nearest_point({}, p.soft, p.acceleration, speed, p.preferred, scratch).state == expected) {
+    if (nearest_point(p.soft, p.acceleration, 2.0, p.preferred, scratch).state == expected) {
       all.push_back(p);
     }
   }
@@ -60,8 +59,7 @@ void solve(benchmark::State& state, int planes, double crowd, double radius,
   for (auto _ : state) {
     const Program& p = all[k];
     k = k + 1 < all.size() ? k + 1 : 0;
-    benchmark::DoNotOptimize(
-        nearest_point({}, p.soft, p.acceleration, speed, p.preferred, scratch));
+    benchmark::DoNotOptimize(nearest_point(p.soft, p.acceleration, 2.0, p.preferred, scratch));
   }
   state.counters["programs"] = static_cast<double>(all.size());
 }
@@ -75,12 +73,11 @@ BENCHMARK_CAPTURE(solve, least_unsafe_50, 50, -0.2, 4.0, ProgramState::least_uns
 
 // 1024 programs, `infeasible` per cent of which leave nothing, shuffled.
 std::vector<Program> mixed(int planes, int infeasible) {
-  std::vector<HalfPlane> scratch;
-  const Disc speed{{0, 0}, 2.0};
+  ProgramRows scratch;
   const std::vector<Program> feasible = programs(planes, -0.9, 4.0);
   std::vector<Program> all, none;
   for (const Program& p : programs(planes, -0.2, 4.0)) {
-    if (nearest_point({}, p.soft, p.acceleration, speed, p.preferred, scratch).state ==
+    if (nearest_point(p.soft, p.acceleration, 2.0, p.preferred, scratch).state ==
         ProgramState::least_unsafe) {
       none.push_back(p);
     }

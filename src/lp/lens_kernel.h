@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lens of lp/lens.h, one robot per lane, by the same operations in the same order. Included
-// into a namespace that has Pack, once per instruction set.
+// The intersection of two closed discs in closed form: what the limits on acceleration and speed
+// leave a robot to choose from (paper §IV-D), one robot per lane. In coordinates relative to the
+// center of the smaller disc numbers are as small as the set, and nothing cancels where the discs
+// lie far from the origin. Nothing invalid is computed, not even in a lane that does not ask.
+// Included into a namespace that has Pack, once per instruction set.
 
 template <typename Real>
 using Mask = decltype(Real() < Real());
@@ -17,14 +20,20 @@ struct Discs {
   Real radius, top_speed;
 };
 
+/// Discs count as touching where the gap between them is within rounding, 2 ulp of |c| + r of the
+/// larger one.
 template <typename Real>
 struct Lens {
-  Vec<Real> origin;
-  Real radius, tolerance;
+  Vec<Real> origin;  // center of the smaller disc
+  Real radius;       // of the smaller disc
+  // What rounding may do to a plane's violation near the set: 8 ulp of the largest number that
+  // takes part. Planes violated by less count as satisfied; so it is with the larger disc's edge.
+  Real tolerance, larger_tolerance;
   Vec<Real> larger_center;
-  Real larger_radius, larger_tolerance, distance;
-  Mask<Real> speed_is_larger, two_arcs;
-  Mask<Real> ordinary;  // scale 1, not empty
+  Real larger_radius, distance;  // between the centers
+  Mask<Real> speed_is_larger;
+  Mask<Real> two_arcs;  // else the larger disc holds the smaller one and plays no part
+  Mask<Real> ordinary;  // the discs meet, and squares of their numbers neither over- nor underflow
 };
 
 template <typename Real>
@@ -33,16 +42,20 @@ AVO_KERNEL Real largest_component(Vec<Real> a) {
 }
 
 template <typename Real>
-AVO_KERNEL Mask<Real> is_ordinary(Vec<Real> a) {
-  const Real largest = kLargest;
-  return (abs(a.x) <= largest) & (abs(a.y) <= largest);
+AVO_KERNEL Mask<Real> is_within(Vec<Real> a, double largest) {
+  return (abs(a.x) <= Real(largest)) & (abs(a.y) <= Real(largest));
 }
 
+/// An infinite radius is no limit, and none of the sizes.
 template <typename Real>
 AVO_KERNEL Mask<Real> is_ordinary(const Discs<Real>& discs) {
-  const Real size = max(largest_component(discs.center), max(discs.radius, discs.top_speed));
-  return is_ordinary(discs.center) & is_ordinary(Vec<Real>{discs.radius, discs.top_speed}) &
-         (size >= Real(kSmallest));
+  const Real zero = 0.0;
+  const Mask<Real> unlimited = discs.radius >= Real(std::numeric_limits<double>::infinity());
+  const Real radius = select(unlimited, zero, discs.radius);
+  const Real size = max(largest_component(discs.center), max(radius, discs.top_speed));
+  return is_within(discs.center, kLargestSize) &
+         is_within(Vec<Real>{radius, discs.top_speed}, kLargestSize) &
+         ((size >= Real(kSmallestSize)) | (size <= zero));
 }
 
 template <typename Real>
@@ -103,17 +116,21 @@ AVO_KERNEL LensPoint<Real> nearest(const Lens<Real>& lens, Vec<Real> p) {
   if (!any(moved & lens.ordinary)) return {p, moved};
   Mask<Real> open = moved;
   Vec<Real> point = p;
-  const Vec<Real> on_smaller = (lens.radius / norm(p)) * p;
-  Mask<Real> here = open & !inside_smaller & in_larger(lens, on_smaller, rounding);
-  point = select(here, on_smaller, point);
-  open = open & !here;
-  if (!any(open & lens.ordinary)) return {point, moved};
-  const Vec<Real> q = p - lens.larger_center;
-  const Vec<Real> on_larger = lens.larger_center + (lens.larger_radius / norm(q)) * q;
-  here = open & !inside_larger & in_smaller(lens, on_larger, rounding);
-  point = select(here, on_larger, point);
-  open = open & !here;
-  if (!any(open & lens.ordinary)) return {point, moved};
+  if (any(!inside_smaller)) {
+    const Vec<Real> on_smaller = (lens.radius / norm(p)) * p;
+    const Mask<Real> here = open & !inside_smaller & in_larger(lens, on_smaller, rounding);
+    point = select(here, on_smaller, point);
+    open = open & !here;
+    if (!any(open & lens.ordinary)) return {point, moved};
+  }
+  if (any(!inside_larger)) {
+    const Vec<Real> q = p - lens.larger_center;
+    const Vec<Real> on_larger = lens.larger_center + (lens.larger_radius / norm(q)) * q;
+    const Mask<Real> here = open & !inside_larger & in_smaller(lens, on_larger, rounding);
+    point = select(here, on_larger, point);
+    open = open & !here;
+    if (!any(open & lens.ordinary)) return {point, moved};
+  }
   return {select(open, corner_towards(lens, p), point), moved};
 }
 

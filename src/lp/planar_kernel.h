@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// solve_planar() of lp/planar_program.h, one robot per lane, by the same operations in the same
-// order: each lane takes the half-plane that it violates most, until the last one has done.
+// Eq. (23) in the plane, one robot per lane: one half-plane after the other, one line at a time.
+// Each lane takes the half-plane that it violates most, until the last one has done: the best point
+// then lies on its boundary, and only those taken before limit it there.
 // Included after lens_kernel.h, once per instruction set.
 
 template <typename Real>
@@ -20,26 +21,29 @@ AVO_KERNEL Real violation(const Plane<Real>& plane, Vec<Real> u) {
   return plane.offset - dot(plane.normal, u);
 }
 
-/// Half-planes relative to Lens::origin, of lanes first .. first + Real::kLanes.
-template <typename Real>
+/// Half-planes relative to Lens::origin, of lanes first .. first + Real::kLanes. Normals may have
+/// any length where Goal::direction is not zero: a violation is in the unit of the offset.
+template <typename Real, typename Row>
 struct Planes {
-  ProgramRow* rows;
+  Row* rows;
   std::size_t first;
   std::size_t count;
 
   AVO_KERNEL Plane<Real> operator[](std::size_t i) const {
-    const ProgramRow& row = rows[i];
+    const Row& row = rows[i];
     return {{Real::load(row.n_x + first), Real::load(row.n_y + first)},
             Real::load(row.relative + first)};
   }
   AVO_KERNEL void add(const Plane<Real>& plane) {
-    ProgramRow& row = rows[count++];
+    Row& row = rows[count++];
     plane.normal.x.store(row.n_x + first);
     plane.normal.y.store(row.n_y + first);
     plane.offset.store(row.relative + first);
   }
 };
 
+/// The point nearest `preferred`; or, if `direction` is not zero, the one farthest along it, and
+/// among equals that nearest `preferred`.
 template <typename Real>
 struct Goal {
   Vec<Real> preferred, direction;
@@ -58,12 +62,13 @@ struct Range {
   Mask<Real> left;
 };
 
+/// Both ends in factors (r - o)(r + o): r² - o² would lose half the digits of a short chord.
 template <bool kRelaxed, typename Real>
 AVO_KERNEL Range<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& line) {
   const Real zero = 0.0;
   const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
   const Real gap = lens.radius - abs(line.offset);
-  const Real half = slack + select(gap > zero, sqrt(gap * (lens.radius + abs(line.offset))), zero);
+  const Real half = slack + sqrt(max(gap, zero) * (lens.radius + abs(line.offset)));
   Range<Real> range{-half, half, gap >= -slack};
   if (!any(lens.two_arcs)) return range;
 
@@ -71,8 +76,7 @@ AVO_KERNEL Range<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& l
   const Real offset = abs(line.offset - dot(line.normal, lens.larger_center));
   const Real larger_gap = lens.larger_radius - offset;
   const Real larger_half =
-      larger_slack +
-      select(larger_gap > zero, sqrt(larger_gap * (lens.larger_radius + offset)), zero);
+      larger_slack + sqrt(max(larger_gap, zero) * (lens.larger_radius + offset));
   const Real middle = dot(line.along, lens.larger_center);
   const Real lo = middle - larger_half, hi = middle + larger_half;
   range.lo = select(lens.two_arcs & (lo > range.lo), lo, range.lo);
@@ -81,9 +85,11 @@ AVO_KERNEL Range<Real> clip_to_discs(const Lens<Real>& lens, const Line<Real>& l
   return range;
 }
 
-template <bool kRelaxed, typename Real>
+/// Along the line, a plane reads t * slope >= excess. Where the whole lens cannot change t * slope
+/// by more than rounding, the two lines are parallel and only the excess counts.
+template <bool kRelaxed, typename Real, typename Row>
 AVO_KERNEL Range<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
-                            const Planes<Real>& planes) {
+                            const Planes<Real, Row>& planes) {
   const Real zero = 0.0;
   const Real slack = kRelaxed ? Real(0.5) * lens.tolerance : zero;
   Range<Real> range = clip_to_discs<kRelaxed>(lens, line);
@@ -92,7 +98,7 @@ AVO_KERNEL Range<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
     const Real slope = dot(plane.normal, line.along);
     const Real excess = plane.offset - line.offset * dot(plane.normal, line.normal);
     const Mask<Real> crosses = abs(slope) * lens.radius > lens.tolerance;
-    const Real t = (excess - slack) / slope;
+    const Real t = (excess - slack) / select(crosses, slope, Real(1.0));
     range.lo = select(crosses & (slope > zero) & (t > range.lo), t, range.lo);
     range.hi = select(crosses & (slope < zero) & (t < range.hi), t, range.hi);
     range.left = range.left & (crosses | (excess <= lens.tolerance));
@@ -102,19 +108,21 @@ AVO_KERNEL Range<Real> clip(const Lens<Real>& lens, const Line<Real>& line,
 }
 
 /// The best point of the plane's boundary within the discs and all planes before it, as long as
-/// the lane takes part. False where there is none.
-template <bool kLinear, typename Real>
-AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real>& before,
+/// the lane takes part. False where there is none. Nothing is given up to rounding: where exact
+/// clipping leaves nothing (planes through one point, touching discs), all bounds are relaxed by
+/// half the tolerance; by half, so that the point counts as inside for every plane to come.
+template <bool kLinear, typename Real, typename Row>
+AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real, Row>& before,
                                        const Plane<Real>& plane, const Goal<Real>& goal,
                                        Mask<Real> active, Vec<Real>& point) {
   Line<Real> line{plane.normal, perpendicular(plane.normal), plane.offset};
   Mask<Real> found = active;
   if constexpr (kLinear) {
     const Real length = norm(plane.normal);
-    const Real per_length = Real(1.0) / length;
+    found = active & (length > Real(0.0));
+    const Real per_length = Real(1.0) / select(found, length, Real(1.0));
     const Vec<Real> normal = per_length * plane.normal;
     line = {normal, perpendicular(normal), per_length * plane.offset};
-    found = active & (length > Real(0.0));
   }
   Range<Real> range = clip<false>(lens, line, before);
   if (const Mask<Real> thin = found & !range.left; any(thin)) {
@@ -150,24 +158,30 @@ AVO_KERNEL Violation<Real> larger(const Violation<Real>& a, const Violation<Real
           select(second, b.by, a.by)};
 }
 
-/// The half-plane violated by most and by more than `least`, which becomes that violation. Two by
-/// two, since a comparison takes longer than what it waits for.
-template <typename Real>
-AVO_KERNEL Plane<Real> most_violated(const Planes<Real>& planes, Vec<Real> u, Real& least) {
+/// The half-plane violated by most and by more than `least`, which becomes that violation. Lanes
+/// compare two by two, since a comparison takes longer than what it waits for; one number alone
+/// would have to guess which of two it is.
+template <typename Real, typename Row>
+AVO_KERNEL Plane<Real> most_violated(const Planes<Real, Row>& planes, Vec<Real> u, Real& least) {
   const auto at = [&](std::size_t i) -> Violation<Real> {
     const Plane<Real> plane = planes[i];
     return {plane, violation(plane, u)};
   };
   Violation<Real> worst{{{0.0, 0.0}, 0.0}, least};
   std::size_t i = 0;
-  for (; i + 1 < planes.count; i += 2) worst = larger(worst, larger(at(i), at(i + 1)));
-  if (i < planes.count) worst = larger(worst, at(i));
+  if constexpr (Real::kLanes > 1) {
+    for (; i + 1 < planes.count; i += 2) worst = larger(worst, larger(at(i), at(i + 1)));
+  }
+  for (; i < planes.count; ++i) {
+    const Violation<Real> next = at(i);
+    if (any(next.by > worst.by)) worst = larger(worst, next);
+  }
   least = worst.by;
   return worst.plane;
 }
 
-template <typename Real>
-AVO_KERNEL Mask<Real> contains(const Planes<Real>& planes, const Plane<Real>& plane) {
+template <typename Real, typename Row>
+AVO_KERNEL Mask<Real> contains(const Planes<Real, Row>& planes, const Plane<Real>& plane) {
   const auto equal = [](Real a, Real b) { return (a <= b) & (a >= b); };
   Mask<Real> found = plane.offset < plane.offset;
   for (std::size_t j = 0; j < planes.count; ++j) {
@@ -184,12 +198,13 @@ struct Outcome {
   Plane<Real> next;  // where failed: the half-plane that leaves nothing
 };
 
-/// A lane that has failed looks at the same half-plane again and again: what it adds to `taken` is
-/// the one that is taken next for the least unsafe point, and twice does no harm.
-template <bool kLinear, typename Real>
-AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real>& planes,
+/// Where others go on, a lane that has failed looks at the same half-plane again and again: what it
+/// adds to `taken` is the one that is taken next for the least unsafe point, and twice does no
+/// harm.
+template <bool kLinear, typename Real, typename Row>
+AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real, Row>& planes,
                                       const Goal<Real>& goal, Mask<Real> active,
-                                      Planes<Real>& taken, Vec<Real>& point) {
+                                      Planes<Real, Row>& taken, Vec<Real>& point) {
   const Mask<Real> nobody = active & !active;
   Outcome<Real> outcome{nobody, nobody, {{0.0, 0.0}, 0.0}};
   for (;;) {
@@ -206,6 +221,7 @@ AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real>
     outcome.failed = outcome.failed | stuck;
     outcome.moved = outcome.moved | found;
     active = found;
+    if (!any(active)) return outcome;
     taken.add(worst);
   }
 }

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// nearest_point() of lp/linear_program.h without hard half-planes, one robot per lane, by the same
-// operations in the same order. Included after planar_kernel.h, once per instruction set.
+// Eqs. (22), (23), one robot per lane: nearest_point() is the scalar instance. Included after
+// planar_kernel.h, once per instruction set.
 
-/// least_unsafe() of lp/linear_program.cpp, for the lanes in which `next` cannot be added.
-template <typename Real>
-AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real>& give, Plane<Real> next,
-                             Vec<Real> preferred, Mask<Real> active, Planes<Real>& taken,
-                             ProgramRow* scratch, Vec<Real>& point) {
+/// CA_A of Eq. (22) is empty, the 3-D program: the smallest s such that some point of the lens
+/// violates no plane by more than s. Incremental as well: of the planes violated by more than s,
+/// the one violated most is taken next. It is then the worst of those taken, and the new point lies
+/// farthest along its normal among the points that violate none of them more than this one. Where
+/// plane a is violated no more than plane b, (n_a - n_b) . u >= o_a - o_b: its violations are
+/// differences of theirs, so it is left unnormalized. Equals are settled by the distance to
+/// `preferred` in each program, hence in the whole. For the lanes in which `next` cannot be added.
+template <typename Real, typename Row>
+AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real, Row>& give,
+                             Plane<Real> next, Vec<Real> preferred, Mask<Real> active,
+                             Planes<Real, Row>& taken, Row* scratch, Vec<Real>& point) {
   while (any(active)) {
-    Planes<Real> projected{scratch, give.first, 0};
+    Planes<Real, Row> projected{scratch, give.first, 0};
     for (std::size_t j = 0; j < taken.count; ++j) {
       const Plane<Real> before = taken[j];
       projected.add({before.normal - next.normal, before.offset - next.offset});
     }
-    Planes<Real> inner{scratch + most_taken(give.count), give.first, 0};
+    Planes<Real, Row> inner{scratch + most_taken(give.count), give.first, 0};
     Vec<Real> candidate = farthest_along(lens, next.normal);
     const Outcome<Real> outcome =
         solve_planar<true>(lens, projected, {preferred, next.normal}, active, inner, candidate);
@@ -27,16 +33,16 @@ AVO_KERNEL void least_unsafe(const Lens<Real>& lens, const Planes<Real>& give, P
   }
 }
 
-template <typename Real>
-AVO_KERNEL Real largest_violation(const Planes<Real>& planes, Vec<Real> u) {
+template <typename Real, typename Row>
+AVO_KERNEL Real largest_violation(const Planes<Real, Row>& planes, Vec<Real> u) {
   Real largest = 0.0;
   for (std::size_t i = 0; i < planes.count; ++i) largest = max(violation(planes[i], u), largest);
   return largest;
 }
 
 /// Of the half-planes as given, by the point as returned.
-template <typename Real>
-AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real>& planes,
+template <typename Real, typename Row>
+AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real, Row>& planes,
                                    Vec<Real> relative, Vec<Real> point) {
   const Real zero = 0.0;
   const Real worst = largest_violation(planes, relative);
@@ -52,26 +58,25 @@ AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real>& p
 
 /// The programs of one pack. Where as many as `enough` have no solution, the least unsafe points of
 /// these are found as well, else they are left and marked as failed.
-template <typename Real>
-AVO_KERNEL void solve_pack(ProgramGroup& group, ProgramRow* rows, ProgramRow* scratch,
-                           std::size_t first, int enough) {
+template <typename Real, typename Group, typename Row>
+AVO_KERNEL void solve_pack(Group& group, Row* rows, Row* scratch, std::size_t first, int enough) {
   const Discs<Real> discs{{Real::load(group.c_x + first), Real::load(group.c_y + first)},
                           Real::load(group.radius + first),
                           Real::load(group.top_speed + first)};
   const Vec<Real> wish{Real::load(group.p_x + first), Real::load(group.p_y + first)};
   const Lens<Real> lens = make_lens(discs);
-  const Planes<Real> planes{rows, first, group.count};
+  const Planes<Real, Row> planes{rows, first, group.count};
   const Real count = Real::load(group.planes + first);
   for (std::size_t i = 0; i < planes.count; ++i) {
     const Real offset = Real::load(rows[i].offset + first) - dot(planes[i].normal, lens.origin);
     select(Real(static_cast<double>(i)) < count, offset, none<Real>())
         .store(rows[i].relative + first);
   }
-  const Mask<Real> ordinary = lens.ordinary & is_ordinary(wish);
+  const Mask<Real> ordinary = lens.ordinary & is_within(wish, kFarthest);
   const Goal<Real> goal{wish - lens.origin, {0.0, 0.0}};
   const LensPoint<Real> start = nearest(lens, goal.preferred);
   Vec<Real> u = start.point;
-  Planes<Real> taken{scratch, first, 0};
+  Planes<Real, Row> taken{scratch, first, 0};
   const Outcome<Real> outcome = solve_planar<false>(lens, planes, goal, ordinary, taken, u);
   std::uint32_t failed = bits(outcome.failed);
   const bool to_the_end = std::popcount(failed) >= enough;
@@ -95,12 +100,12 @@ AVO_KERNEL void solve_pack(ProgramGroup& group, ProgramRow* rows, ProgramRow* sc
 
 /// Unless all are solved, few in a pack that have no solution are left.
 template <typename Real>
-void solve_programs(Programs& programs, ProgramRow* scratch, bool all) {
+void solve_programs(Programs& programs, ProgramRow<kProgramLanes>* scratch, bool all) {
   const int enough = all ? 1 : static_cast<int>(Real::kLanes * 3 / 4 + 1);
   for (std::size_t g = 0; g < programs.groups; ++g) {
-    ProgramGroup& group = programs.group[g];
+    ProgramGroup<kProgramLanes>& group = programs.group[g];
     group.settled = group.failed = group.moved = 0;
-    ProgramRow* const rows = programs.row.data() + group.first;
+    ProgramRow<kProgramLanes>* const rows = programs.row.data() + group.first;
     for (std::size_t lane = 0; lane < kProgramLanes; lane += Real::kLanes) {
       solve_pack<Real>(group, rows, scratch, lane, enough);
     }

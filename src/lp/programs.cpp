@@ -35,6 +35,9 @@ constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>};
 }  // namespace scalar
 namespace {
 
+using Group = ProgramGroup<kProgramLanes>;
+using Row = ProgramRow<kProgramLanes>;
+
 constexpr KernelTable<ProgramKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
 std::size_t most_rows(const Programs& programs) {
@@ -49,20 +52,19 @@ constexpr std::size_t kRowsAtOnce = 4;
 
 // Copies one robot's program to the end of others.
 void copy(const Programs& from, std::size_t robot, Programs& to) {
-  const ProgramGroup& source = from.group[robot / kProgramLanes];
+  const Group& source = from.group[robot / kProgramLanes];
   const std::size_t lane = robot % kProgramLanes;
   const std::size_t new_lane = to.robots % kProgramLanes;
-  ProgramGroup& target = to.add_robot();
-  for (auto column :
-       {&ProgramGroup::c_x, &ProgramGroup::c_y, &ProgramGroup::radius, &ProgramGroup::top_speed,
-        &ProgramGroup::p_x, &ProgramGroup::p_y, &ProgramGroup::planes}) {
+  Group& target = to.add_robot();
+  for (auto column : {&Group::c_x, &Group::c_y, &Group::radius, &Group::top_speed, &Group::p_x,
+                      &Group::p_y, &Group::planes}) {
     (target.*column)[new_lane] = (source.*column)[lane];
   }
   const auto planes = static_cast<std::size_t>(source.planes[lane]);
   to.add_rows(planes);
   for (std::size_t i = 0; i < planes; ++i) {
-    const ProgramRow& row = from.row[source.first + i];
-    ProgramRow& copied = to.row[target.first + i];
+    const Row& row = from.row[source.first + i];
+    Row& copied = to.row[target.first + i];
     copied.n_x[new_lane] = row.n_x[lane];
     copied.n_y[new_lane] = row.n_y[lane];
     copied.offset[new_lane] = row.offset[lane];
@@ -71,10 +73,10 @@ void copy(const Programs& from, std::size_t robot, Programs& to) {
 
 }  // namespace
 
-ProgramGroup& Programs::add_robot() {
+ProgramGroup<kProgramLanes>& Programs::add_robot() {
   if (robots++ % kProgramLanes == 0) {
     if (groups == group.size()) group.emplace_back();
-    ProgramGroup& next = group[groups++];
+    Group& next = group[groups++];
     std::fill_n(next.planes, kProgramLanes, 0.0);
     next.first = rows;
     next.count = 0;
@@ -83,7 +85,7 @@ ProgramGroup& Programs::add_robot() {
 }
 
 void Programs::add_rows(std::size_t count) {
-  ProgramGroup& last = group[groups - 1];
+  Group& last = group[groups - 1];
   last.count = std::max(last.count, count);
   rows = last.first + last.count;
   if (row.size() < rows + kRowsAtOnce) row.resize(rows + kRowsAtOnce);
@@ -108,7 +110,7 @@ void ProgramBatch::reserve(std::size_t robots, std::size_t planes_each, std::siz
 void ProgramBatch::add(const Disc& acceleration, double top_speed, Vec2 preferred,
                        std::span<const HalfPlane> planes) {
   const std::size_t lane = programs_.robots % kProgramLanes;
-  ProgramGroup& group = programs_.add_robot();
+  Group& group = programs_.add_robot();
   group.c_x[lane] = acceleration.center.x;
   group.c_y[lane] = acceleration.center.y;
   group.radius[lane] = acceleration.radius;
@@ -118,7 +120,7 @@ void ProgramBatch::add(const Disc& acceleration, double top_speed, Vec2 preferre
   group.planes[lane] = static_cast<double>(planes.size());
   preferred_.push_back(preferred);
   programs_.add_rows(planes.size());
-  ProgramRow* const rows = programs_.row.data() + group.first;
+  Row* const rows = programs_.row.data() + group.first;
   for (std::size_t first = 0; first < planes.size(); first += kRowsAtOnce) {
     for (std::size_t i = first; i < first + kRowsAtOnce; ++i) {
       const HalfPlane& plane = planes[std::min(i, planes.size() - 1)];
@@ -135,7 +137,7 @@ void nearest_points(ProgramBatch& batch) {
   Programs& all = batch.programs_;
   Programs& infeasible = batch.infeasible_;
   std::vector<std::size_t>& robots = batch.robots_;
-  std::vector<ProgramRow>& scratch = batch.scratch_;
+  std::vector<Row>& scratch = batch.scratch_;
   scratch.resize(std::max(scratch.size(), 3 * most_taken(most_rows(all))));
   kKernels->solve(all, scratch.data(), false);
   infeasible.clear();
@@ -149,8 +151,8 @@ void nearest_points(ProgramBatch& batch) {
   kKernels->solve(infeasible, scratch.data(), true);
   for (std::size_t k = 0; k < robots.size(); ++k) {
     const std::size_t from_lane = k % kProgramLanes, lane = robots[k] % kProgramLanes;
-    const ProgramGroup& from = infeasible.group[k / kProgramLanes];
-    ProgramGroup& to = all.group[robots[k] / kProgramLanes];
+    const Group& from = infeasible.group[k / kProgramLanes];
+    Group& to = all.group[robots[k] / kProgramLanes];
     to.x[lane] = from.x[from_lane];
     to.y[lane] = from.y[from_lane];
     to.violation[lane] = from.violation[from_lane];

@@ -7,41 +7,22 @@
 #include <vector>
 
 #include "avo/geometry.h"
+#include "lp/program_columns.h"
 
 namespace avo {
 
 /// Robots whose programs' numbers lie side by side: a multiple of every instruction set's lanes.
 inline constexpr std::size_t kProgramLanes = 16;
 
-struct ProgramGroup {
-  using Lanes = double[kProgramLanes];
-  Lanes c_x, c_y, radius;    // acceleration disc
-  Lanes top_speed;           // speed disc around 0
-  Lanes p_x, p_y;            // preferred
-  Lanes planes;              // how many
-  Lanes x, y, violation;     // result
-  std::uint32_t settled;     // bit l: lane l
-  std::uint32_t moved;       // the result is not the preferred one
-  std::uint32_t failed;      // the half-planes leave nothing
-  std::size_t first, count;  // rows
-};
-
-/// One half-plane of each lane, anything where a robot has fewer.
-struct ProgramRow {
-  using Lanes = double[kProgramLanes];
-  Lanes n_x, n_y, offset;
-  Lanes relative;  // the offset, from Lens::origin
-};
-
 struct Programs {
   std::size_t robots = 0, groups = 0, rows = 0;  // in use
-  std::vector<ProgramGroup> group;
-  std::vector<ProgramRow> row;
+  std::vector<ProgramGroup<kProgramLanes>> group;
+  std::vector<ProgramRow<kProgramLanes>> row;
 
   void clear() { robots = groups = rows = 0; }
 
   /// The group of the next robot; its lane is robots % kProgramLanes before the call.
-  ProgramGroup& add_robot();
+  ProgramGroup<kProgramLanes>& add_robot();
   /// Room for so many rows in the last group.
   void add_rows(std::size_t count);
 };
@@ -75,7 +56,7 @@ class ProgramBatch {
  private:
   friend void nearest_points(ProgramBatch& batch);
 
-  [[nodiscard]] const ProgramGroup& group(std::size_t robot) const {
+  [[nodiscard]] const ProgramGroup<kProgramLanes>& group(std::size_t robot) const {
     return programs_.group[robot / kProgramLanes];
   }
   static bool bit(std::uint32_t bits, std::size_t robot) {
@@ -86,12 +67,11 @@ class ProgramBatch {
   std::vector<Vec2> preferred_;      // as given
   Programs infeasible_;              // those that failed, side by side
   std::vector<std::size_t> robots_;  // whose these are
-  std::vector<ProgramRow> scratch_;
+  std::vector<ProgramRow<kProgramLanes>> scratch_;
 };
 
-/// Solves all programs of the batch: nearest_point() of lp/linear_program.h without hard
-/// half-planes, and what it says in state optimal or least_unsafe, bit for bit. The same bits for
-/// every instruction set.
+/// Solves all programs of the batch: nearest_point() of lp/linear_program.h, and what it says in
+/// state optimal or least_unsafe, bit for bit, by every instruction set.
 void nearest_points(ProgramBatch& batch);
 
 }  // namespace avo

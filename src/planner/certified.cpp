@@ -28,8 +28,8 @@ struct Proposals {
 };
 
 ProgramResult propose(const Proposals& proposals, double top_speed) {
-  return nearest_point(proposals.workspace.hard, {}, proposals.acceleration, {{}, top_speed},
-                       proposals.wanted, proposals.workspace.projected);
+  return nearest_point(proposals.workspace.hard, proposals.acceleration, top_speed,
+                       proposals.wanted, proposals.workspace.rows);
 }
 
 // What a program without half-planes would return.
@@ -77,7 +77,7 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
     if (is_admitted(proposals, result.point)) {
       return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};
     }
-    if (result.state == ProgramState::hard_infeasible) break;
+    if (result.state == ProgramState::least_unsafe) break;
     append_cuts(proposals);
   }
   const Vec2 backup = backup_velocity(proposals.robot, proposals.law);

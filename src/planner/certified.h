@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certificate/certificate.h"
+#include "lp/linear_program.h"
 
 namespace avo {
 
@@ -28,7 +29,8 @@ inline constexpr std::size_t kMostCuts = 6;
 /// Scratch memory; allocates only while it grows.
 struct CertifiedWorkspace {
   CertificateWalls walls;
-  std::vector<HalfPlane> hard, projected;
+  std::vector<HalfPlane> hard;
+  ProgramRows rows;  // of programs
 };
 
 /// Nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear programs

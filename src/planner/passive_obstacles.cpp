@@ -203,8 +203,7 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
   PassiveChoice choice{{}, std::numeric_limits<double>::infinity(), PassiveState::least_unsafe};
   std::size_t worst = 0;  // the first limit is no disc
   const auto offer = [&](Vec2 u) {
-    const Vec2 allowed =
-        (lens.origin + nearest(lens, lens.scale * u - lens.origin).point) / lens.scale;
+    const Vec2 allowed = nearest(lens, u);
     const double largest = worst_violation(limits, allowed, choice.violation, worst);
     if (!(largest < choice.violation)) return false;
     choice.velocity = allowed;
@@ -212,8 +211,7 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
     return true;
   };
   offer(preferred);
-  const Vec2 middle = lens.origin / lens.scale;
-  const double radius = lens.radius / lens.scale;
+  const auto [middle, radius] = lens.smaller;
   constexpr double kSlope = 0.41421356237309503;  // tan 22.5°: every second direction between
   constexpr std::array<Vec2, 8> kFan{
       {{1, 0}, {1, kSlope}, {1, 1}, {kSlope, 1}, {0, 1}, {-kSlope, 1}, {-1, 1}, {-1, kSlope}}};
@@ -248,12 +246,8 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
 PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
                                      const Disc& acceleration, const Disc& speed, Vec2 preferred,
                                      PassiveWorkspace& workspace) {
-  const Lens lens = make_lens(acceleration, speed);
-  if (lens.empty) {
-    return {{},
-            (lens.distance - lens.larger_radius - lens.radius) / lens.scale,
-            PassiveState::discs_disjoint};
-  }
+  const Lens lens = make_lens(acceleration, speed.radius);
+  if (lens.empty) return {{}, lens.gap, PassiveState::discs_disjoint};
   std::vector<Limit>& limits = workspace.limits;
   std::vector<Curve>& curves = workspace.curves;
   std::vector<CurvePoint>& points = workspace.points;
@@ -265,8 +259,7 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
   for (const PassiveObstacle& mover : obstacles) append_limit(mover, acceleration, speed, limits);
 
   // the preferred velocity itself, or its projection on the discs
-  const Vec2 allowed =
-      (lens.origin + nearest(lens, lens.scale * preferred - lens.origin).point) / lens.scale;
+  const Vec2 allowed = nearest(lens, preferred);
   Search search{limits, curves, preferred};
   if (limits.empty() || search.violated(allowed) == CurvePoint::kFree) {
     return {allowed, 0.0, PassiveState::free};

@@ -28,9 +28,9 @@ struct PassiveWorkspace {
 };
 
 /// Eqs. (13), (14): v'_A nearest to `preferred` in both discs and outside the union of
-/// AVO ⊕ {v'_B}. acceleration.radius may be infinite. Candidates are `preferred`, its projections
-/// on the boundaries (the circles too) and the ends of their free parts, each exact to rounding.
-/// Properties, each tested under its number:
+/// AVO ⊕ {v'_B}. acceleration.radius may be infinite, speed.center is 0. Candidates are
+/// `preferred`, its projections on the boundaries (the circles too) and the ends of their free
+/// parts, each exact to rounding. Properties, each tested under its number:
 ///  (1) a free velocity lies in both discs, and contains() holds for none of the obstacles;
 ///  (2) no free velocity is nearer than it, but in gaps thinner than the boundary samples;
 ///  (3) equally near ones are decided to the right of `preferred`;

@@ -15,10 +15,9 @@
 
 namespace avo {
 
-/// What the planner's robots have agreed on.
-CertificateLaw certificate_law(const Planner& planner);
-
 struct PlanWorkspace::Scratch {
+  static Scratch& of(PlanWorkspace& workspace) { return *workspace.scratch_; }
+
   std::vector<Deciding> deciding;  // of which these are stages
   std::vector<Sensing> sensing;
   SoftPlanes soft;
@@ -26,7 +25,7 @@ struct PlanWorkspace::Scratch {
   RobotColumns columns;  // of method avo
   std::vector<ProgramResult> results;
   ProgramBatch programs;
-  std::vector<HalfPlane> projected;
+  ProgramRows rows;
   std::vector<PassiveObstacle> obstacles;
   // of the neighbors given: numbers, and themselves sorted by distance
   std::vector<std::uint32_t> order;

@@ -7,7 +7,7 @@
 #include "lp/linear_program.h"
 #include "lp/programs.h"
 #include "planner/arrival.h"
-#include "planner/decision.h"
+#include "planner/certify.h"
 #include "planner/scratch.h"
 
 namespace avo {
@@ -30,15 +30,13 @@ double worst_violation(const SoftPlanes& soft, std::size_t i, const ProgramResul
 
 // One by one: those that lanes leave out, and robots that decide alone.
 ProgramResult solve_program(const Planner& planner, const Robot& robot,
-                            std::span<const HalfPlane> planes, Vec2 wish,
-                            std::vector<HalfPlane>& projected) {
-  return nearest_point({}, planes, planner.acceleration_disc(robot), planner.speed_disc(robot),
-                       wish, projected);
+                            std::span<const HalfPlane> planes, Vec2 wish, ProgramRows& rows) {
+  return nearest_point(planes, planner.acceleration_disc(robot), robot.max_speed, wish, rows);
 }
 
 void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, const SoftPlanes& soft,
-                    std::span<const Vec2> wishes, ProgramBatch& batch,
-                    std::vector<HalfPlane>& projected, std::vector<ProgramResult>& results) {
+                    std::span<const Vec2> wishes, ProgramBatch& batch, ProgramRows& rows,
+                    std::vector<ProgramResult>& results) {
   batch.clear();
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const Robot& robot = *robots[i].robot;
@@ -47,7 +45,7 @@ void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, con
   nearest_points(batch);
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (!batch.settled(i)) {
-      results.push_back(solve_program(planner, *robots[i].robot, soft.of(i), wishes[i], projected));
+      results.push_back(solve_program(planner, *robots[i].robot, soft.of(i), wishes[i], rows));
       continue;
     }
     ProgramResult result;
@@ -59,23 +57,22 @@ void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, con
 }
 
 // Eq. (23) of each.
-template <typename Scratch>
-void solve_programs(const Planner& planner, const SoftPlanes& soft, Scratch& scratch) {
+void solve_programs(const Planner& planner, const SoftPlanes& soft,
+                    PlanWorkspace::Scratch& scratch) {
   std::vector<ProgramResult>& results = scratch.results;
   results.clear();
   if (scratch.sensing.size() > 1) {
     return solve_in_lanes(planner, scratch.sensing, soft, scratch.wishes, scratch.programs,
-                          scratch.projected, results);
+                          scratch.rows, results);
   }
   for (std::size_t i = 0; i < scratch.sensing.size(); ++i) {
     results.push_back(solve_program(planner, *scratch.sensing[i].robot, soft.of(i),
-                                    scratch.wishes[i], scratch.projected));
+                                    scratch.wishes[i], scratch.rows));
   }
 }
 
 // What each robot wishes for, in columns as well where it is of method avo.
-template <typename Scratch>
-void make_wishes(const PlannerOptions& options, Scratch& scratch) {
+void make_wishes(const PlannerOptions& options, PlanWorkspace::Scratch& scratch) {
   scratch.wishes.clear();
   if (options.method != Method::avo) {
     for (const Sensing& each : scratch.sensing) {
@@ -110,8 +107,8 @@ bool is_unhindered(const CertificateLaw& law, const Sensing& sensing, const Deto
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
-template <typename Scratch, typename Choose>
-void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
+void decide(const Planner& planner, PlanWorkspace::Scratch& scratch) {
+  const CertificateLaw law = certificate_law(planner);
   find_near(scratch.sensing, law, scratch.certified.walls);
   RobotColumns& columns = scratch.columns;
   for (std::size_t i = 0; i < columns.count; ++i) {
@@ -131,7 +128,7 @@ void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
                         soft.overlapping[i] != 0};
     if (columns.is_free[i] == 0.0 ||
         !is_unhindered(law, each.sensing, *each.detour, scratch.certified.walls.near, i)) {
-      *each.plan = choose(i, wished);
+      *each.plan = certify(planner, law, each.sensing, i, wished, scratch.certified, *each.detour);
       continue;
     }
     Plan& plan = *each.plan;
@@ -145,8 +142,7 @@ void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
 }  // namespace
 
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                   PlanWorkspace& workspace, StageClock& clock) {
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+                   PlanWorkspace::Scratch& scratch, StageClock& clock) {
   const PlannerOptions& options = planner.options();
 
   scratch.sensing.clear();
@@ -155,23 +151,22 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
     const auto& [robot, neighbors, trusted] = each.sensing;
     const bool valid = trusted ? is_valid(*robot) : all_valid(*robot, neighbors);
     if (!valid || !can_follow(*robot, options)) {
-      *each.plan = planner.brake(*robot, PlanStatus::invalid_input, 0.0);
+      *each.plan = brake(planner, *robot, PlanStatus::invalid_input, 0.0);
       continue;
     }
     if ((neighbors.columns->has_movers || options.method == Method::velocity_obstacle) &&
         is_among_movers(options, neighbors)) {
       list(neighbors, scratch.listed);
-      *each.plan = planner.plan_among_obstacles(*robot, scratch.listed, workspace);
+      *each.plan = choose_among_obstacles(planner, *robot, scratch.listed, scratch);
       *each.detour = {};
       continue;
     }
     scratch.sensing.push_back(each.sensing);
     scratch.deciding.push_back(each);
   }
-  collect_soft_planes(options, *planner.horizon_, scratch.sensing, scratch.soft);
+  collect_soft_planes(options, planner.horizon(), scratch.sensing, scratch.soft);
   clock.lap(Stage::half_planes);
 
-  const CertificateLaw law = certificate_law(planner);
   make_wishes(options, scratch);
   clock.lap(Stage::certificate);
 
@@ -179,10 +174,7 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   clock.lap(Stage::program);
 
   if (options.method == Method::avo) {
-    decide(law, scratch, [&](std::size_t i, const Wished& wished) {
-      const Deciding& each = scratch.deciding[i];
-      return planner.choose(each.sensing, i, law, wished, workspace, *each.detour);
-    });
+    decide(planner, scratch);
     return clock.lap(Stage::certificate);
   }
   for (std::size_t i = 0; i < scratch.deciding.size(); ++i) {
@@ -190,12 +182,12 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
     const ProgramResult& result = scratch.results[i];
     Plan& plan = *scratch.deciding[i].plan;
     if (result.state == ProgramState::discs_disjoint) {
-      plan = planner.brake(robot, PlanStatus::braking, result.violation);
+      plan = brake(planner, robot, PlanStatus::braking, result.violation);
       continue;
     }
     const double worst = worst_violation(scratch.soft, i, result);
     const PlanStatus status = status_of(scratch.soft.overlapping[i] != 0, worst);
-    plan = planner.finish(robot, result.point, status, worst);
+    plan = plan_of(options, robot, result.point, status, worst);
   }
   clock.lap(Stage::certificate);
 }
@@ -206,8 +198,7 @@ constexpr std::size_t kMostNear = 2048;  // pairs; of more, memory grows when it
 
 void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,
                       std::size_t neighbors_each, std::size_t neighbors, std::size_t braking_steps,
-                      PlanWorkspace& workspace) {
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+                      PlanWorkspace::Scratch& scratch) {
   scratch.reserve_choice(neighbors_each, braking_steps);
   scratch.certified.walls.near.reserve(robots, std::min(neighbors, kMostNear));
   scratch.deciding.reserve(robots);
@@ -215,7 +206,7 @@ void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t p
   scratch.wishes.reserve(robots);
   scratch.columns.reserve(robots);
   scratch.results.reserve(robots);
-  scratch.projected.reserve(4 * planes_each);
+  scratch.rows.reserve(program_rows(planes_each));
   if (robots > 1) scratch.programs.reserve(robots, planes_each, planes);
   reserve(robots, planes, scratch.soft);
 }

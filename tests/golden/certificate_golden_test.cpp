@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certificate/certificate.h"
-#include "planner/scratch.h"
+#include "planner/certify.h"
 #include "support/certificates.h"
 #include "support/json.h"
 

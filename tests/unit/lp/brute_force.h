@@ -10,11 +10,13 @@
 #include <optional>
 #include <vector>
 
-#include "lp/linear_program.h"
+#include "support/program/linear_program.h"
 
 namespace avo::test {
 
 using Real = long double;
+using reference::ProgramResult;
+using reference::ProgramState;
 
 struct Point {
   Real x, y;
@@ -28,7 +30,7 @@ struct Program {
 
 inline ProgramResult run(const Program& p) {
   std::vector<HalfPlane> scratch;
-  return nearest_point(p.hard, p.soft, p.acceleration, p.speed, p.preferred, scratch);
+  return reference::nearest_point(p.hard, p.soft, p.acceleration, p.speed, p.preferred, scratch);
 }
 
 /// The m of the header's bound (2).

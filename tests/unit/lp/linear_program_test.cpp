@@ -2,10 +2,13 @@
 // Named cases of the program of Eqs. (22), (23): each degenerate case, each way to fail.
 #include "lp/linear_program.h"
 
+#include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
+
+#include "support/program/linear_program.h"
 
 namespace avo {
 namespace {
@@ -13,11 +16,26 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kHalfRoot3 = std::sqrt(3.0) / 2.0;
 using Planes = std::vector<HalfPlane>;
+using reference::ProgramResult;
+using reference::ProgramState;
 
 ProgramResult solve(const Planes& hard, const Planes& soft, Disc acceleration, Disc speed,
                     Vec2 preferred) {
   std::vector<HalfPlane> scratch;
-  return nearest_point(hard, soft, acceleration, speed, preferred, scratch);
+  const ProgramResult r =
+      reference::nearest_point(hard, soft, acceleration, speed, preferred, scratch);
+  if (hard.empty() && speed.center == Vec2{}) {
+    ProgramRows rows;
+    const avo::ProgramResult own = nearest_point(soft, acceleration, speed.radius, preferred, rows);
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    EXPECT_EQ(bits(own.point.x), bits(r.point.x));
+    EXPECT_EQ(bits(own.point.y), bits(r.point.y));
+    EXPECT_EQ(bits(own.violation), bits(r.violation));
+    EXPECT_EQ(own.state == avo::ProgramState::optimal, r.state == ProgramState::optimal);
+    EXPECT_EQ(own.state == avo::ProgramState::discs_disjoint,
+              r.state == ProgramState::discs_disjoint);
+  }
+  return r;
 }
 
 // The paper's limits: a robot at rest, δ a_max = 4, v_max = 2.
@@ -302,11 +320,11 @@ TEST(LinearProgram, nearly_coincident_lines_are_clipped_with_a_tolerance) {
 }
 
 TEST(LinearProgram, scratch_is_reused) {
-  std::vector<HalfPlane> scratch;
-  const Planes soft{{{1, 0}, 0.5}, {{-1, 0}, -0.2}, {{0, 1}, 0.1}};
-  const auto once = nearest_point({}, soft, {{0, 0}, 4}, {{0, 0}, 2}, {0, 1}, scratch);
-  const HalfPlane* memory = scratch.data();
-  const auto again = nearest_point({}, soft, {{0, 0}, 4}, {{0, 0}, 2}, {0, 1}, scratch);
+  ProgramRows scratch;
+  const Planes planes{{{1, 0}, 0.5}, {{-1, 0}, -0.2}, {{0, 1}, 0.1}};
+  const auto once = nearest_point(planes, {{0, 0}, 4}, 2, {0, 1}, scratch);
+  const ProgramRow<1>* memory = scratch.data();
+  const auto again = nearest_point(planes, {{0, 0}, 4}, 2, {0, 1}, scratch);
   EXPECT_EQ(scratch.data(), memory);
   EXPECT_EQ(once.point, again.point);
 }

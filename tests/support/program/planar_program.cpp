@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eq. (23) in the plane: one half-plane after the other, one line at a time.
-#include "lp/planar_program.h"
+#include "support/program/planar_program.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace avo {
+namespace avo::reference {
 namespace {
 
 // The boundary of a half-plane: offset * normal + t * along, |normal| = |along| = 1.
@@ -141,4 +141,4 @@ std::size_t solve_planar(const Lens& lens, Planes planes, const Goal& goal,
   }
 }
 
-}  // namespace avo
+}  // namespace avo::reference

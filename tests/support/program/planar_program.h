@@ -5,9 +5,9 @@
 #include <span>
 
 #include "avo/geometry.h"
-#include "lp/lens.h"
+#include "support/program/lens.h"
 
-namespace avo {
+namespace avo::reference {
 
 /// Half-planes relative to Lens::origin. Their normals may have any length where Goal::direction is
 /// not zero: a violation, offset - normal . u, is in the unit of the offset, and one tolerance
@@ -44,4 +44,4 @@ bool contains(Planes planes, const HalfPlane& plane) noexcept;
 std::size_t solve_planar(const Lens& lens, Planes planes, const Goal& goal,
                          std::span<HalfPlane> taken, PlanarSolution& solution) noexcept;
 
-}  // namespace avo
+}  // namespace avo::reference
