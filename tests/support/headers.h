@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Headers of other projects that most tests include; each test still includes what it uses.
 #pragma once
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <gtest/gtest.h>
 #include <limits>
 #include <map>
 #include <memory>
