@@ -2,13 +2,13 @@
 // avo explain: the decision that the simulation takes, and all that it rests on.
 #include <cmath>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "avo/simulation.h"
 #include "avo_io/scene.h"
 #include "run_avo.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {
