@@ -42,8 +42,7 @@ void begin_walls(const Robot& robot, const Neighbors& neighbors, std::size_t i,
   walls.trajectories.waiting.clear();
   walls.capsules.clear();
   if (law.kind == Certificate::none) return;
-  begin_walls(robot, neighbors, walls.near, i, law.step, walls.trajectories,
-              walls.invariant);
+  begin_walls(robot, neighbors, walls.near, i, law.step, walls.trajectories, walls.invariant);
   if (law.kind == Certificate::stopping_capsules) {
     collect_capsules(robot, neighbors, law.step, walls.capsules, walls.invariant);
   }

@@ -23,8 +23,8 @@ struct CertificateWalls {
   Invariant invariant;
   TrajectoryWalls trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
   std::vector<CapsuleWall> capsules;
-  CandidatePath path;    ///< of the last candidate asked about
-  NearPairs near;        ///< of all robots of find_near()
+  CandidatePath path;  ///< of the last candidate asked about
+  NearPairs near;      ///< of all robots of find_near()
   // of a robot that is looked at by itself
   RobotColumns alone;
   NeighborColumns seen;

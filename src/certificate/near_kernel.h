@@ -36,7 +36,8 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
 /// Of one robot i and the chosen of its neighbors.
 template <typename Real>
 AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
-                     const PackNeighbor<Real>& of, Real neighbor, decltype(Real() < Real()) chosen, NearQueue& queue) {
+                     const PackNeighbor<Real>& of, Real neighbor, decltype(Real() < Real()) chosen,
+                     NearQueue& queue) {
   const std::size_t first = queue.count;
   const auto all = [first](double value, NearQueue::Column& column) {
     Real(value).store(&column[first]);

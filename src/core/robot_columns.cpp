@@ -8,10 +8,10 @@ namespace {
 
 template <typename Columns, typename Action>
 void for_each_column(Columns& robots, const Action& action) {
-  for (auto* column : {&robots.x, &robots.y, &robots.v_x, &robots.v_y, &robots.preferred_x,
-                       &robots.preferred_y, &robots.distance_to_goal, &robots.radius,
-                       &robots.max_acceleration, &robots.max_speed, &robots.wheelbase,
-                       &robots.heading}) {
+  for (auto* column :
+       {&robots.x, &robots.y, &robots.v_x, &robots.v_y, &robots.preferred_x, &robots.preferred_y,
+        &robots.distance_to_goal, &robots.radius, &robots.max_acceleration, &robots.max_speed,
+        &robots.wheelbase, &robots.heading}) {
     action(*column);
   }
 }

@@ -15,12 +15,12 @@ namespace avo {
 struct RobotColumns {
   using Column = std::vector<double>;
   std::size_t count = 0;
-  Column x, y, v_x, v_y;              // m, m/s
-  Column preferred_x, preferred_y;    // m/s
-  Column distance_to_goal, radius;    // m
+  Column x, y, v_x, v_y;               // m, m/s
+  Column preferred_x, preferred_y;     // m/s
+  Column distance_to_goal, radius;     // m
   Column max_acceleration, max_speed;  // m/s², m/s
-  Column wheelbase, heading;          // m, 0: not a car; rad
-  std::vector<Neighbors> neighbors;   // that each senses, nearest first
+  Column wheelbase, heading;           // m, 0: not a car; rad
+  std::vector<Neighbors> neighbors;    // that each senses, nearest first
 
   void reserve(std::size_t robots);
   void clear() {

@@ -46,8 +46,7 @@ void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end
       offset.store(&shared.offset[i]);
       const Real pair = Real(static_cast<double>(i)) + lane;
       const auto exceeds = (Real::load(&relative.excess[i]) > Real(0.0)) & (pair < end);
-      const auto cuts =
-          ((offset + raised > max(slowest, along - change)) & (pair < end)) | exceeds;
+      const auto cuts = ((offset + raised > max(slowest, along - change)) & (pair < end)) | exceeds;
       exceeding = exceeding | exceeds;
       kept += store_chosen(cuts, pair, &shared.kept[kept]);
     }

@@ -197,13 +197,15 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
   if (!can_brake(robot)) return {.status = PlanStatus::invalid_input};
   const PlannerOptions& options = planner.options();
-  if (adopts_at_once(options.method)) return plan_of(options, robot.velocity, {}, status, violation);
+  if (adopts_at_once(options.method))
+    return plan_of(options, robot.velocity, {}, status, violation);
   if (options.method == Method::avo) {
     const CertificateLaw law = certificate_law(planner);
     return plan_to(law, robot, backup_velocity(robot, law), status, violation);
   }
-  return plan_of(options, robot.velocity, braking_velocity(robot, options.control_time, planner.step_rate()),
-                 status, violation);
+  return plan_of(options, robot.velocity,
+                 braking_velocity(robot, options.control_time, planner.step_rate()), status,
+                 violation);
 }
 
 Plan choose_among_obstacles(const Planner& planner, const Robot& robot,

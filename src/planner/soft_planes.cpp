@@ -37,8 +37,7 @@ void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& sof
     for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
       if (neighbors.decides[k] != 0.0) continue;
       const double acceleration = norm(neighbors.acceleration[k]);
-      soft.pairs.reach[i] =
-          options.control_time * (tile.robots.max_acceleration[r] + acceleration);
+      soft.pairs.reach[i] = options.control_time * (tile.robots.max_acceleration[r] + acceleration);
       soft.raise[r] = std::max(soft.raise[r], options.control_time * acceleration);
       soft.share[i] = 1.0;
     }
@@ -142,8 +141,7 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
         soft.overlapping.back() = 1;
         if (relative.state == PairState::coincident) continue;
       }
-      const NeighborPlane own =
-          share_of(options, robot, neighbor, static_cast<int>(k), relative);
+      const NeighborPlane own = share_of(options, robot, neighbor, static_cast<int>(k), relative);
       soft.planes.push_back(own.plane);
       soft.excess.push_back(own.excess);
       soft.exceeding |= own.excess > 0.0;

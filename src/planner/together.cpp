@@ -70,8 +70,7 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
 }
 
 // What each robot wishes for, in columns as well where it is of method avo.
-void make_wishes(const PlannerOptions& options, const Tile& tile,
-                 PlanWorkspace::Scratch& scratch) {
+void make_wishes(const PlannerOptions& options, const Tile& tile, PlanWorkspace::Scratch& scratch) {
   const RobotColumns& robots = tile.robots;
   scratch.wishes.clear();
   if (options.method != Method::avo) {
@@ -128,8 +127,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                         {arrival.unhindered_x[i], arrival.unhindered_y[i]},
                         soft.overlapping[i] != 0};
     Plan& plan = *tile.plan[i];
-    if (arrival.is_free[i] == 0.0 ||
-        !is_unhindered(law, tile, scratch.certified.walls.near, i)) {
+    if (arrival.is_free[i] == 0.0 || !is_unhindered(law, tile, scratch.certified.walls.near, i)) {
       plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
       continue;
     }

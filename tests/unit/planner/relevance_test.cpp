@@ -198,12 +198,13 @@ TEST(Relevance, everyone_matters_where_nothing_bounds_it) {
   const Robot robot;
   Peers peers;
   include(peers, Planner(options), robot);
-  EXPECT_TRUE(std::isinf(relevant_range(Planner(options), robot, peers)));  // all half-planes
+  EXPECT_TRUE(
+      std::isinf(relevant_range(Planner(options), robot, peers).at(0.0)));  // all half-planes
   options.max_neighbors = 10;
-  EXPECT_TRUE(std::isfinite(relevant_range(Planner(options), robot, peers)));
+  EXPECT_TRUE(std::isfinite(relevant_range(Planner(options), robot, peers).at(robot.max_speed)));
   options = default_options(Method::avo_paper);
   options.max_neighbors = 10;
-  EXPECT_EQ(relevant_range(Planner(options), robot, peers), 0.0);
+  EXPECT_EQ(relevant_range(Planner(options), robot, peers).at(robot.max_speed), 0.0);
 }
 
 }  // namespace
