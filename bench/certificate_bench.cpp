@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planner/certified.h"
-#include "planner/scratch.h"
+#include "planner/certify.h"
 
 namespace avo {
 namespace {

@@ -56,7 +56,7 @@ void plan(benchmark::State& state) {
   std::size_t i = 0, least_unsafe = 0, decisions = 0;
   for (auto _ : state) {
     Detour detour = seen[i].detour;
-    const Plan plan = planner.plan(seen[i].robot, seen[i].neighbors, workspace, detour);
+    const Plan plan = planner.plan(seen[i].robot, seen[i].neighbors, workspace, &detour);
     benchmark::DoNotOptimize(plan);
     least_unsafe += plan.violation > 0.0 ? 1 : 0;
     ++decisions;

@@ -20,7 +20,7 @@ std::string source_label(int source) {
 
 // v'_B of a mover: the velocity it has, or approaches under the acceleration observed (§III-C).
 Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
-  const bool observed = neighbor.max_acceleration == 0.0 && !adopts_at_once(options.method);
+  const bool observed = neighbor.behavior == Behavior::moves_on && !adopts_at_once(options.method);
   if (!observed) return neighbor.velocity;
   return neighbor.velocity + options.control_time * neighbor.acceleration;
 }
@@ -58,14 +58,15 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
   const bool movers =
       perception.among_movers || planner.options().method == Method::velocity_obstacle;
   const Plan plan = movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
-                           : planner.plan(robot, perception.neighbors, workspace, detour);
+                           : planner.plan(robot, perception.neighbors, workspace, &detour);
   if (movers) {
     for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
       space.obstacles.push_back(obstacle_of(perception, i, planner.options()));
     }
   } else {
-    planner.collect_half_planes(robot, perception.neighbors, workspace);
-    for (const NeighborPlane& cut : workspace.planes) {
+    HalfPlanes half_planes;
+    planner.collect_half_planes(robot, perception.neighbors, workspace, half_planes);
+    for (const NeighborPlane& cut : half_planes.planes) {
       const auto i = static_cast<std::size_t>(cut.neighbor);
       space.half_planes.push_back(
           {cut.plane, source_label(perception.source[i]), lies_on(cut.plane, plan.new_velocity)});

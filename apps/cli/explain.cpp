@@ -32,7 +32,8 @@ struct Decision {
   avo::Method method{};
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
-  avo::PlanWorkspace workspace;
+  avo::HalfPlanes half_planes;
+  std::vector<avo::CertificateWall> walls;
   avo::Certificate certificate{};
   avo::Plan plan;
   avo::Disc acceleration_disc, speed_disc;
@@ -52,14 +53,13 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   const auto& [self, neighbors, source, detour, among_movers] = decision.seen;
   avo::Detour next_detour = detour;
   decision.by_half_planes = !among_movers;
-  decision.plan = planner.plan(self, neighbors, decision.workspace, next_detour);
+  avo::PlanWorkspace workspace;
+  decision.plan = planner.plan(self, neighbors, workspace, &next_detour);
   if (decision.by_half_planes)
-    planner.collect_half_planes(self, neighbors, decision.workspace);
-  else
-    decision.workspace.planes.clear();
+    planner.collect_half_planes(self, neighbors, workspace, decision.half_planes);
   decision.certificate = planner.options().certificate;
   if (decision.method == avo::Method::avo)
-    planner.collect_certificate(self, neighbors, decision.workspace);
+    planner.collect_certificate(self, neighbors, workspace, decision.walls);
   decision.acceleration_disc = planner.acceleration_disc(self);
   decision.speed_disc = planner.speed_disc(self);
   return decision;
@@ -82,7 +82,7 @@ Json to_json(const avo::Disc& disc) {
 
 Json walls_of(const Decision& decision) {
   Json walls = Json::array();
-  for (const avo::CertificateWall& wall : decision.workspace.certificate)
+  for (const avo::CertificateWall& wall : decision.walls)
     walls.push_back(
         {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(wall.neighbor)])},
          {"interval", wall.interval},
@@ -94,7 +94,7 @@ Json walls_of(const Decision& decision) {
 Json to_json(const Decision& decision) {
   const auto& seen = decision.seen;
   Json half_planes = Json::array();
-  for (const avo::NeighborPlane& each : decision.workspace.planes)
+  for (const avo::NeighborPlane& each : decision.half_planes.planes)
     half_planes.push_back(
         {{"neighbor", name_of(seen.source[static_cast<std::size_t>(each.neighbor)])},
          {"normal", to_json(each.plane.normal)},
@@ -102,12 +102,13 @@ Json to_json(const Decision& decision) {
   Json obstacles = Json::array();
   for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
     const avo::Neighbor& neighbor = seen.neighbors[k];
+    const bool decides = neighbor.behavior == avo::Behavior::decides;
     obstacles.push_back({{"neighbor", name_of(seen.source[k])},
                          {"position", to_json(neighbor.position)},
                          {"velocity", to_json(neighbor.velocity)},
                          {"acceleration", to_json(neighbor.acceleration)},
                          {"radius", neighbor.radius},
-                         {"max_acceleration", neighbor.max_acceleration}});
+                         {"max_acceleration", decides ? neighbor.max_acceleration : 0.0}});
   }
   const avo::Robot& self = seen.robot;
   Json json{{"scene", decision.scene},
@@ -151,7 +152,7 @@ std::string text_of(int source) {
 void append_certificate(const Decision& decision,
                         const std::function<void(const char*, const std::string&)>& line) {
   constexpr int kNamed = 3;
-  const auto& walls = decision.workspace.certificate;
+  const auto& walls = decision.walls;
   std::set<int> neighbors;
   for (const avo::CertificateWall& wall : walls) neighbors.insert(wall.neighbor);
   line("certificate",
@@ -187,7 +188,7 @@ std::string readable(const Decision& decision) {
                          fmt::format("|v'| <= {:.6g} m/s", decision.speed_disc.radius));
   line("sees", fmt::format("{} robots and moving obstacles", decision.seen.neighbors.size()));
   if (!decision.by_half_planes) line("avoids", "the union of their obstacles");
-  for (const avo::NeighborPlane& each : decision.workspace.planes)
+  for (const avo::NeighborPlane& each : decision.half_planes.planes)
     line("half-plane",
          fmt::format("{} . v' >= {:.6g} m/s, of {}", text(each.plane.normal), each.plane.offset,
                      text_of(decision.seen.source[static_cast<std::size_t>(each.neighbor)])));

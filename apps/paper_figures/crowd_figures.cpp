@@ -30,7 +30,7 @@ Robot robot_of_figure() {
   return robot;
 }
 
-std::vector<Neighbor> neighbors_of_figure(double max_acceleration) {
+std::vector<Neighbor> neighbors_of_figure(Behavior behavior) {
   struct Mover {
     Vec2 position, velocity;
   };
@@ -42,7 +42,7 @@ std::vector<Neighbor> neighbors_of_figure(double max_acceleration) {
     neighbor.position = mover.position;
     neighbor.velocity = mover.velocity;
     neighbor.radius = 0.5;
-    neighbor.max_acceleration = max_acceleration;
+    neighbor.behavior = behavior;
     neighbors.push_back(neighbor);
   }
   return neighbors;
@@ -77,7 +77,7 @@ void draw_configuration(Canvas& canvas, const Box& panel, bool decide) {
   const Robot robot = robot_of_figure();
   std::vector<Body> bodies{{{robot.position, robot.radius}, robot.velocity, "A"}};
   int number = 1;
-  for (const Neighbor& neighbor : neighbors_of_figure(0.0)) {
+  for (const Neighbor& neighbor : neighbors_of_figure(Behavior::moves_on)) {
     bodies.push_back({{neighbor.position, neighbor.radius},
                       neighbor.velocity,
                       std::to_string(number++),
@@ -121,7 +121,7 @@ Caption draw_among_obstacles(const std::string& folder) {
   const std::string path = folder + "/fig-04.png";
   Canvas canvas(path, row.width, row.height());
   draw_configuration(canvas, row.box(0), false);
-  const auto neighbors = neighbors_of_figure(0.0);
+  const auto neighbors = neighbors_of_figure(Behavior::moves_on);
   const VelocitySpace space = space_of(neighbors, true);
   figures::draw_velocity_space(canvas, row.box(1), space);
   write_title(canvas, row.box(1), "(b) obstacles and CA_A");
@@ -148,7 +148,7 @@ Caption draw_half_planes(const std::string& folder) {
   const std::string path = folder + "/fig-06.png";
   Canvas canvas(path, row.width, row.height());
   draw_configuration(canvas, row.box(0), true);
-  const auto neighbors = neighbors_of_figure(1.0);
+  const auto neighbors = neighbors_of_figure(Behavior::decides);
   const VelocitySpace space = space_of(neighbors, false);
   figures::draw_velocity_space(canvas, row.box(1), space);
   write_title(canvas, row.box(1), "(b) half-planes and CA_A");
@@ -166,7 +166,7 @@ Caption draw_half_planes(const std::string& folder) {
           "to " +
           point(plan.new_velocity) + " m/s (" + to_string(plan.status) + "), Eq. (23).",
       "CA_A is convex, " + area_of(space) + "; that of Fig. 4 is not, with " +
-          area_of(space_of(neighbors_of_figure(0.0), true)) + ".",
+          area_of(space_of(neighbors_of_figure(Behavior::moves_on), true)) + ".",
       "half-planes that the whole disc satisfies are not shown. Fig. 6(b), a drawing of the "
       "car, is left out."};
 }

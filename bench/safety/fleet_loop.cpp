@@ -54,7 +54,11 @@ FleetLoop::FleetLoop(const Scene& scene, std::uint64_t seed, const PlannerOption
     next_decision_.push_back(acting_.phases ? static_cast<std::int64_t>(random_.below(ticks)) : 0);
   }
   for (const MovingObstacle& each : scene.scenario.moving_obstacles) {
-    obstacles_.push_back({each.position, each.velocity, each.radius, 0.0, each.acceleration});
+    obstacles_.push_back({.position = each.position,
+                          .velocity = each.velocity,
+                          .radius = each.radius,
+                          .acceleration = each.acceleration,
+                          .behavior = Behavior::moves_on});
   }
   before_ = robots_;
   commands_.resize(robots_.size());
@@ -87,7 +91,7 @@ Plan FleetLoop::decide(std::size_t i) {
   neighbors_.insert(neighbors_.end(), obstacles_.begin(), obstacles_.end());
   const bool is_one_sided = odd_[i] != 0 && acting_.oddity == Oddity::one_sided;
   const Plan plan = is_one_sided ? planner.plan_among_obstacles(robot, neighbors_, workspace_)
-                                 : planner.plan(robot, neighbors_, workspace_, detours_[i]);
+                                 : planner.plan(robot, neighbors_, workspace_, &detours_[i]);
   const Vec2 v = robot.velocity;
   Vec2 v_1 = v + planner.step_rate() * (plan.new_velocity - v);
   if (norm_squared(v_1) < 0x1p-100 * norm_squared(v)) v_1 = {};  // rounding of its making

@@ -10,6 +10,7 @@
 
 #include "avo/export.h"
 #include "avo/geometry.h"
+#include "avo/horizon.h"
 #include "avo/robot.h"
 
 namespace avo {
@@ -87,6 +88,9 @@ struct Plan {
   /// command that leads to the next velocity by Eq. (7); it may lie beyond v_max, which that does
   /// not.
   Vec2 new_velocity = {};
+  /// m/s, at the end of the step, of cars too: what to send to a base that takes velocities. 0
+  /// where the robot's own velocity or limits are out of range.
+  Vec2 next_velocity = {};
   Vec2 acceleration = {};                   ///< [a_A] m/s^2 at the start of the step, Eq. (7)
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
   double violation = 0.0;                   ///< m/s: by how much CA_A is missed; 0 if optimal
@@ -97,6 +101,12 @@ struct NeighborPlane {
   int neighbor = 0;  ///< index into the neighbors given
   HalfPlane plane;
   double excess = 0.0;  ///< m/s, A's share of RelativeHalfPlane::excess
+};
+
+/// The half-planes of one decision.
+struct HalfPlanes {
+  std::vector<NeighborPlane> planes;  ///< those that cut into what the robot may choose
+  bool overlapping = false;           ///< a neighbor is in contact already
 };
 
 /// What a robot remembers from one decision to the next, to get around a jam and to come to rest.
@@ -118,23 +128,9 @@ struct CertificateWall {
   double offset = 0.0;
 };
 
-// of the library itself
-class Horizon;
-class Planner;
-class StageClock;
-struct CertificateLaw;
-struct Deciding;
-struct Sensing;
-struct Wished;
-class PlanWorkspace;
-AVO_LOCAL void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                             PlanWorkspace& workspace, StageClock& clock);
-AVO_LOCAL void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,
-                                std::size_t neighbors_each, std::size_t neighbors,
-                                std::size_t braking_steps, PlanWorkspace& workspace);
-
-/// Scratch memory of plan(); reuse it and nothing is allocated once it has grown. One per thread.
-/// Where memory runs out while it grows, plan() throws std::bad_alloc; it can be used again.
+/// Scratch memory of a Planner; reuse it and nothing is allocated once it has grown. One per
+/// thread. Where memory runs out while it grows, plan() throws std::bad_alloc; it can be used
+/// again.
 class AVO_API PlanWorkspace {
  public:
   PlanWorkspace();
@@ -147,16 +143,9 @@ class AVO_API PlanWorkspace {
   /// as it is needed. Throws std::bad_alloc.
   void reserve(std::size_t neighbors, std::size_t braking_steps);
 
-  std::vector<NeighborPlane> planes;         ///< of the last Planner::collect_half_planes
-  bool overlapping = false;                  ///< by it, a neighbor is in contact already
-  std::vector<CertificateWall> certificate;  ///< of the last Planner::collect_certificate
+  struct AVO_LOCAL Scratch;
 
  private:
-  friend class Planner;
-  friend void reserve_together(std::size_t, std::size_t, std::size_t, std::size_t, std::size_t,
-                               std::size_t, PlanWorkspace&);
-  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&, StageClock&);
-  struct AVO_LOCAL Scratch;
   std::unique_ptr<Scratch> scratch_;
 };
 
@@ -168,17 +157,16 @@ class AVO_API Planner {
   /// Throws Error on options out of range.
   explicit Planner(const PlannerOptions& options);
 
-  /// Reciprocal collision avoidance (§IV-D): neighbors with max_acceleration > 0 are taken to
-  /// decide likewise, at the same times. Neighbors may come in any order, which changes no bit but
-  /// where two are equally far away; those that come nearest first need not be sorted.
+  /// Reciprocal collision avoidance (§IV-D): neighbors that decide are taken to do so likewise, at
+  /// the same times. Neighbors may come in any order, which changes no bit but where two are
+  /// equally far away; those that come nearest first need not be sorted.
   /// A robot among movers none of which decides plans as in plan_among_obstacles, and so does any
   /// of method velocity_obstacle.
+  /// detour: what the robot remembers, kept by the caller from decision to decision; updated, or
+  /// unchanged where this throws. Without one it decides as for the first time. One that is not
+  /// finite, or out of range, counts as none.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                          PlanWorkspace& workspace) const;
-  /// The same by a robot that remembers its detour; it is updated, or unchanged where this throws.
-  /// A detour that is not finite, or out of range, counts as none. Pure as well.
-  [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                          PlanWorkspace& workspace, Detour& detour) const;
+                          PlanWorkspace& workspace, Detour* detour = nullptr) const;
 
   /// One robot among movers that do not react (§III-C, Eqs. 13-14): v' outside the union of their
   /// obstacles, B's new velocity being v_B + δ a_B with the acceleration that the neighbor gives.
@@ -187,14 +175,13 @@ class AVO_API Planner {
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 
-  /// The half-planes of plan() that cut into what the robot may choose, into workspace.planes; none
-  /// where plan() says invalid_input.
+  /// The half-planes of plan(); none where plan() says invalid_input.
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
-                           PlanWorkspace& workspace) const;
+                           PlanWorkspace& workspace, HalfPlanes& half_planes) const;
 
-  /// The walls of the certificate that can refuse anything, into workspace.certificate.
+  /// The walls of the certificate that can refuse anything.
   void collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
-                           PlanWorkspace& workspace) const;
+                           PlanWorkspace& workspace, std::vector<CertificateWall>& walls) const;
 
   /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
   /// radius).
@@ -208,21 +195,12 @@ class AVO_API Planner {
   /// Lag of one step, s: a step from v to v_1 moves by s v + (Δt - s) v_1.
   [[nodiscard]] double step_lag() const;
   [[nodiscard]] const PlannerOptions& options() const { return options_; }
+  /// The tables of (δ, τ) for half_plane().
+  [[nodiscard]] const Horizon& horizon() const { return *horizon_; }
 
  private:
-  friend void plan_together(const Planner&, std::span<const Deciding>, PlanWorkspace&, StageClock&);
-  AVO_LOCAL Plan choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-                        const Wished& wished, PlanWorkspace& workspace, Detour& detour) const;
-  AVO_LOCAL Plan certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
-                         double violation, bool overlapping, PlanWorkspace& workspace) const;
-  AVO_LOCAL Plan finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
-                        double violation) const;
-  AVO_LOCAL Plan step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
-                         double violation) const;
-  AVO_LOCAL Plan brake(const Robot& robot, PlanStatus status, double violation) const;
-
   PlannerOptions options_;
-  std::shared_ptr<const Horizon> horizon_;  // tables of (δ, τ)
+  std::shared_ptr<const Horizon> horizon_;
 };
 
 }  // namespace avo

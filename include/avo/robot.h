@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a robot knows of itself and senses of the others (paper §IV-D). SI units.
 #pragma once
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -35,14 +36,20 @@ struct Robot {
   std::optional<CarSetup> car = {};
 };
 
-/// Another robot B as A senses it, or a moving obstacle that does not decide.
+/// What A counts on from another one.
+enum class Behavior : std::uint8_t {
+  decides,   ///< calls plan() at the same times: does its share, and can brake
+  moves_on,  ///< reacts to nobody and keeps its acceleration: A does all
+};
+
+/// Another robot B as A senses it, or a moving obstacle.
 struct Neighbor {
   Vec2 position = {};             ///< [p_B] m
   Vec2 velocity = {};             ///< [v_B] m/s
   double radius = 0.5;            ///< [r_B] m, > 0
-  double max_acceleration = 1.0;  ///< [a_B^max] m/s^2; 0: B does not decide, A's share is 1
-  /// [a_B] m/s^2, observed, and taken to be kept; read only if max_acceleration is 0.
-  Vec2 acceleration = {};
+  double max_acceleration = 1.0;  ///< [a_B^max] m/s^2, > 0; read only where B decides
+  Vec2 acceleration = {};         ///< [a_B] m/s^2, observed; read only where B moves on
+  Behavior behavior = Behavior::decides;
 };
 
 }  // namespace avo

@@ -20,7 +20,7 @@ double error_at(const StepLaw& law, double time) {
 // What is seen to accelerate moves on a parabola. Where A's motion is exponential, a path of A's
 // kind between the same ends, leaving with the same velocity, is less than a Δt²/8 away from it.
 double parabola_error(const Neighbor& neighbor, const StepLaw& law) {
-  if (neighbor.max_acceleration > 0.0 || law.lag == 0.5 * law.time_step) return 0.0;
+  if (neighbor.behavior == Behavior::decides || law.lag == 0.5 * law.time_step) return 0.0;
   return 0.125 * law.time_step * law.time_step * norm(neighbor.acceleration);
 }
 
@@ -120,7 +120,7 @@ void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPai
   }
   for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
     const Neighbor mover = neighbors[k];
-    if (mover.max_acceleration > 0.0) continue;
+    if (mover.behavior == Behavior::decides) continue;
     const BrakingPair pair = braking_pair(robot, mover, a, law);
     if (cannot_meet(pair, mover, law)) continue;
     if (norm(pair.p) < pair.contact + law.sensing_error.position) invariant.touched = true;

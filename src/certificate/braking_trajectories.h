@@ -44,7 +44,7 @@ struct TrajectoryWalls {
 TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
 
 /// Collects the walls that can refuse a candidate of robot i of those that were looked at, with
-/// |v_1 - v| <= u. Neighbors that do not decide, of max_acceleration 0, are taken to keep their
+/// |v_1 - v| <= u. Neighbors that do not decide are taken to keep their
 /// acceleration, A's share is 1, and only the time counts in which A moves.
 void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
                    std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);

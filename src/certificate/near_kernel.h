@@ -136,7 +136,7 @@ AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, c
                                 load(columns.radius),
                                 load(columns.max_acceleration)};
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
-    const auto decides = of.max_acceleration > zero;
+    const auto decides = load(columns.decides) > zero;
     movers = movers | (counted & !decides);
     if (whom == Whom::movers) continue;
     const auto near = counted & decides & !are_far(bound, a_max, p - of.position, of);

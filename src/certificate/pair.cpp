@@ -41,7 +41,7 @@ Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
 
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
-  if (neighbor.max_acceleration > 0.0) {
+  if (neighbor.behavior == Behavior::decides) {
     const scalar::PackSelf<Real> self{pack(robot.position), pack(robot.velocity), robot.radius,
                                       robot.max_acceleration, pack(a)};
     const auto found = scalar::pair_of<Real>(self,

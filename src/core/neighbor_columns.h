@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What robots sense of others, in columns.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ struct NeighborColumns {
   bool has_movers = false;                       // some do not decide
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
+  std::vector<double> decides;                   // 1 or 0; 1 unless add() was told otherwise
   std::vector<Vec2> acceleration;                // m/s², of those that do not decide
 
   /// Room for so many.
@@ -25,24 +27,28 @@ struct NeighborColumns {
     // the last to grow: where memory runs out, some others may have grown already
     if (acceleration.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
   }
-  void add(const Neighbor& of) {
-    x[count] = of.position.x, y[count] = of.position.y;
-    v_x[count] = of.velocity.x, v_y[count] = of.velocity.y;
-    radius[count] = of.radius, max_acceleration[count] = of.max_acceleration;
-    acceleration[count++] = of.acceleration;
-    has_movers = has_movers || !(of.max_acceleration > 0.0);
+  void add(const Neighbor& neighbor) {
+    x[count] = neighbor.position.x, y[count] = neighbor.position.y;
+    v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;
+    radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
+    const bool moves_on = neighbor.behavior == Behavior::moves_on;
+    decides[count] = moves_on ? 0.0 : 1.0;
+    acceleration[count++] = neighbor.acceleration;
+    has_movers = has_movers || moves_on;
   }
   void clear() {
+    if (has_movers) std::fill(decides.begin(), decides.end(), 1.0);
     count = 0;
     has_movers = false;
   }
   Neighbor operator[](std::size_t i) const {
-    const bool decides = max_acceleration[i] > 0.0;
-    return {{x[i], y[i]},
-            {v_x[i], v_y[i]},
-            radius[i],
-            max_acceleration[i],
-            decides ? Vec2{} : acceleration[i]};
+    const bool moves_on = decides[i] == 0.0;
+    return {.position = {x[i], y[i]},
+            .velocity = {v_x[i], v_y[i]},
+            .radius = radius[i],
+            .max_acceleration = max_acceleration[i],
+            .acceleration = moves_on ? acceleration[i] : Vec2{},
+            .behavior = moves_on ? Behavior::moves_on : Behavior::decides};
   }
 
  private:

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Method avo: the paper's program says where to (soft), the certificate what may be done (hard),
 // and the rules for arriving which way to wish for.
+#include "planner/certify.h"
+
 #include <algorithm>
 
 #include "core/ranges.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
-#include "planner/decision.h"
 #include "planner/scratch.h"
 
 namespace avo {
@@ -94,52 +95,45 @@ PlanStatus status_of(Chosen chosen, double violation, const Invariant& invariant
 
 }  // namespace
 
-Plan Planner::choose(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-                     const Wished& wished, PlanWorkspace& workspace, Detour& detour) const {
+Plan plan_to(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity, PlanStatus status,
+             double violation) {
+  Plan plan = plan_to(robot, next_velocity, law.step);
+  plan.status = status;
+  plan.violation = violation;
+  return plan;
+}
+
+Plan certify(const Planner& planner, const CertificateLaw& law, const Sensing& sensing,
+             std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour) {
   const Robot& robot = *sensing.robot;
-  CertifiedWorkspace& certified = workspace.scratch_->certified;
-  const Decision decision{robot, law, acceleration_disc(robot), wished.half_planes, certified};
+  const Decision decision{robot, law, planner.acceleration_disc(robot), wished.half_planes,
+                          certified};
   collect_walls(sensing, i, law, certified.walls);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
   const double violation = wished.violation();
-  return step_to(robot, choice.next_velocity,
+  return plan_to(law, robot, choice.next_velocity,
                  status_of(choice.chosen, violation, certified.walls.invariant, wished.overlapping),
                  violation);
 }
 
-Plan Planner::certify(const Robot& robot, std::span<const Neighbor> neighbors, Vec2 target,
-                      double violation, bool overlapping, PlanWorkspace& workspace) const {
-  CertifiedWorkspace& certified = workspace.scratch_->certified;
-  const CertificateLaw law = certificate_law(*this);
-  // none of them decides, whatever it could do
-  std::vector<Neighbor>& movers = workspace.scratch_->movers;
+Plan certify_among_movers(const Planner& planner, const Robot& robot,
+                          std::span<const Neighbor> neighbors, const PassiveChoice& target,
+                          bool overlapping, PlanWorkspace::Scratch& scratch) {
+  CertifiedWorkspace& certified = scratch.certified;
+  const CertificateLaw law = certificate_law(planner);
+  std::vector<Neighbor>& movers = scratch.movers;
   movers.assign(neighbors.begin(), neighbors.end());
   for (Neighbor& mover : movers) {
-    if (mover.max_acceleration > 0.0) mover.acceleration = {};
-    mover.max_acceleration = 0.0;
+    if (mover.behavior == Behavior::decides) mover.acceleration = {};
+    mover.behavior = Behavior::moves_on;
   }
   collect_walls(robot, movers, law, certified.walls);
-  const Vec2 wanted =
-      approach(robot.velocity, target, braking_decrement(robot.max_acceleration, law.step));
+  const Vec2 wanted = approach(robot.velocity, target.velocity,
+                               braking_decrement(robot.max_acceleration, law.step));
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  return step_to(robot, choice.next_velocity,
-                 status_of(choice.chosen, violation, certified.walls.invariant, overlapping),
-                 violation);
-}
-
-void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
-                                  PlanWorkspace& workspace) const {
-  CertificateWalls& walls = workspace.scratch_->certified.walls;
-  collect_walls(robot, neighbors, certificate_law(*this), walls);
-  list_walls(walls, robot.position, workspace.certificate);
-}
-
-Plan Planner::step_to(const Robot& robot, Vec2 next_velocity, PlanStatus status,
-                      double violation) const {
-  Plan plan = plan_to(robot, next_velocity, certificate_law(*this).step);
-  plan.status = status;
-  plan.violation = violation;
-  return plan;
+  return plan_to(law, robot, choice.next_velocity,
+                 status_of(choice.chosen, target.violation, certified.walls.invariant, overlapping),
+                 target.violation);
 }
 
 }  // namespace avo

@@ -40,7 +40,7 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
                                 ? planned_with(options, neighbors.size())
                                 : neighbors.size();
   for (std::size_t k = 0; k < count; ++k) {
-    if (neighbors[k].max_acceleration > 0.0) return false;
+    if (neighbors[k].behavior == Behavior::decides) return false;
   }
   return count > 0;
 }
@@ -67,11 +67,23 @@ inline PlanStatus status_of(bool overlapping, double violation) {
   return violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
 }
 
+// The parts of a plan below leave next_velocity to whoever moves the robot.
+
 // Here to be inlined: passing a vector by value costs more than the division.
-inline Plan Planner::finish(const Robot& robot, Vec2 new_velocity, PlanStatus status,
-                            double violation) const {
-  const double time = adopts_at_once(options_.method) ? options_.time_step : options_.control_time;
-  return {new_velocity, (new_velocity - robot.velocity) / time, status, violation};
+inline Plan plan_of(const PlannerOptions& options, const Robot& robot, Vec2 new_velocity,
+                    PlanStatus status, double violation) {
+  const double time = adopts_at_once(options.method) ? options.time_step : options.control_time;
+  return {.new_velocity = new_velocity,
+          .acceleration = (new_velocity - robot.velocity) / time,
+          .status = status,
+          .violation = violation};
 }
+
+/// Full braking; where the robot cannot even know how to, nothing but invalid_input.
+Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
+
+/// Planner::plan_among_obstacles().
+Plan choose_among_obstacles(const Planner& planner, const Robot& robot,
+                            std::span<const Neighbor> obstacles, PlanWorkspace::Scratch& scratch);
 
 }  // namespace avo

@@ -17,8 +17,8 @@ inline double distance_squared(const Robot& robot, const Neighbor& neighbor) {
 }
 
 // The canonical order of neighbors, ties as they are given, into scratch.order.
-template <typename Scratch>
-void rank(const Robot& robot, std::span<const Neighbor> neighbors, Scratch& scratch) {
+inline void rank(const Robot& robot, std::span<const Neighbor> neighbors,
+                 PlanWorkspace::Scratch& scratch) {
   scratch.order.resize(neighbors.size());
   std::iota(scratch.order.begin(), scratch.order.end(), 0U);
   const auto key = [&](std::uint32_t k) {
@@ -29,9 +29,9 @@ void rank(const Robot& robot, std::span<const Neighbor> neighbors, Scratch& scra
 }
 
 // The neighbors in their canonical order: sorted, into scratch memory, only where they have to be.
-template <typename Scratch>
-std::span<const Neighbor> nearest_first(const Robot& robot, std::span<const Neighbor> neighbors,
-                                        Scratch& scratch) {
+inline std::span<const Neighbor> nearest_first(const Robot& robot,
+                                               std::span<const Neighbor> neighbors,
+                                               PlanWorkspace::Scratch& scratch) {
   const auto nearer = [&](const Neighbor& a, const Neighbor& b) {
     return distance_squared(robot, a) < distance_squared(robot, b);
   };
@@ -43,9 +43,10 @@ std::span<const Neighbor> nearest_first(const Robot& robot, std::span<const Neig
 }
 
 // Which of the neighbors get a half-plane, in the order in which they are given.
-template <typename Scratch>
-std::span<const std::uint32_t> list_nearest(const PlannerOptions& options, const Robot& robot,
-                                            std::span<const Neighbor> neighbors, Scratch& scratch) {
+inline std::span<const std::uint32_t> list_nearest(const PlannerOptions& options,
+                                                   const Robot& robot,
+                                                   std::span<const Neighbor> neighbors,
+                                                   PlanWorkspace::Scratch& scratch) {
   rank(robot, neighbors, scratch);
   scratch.order.resize(planned_with(options, neighbors.size()));
   std::sort(scratch.order.begin(), scratch.order.end());

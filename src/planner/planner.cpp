@@ -15,12 +15,13 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/braking.h"
-#include "planner/decision.h"
+#include "planner/certify.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
 #include "planner/passive_obstacles.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
+#include "robots/motion.h"
 
 namespace avo {
 namespace {
@@ -45,13 +46,16 @@ bool can_brake(const Robot& robot) {
   return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed)) != 0;
 }
 
+bool can_drive(const CarSetup& car) {
+  return (is_known(car.heading) & is_size(car.wheelbase)) != 0;
+}
+
 }  // namespace
 
 bool is_valid(const Robot& robot) {
   const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
   const int lengths = is_size(robot.radius) & static_cast<int>(robot.distance_to_goal >= 0.0);
-  return can_brake(robot) && (places & lengths) != 0 &&
-         (!robot.car || (is_known(robot.car->heading) & is_size(robot.car->wheelbase)) != 0);
+  return can_brake(robot) && (places & lengths) != 0 && (!robot.car || can_drive(*robot.car));
 }
 
 bool follows_heading(const Robot& robot) {
@@ -62,9 +66,10 @@ bool follows_heading(const Robot& robot) {
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  const auto [p, v, r, a_max, a] = neighbor;
-  const int decides = static_cast<int>(a_max >= 0.0) & static_cast<int>(a_max <= kLargest);
-  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & decides) != 0;
+  const auto& [p, v, r, a_max, a, behavior] = neighbor;
+  const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
+  const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest);
+  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able)) != 0;
 }
 
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
@@ -120,8 +125,6 @@ void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t b
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
-  planes.reserve(neighbors);
-  certificate.reserve(std::min(neighbors * braking_steps, kMostWalls));
   Scratch& scratch = *scratch_;
   scratch.reserve_choice(neighbors, braking_steps);
   scratch.order.reserve(neighbors);
@@ -162,18 +165,18 @@ double Planner::step_lag() const {
 }
 
 void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
-                                  PlanWorkspace& workspace) const {
-  workspace.planes.clear();
-  workspace.overlapping = false;
+                                  PlanWorkspace& workspace, HalfPlanes& half_planes) const {
+  half_planes.planes.clear();
+  half_planes.overlapping = false;
   if (!all_valid(robot, neighbors)) return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
-  for (const std::uint32_t k : list_nearest(options_, robot, neighbors, scratch)) {
+  for (const std::uint32_t k :
+       list_nearest(options_, robot, neighbors, PlanWorkspace::Scratch::of(workspace))) {
     const Neighbor& neighbor = neighbors[k];
     const RelativeHalfPlane relative = relative_half_plane(options_, *horizon_, robot, neighbor);
     if (relative.state == PairState::free) continue;
     if (relative.state == PairState::overlapping || relative.state == PairState::coincident) {
-      workspace.overlapping = true;
+      half_planes.overlapping = true;
     }
     if (relative.state == PairState::coincident) continue;
 
@@ -181,78 +184,106 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
     if (own.excess <= 0.0 && lens_support_min(own.plane.normal, allowed) >= own.plane.offset) {
       continue;
     }
-    workspace.planes.push_back(own);
+    half_planes.planes.push_back(own);
   }
 }
 
-Plan Planner::brake(const Robot& robot, PlanStatus status, double violation) const {
-  if (!can_brake(robot)) return {{}, {}, PlanStatus::invalid_input, 0.0};
-  if (adopts_at_once(options_.method)) return finish(robot, {}, status, violation);
-  if (options_.method == Method::avo) {
-    return step_to(robot, backup_velocity(robot, certificate_law(*this)), status, violation);
-  }
-  return finish(robot, braking_velocity(robot, options_.control_time, step_rate()), status,
-                violation);
+void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
+                                  PlanWorkspace& workspace,
+                                  std::vector<CertificateWall>& walls) const {
+  CertificateWalls& own = PlanWorkspace::Scratch::of(workspace).certified.walls;
+  collect_walls(robot, neighbors, certificate_law(*this), own);
+  list_walls(own, robot.position, walls);
 }
 
-Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace) const {
-  Detour detour;
-  return plan(robot, neighbors, workspace, detour);
+Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
+  if (!can_brake(robot)) return {.status = PlanStatus::invalid_input};
+  const PlannerOptions& options = planner.options();
+  if (adopts_at_once(options.method)) return plan_of(options, robot, {}, status, violation);
+  if (options.method == Method::avo) {
+    const CertificateLaw law = certificate_law(planner);
+    return plan_to(law, robot, backup_velocity(robot, law), status, violation);
+  }
+  return plan_of(options, robot, braking_velocity(robot, options.control_time, planner.step_rate()),
+                 status, violation);
 }
 
-Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace, Detour& detour) const {
-  Detour next = is_sound(detour) ? detour : Detour{};
-  if (!all_valid(robot, neighbors) || !follows_heading(robot)) {
-    detour = next;
-    return brake(robot, PlanStatus::invalid_input, 0.0);
+Plan choose_among_obstacles(const Planner& planner, const Robot& robot,
+                            std::span<const Neighbor> given, PlanWorkspace::Scratch& scratch) {
+  const PlannerOptions& options = planner.options();
+  if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, options)) {
+    return brake(planner, robot, PlanStatus::invalid_input, 0.0);
   }
-  Plan plan;
-  StageClock clock;
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
-  const Neighbors seen = in_columns(nearest_first(robot, neighbors, scratch), scratch.seen);
-  const Deciding alone{{&robot, seen, true}, &next, &plan};
-  plan_together(*this, {&alone, 1}, workspace, clock);
-  detour = next;
-  return plan;
-}
-
-Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> given,
-                                   PlanWorkspace& workspace) const {
-  if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, options_)) {
-    return brake(robot, PlanStatus::invalid_input, 0.0);
-  }
-  const std::span<const Neighbor> obstacles = nearest_first(robot, given, *workspace.scratch_);
-  const Response response = adopts_at_once(options_.method)
+  const std::span<const Neighbor> obstacles = nearest_first(robot, given, scratch);
+  const Response response = adopts_at_once(options.method)
                                 ? Response::velocity()
-                                : Response::proportional(options_.control_time);
+                                : Response::proportional(options.control_time);
   bool overlapping = false;
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
   scratch.obstacles.clear();
   for (const Neighbor& each : obstacles) {
     const Pair pair = relative(robot, each);
     overlapping = overlapping || norm(pair.position) < pair.radius;
-    const Vec2 v_new_B =
-        each.velocity +
-        (response.control_time() * (each.max_acceleration > 0.0 ? 0.0 : 1.0)) * each.acceleration;
+    const double kept = each.behavior == Behavior::decides ? 0.0 : 1.0;
+    const Vec2 v_new_B = each.velocity + (response.control_time() * kept) * each.acceleration;
     scratch.obstacles.push_back(
-        {{pair, response, options_.time_horizon}, v_new_B, options_.time_step});
+        {{pair, response, options.time_horizon}, v_new_B, options.time_step});
   }
   // Eq. (14)
   const PassiveChoice choice =
-      choose_among_obstacles(scratch.obstacles, acceleration_disc(robot), speed_disc(robot),
-                             robot.preferred_velocity, scratch.passive);
+      choose_among_obstacles(scratch.obstacles, planner.acceleration_disc(robot),
+                             planner.speed_disc(robot), robot.preferred_velocity, scratch.passive);
   if (choice.state == PassiveState::discs_disjoint) {
-    return brake(robot, PlanStatus::braking, choice.violation);
+    return brake(planner, robot, PlanStatus::braking, choice.violation);
   }
-  if (options_.method == Method::avo) {
-    return certify(robot, obstacles, choice.velocity, choice.violation, overlapping, workspace);
+  if (options.method == Method::avo) {
+    return certify_among_movers(planner, robot, obstacles, choice, overlapping, scratch);
   }
   const PlanStatus status = overlapping                          ? PlanStatus::overlapping
                             : choice.state == PassiveState::free ? PlanStatus::optimal
                                                                  : PlanStatus::least_unsafe;
-  return finish(robot, choice.velocity, status, choice.violation);
+  return plan_of(options, robot, choice.velocity, status, choice.violation);
+}
+
+namespace {
+
+// Moved as a simulation moves it.
+Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
+  if (!can_brake(robot)) return plan;
+  if (robot.car && can_drive(*robot.car)) {
+    const MotionState state{{}, robot.velocity, robot.car->heading};
+    const CarLimits limits{robot.car->wheelbase, robot.max_acceleration, robot.max_speed};
+    plan.next_velocity =
+        advance_car(state, plan, limits, planner.options().time_step).next.velocity;
+  } else {
+    plan.next_velocity = advance({{}, robot.velocity}, plan, step_response(planner)).next.velocity;
+  }
+  return plan;
+}
+
+}  // namespace
+
+Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
+                   PlanWorkspace& workspace, Detour* detour) const {
+  Detour next = detour != nullptr && is_sound(*detour) ? *detour : Detour{};
+  Plan plan;
+  if (all_valid(robot, neighbors) && follows_heading(robot)) {
+    StageClock clock;
+    PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+    const Neighbors seen = in_columns(nearest_first(robot, neighbors, scratch), scratch.seen);
+    const Deciding alone{{&robot, seen, true}, &next, &plan};
+    plan_together(*this, {&alone, 1}, scratch, clock);
+  } else {
+    plan = brake(*this, robot, PlanStatus::invalid_input, 0.0);
+  }
+  if (detour != nullptr) *detour = next;
+  return with_next_velocity(*this, robot, plan);
+}
+
+Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
+                                   PlanWorkspace& workspace) const {
+  return with_next_velocity(
+      *this, robot,
+      choose_among_obstacles(*this, robot, obstacles, PlanWorkspace::Scratch::of(workspace)));
 }
 
 }  // namespace avo

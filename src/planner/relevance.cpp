@@ -7,7 +7,7 @@
 
 #include "certificate/pair.h"
 #include "planner/arrival.h"
-#include "planner/scratch.h"
+#include "planner/certify.h"
 
 namespace avo {
 namespace {

@@ -15,10 +15,9 @@
 
 namespace avo {
 
-/// What the planner's robots have agreed on.
-CertificateLaw certificate_law(const Planner& planner);
-
 struct PlanWorkspace::Scratch {
+  static Scratch& of(PlanWorkspace& workspace) { return *workspace.scratch_; }
+
   std::vector<Deciding> deciding;  // of which these are stages
   std::vector<Sensing> sensing;
   SoftPlanes soft;

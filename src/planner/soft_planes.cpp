@@ -31,16 +31,16 @@ std::size_t list_owners(const PlannerOptions& options, std::span<const Sensing> 
   return end;
 }
 
-// What those that do not decide add to a pair, and by how much it can raise the offset.
-void add_movers(const PlannerOptions& options, const NeighborColumns& neighbors, PairColumns& pairs,
-                std::vector<PairOwner>& owners) {
+// What those that do not decide make of a pair, and by how much it can raise the offset.
+void add_movers(const PlannerOptions& options, const NeighborColumns& neighbors, SoftPlanes& soft) {
   std::size_t i = 0;
-  for (PairOwner& own : owners) {
+  for (PairOwner& own : soft.owners) {
     for (std::size_t k = own.neighbor; i < own.end; ++i, ++k) {
-      if (neighbors.max_acceleration[k] > 0.0) continue;
+      if (neighbors.decides[k] != 0.0) continue;
       const double acceleration = norm(neighbors.acceleration[k]);
-      pairs.reach[i] = options.control_time * (own.max_acceleration + acceleration);
+      soft.pairs.reach[i] = options.control_time * (own.max_acceleration + acceleration);
       own.raise = std::max(own.raise, options.control_time * acceleration);
+      soft.share[i] = 1.0;
     }
   }
 }
@@ -61,7 +61,7 @@ void mark_overlaps(SoftPlanes& soft) {
 
 // w = v'_A - v_A - δ a_B (§III-B: v'_B = v_B + δ a_B)
 double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec2 normal) {
-  return neighbor.max_acceleration > 0.0
+  return neighbor.behavior == Behavior::decides
              ? 0.0
              : options.control_time * dot(normal, neighbor.acceleration);
 }
@@ -113,7 +113,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon,
   const NeighborColumns& neighbors = *robots[0].neighbors.columns;
   reserve(list_owners(options, robots, soft), soft);
   relate(soft.owners, neighbors, options.control_time, soft.pairs, soft.share);
-  if (neighbors.has_movers) add_movers(options, neighbors, soft.pairs, soft.owners);
+  if (neighbors.has_movers) add_movers(options, neighbors, soft);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
   share_out(soft.owners, soft.share, soft.relative, soft.shared);
   mark_overlaps(soft);
@@ -159,9 +159,9 @@ Pair relative(const Robot& robot, const Neighbor& neighbor) {
 }
 
 double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
-  double acceleration = robot.max_acceleration + neighbor.max_acceleration;
-  if (!(neighbor.max_acceleration > 0.0)) acceleration += norm(neighbor.acceleration);
-  return options.control_time * acceleration;
+  const double other = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration
+                                                              : norm(neighbor.acceleration);
+  return options.control_time * (robot.max_acceleration + other);
 }
 
 RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
@@ -177,7 +177,9 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
 
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative) {
-  const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration);
+  const double alpha = neighbor.behavior == Behavior::decides
+                           ? reciprocal_share(robot.max_acceleration, neighbor.max_acceleration)
+                           : 1.0;
   HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
   if (!adopts_at_once(options.method)) {
     plane.offset += mover_offset(options, neighbor, plane.normal);

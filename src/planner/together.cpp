@@ -7,7 +7,7 @@
 #include "lp/linear_program.h"
 #include "lp/programs.h"
 #include "planner/arrival.h"
-#include "planner/decision.h"
+#include "planner/certify.h"
 #include "planner/scratch.h"
 
 namespace avo {
@@ -57,8 +57,8 @@ void solve_in_lanes(const Planner& planner, std::span<const Sensing> robots, con
 }
 
 // Eq. (23) of each.
-template <typename Scratch>
-void solve_programs(const Planner& planner, const SoftPlanes& soft, Scratch& scratch) {
+void solve_programs(const Planner& planner, const SoftPlanes& soft,
+                    PlanWorkspace::Scratch& scratch) {
   std::vector<ProgramResult>& results = scratch.results;
   results.clear();
   if (scratch.sensing.size() > 1) {
@@ -72,8 +72,7 @@ void solve_programs(const Planner& planner, const SoftPlanes& soft, Scratch& scr
 }
 
 // What each robot wishes for, in columns as well where it is of method avo.
-template <typename Scratch>
-void make_wishes(const PlannerOptions& options, Scratch& scratch) {
+void make_wishes(const PlannerOptions& options, PlanWorkspace::Scratch& scratch) {
   scratch.wishes.clear();
   if (options.method != Method::avo) {
     for (const Sensing& each : scratch.sensing) {
@@ -108,8 +107,8 @@ bool is_unhindered(const CertificateLaw& law, const Sensing& sensing, const Deto
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
-template <typename Scratch, typename Choose>
-void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
+void decide(const Planner& planner, PlanWorkspace::Scratch& scratch) {
+  const CertificateLaw law = certificate_law(planner);
   find_near(scratch.sensing, law, scratch.certified.walls);
   RobotColumns& columns = scratch.columns;
   for (std::size_t i = 0; i < columns.count; ++i) {
@@ -129,7 +128,7 @@ void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
                         soft.overlapping[i] != 0};
     if (columns.is_free[i] == 0.0 ||
         !is_unhindered(law, each.sensing, *each.detour, scratch.certified.walls.near, i)) {
-      *each.plan = choose(i, wished);
+      *each.plan = certify(planner, law, each.sensing, i, wished, scratch.certified, *each.detour);
       continue;
     }
     Plan& plan = *each.plan;
@@ -143,8 +142,7 @@ void decide(const CertificateLaw& law, Scratch& scratch, Choose choose) {
 }  // namespace
 
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                   PlanWorkspace& workspace, StageClock& clock) {
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+                   PlanWorkspace::Scratch& scratch, StageClock& clock) {
   const PlannerOptions& options = planner.options();
 
   scratch.sensing.clear();
@@ -153,23 +151,22 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
     const auto& [robot, neighbors, trusted] = each.sensing;
     const bool valid = trusted ? is_valid(*robot) : all_valid(*robot, neighbors);
     if (!valid || !can_follow(*robot, options)) {
-      *each.plan = planner.brake(*robot, PlanStatus::invalid_input, 0.0);
+      *each.plan = brake(planner, *robot, PlanStatus::invalid_input, 0.0);
       continue;
     }
     if ((neighbors.columns->has_movers || options.method == Method::velocity_obstacle) &&
         is_among_movers(options, neighbors)) {
       list(neighbors, scratch.listed);
-      *each.plan = planner.plan_among_obstacles(*robot, scratch.listed, workspace);
+      *each.plan = choose_among_obstacles(planner, *robot, scratch.listed, scratch);
       *each.detour = {};
       continue;
     }
     scratch.sensing.push_back(each.sensing);
     scratch.deciding.push_back(each);
   }
-  collect_soft_planes(options, *planner.horizon_, scratch.sensing, scratch.soft);
+  collect_soft_planes(options, planner.horizon(), scratch.sensing, scratch.soft);
   clock.lap(Stage::half_planes);
 
-  const CertificateLaw law = certificate_law(planner);
   make_wishes(options, scratch);
   clock.lap(Stage::certificate);
 
@@ -177,10 +174,7 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
   clock.lap(Stage::program);
 
   if (options.method == Method::avo) {
-    decide(law, scratch, [&](std::size_t i, const Wished& wished) {
-      const Deciding& each = scratch.deciding[i];
-      return planner.choose(each.sensing, i, law, wished, workspace, *each.detour);
-    });
+    decide(planner, scratch);
     return clock.lap(Stage::certificate);
   }
   for (std::size_t i = 0; i < scratch.deciding.size(); ++i) {
@@ -188,12 +182,12 @@ void plan_together(const Planner& planner, std::span<const Deciding> robots,
     const ProgramResult& result = scratch.results[i];
     Plan& plan = *scratch.deciding[i].plan;
     if (result.state == ProgramState::discs_disjoint) {
-      plan = planner.brake(robot, PlanStatus::braking, result.violation);
+      plan = brake(planner, robot, PlanStatus::braking, result.violation);
       continue;
     }
     const double worst = worst_violation(scratch.soft, i, result);
     const PlanStatus status = status_of(scratch.soft.overlapping[i] != 0, worst);
-    plan = planner.finish(robot, result.point, status, worst);
+    plan = plan_of(options, robot, result.point, status, worst);
   }
   clock.lap(Stage::certificate);
 }
@@ -204,8 +198,7 @@ constexpr std::size_t kMostNear = 2048;  // pairs; of more, memory grows when it
 
 void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,
                       std::size_t neighbors_each, std::size_t neighbors, std::size_t braking_steps,
-                      PlanWorkspace& workspace) {
-  PlanWorkspace::Scratch& scratch = *workspace.scratch_;
+                      PlanWorkspace::Scratch& scratch) {
   scratch.reserve_choice(neighbors_each, braking_steps);
   scratch.certified.walls.near.reserve(robots, std::min(neighbors, kMostNear));
   scratch.deciding.reserve(robots);

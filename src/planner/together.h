@@ -13,17 +13,17 @@ namespace avo {
 struct Deciding {
   Sensing sensing;
   Detour* detour = nullptr;  ///< what it remembers; updated
-  Plan* plan = nullptr;      ///< filled
+  Plan* plan = nullptr;      ///< filled, but for next_velocity: that is told by moving the robot
 };
 
 /// Planner::plan() of each. Not for method velocity_obstacle.
 void plan_together(const Planner& planner, std::span<const Deciding> robots,
-                   PlanWorkspace& workspace, StageClock& clock);
+                   PlanWorkspace::Scratch& scratch, StageClock& clock);
 
 /// Room for so many robots with at most so many half-planes each, and in all, among at most so many
 /// neighbors each, and in all, which brake for at most so many steps.
 void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t planes,
                       std::size_t neighbors_each, std::size_t neighbors, std::size_t braking_steps,
-                      PlanWorkspace& workspace);
+                      PlanWorkspace::Scratch& scratch);
 
 }  // namespace avo

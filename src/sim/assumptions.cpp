@@ -89,11 +89,18 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   double margin = 0.0;
   if (b.source >= 0) {
     const RobotSetup& other = scenario.robots[static_cast<std::size_t>(b.source)];
-    neighbor = {other.position, start_velocity(other), other.radius, other.max_acceleration, {}};
+    neighbor = {.position = other.position,
+                .velocity = start_velocity(other),
+                .radius = other.radius,
+                .max_acceleration = other.max_acceleration};
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
-    neighbor = {other.position, other.velocity, other.radius, 0.0, other.acceleration};
+    neighbor = {.position = other.position,
+                .velocity = other.velocity,
+                .radius = other.radius,
+                .acceleration = other.acceleration,
+                .behavior = Behavior::moves_on};
     margin = prediction_error(other, law);
   }
   const double contact = own.radius + neighbor.radius;

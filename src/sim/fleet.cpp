@@ -98,7 +98,10 @@ RobotSetup Fleet::setup(std::size_t slot) const {
 }
 
 Neighbor Fleet::sensed(std::size_t slot) const {
-  return {position[slot], velocity[slot], traits[slot].radius, traits[slot].max_acceleration, {}};
+  return {.position = position[slot],
+          .velocity = velocity[slot],
+          .radius = traits[slot].radius,
+          .max_acceleration = traits[slot].max_acceleration};
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
@@ -158,7 +161,11 @@ void ObstacleColumns::add(const MovingObstacle& obstacle) {
 }
 
 Neighbor ObstacleColumns::sensed(std::size_t index) const {
-  return {position[index], velocity[index], setup[index].radius, 0.0, setup[index].acceleration};
+  return {.position = position[index],
+          .velocity = velocity[index],
+          .radius = setup[index].radius,
+          .acceleration = setup[index].acceleration,
+          .behavior = Behavior::moves_on};
 }
 
 void ObstacleColumns::advance(double time_step) {

@@ -2,6 +2,7 @@
 // A tile of robots from what they sense to where they are next.
 #include <algorithm>
 
+#include "planner/scratch.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -52,7 +53,7 @@ void move_car(World& world, std::size_t slot) {
       {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]}, fleet.plan[slot],
       {its.wheelbase, its.max_acceleration, its.max_speed}, world.settings.time_step);
   fleet.position[slot] = step.next.position;
-  fleet.velocity[slot] = step.next.velocity;
+  fleet.velocity[slot] = fleet.plan[slot].next_velocity = step.next.velocity;
   fleet.heading[slot] = step.next.heading;
   fleet.applied_acceleration[slot] = step.acceleration;
 }
@@ -73,7 +74,7 @@ void move(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
       fast = world.is_fast(slot) ? fast | its : fast & ~its;
     } else {
       fleet.position[slot] = moving.position(k);
-      fleet.velocity[slot] = moving.velocity(k);
+      fleet.velocity[slot] = fleet.plan[slot].next_velocity = moving.velocity(k);
       fleet.applied_acceleration[slot] = moving.acceleration[k];
     }
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
@@ -87,7 +88,8 @@ void plan_and_move(World& world, std::span<const std::uint32_t> slots, Worker& w
   set_out(world, slots, worker);
   worker.clock.lap(Stage::motion);
   Tile& tile = worker.tile;
-  plan_together(world.planner, tile.deciding, worker.plan, worker.clock);
+  plan_together(world.planner, tile.deciding, PlanWorkspace::Scratch::of(worker.workspace),
+                worker.clock);
   count(world, worker);
   move(world, slots, worker);
   tile.clear();

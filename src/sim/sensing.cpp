@@ -9,7 +9,7 @@
 
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
-#include "planner/scratch.h"
+#include "planner/certify.h"
 #include "sim/assumptions.h"
 
 namespace avo {

@@ -151,11 +151,10 @@ void append_with_obstacles(const World& world, Vec2 position, std::size_t query,
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
       const Sensed& sensed = world.snapshot.sensed[robot->place];
-      to.add({world.snapshot.grid.position(robot->place),
-              sensed.velocity,
-              sensed.radius,
-              sensed.max_acceleration,
-              {}});
+      to.add({.position = world.snapshot.grid.position(robot->place),
+              .velocity = sensed.velocity,
+              .radius = sensed.radius,
+              .max_acceleration = sensed.max_acceleration});
       ++robot;
     } else {
       to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));

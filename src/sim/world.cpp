@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "planner/scratch.h"
+
 namespace avo {
 namespace {
 
@@ -36,7 +38,7 @@ void reserve(const World& world, Worker& worker) {
   worker.tile.reserve(together, sensed);
   const std::size_t each = std::min(seen, world.most_nearest());
   reserve_together(together, each, std::min(together * each, kTileCandidates + each), seen, sensed,
-                   most_braking_steps(world), worker.plan);
+                   most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
 }  // namespace

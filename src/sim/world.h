@@ -24,7 +24,7 @@ inline constexpr std::size_t kTileCandidates = 4096;
 /// What one worker needs to take robots through a step without allocating, and its sums. No two
 /// workers write to one line of the cache.
 struct alignas(128) Worker {
-  PlanWorkspace plan;
+  PlanWorkspace workspace;
   Tile tile;
   MovingColumns moving;
   std::vector<NeighborQuery> queries;

@@ -2,12 +2,12 @@
 // avo bench: what it reports, not how long anything takes.
 #include <cstdlib>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "bench_report.h"
 #include "run_avo.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {

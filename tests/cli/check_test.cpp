@@ -2,11 +2,11 @@
 // avo check: verdicts by exit code, words and JSON; recordings of anyone, good and bad.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
 
 #include "recordings.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {

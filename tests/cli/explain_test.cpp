@@ -2,13 +2,13 @@
 // avo explain: the decision that the simulation takes, and all that it rests on.
 #include <cmath>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "avo/simulation.h"
 #include "avo_io/scene.h"
 #include "run_avo.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {
@@ -57,17 +57,19 @@ TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
   const avo::Simulation simulation = simulated(avo_io::load_scenario("circle-10", {kPaper}), 60);
   const auto perception = simulation.perceive(0);
   avo::PlanWorkspace workspace;
-  simulation.planner().collect_half_planes(perception.robot, perception.neighbors, workspace);
-  ASSERT_GT(workspace.planes.size(), 0U);
-  ASSERT_EQ(json["half_planes"].size(), workspace.planes.size());
+  avo::HalfPlanes half_planes;
+  simulation.planner().collect_half_planes(perception.robot, perception.neighbors, workspace,
+                                           half_planes);
+  ASSERT_GT(half_planes.planes.size(), 0U);
+  ASSERT_EQ(json["half_planes"].size(), half_planes.planes.size());
   ASSERT_EQ(json["status"], "optimal");
   const avo::Vec2 chosen = point(json["new_velocity"]);
-  for (std::size_t k = 0; k < workspace.planes.size(); ++k) {
+  for (std::size_t k = 0; k < half_planes.planes.size(); ++k) {
     const Json& plane = json["half_planes"][k];
-    const auto index = static_cast<std::size_t>(workspace.planes[k].neighbor);
+    const auto index = static_cast<std::size_t>(half_planes.planes[k].neighbor);
     EXPECT_EQ(plane["neighbor"], perception.source[index]);
-    EXPECT_EQ(point(plane["normal"]), workspace.planes[k].plane.normal);
-    EXPECT_EQ(plane["offset"], workspace.planes[k].plane.offset);
+    EXPECT_EQ(point(plane["normal"]), half_planes.planes[k].plane.normal);
+    EXPECT_EQ(plane["offset"], half_planes.planes[k].plane.offset);
     EXPECT_NEAR(norm(point(plane["normal"])), 1.0, 1e-12);
     EXPECT_GE(dot(point(plane["normal"]), chosen), plane["offset"].get<double>() - 1e-9);
   }
@@ -132,13 +134,14 @@ TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
         100);
     const auto seen = simulation.perceive(3);
     avo::PlanWorkspace workspace;
-    simulation.planner().collect_certificate(seen.robot, seen.neighbors, workspace);
-    EXPECT_EQ(workspace.certificate.empty(), std::string(kind) == "none");
+    std::vector<avo::CertificateWall> walls;
+    simulation.planner().collect_certificate(seen.robot, seen.neighbors, workspace, walls);
+    EXPECT_EQ(walls.empty(), std::string(kind) == "none");
     EXPECT_EQ(json["certificate_kind"], kind);
     EXPECT_EQ(json["detour"], seen.detour.angle);
-    ASSERT_EQ(json["certificate"].size(), workspace.certificate.size());
-    for (std::size_t k = 0; k < workspace.certificate.size(); ++k) {
-      const avo::CertificateWall& expected = workspace.certificate[k];
+    ASSERT_EQ(json["certificate"].size(), walls.size());
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      const avo::CertificateWall& expected = walls[k];
       const Json& wall = json["certificate"][k];
       EXPECT_EQ(wall["neighbor"], seen.source[static_cast<std::size_t>(expected.neighbor)]);
       EXPECT_EQ(wall["interval"], expected.interval);

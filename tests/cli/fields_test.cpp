@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 
 #include "avo/error.h"
 #include "avo_io/scene.h"
+#include "support/json.h"
 #include "words.h"
 
 namespace avo_test {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
 #include "run_avo.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {

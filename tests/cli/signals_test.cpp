@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <functional>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <signal.h>
 #include <string>
 #include <sys/stat.h>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "run_avo.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The standard streams: closed, full or without a reader; and what may be shown on a terminal.
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
 #include "recordings.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The other verbs, help and versions.
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "avo/version.h"
 #include "avo_io/scene.h"
 #include "run_avo.h"
+#include "support/json.h"
 
 namespace avo_test {
 namespace {

@@ -5,13 +5,13 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "certificate/certificate.h"
-#include "planner/scratch.h"
+#include "planner/certify.h"
 #include "support/certificates.h"
+#include "support/json.h"
 
 namespace avo {
 namespace {

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "core/elementary.h"
+#include "support/json.h"
 
 namespace avo {
 namespace {

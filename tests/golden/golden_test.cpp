@@ -5,11 +5,11 @@
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "avo/half_plane.h"
 #include "avo/velocity_obstacle.h"
+#include "support/json.h"
 
 namespace avo {
 namespace {

@@ -40,7 +40,7 @@ def response(t, delta):
     if u > 0.5:
         return t - delta * rate, rate
     term, gain, n = 0.5 * u * u, 0.0, 2
-    while abs(term) > 1e-20 * gain:
+    while gain + term != gain:
         gain += term
         n += 1
         term *= -u / n
@@ -60,6 +60,8 @@ def dot(a, b):
 def bisected(is_low, low, high):
     for _ in range(200):
         middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
         low, high = (middle, high) if is_low(middle) else (low, middle)
     return 0.5 * (low + high)
 
@@ -100,10 +102,11 @@ def disc(case):
 def closest_approach(case, samples=4000):
     v_new, tau = case["v_new"], case["tau"]
 
+    p, v, change, delta = case["p"], case["v"], v_new - case["v"], case["delta"]
+
     def closing(t):
-        _, rate = response(t, case["delta"])
-        velocity = case["v"] + rate * (v_new - case["v"])
-        return dot(position(case, v_new, t), velocity) < 0.0
+        gain, rate = response(t, delta)
+        return dot(p + t * v + gain * change, v + rate * change) < 0.0
 
     times = [tau * (k / samples) ** 2 for k in range(samples + 1)]
     signs = [closing(t) for t in times]
@@ -165,7 +168,7 @@ class Reachable:
             if value >= max(before, after) and value > best - 1e-2 * self.reach:
                 low = self.times[k - 1] if k > 0 else 0.5 * self.times[0]
                 high = self.times[min(k + 1, len(self.times) - 1)]
-                found = max(found, maximized(lambda t: self.farthest(self.lens(t), n), low, high)[0])
+                found = max(found, maximized(lambda t: self.farthest(self.lens(t), n), low, high, 40)[0])
         return found
 
     def least(self, directions=180):
@@ -176,7 +179,7 @@ class Reachable:
                   if values[k] <= min(values[k - 1], values[(k + 1) % directions])]
         found = []
         for k in sorted(minima, key=values.__getitem__)[:3]:
-            value, angle = maximized(lambda a: -self.support(a, True), (k - 1) * step, (k + 1) * step, 45)
+            value, angle = maximized(lambda a: -self.support(a, True), (k - 1) * step, (k + 1) * step, 32)
             found.append((-value, angle))
         found.sort()
         apart = [s for s, angle in found if abs(math.remainder(angle - found[0][1], 2 * math.pi)) > 0.02]

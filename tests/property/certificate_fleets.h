@@ -105,7 +105,7 @@ inline Vec2 adverse_velocity(Random& random, const Robot& robot, Whim whim,
     }
   }
   Vec2 towards = nearest->position - robot.position;
-  if (whim == Whim::at_where_it_stops && nearest->max_acceleration > 0.0) {
+  if (whim == Whim::at_where_it_stops && nearest->behavior == Behavior::decides) {
     const double b = braking_decrement(nearest->max_acceleration, law.step);
     const double speed = norm(nearest->velocity);
     if (speed > 0.0) {

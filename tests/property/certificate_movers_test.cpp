@@ -35,7 +35,7 @@ Fleet fleet_among_movers(Random& random, Certificate kind, Motion motion) {
   }
   while (static_cast<int>(fleet.movers.size()) < movers) {
     Neighbor mover;
-    mover.max_acceleration = 0.0;
+    mover.behavior = Behavior::moves_on;
     mover.radius = random.log_uniform(0.1, 1.5);
     mover.position = in_disc(random, 12.0);
     mover.velocity = random.uniform(-0.05, 0.4) * (in_disc(random, 3.0) - mover.position);
@@ -208,7 +208,7 @@ TEST(ChangingMover, is_touched_in_motion_nearly_as_deep_as_proven) {
   const CertificateLaw law = law_of(options);
   CertificateWalls walls;
   Robot robot;
-  Neighbor mover{{12.0, 0.0}, {}, 0.5, 0.0, {}};
+  Neighbor mover{.position = {12.0, 0.0}, .behavior = Behavior::moves_on};
   double deepest = 0.0;
   bool comes = false;
   for (int k = 0; k < 200; ++k) {

@@ -3,9 +3,9 @@
 // what it guarantees to two robots that share it; its limits.
 #include <cmath>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "avo/half_plane.h"
+#include "support/cases.h"
 #include "support/generators.h"
 
 namespace avo {
@@ -54,89 +54,101 @@ Vec2 swapped(Vec2 a) {
 // == on doubles takes -0 for 0, which is what is wanted here.
 template <typename Map>
 void expect_mapped(const RelativeHalfPlane& found, const RelativeHalfPlane& original, Map map) {
-  RC_ASSERT(found.state == original.state);
-  RC_ASSERT(found.plane.offset == original.plane.offset);
-  RC_ASSERT(found.plane.normal == map(original.plane.normal));
+  EXPECT_TRUE(found.state == original.state);
+  EXPECT_TRUE(found.plane.offset == original.plane.offset);
+  EXPECT_TRUE(found.plane.normal == map(original.plane.normal));
 }
 
-RC_GTEST_PROP(HalfPlane, P7_exchanging_the_robots_negates_it_bit_for_bit, ()) {
-  const Situation s = *test::drawn(situation);
-  expect_mapped(half_plane_of(mapped(s, negated)), half_plane_of(s), negated);
-  expect_mapped(orca_half_plane_of(mapped(s, negated)), orca_half_plane_of(s), negated);
-  expect_mapped(sampled_half_plane_of(mapped(s, negated)), sampled_half_plane_of(s), negated);
+TEST(HalfPlane, P7_exchanging_the_robots_negates_it_bit_for_bit) {
+  test::in_all_cases([](Random& random) {
+    const Situation s = situation(random);
+    expect_mapped(half_plane_of(mapped(s, negated)), half_plane_of(s), negated);
+    expect_mapped(orca_half_plane_of(mapped(s, negated)), orca_half_plane_of(s), negated);
+    expect_mapped(sampled_half_plane_of(mapped(s, negated)), sampled_half_plane_of(s), negated);
+  });
 }
 
-RC_GTEST_PROP(HalfPlane, P6_turning_by_90_degrees_turns_it_bit_for_bit, ()) {
-  const Situation s = *test::drawn(situation);
-  expect_mapped(half_plane_of(mapped(s, turned)), half_plane_of(s), turned);
-  expect_mapped(orca_half_plane_of(mapped(s, turned)), orca_half_plane_of(s), turned);
+TEST(HalfPlane, P6_turning_by_90_degrees_turns_it_bit_for_bit) {
+  test::in_all_cases([](Random& random) {
+    const Situation s = situation(random);
+    expect_mapped(half_plane_of(mapped(s, turned)), half_plane_of(s), turned);
+    expect_mapped(orca_half_plane_of(mapped(s, turned)), orca_half_plane_of(s), turned);
+  });
 }
 
-RC_GTEST_PROP(HalfPlane, P6_mirroring_mirrors_it_bit_for_bit, ()) {
-  const Situation s = *test::drawn(situation);
-  // p parallel to v to 1e-9 is a tie, tested below
-  RC_PRE(std::abs(cross(s.pair.position, s.pair.velocity)) >
-         2e-9 * norm(s.pair.position) * norm(s.pair.velocity));
-  expect_mapped(half_plane_of(mapped(s, mirrored)), half_plane_of(s), mirrored);
-  expect_mapped(half_plane_of(mapped(s, swapped)), half_plane_of(s), swapped);
-  expect_mapped(orca_half_plane_of(mapped(s, mirrored)), orca_half_plane_of(s), mirrored);
+TEST(HalfPlane, P6_mirroring_mirrors_it_bit_for_bit) {
+  test::in_all_cases([](Random& random) {
+    const Situation s = situation(random);
+    // p parallel to v to 1e-9 is a tie, tested below
+    if (!(std::abs(cross(s.pair.position, s.pair.velocity)) >
+          2e-9 * norm(s.pair.position) * norm(s.pair.velocity)))
+      return false;
+    expect_mapped(half_plane_of(mapped(s, mirrored)), half_plane_of(s), mirrored);
+    expect_mapped(half_plane_of(mapped(s, swapped)), half_plane_of(s), swapped);
+    expect_mapped(orca_half_plane_of(mapped(s, mirrored)), orca_half_plane_of(s), mirrored);
+    return true;
+  });
 }
 
-RC_GTEST_PROP(HalfPlane, P6_ties_are_broken_towards_the_left_of_p, ()) {
-  // on an axis, so that p and v are parallel exactly, head-on, at rest or moving apart
-  Situation s = *test::drawn(test::any_situation);
-  const double share = *test::drawn(
-      [](Random& random) { return random.below(4) == 0 ? 0.0 : random.uniform(-2.0, 1.0); });
-  s.pair.position = {norm(s.pair.position), 0.0};
-  s.pair.velocity = share * (norm(s.pair.velocity) / s.pair.position.x) * s.pair.position;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    for (const RelativeHalfPlane& found : {half_plane_of(s), orca_half_plane_of(s)}) {
-      if (found.state == PairState::free) continue;
-      RC_ASSERT(dot(found.plane.normal, perpendicular(s.pair.position)) >= 0.0);
+TEST(HalfPlane, P6_ties_are_broken_towards_the_left_of_p) {
+  test::in_all_cases([](Random& random) {
+    // on an axis, so that p and v are parallel exactly, head-on, at rest or moving apart
+    Situation s = test::any_situation(random);
+    const double share = random.below(4) == 0 ? 0.0 : random.uniform(-2.0, 1.0);
+    s.pair.position = {norm(s.pair.position), 0.0};
+    s.pair.velocity = share * (norm(s.pair.velocity) / s.pair.position.x) * s.pair.position;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      for (const RelativeHalfPlane& found : {half_plane_of(s), orca_half_plane_of(s)}) {
+        if (found.state == PairState::free) continue;
+        ASSERT_TRUE(dot(found.plane.normal, perpendicular(s.pair.position)) >= 0.0);
+      }
+      s = mapped(s, turned);
     }
-    s = mapped(s, turned);
-  }
+  });
 }
 
-RC_GTEST_PROP(HalfPlane, P6_powers_of_two_scale_it_bit_for_bit, ()) {
-  const Situation s = *test::drawn(test::wide_situation);
-  const int length = *rc::gen::inRange(-22, 23), time = *rc::gen::inRange(-8, 9);
-  const RelativeHalfPlane original = half_plane_of(s);
-  const Situation other = test::scaled(s, std::ldexp(1.0, length), std::ldexp(1.0, time));
-  const Horizon horizon(other.control_time, other.time_horizon, std::ldexp(0.1, time));
-  const RelativeHalfPlane found = half_plane(other.pair, other.reach, horizon);
-  RC_ASSERT(found.state == original.state);
-  RC_ASSERT(found.plane.normal == original.plane.normal);
-  RC_ASSERT(found.plane.offset == std::ldexp(original.plane.offset, length - time));
+TEST(HalfPlane, P6_powers_of_two_scale_it_bit_for_bit) {
+  test::in_all_cases([](Random& random) {
+    const Situation s = test::wide_situation(random);
+    const int length = random.below(45) - 22, time = random.below(17) - 8;
+    const RelativeHalfPlane original = half_plane_of(s);
+    const Situation other = test::scaled(s, std::ldexp(1.0, length), std::ldexp(1.0, time));
+    const Horizon horizon(other.control_time, other.time_horizon, std::ldexp(0.1, time));
+    const RelativeHalfPlane found = half_plane(other.pair, other.reach, horizon);
+    ASSERT_TRUE(found.state == original.state);
+    ASSERT_TRUE(found.plane.normal == original.plane.normal);
+    ASSERT_TRUE(found.plane.offset == std::ldexp(original.plane.offset, length - time));
+  });
 }
 
 // Lemma 3: each robot anywhere in its own set, Eqs. (17), (18), and the pair does not collide.
-RC_GTEST_PROP(HalfPlane, P8_robots_in_their_sets_do_not_collide, ()) {
-  const Situation s = *test::drawn(test::any_situation);
-  const auto [seed, share] = *test::drawn([](Random& random) {
-    return std::pair{random.bits(), random.uniform(0.05, 0.95)};
+TEST(HalfPlane, P8_robots_in_their_sets_do_not_collide) {
+  test::in_all_cases([](Random& random) {
+    const Situation s = test::any_situation(random);
+    const double share = random.uniform(0.05, 0.95);
+    const RelativeHalfPlane found = half_plane_of(s);
+    if (!(found.state != PairState::unavoidable)) return false;
+    const double alpha_A = reciprocal_share(share, 1.0 - share);
+    const double alpha_B = reciprocal_share(1.0 - share, share);
+    EXPECT_TRUE(std::abs(alpha_A + alpha_B - 1.0) <= 0x1p-52);
+    const Vec2 v_B = 0.3 * s.pair.velocity, v_A = s.pair.velocity + v_B;
+    const HalfPlane set_A = apportion(found.plane, v_A, alpha_A);
+    const HalfPlane set_B = apportion({-found.plane.normal, found.plane.offset}, v_B, alpha_B);
+    const auto in_set = [&](const HalfPlane& plane, Vec2 v, double alpha) {
+      Vec2 u = v + test::in_disc(random, alpha * s.reach);
+      if (found.state == PairState::free) return u;
+      // onto the line if outside, as the program would do, but not out of the disc
+      const double out = violation(plane, u);
+      if (out > 0.0) u = u + out * plane.normal;
+      if (norm(u - v) > alpha * s.reach)
+        u = v + (plane.offset - dot(plane.normal, v)) * plane.normal;
+      return u;
+    };
+    const Vec2 u = in_set(set_A, v_A, alpha_A) - in_set(set_B, v_B, alpha_B);
+    const double distance = closest_approach(test::obstacle_of(s), u).distance;
+    EXPECT_TRUE(distance >= s.pair.radius * (1.0 - 1e-7));
+    return true;
   });
-  Random random(seed);
-  const RelativeHalfPlane found = half_plane_of(s);
-  RC_PRE(found.state != PairState::unavoidable);
-  const double alpha_A = reciprocal_share(share, 1.0 - share);
-  const double alpha_B = reciprocal_share(1.0 - share, share);
-  RC_ASSERT(std::abs(alpha_A + alpha_B - 1.0) <= 0x1p-52);
-  const Vec2 v_B = 0.3 * s.pair.velocity, v_A = s.pair.velocity + v_B;
-  const HalfPlane set_A = apportion(found.plane, v_A, alpha_A);
-  const HalfPlane set_B = apportion({-found.plane.normal, found.plane.offset}, v_B, alpha_B);
-  const auto in_set = [&](const HalfPlane& plane, Vec2 v, double alpha) {
-    Vec2 u = v + test::in_disc(random, alpha * s.reach);
-    if (found.state == PairState::free) return u;
-    // onto the line if outside, as the program would do, but not out of the disc
-    const double out = violation(plane, u);
-    if (out > 0.0) u = u + out * plane.normal;
-    if (norm(u - v) > alpha * s.reach) u = v + (plane.offset - dot(plane.normal, v)) * plane.normal;
-    return u;
-  };
-  const Vec2 u = in_set(set_A, v_A, alpha_A) - in_set(set_B, v_B, alpha_B);
-  const double distance = closest_approach(test::obstacle_of(s), u).distance;
-  RC_ASSERT(distance >= s.pair.radius * (1.0 - 1e-7));
 }
 
 // δ -> 0 with unlimited reach: ORCA. The difference falls like δ.

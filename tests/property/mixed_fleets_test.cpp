@@ -80,7 +80,7 @@ void decide(std::vector<Member>& members, std::size_t i, Vec2 goal, PlanWorkspac
   self.robot.preferred_velocity = norm(way) > 1.5 ? (1.5 / norm(way)) * way : way;
   const Plan plan = self.one_sided
                         ? self.planner.plan_among_obstacles(self.robot, neighbors, workspace)
-                        : self.planner.plan(self.robot, neighbors, workspace, self.detour);
+                        : self.planner.plan(self.robot, neighbors, workspace, &self.detour);
   self.acceleration = plan.acceleration;
 }
 

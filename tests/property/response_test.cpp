@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "avo/horizon.h"
 #include "support/brute_force.h"
+#include "support/cases.h"
 #include "support/generators.h"
 
 namespace avo {
@@ -28,53 +28,61 @@ Instant instant(Random& random) {
   return {delta, delta * random.log_uniform(1e-10, 1e3)};
 }
 
-RC_GTEST_PROP(Response, P1_proportional_is_exact_to_a_few_ulp, ()) {
-  const auto [delta, t] = *test::drawn(instant);
-  const Response response = Response::proportional(delta);
-  const long double gain = test::slow_gain(t, delta);
-  const long double rate = -std::expm1(-static_cast<long double>(t) / delta);
-  const auto relative = [](double found, long double expected) {
-    return static_cast<double>(std::abs(found - expected) / expected);
-  };
-  RC_ASSERT(relative(response.gain(t), gain) <= 4 * kUlp);
-  RC_ASSERT(relative(response.rate(t), rate) <= 4 * kUlp);
-  // the lag is what is left of t: its error is that of t
-  RC_ASSERT(std::abs(response.lag(t) - static_cast<double>(t - gain / rate)) <= 8 * kUlp * t);
+TEST(Response, P1_proportional_is_exact_to_a_few_ulp) {
+  test::in_all_cases([](Random& random) {
+    const auto [delta, t] = instant(random);
+    const Response response = Response::proportional(delta);
+    const long double gain = test::slow_gain(t, delta);
+    const long double rate = -std::expm1(-static_cast<long double>(t) / delta);
+    const auto relative = [](double found, long double expected) {
+      return static_cast<double>(std::abs(found - expected) / expected);
+    };
+    ASSERT_TRUE(relative(response.gain(t), gain) <= 4 * kUlp);
+    ASSERT_TRUE(relative(response.rate(t), rate) <= 4 * kUlp);
+    // the lag is what is left of t: its error is that of t
+    ASSERT_TRUE(std::abs(response.lag(t) - static_cast<double>(t - gain / rate)) <= 8 * kUlp * t);
+  });
 }
 
-RC_GTEST_PROP(Response, P1_table_agrees_with_the_formula, ()) {
-  const auto [delta, t] = *test::drawn(instant);
-  const double tau = delta * *test::drawn([](Random& r) { return r.log_uniform(0.05, 100.0); });
-  const ResponseAt at = Horizon(delta, tau, 0.01 * tau).at(std::min(t, tau));
-  const Response response = Response::proportional(delta);
-  RC_ASSERT(std::abs(at.gain - response.gain(at.time)) <= 8 * kUlp * at.gain);
-  RC_ASSERT(std::abs(at.rate - response.rate(at.time)) <= 8 * kUlp * at.rate);
-  RC_ASSERT(std::abs(at.lag - response.lag(at.time)) <= 32 * kUlp * at.time);
+TEST(Response, P1_table_agrees_with_the_formula) {
+  test::in_all_cases([](Random& random) {
+    const auto [delta, t] = instant(random);
+    const double tau = delta * random.log_uniform(0.05, 100.0);
+    const ResponseAt at = Horizon(delta, tau, 0.01 * tau).at(std::min(t, tau));
+    const Response response = Response::proportional(delta);
+    ASSERT_TRUE(std::abs(at.gain - response.gain(at.time)) <= 8 * kUlp * at.gain);
+    ASSERT_TRUE(std::abs(at.rate - response.rate(at.time)) <= 8 * kUlp * at.rate);
+    ASSERT_TRUE(std::abs(at.lag - response.lag(at.time)) <= 32 * kUlp * at.time);
+  });
 }
 
 // Eq. (7): the speed gained is what is left of w, divided by δ; checked as a difference quotient.
-RC_GTEST_PROP(Response, P1_acceleration_is_proportional_to_what_is_left, ()) {
-  const double delta = *test::drawn([](Random& r) { return r.log_uniform(1e-3, 1e3); });
-  const double t = delta * *test::drawn([](Random& r) { return r.uniform(1e-2, 8.0); });
-  const Response response = Response::proportional(delta);
-  const double step = 1e-5 * delta;
-  const double acceleration = (response.rate(t + step) - response.rate(t - step)) / (2.0 * step);
-  RC_ASSERT(std::abs(acceleration - (1.0 - response.rate(t)) / delta) <= 1e-7 / delta);
-  const double speed = (response.gain(t + step) - response.gain(t - step)) / (2.0 * step);
-  RC_ASSERT(std::abs(speed - response.rate(t)) <= 1e-7);
+TEST(Response, P1_acceleration_is_proportional_to_what_is_left) {
+  test::in_all_cases([](Random& random) {
+    const double delta = random.log_uniform(1e-3, 1e3);
+    const double t = delta * random.uniform(1e-2, 8.0);
+    const Response response = Response::proportional(delta);
+    const double step = 1e-5 * delta;
+    const double acceleration = (response.rate(t + step) - response.rate(t - step)) / (2.0 * step);
+    ASSERT_TRUE(std::abs(acceleration - (1.0 - response.rate(t)) / delta) <= 1e-7 / delta);
+    const double speed = (response.gain(t + step) - response.gain(t - step)) / (2.0 * step);
+    ASSERT_TRUE(std::abs(speed - response.rate(t)) <= 1e-7);
+  });
 }
 
 // Approaching v' for s and then, from there, for t more is approaching it for s + t.
-RC_GTEST_PROP(Response, P1_two_steps_are_one, ()) {
-  const double delta = *test::drawn([](Random& r) { return r.log_uniform(1e-3, 1e3); });
-  const double s = delta * *test::drawn([](Random& r) { return r.log_uniform(1e-6, 20.0); });
-  const double t = delta * *test::drawn([](Random& r) { return r.log_uniform(1e-6, 20.0); });
-  const Response response = Response::proportional(delta);
-  const double left = 1.0 - response.rate(s);  // of w after s
-  const double rate = response.rate(s) + left * response.rate(t);
-  const double gain = response.gain(s) + t * response.rate(s) + left * response.gain(t);
-  RC_ASSERT(std::abs(rate - response.rate(s + t)) <= 8 * kUlp);
-  RC_ASSERT(std::abs(gain - response.gain(s + t)) <= 8 * kUlp * (s + t));
+TEST(Response, P1_two_steps_are_one) {
+  test::in_all_cases([](Random& random) {
+    const double delta = random.log_uniform(1e-3, 1e3);
+    const double s = delta * random.log_uniform(1e-6, 20.0);
+    const double t = delta * random.log_uniform(1e-6, 20.0);
+    const Response response = Response::proportional(delta);
+    const double left = 1.0 - response.rate(s);  // of w after s
+    const double rate = response.rate(s) + left * response.rate(t);
+    const double gain = response.gain(s) + t * response.rate(s) + left * response.gain(t);
+    ASSERT_TRUE(std::abs(rate - response.rate(s + t)) <= 8 * kUlp);
+    ASSERT_TRUE(std::abs(gain - response.gain(s + t)) <= 8 * kUlp * (s + t));
+  });
 }
 
 TEST(Response, other_responses_are_their_formulas) {

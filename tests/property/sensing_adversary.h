@@ -75,8 +75,8 @@ inline std::vector<Neighbor> sensed(const std::vector<Body>& bodies, std::size_t
     const Vec2 p = other.position + error.position * error_of(of_position, n, random);
     const Vec2 along = senses.of_speed ? unit(other.velocity) : n;
     const Vec2 v = other.velocity + error.velocity * error_of(of_velocity, along, random);
-    neighbors.push_back({p, v, other.radius, bodies[k].decides ? other.max_acceleration : 0.0,
-                         bodies[k].acceleration});
+    neighbors.push_back({p, v, other.radius, other.max_acceleration, bodies[k].acceleration,
+                         bodies[k].decides ? Behavior::decides : Behavior::moves_on});
   }
   return neighbors;
 }

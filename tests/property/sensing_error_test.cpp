@@ -153,7 +153,8 @@ TEST(SensingError, undeclared_errors_let_movers_be_touched_in_motion) {
 
 TEST(SensingError, does_not_flee_from_a_mover_that_reaches_it_in_motion) {
   Robot robot;
-  const Neighbor mover{{1.3, 0.0}, {-2.0, 0.0}, 0.5, 0.0, {}};
+  const Neighbor mover{
+      .position = {1.3, 0.0}, .velocity = {-2.0, 0.0}, .behavior = Behavior::moves_on};
   for (const SensingError& bound : {kExact, kPosition, kBoth}) {
     const CertificateLaw law = held_law(bound);
     CertificateWalls walls;

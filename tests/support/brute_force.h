@@ -220,9 +220,11 @@ class SlowHull {
 
   [[nodiscard]] double support_of(const Lens& at, Vec2 n) const {
     if (at.misses) return -kInfinity;
-    if (at.covers || norm(s_.reach * n - at.center) <= at.radius) return s_.reach;
-    if (at.inside || norm(at.center + at.radius * n) <= s_.reach) {
-      return dot(n, at.center) + at.radius;
+    // roots would take most of the time
+    const double reach = s_.reach, r = at.radius;
+    if (at.covers || norm_squared(reach * n - at.center) <= r * r) return reach;
+    if (at.inside || norm_squared(at.center + r * n) <= reach * reach) {
+      return dot(n, at.center) + r;
     }
     return std::max(dot(n, at.corner[0]), dot(n, at.corner[1]));
   }

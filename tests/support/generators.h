@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <numbers>
 #include <ostream>
-#include <rapidcheck.h>
 
 #include "avo/velocity_obstacle.h"
 
@@ -147,16 +146,6 @@ inline Situation any_situation(Random& random) {
   const double length = random.log_uniform(1e-6, 1e7);
   const double time = random.log_uniform(1e-2, 1e2);
   return apart(scaled(s, length, time));
-}
-
-/// Draws anything that a function of Random makes; a failure names the seed and shows the value.
-template <typename Make>
-auto drawn(Make make) {
-  return rc::gen::map(rc::gen::noShrink(rc::gen::resize(100, rc::gen::arbitrary<std::uint64_t>())),
-                      [make](std::uint64_t seed) {
-                        Random random(seed);
-                        return make(random);
-                      });
 }
 
 inline Obstacle obstacle_of(const Situation& s) {

@@ -38,7 +38,7 @@ Crowd random_crowd(Random& random) {
         crowd.robot.position + (crowd.robot.radius + other.radius + gap) * random.direction();
     crowd.neighbors.push_back(seen(other));
     if (has_movers && random.below(5) == 0) {
-      crowd.neighbors.back().max_acceleration = 0.0;
+      crowd.neighbors.back().behavior = Behavior::moves_on;
       crowd.neighbors.back().acceleration = in_disc(random, 1.0);
     }
   }
@@ -66,7 +66,7 @@ std::vector<std::uint64_t> bits_of(const Crowd& crowd, Seen& seen) {
     for (const double offset : wall.offset) add(offset);
     const std::size_t other = static_cast<std::size_t>(wall.neighbor);
     ++(wall.interval == 0 ? seen.first_intervals : seen.later_intervals);
-    seen.of_movers += crowd.neighbors[other].max_acceleration > 0.0 ? 0 : 1;
+    seen.of_movers += crowd.neighbors[other].behavior == Behavior::moves_on ? 1 : 0;
     seen.cones += wall.cone > 0.0 ? 1 : 0;
   }
   for (const Vec2 candidate : crowd.candidates) {

@@ -30,15 +30,16 @@ TEST(Perception, half_planes_are_those_of_the_planner) {
   const VelocitySpace space = velocity_space(seen, planner);
 
   PlanWorkspace workspace;
+  HalfPlanes half_planes;
   const Plan plan = planner.plan(seen.robot, seen.neighbors, workspace);
-  planner.collect_half_planes(seen.robot, seen.neighbors, workspace);
-  ASSERT_FALSE(workspace.planes.empty());
-  ASSERT_EQ(space.half_planes.size(), workspace.planes.size());
+  planner.collect_half_planes(seen.robot, seen.neighbors, workspace, half_planes);
+  ASSERT_FALSE(half_planes.planes.empty());
+  ASSERT_EQ(space.half_planes.size(), half_planes.planes.size());
   int binding = 0;
-  for (std::size_t i = 0; i < workspace.planes.size(); ++i) {
-    EXPECT_EQ(space.half_planes[i].plane.normal, workspace.planes[i].plane.normal);
-    EXPECT_EQ(space.half_planes[i].plane.offset, workspace.planes[i].plane.offset);
-    EXPECT_EQ(space.half_planes[i].label, workspace.planes[i].neighbor == 0 ? "4" : "o1");
+  for (std::size_t i = 0; i < half_planes.planes.size(); ++i) {
+    EXPECT_EQ(space.half_planes[i].plane.normal, half_planes.planes[i].plane.normal);
+    EXPECT_EQ(space.half_planes[i].plane.offset, half_planes.planes[i].plane.offset);
+    EXPECT_EQ(space.half_planes[i].label, half_planes.planes[i].neighbor == 0 ? "4" : "o1");
     if (space.half_planes[i].binding) ++binding;
   }
   EXPECT_GE(binding, 1);  // the preferred velocity is forbidden, so some line is touched
@@ -64,7 +65,7 @@ TEST(Perception, the_choice_of_avo_is_that_with_the_detour_that_is_remembered) {
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;
   Detour detour = seen.detour;
-  const Plan plan = planner.plan(seen.robot, seen.neighbors, workspace, detour);
+  const Plan plan = planner.plan(seen.robot, seen.neighbors, workspace, &detour);
   EXPECT_NE(plan.new_velocity, planner.plan(seen.robot, seen.neighbors, workspace).new_velocity);
   EXPECT_EQ(velocity_space(seen, planner).points[2].at, plan.new_velocity);
 }
@@ -72,7 +73,7 @@ TEST(Perception, the_choice_of_avo_is_that_with_the_detour_that_is_remembered) {
 TEST(Perception, the_choice_lies_outside_of_the_drawn_obstacles) {
   Simulation::Perception seen = some_perception();
   seen.among_movers = true;
-  for (Neighbor& neighbor : seen.neighbors) neighbor.max_acceleration = 0.0;
+  for (Neighbor& neighbor : seen.neighbors) neighbor.behavior = Behavior::moves_on;
   seen.neighbors[0].acceleration = {0.1, -0.2};
   const Planner planner(default_options(Method::avo_paper));
   const VelocitySpace space = velocity_space(seen, planner);

@@ -33,7 +33,8 @@ inline std::ostream& operator<<(std::ostream& out, const Crowd& crowd) {
       << " r " << A.radius << " a " << A.max_acceleration << " v_max " << A.max_speed;
   for (const Neighbor& B : crowd.neighbors) {
     out << "\n  p " << B.position << " v " << B.velocity << " r " << B.radius << " a "
-        << B.max_acceleration << " observed " << B.acceleration;
+        << B.max_acceleration << " observed " << B.acceleration
+        << (B.behavior == Behavior::decides ? " decides" : " moves on");
   }
   return out;
 }
@@ -63,7 +64,7 @@ inline Neighbor random_neighbor(Random& random, const Robot& robot, double least
   B.max_acceleration = robot.max_acceleration * random.log_uniform(0.3, 3.0);
   switch (random.below(6)) {
     case 0:
-      B.max_acceleration = 0.0;
+      B.behavior = Behavior::moves_on;
       if (random.below(2) == 0) B.acceleration = in_disc(random, robot.max_acceleration);
       break;
     case 1:

@@ -11,7 +11,10 @@ namespace {
 using test::Random;
 
 Neighbor mover(Vec2 position, Vec2 velocity, Vec2 acceleration) {
-  return {position, velocity, 0.5, 0.0, acceleration};
+  return {.position = position,
+          .velocity = velocity,
+          .acceleration = acceleration,
+          .behavior = Behavior::moves_on};
 }
 
 // Distance over (0, τ] if A heads for v_new_A and B for v_B + δ a_B, both by Eqs. (8), (9).
@@ -66,8 +69,7 @@ TEST(Movers, a_hardly_overlapping_one_is_left_gently) {
 TEST(Movers, observed_acceleration_of_those_that_decide_is_not_read) {
   const Planner planner(test::paper_options());
   const Robot A = test::paper_robot({}, {1.5, 0}, {1.5, 0});
-  Neighbor B = mover({5, 0.3}, {-1, 0}, {});
-  B.max_acceleration = 1.0;
+  const Neighbor B{.position = {5, 0.3}, .velocity = {-1, 0}};
   Neighbor accelerating = B;
   accelerating.acceleration = {0.3, -0.7};
   PlanWorkspace workspace;
@@ -88,7 +90,7 @@ TEST(Movers, an_optimal_choice_keeps_clear_of_all_of_them) {
     test::Crowd crowd = test::random_crowd(random, 0.001);
     if (crowd.neighbors.size() > 4) crowd.neighbors.resize(4);
     for (Neighbor& B : crowd.neighbors) {
-      B.max_acceleration = 0.0;
+      B.behavior = Behavior::moves_on;
       if (k % 2 == 0) B.acceleration = test::in_disc(random, 0.3);
     }
     const Planner planner(crowd.options);
@@ -119,7 +121,7 @@ TEST(Movers, the_exact_set_is_no_worse_than_half_planes) {
   for (int k = 0; k < 1'000 && !testing::Test::HasFailure(); ++k) {
     test::Crowd crowd = test::random_crowd(random, 0.001);
     if (crowd.neighbors.size() > 3) crowd.neighbors.resize(3);
-    for (Neighbor& B : crowd.neighbors) B.max_acceleration = 0.0;
+    for (Neighbor& B : crowd.neighbors) B.behavior = Behavior::moves_on;
     const Planner planner(crowd.options);
     PlanWorkspace workspace;
     const Plan exact = planner.plan_among_obstacles(crowd.robot, crowd.neighbors, workspace);
@@ -161,6 +163,35 @@ TEST(Movers, velocity_obstacle_adopts_a_velocity_outside_the_cones) {
     }
   }
   EXPECT_GT(optimal, 300);
+}
+
+// Movers have no max_acceleration that counts, and others must have one.
+TEST(Movers, behavior_says_who_decides) {
+  Random random(21);
+  int different = 0;
+  for (int k = 0; k < 2000 && !testing::Test::HasFailure(); ++k) {
+    test::Crowd crowd = test::any_crowd(random, k, -0.2);
+    Neighbor added = test::random_neighbor(random, crowd.robot, 0.01);
+    added.behavior = Behavior::moves_on;
+    added.max_acceleration = 0.0;
+    crowd.neighbors.push_back(added);
+    const Plan plan = test::plan_of(crowd);
+    EXPECT_NE(plan.status, PlanStatus::invalid_input) << crowd;
+    Neighbor& last = crowd.neighbors.back();
+    for (const double unread : {1.0, 1e300, -1.0, std::nan("")}) {
+      last.max_acceleration = unread;
+      const Plan same = test::plan_of(crowd);
+      EXPECT_EQ(same.new_velocity, plan.new_velocity) << crowd;
+      EXPECT_EQ(same.status, plan.status) << crowd;
+      EXPECT_EQ(same.violation, plan.violation) << crowd;
+    }
+    last.behavior = Behavior::decides;
+    last.max_acceleration = 1.0;
+    different += test::plan_of(crowd).new_velocity == plan.new_velocity ? 0 : 1;
+    last.max_acceleration = 0.0;
+    EXPECT_EQ(test::plan_of(crowd).status, PlanStatus::invalid_input) << crowd;
+  }
+  EXPECT_GT(different, 100);
 }
 
 }  // namespace

@@ -38,10 +38,10 @@ TEST(Order, of_the_neighbors_changes_no_bit_of_a_plan) {
                        return norm_squared(a.position - crowd.robot.position) <
                               norm_squared(b.position - crowd.robot.position);
                      });
-    const Plan plan = planner.plan(crowd.robot, crowd.neighbors, workspace, sorted_detour);
+    const Plan plan = planner.plan(crowd.robot, crowd.neighbors, workspace, &sorted_detour);
     std::vector<Neighbor> shuffled = crowd.neighbors;
     shuffle(shuffled, random);
-    EXPECT_TRUE(same(planner.plan(crowd.robot, shuffled, workspace, detour), plan)) << crowd;
+    EXPECT_TRUE(same(planner.plan(crowd.robot, shuffled, workspace, &detour), plan)) << crowd;
     EXPECT_EQ(detour.angle, sorted_detour.angle);
     EXPECT_EQ(detour.yielded, sorted_detour.yielded);
     // who is nearest matters
@@ -57,15 +57,16 @@ TEST(Order, the_nearest_of_max_neighbors_get_the_half_planes) {
   options.max_neighbors = 2;
   const Planner planner(options);
   PlanWorkspace workspace;
+  HalfPlanes half_planes;
   const Robot A{.velocity = {2.0, 0.0}, .preferred_velocity = {2.0, 0.0}};
   std::vector<Neighbor> neighbors(10, Neighbor{.position = {-12.0, 5.0}, .velocity = {-1.0, 0.0}});
   neighbors.push_back({.position = {6.0, 0.1}, .velocity = {-2.0, 0.0}});
   const Plan plan = planner.plan(A, neighbors, workspace);
   EXPECT_GT(norm(plan.new_velocity - A.preferred_velocity), 0.1);
-  planner.collect_half_planes(A, neighbors, workspace);
-  ASSERT_EQ(workspace.planes.size(), 2U);
-  EXPECT_EQ(workspace.planes[0].neighbor, 0);
-  EXPECT_EQ(workspace.planes[1].neighbor, 10);  // as given
+  planner.collect_half_planes(A, neighbors, workspace, half_planes);
+  ASSERT_EQ(half_planes.planes.size(), 2U);
+  EXPECT_EQ(half_planes.planes[0].neighbor, 0);
+  EXPECT_EQ(half_planes.planes[1].neighbor, 10);  // as given
 }
 
 }  // namespace

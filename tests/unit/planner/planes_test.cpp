@@ -24,12 +24,13 @@ Expected expected_plane(const Crowd& crowd, const Neighbor& B) {
   const Robot& A = crowd.robot;
   const double delta = crowd.options.control_time;
   const Horizon horizon(delta, crowd.options.time_horizon, crowd.options.time_step);
-  const bool decides = B.max_acceleration > 0.0;
+  const bool decides = B.behavior == Behavior::decides;
   const double reach =
       delta * (A.max_acceleration + (decides ? B.max_acceleration : norm(B.acceleration)));
   const Pair pair{A.position - B.position, A.velocity - B.velocity, A.radius + B.radius};
   const RelativeHalfPlane relative = half_plane(pair, reach, horizon);
-  const double alpha = A.max_acceleration / (A.max_acceleration + B.max_acceleration);
+  const double alpha =
+      decides ? A.max_acceleration / (A.max_acceleration + B.max_acceleration) : 1.0;
   const Vec2 n = relative.plane.normal;
   const Vec2 v_B_change = decides ? Vec2{} : delta * B.acceleration;
   const double offset = dot(n, A.velocity) + alpha * relative.plane.offset + dot(n, v_B_change);
@@ -66,15 +67,16 @@ TEST(Planes, P9_are_shared_by_ability_and_kept_exactly_where_they_cut) {
     const Crowd crowd = test::random_crowd(random, -0.5);
     const Planner planner(crowd.options);
     PlanWorkspace workspace;
-    planner.collect_half_planes(crowd.robot, crowd.neighbors, workspace);
+    HalfPlanes half_planes;
+    planner.collect_half_planes(crowd.robot, crowd.neighbors, workspace, half_planes);
     std::size_t next = 0;
     bool overlapping = false;
     for (std::size_t j = 0; j < crowd.neighbors.size(); ++j) {
       const Expected expected = expected_plane(crowd, crowd.neighbors[j]);
       overlapping = overlapping || expected.state == PairState::overlapping ||
                     expected.state == PairState::coincident;
-      const bool found =
-          next < workspace.planes.size() && workspace.planes[next].neighbor == static_cast<int>(j);
+      const bool found = next < half_planes.planes.size() &&
+                         half_planes.planes[next].neighbor == static_cast<int>(j);
       if (expected.state == PairState::free || expected.state == PairState::coincident) {
         EXPECT_FALSE(found) << crowd;
         continue;
@@ -92,12 +94,12 @@ TEST(Planes, P9_are_shared_by_ability_and_kept_exactly_where_they_cut) {
         continue;
       }
       ++kept;
-      const HalfPlane plane = workspace.planes[next++].plane;
+      const HalfPlane plane = half_planes.planes[next++].plane;
       EXPECT_EQ(plane.normal, expected.plane.normal);
       EXPECT_NEAR(plane.offset, expected.plane.offset, 1e-12 * scale) << crowd;
     }
-    EXPECT_EQ(next, workspace.planes.size()) << "planes out of order or of no neighbor";
-    EXPECT_EQ(workspace.overlapping, overlapping);
+    EXPECT_EQ(next, half_planes.planes.size()) << "planes out of order or of no neighbor";
+    EXPECT_EQ(half_planes.overlapping, overlapping);
   }
   EXPECT_GT(kept, 20'000);
   EXPECT_GT(dropped, 2'000);
@@ -114,9 +116,10 @@ TEST(Planes, P9_shares_of_unequal_abilities) {
   const Planner planner(options);
   const auto demand = [&](const Robot& A, const Neighbor& B) {
     PlanWorkspace workspace;
-    planner.collect_half_planes(A, std::vector<Neighbor>{B}, workspace);
-    EXPECT_EQ(workspace.planes.size(), 1u);
-    const HalfPlane plane = workspace.planes.at(0).plane;
+    HalfPlanes half_planes;
+    planner.collect_half_planes(A, std::vector<Neighbor>{B}, workspace, half_planes);
+    EXPECT_EQ(half_planes.planes.size(), 1u);
+    const HalfPlane plane = half_planes.planes.at(0).plane;
     return plane.offset - dot(plane.normal, A.velocity);
   };
   const double of_weak = demand(weak, as_neighbor(strong));
@@ -127,7 +130,7 @@ TEST(Planes, P9_shares_of_unequal_abilities) {
   const Pair pair{weak.position - strong.position, weak.velocity - strong.velocity, 1.0};
   EXPECT_NEAR(of_weak + of_strong, half_plane(pair, 4.0, horizon).plane.offset, 1e-12);
   Neighbor mover = as_neighbor(strong);
-  mover.max_acceleration = 0.0;
+  mover.behavior = Behavior::moves_on;
   EXPECT_NEAR(demand(weak, mover), half_plane(pair, 1.0, horizon).plane.offset, 1e-12);
 }
 
@@ -158,8 +161,9 @@ TEST(Planes, samples_are_used_and_tend_to_the_exact_plane) {
     PlannerOptions options = test::paper_options();
     options.samples = samples;
     PlanWorkspace workspace;
-    Planner(options).collect_half_planes(A, others, workspace);
-    return workspace.planes.at(0).plane.offset;
+    HalfPlanes half_planes;
+    Planner(options).collect_half_planes(A, others, workspace, half_planes);
+    return half_planes.planes.at(0).plane.offset;
   };
   const double exact = offset(0);
   EXPECT_GT(std::abs(offset(25) - exact), 1e-7);

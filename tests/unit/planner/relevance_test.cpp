@@ -125,7 +125,7 @@ Decision decide(const Planner& planner, const Robot& robot, const std::vector<Ne
                 const Detour& detour) {
   PlanWorkspace workspace;
   Decision decision{{}, detour};
-  decision.plan = planner.plan(robot, neighbors, workspace, decision.detour);
+  decision.plan = planner.plan(robot, neighbors, workspace, &decision.detour);
   return decision;
 }
 
@@ -180,7 +180,7 @@ TEST(Relevance, a_mover_far_away_changes_no_bit) {
     const Decision alone = decide(planner, crowd.robot, crowd.neighbors, detour);
     Neighbor mover;
     mover.position = {1e5, 0.0};
-    mover.max_acceleration = 0.0;
+    mover.behavior = Behavior::moves_on;
     crowd.neighbors.push_back(mover);
     EXPECT_EQ(decide(planner, crowd.robot, crowd.neighbors, detour), alone) << crowd;
     free += alone.plan.status == PlanStatus::optimal && detour.angle == 0.0 ? 1 : 0;

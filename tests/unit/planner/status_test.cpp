@@ -63,10 +63,11 @@ TEST(Status, least_unsafe_where_all_come_at_once) {
   // the violation is that of the worst half-plane
   const Planner planner(test::paper_options());
   PlanWorkspace workspace;
-  planner.collect_half_planes(robot, neighbors, workspace);
-  ASSERT_EQ(workspace.planes.size(), 3u);
+  HalfPlanes half_planes;
+  planner.collect_half_planes(robot, neighbors, workspace, half_planes);
+  ASSERT_EQ(half_planes.planes.size(), 3u);
   double worst = 0.0;
-  for (const NeighborPlane& each : workspace.planes) {
+  for (const NeighborPlane& each : half_planes.planes) {
     worst = std::max(worst, violation(each.plane, plan.new_velocity) + each.excess);
   }
   EXPECT_NEAR(plan.violation, worst, 1e-12);
@@ -81,9 +82,10 @@ TEST(Status, least_unsafe_where_a_collision_cannot_be_avoided) {
   EXPECT_EQ(plan.status, PlanStatus::least_unsafe);
   const Planner planner(test::paper_options());
   PlanWorkspace workspace;
-  planner.collect_half_planes(robot, neighbors, workspace);
-  ASSERT_EQ(workspace.planes.size(), 1u);
-  const NeighborPlane& only = workspace.planes[0];
+  HalfPlanes half_planes;
+  planner.collect_half_planes(robot, neighbors, workspace, half_planes);
+  ASSERT_EQ(half_planes.planes.size(), 1u);
+  const NeighborPlane& only = half_planes.planes[0];
   EXPECT_GT(only.excess, 0.0);
   // h* = reach, of which A's half is δ a_A
   EXPECT_NEAR(only.plane.offset, dot(only.plane.normal, robot.velocity) + 4.0, 1e-12);
@@ -111,10 +113,11 @@ TEST(Status, overlapping_with_equal_centers_and_velocities_is_finite) {
     EXPECT_TRUE(finite(plan));
     // no direction can be told: no plane, rather than one that is not a number
     PlanWorkspace workspace;
+    HalfPlanes half_planes;
     Planner(options).collect_half_planes(robot, std::vector<Neighbor>{as_neighbor(robot)},
-                                         workspace);
-    EXPECT_TRUE(workspace.planes.empty());
-    EXPECT_TRUE(workspace.overlapping);
+                                         workspace, half_planes);
+    EXPECT_TRUE(half_planes.planes.empty());
+    EXPECT_TRUE(half_planes.overlapping);
   }
 }
 
@@ -167,7 +170,7 @@ TEST(Status, names) {
 
 TEST(Status, a_detour_that_is_no_number_is_forgotten) {
   const Neighbor near{.position = {2.0, 0.1}, .velocity = {-1.0, 0.0}};
-  const Neighbor mover{.position = {2.0, 0.1}, .max_acceleration = 0.0};
+  const Neighbor mover{.position = {2.0, 0.1}, .behavior = Behavior::moves_on};
   const Neighbor invalid{.position = {kNaN, 0.0}};
   for (const Method method :
        {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
@@ -179,9 +182,9 @@ TEST(Status, a_detour_that_is_no_number_is_forgotten) {
         for (const std::vector<Neighbor>& neighbors :
              {std::vector<Neighbor>{}, {near}, {mover}, {near, invalid}}) {
           Detour bad_detour = detour, none;
-          const Plan plan = planner.plan(robot, neighbors, workspace, bad_detour);
+          const Plan plan = planner.plan(robot, neighbors, workspace, &bad_detour);
           EXPECT_EQ(plan.new_velocity,
-                    planner.plan(robot, neighbors, workspace, none).new_velocity);
+                    planner.plan(robot, neighbors, workspace, &none).new_velocity);
           EXPECT_EQ(bad_detour.angle, none.angle);
           EXPECT_EQ(bad_detour.yielded, none.yielded);
         }

@@ -153,12 +153,13 @@ TEST(Symmetry, P7_two_robots_get_opposite_planes) {
     Robot A = crowd.robot;
     const Neighbor random_B = test::random_neighbor(random, A, -0.5);
     Robot B{random_B.position, random_B.velocity, {}, random_B.radius, A.max_acceleration, 5.0};
-    if (random_B.max_acceleration > 0.0) B.max_acceleration = random_B.max_acceleration;
+    if (random_B.behavior == Behavior::decides) B.max_acceleration = random_B.max_acceleration;
     if (k % 3 == 0) B.velocity = A.velocity;  // ties
     const Planner planner(crowd.options);
-    PlanWorkspace of_A, of_B;
-    planner.collect_half_planes(A, std::vector<Neighbor>{test::as_neighbor(B)}, of_A);
-    planner.collect_half_planes(B, std::vector<Neighbor>{test::as_neighbor(A)}, of_B);
+    PlanWorkspace workspace;
+    HalfPlanes of_A, of_B;
+    planner.collect_half_planes(A, std::vector<Neighbor>{test::as_neighbor(B)}, workspace, of_A);
+    planner.collect_half_planes(B, std::vector<Neighbor>{test::as_neighbor(A)}, workspace, of_B);
     if (of_A.planes.empty() || of_B.planes.empty()) continue;
     ++both;
     EXPECT_EQ(of_A.planes[0].plane.normal, -of_B.planes[0].plane.normal);
@@ -169,14 +170,15 @@ TEST(Symmetry, P7_two_robots_get_opposite_planes) {
 TEST(Symmetry, P10_order_of_the_half_planes_changes_rounding_only) {
   Random random(11);
   PlanWorkspace workspace;
+  HalfPlanes half_planes;
   ProgramRows scratch;
   int infeasible = 0;
   for (int k = 0; k < 20'000 && !testing::Test::HasFailure(); ++k) {
     const Crowd crowd = test::random_crowd(random, -0.5);
     const Planner planner(crowd.options);
-    planner.collect_half_planes(crowd.robot, crowd.neighbors, workspace);
+    planner.collect_half_planes(crowd.robot, crowd.neighbors, workspace, half_planes);
     std::vector<HalfPlane> planes;
-    for (const NeighborPlane& own : workspace.planes) planes.push_back(own.plane);
+    for (const NeighborPlane& own : half_planes.planes) planes.push_back(own.plane);
     const auto solve = [&] {
       return nearest_point(planes, planner.acceleration_disc(crowd.robot), crowd.robot.max_speed,
                            crowd.robot.preferred_velocity, scratch);
@@ -204,20 +206,21 @@ TEST(Symmetry, P10_order_of_the_half_planes_changes_rounding_only) {
 // Galilean boost: all seen from something that moves. The half-planes move along.
 TEST(Symmetry, P6_a_boost_moves_the_half_planes) {
   Random random(16);
-  PlanWorkspace still, moving;
+  PlanWorkspace workspace;
+  HalfPlanes still, moving;
   int planes = 0;
   for (int k = 0; k < 5'000 && !testing::Test::HasFailure(); ++k) {
     Crowd crowd = test::random_crowd(random, 0.01);
     crowd.options.method = Method::avo_paper;
     crowd.robot.max_speed *= 1e3;  // so that no half-plane is dropped for the sake of the limit
     const Planner planner(crowd.options);
-    planner.collect_half_planes(crowd.robot, crowd.neighbors, still);
+    planner.collect_half_planes(crowd.robot, crowd.neighbors, workspace, still);
     const double speed =
         norm(crowd.robot.velocity) + crowd.options.control_time * crowd.robot.max_acceleration;
     const Vec2 boost = speed * random.direction();
     crowd.robot.velocity = crowd.robot.velocity + boost;
     for (Neighbor& each : crowd.neighbors) each.velocity = each.velocity + boost;
-    planner.collect_half_planes(crowd.robot, crowd.neighbors, moving);
+    planner.collect_half_planes(crowd.robot, crowd.neighbors, workspace, moving);
     for (const NeighborPlane& one : still.planes) {
       for (const NeighborPlane& other : moving.planes) {
         if (one.neighbor != other.neighbor) continue;

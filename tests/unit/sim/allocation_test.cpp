@@ -148,6 +148,7 @@ void expect_none_per_plan(const Scenario& scene) {
   std::vector<Simulation::Perception> seen;
   for (std::size_t i = 0; i < 100; ++i) seen.push_back(simulation.perceive(i));
   PlanWorkspace workspace;
+  std::vector<CertificateWall> walls;
   const Planner& planner = simulation.planner();
   double sum = 0.0;
   long before = 0;
@@ -156,7 +157,7 @@ void expect_none_per_plan(const Scenario& scene) {
     for (const Simulation::Perception& each : seen) {
       sum += planner.plan(each.robot, each.neighbors, workspace).new_velocity.x;
       sum += planner.plan_among_obstacles(each.robot, each.neighbors, workspace).new_velocity.x;
-      planner.collect_certificate(each.robot, each.neighbors, workspace);
+      planner.collect_certificate(each.robot, each.neighbors, workspace, walls);
     }
   }
   EXPECT_EQ(allocations - before, 0);
@@ -222,13 +223,13 @@ TEST(OutOfMemory, a_plan_throws_and_the_next_one_is_as_good_as_ever) {
     const Planner& planner = simulation.planner();
     PlanWorkspace fresh;
     Detour expected_detour{0.5, 0.25};
-    const Plan expected = planner.plan(seen.robot, seen.neighbors, fresh, expected_detour);
+    const Plan expected = planner.plan(seen.robot, seen.neighbors, fresh, &expected_detour);
     PlanWorkspace workspace;
     Plan plan;
     Detour detour{0.5, 0.25};
     const int failed = failures([&] {
       EXPECT_EQ(detour.angle, 0.5) << "unchanged by a plan that failed";
-      plan = planner.plan(seen.robot, seen.neighbors, workspace, detour);
+      plan = planner.plan(seen.robot, seen.neighbors, workspace, &detour);
     });
     EXPECT_GT(failed, 5);
     EXPECT_EQ(plan.new_velocity, expected.new_velocity);

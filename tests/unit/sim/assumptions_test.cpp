@@ -202,7 +202,11 @@ std::int64_t counted_one_by_one(const Scenario& scene) {
       if (is_broken(scene.robots[i], other, 0.0)) ++count;
     }
     for (const MovingObstacle& b : scene.moving_obstacles) {
-      const Neighbor other{b.position, b.velocity, b.radius, 0.0, b.acceleration};
+      const Neighbor other{.position = b.position,
+                           .velocity = b.velocity,
+                           .radius = b.radius,
+                           .acceleration = b.acceleration,
+                           .behavior = Behavior::moves_on};
       if (is_broken(scene.robots[i], other, prediction_error(b, law))) ++count;
     }
   }

@@ -175,7 +175,7 @@ TEST(CertifiedMotion, what_is_no_number_is_not_admitted) {
   PlanWorkspace workspace;
   const Robot sound{.velocity = {1, 0}, .preferred_velocity = {2, 0}};
   for (Detour detour : {Detour{nan, 0.0}, Detour{0.0, nan}, Detour{-1.0, 7.0}}) {
-    const Plan plan = planner.plan(sound, {}, workspace, detour);
+    const Plan plan = planner.plan(sound, {}, workspace, &detour);
     EXPECT_TRUE(is_finite(plan.acceleration));
     EXPECT_EQ(detour.angle, 0.0);
     EXPECT_EQ(detour.yielded, 0.0);

@@ -129,7 +129,7 @@ void expect_perception_is_planned_with(const Scenario& scene, int steps) {
       const Planner& planner = simulation.planner();
       Detour detour = seen.detour;
       detours += detour.angle > 0.0 ? 1 : 0;
-      expected.push_back(planner.plan(seen.robot, seen.neighbors, workspace, detour));
+      expected.push_back(planner.plan(seen.robot, seen.neighbors, workspace, &detour));
       if (seen.among_movers) {
         const Plan among = planner.plan_among_obstacles(seen.robot, seen.neighbors, workspace);
         EXPECT_EQ(expected.back().new_velocity, among.new_velocity);

@@ -49,7 +49,7 @@ void expect_decisions_on_perceptions(const Scenario& scene, int steps) {
     for (std::size_t i = first; i < scene.robots.size(); i += 7) {
       const Simulation::Perception seen = simulation.perceive(i);
       Detour detour = seen.detour;
-      expected.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, detour));
+      expected.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, &detour));
     }
     simulation.step();
     const FleetView fleet = simulation.fleet();

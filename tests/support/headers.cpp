@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+// Only for the precompiled headers.
+#include "support/headers.h"
