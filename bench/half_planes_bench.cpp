@@ -35,8 +35,8 @@ void batch(benchmark::State& state, Kind kind, double near, double far, double d
     half_planes(batches[k], horizon, workspace, planes);
     benchmark::DoNotOptimize(planes.h.data());
     all.tip += workspace.cases.tip, all.convex += workspace.cases.convex;
-    all.horn += workspace.cases.horn, all.walk += workspace.cases.walk;
-    all.follow += workspace.cases.follow, all.contact += workspace.cases.contact;
+    all.horn += workspace.cases.horn, all.follow += workspace.cases.follow,
+        all.contact += workspace.cases.contact;
     all.rest += workspace.cases.rest;
     k = (k + 1) % kBatches;
   }
@@ -48,7 +48,6 @@ void batch(benchmark::State& state, Kind kind, double near, double far, double d
   state.counters["tip"] = static_cast<double>(all.tip) / pairs;
   state.counters["convex"] = static_cast<double>(all.convex) / pairs;
   state.counters["horn"] = static_cast<double>(all.horn) / pairs;
-  state.counters["walk"] = static_cast<double>(all.walk) / pairs;
   state.counters["follow"] = static_cast<double>(all.follow) / pairs;
   state.counters["rest"] = static_cast<double>(all.rest) / pairs;
   state.SetLabel(simd_target());

@@ -19,9 +19,8 @@ struct Found {
 
 Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {
   const ResponseTable table = horizon.table();
-  scalar::HornPlane<Real> found = scalar::horn<Look::quickly>(local, horizon.end(), table);
-  if (!found.settled.bit) found = scalar::horn<Look::closely>(local, horizon.end(), table);
-  if (!found.settled.bit) found = scalar::horn<Look::thoroughly>(local, horizon.end(), table);
+  scalar::HornPlane<Real> found = scalar::horn<Look::once>(local, horizon.end(), table);
+  if (!found.settled.bit) found = scalar::horn<Look::often>(local, horizon.end(), table);
   if (!found.settled.bit) found = searched_horn(local, horizon);
   return {found.plane, found.free.bit};
 }

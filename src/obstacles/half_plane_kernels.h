@@ -6,7 +6,6 @@
 #include "obstacles/contact_kernel.h"
 #include "obstacles/half_plane_kernel.h"
 #include "obstacles/horn_kernel.h"
-#include "obstacles/horn_walk_kernel.h"
 #include "obstacles/horn_follow_kernel.h"
 #include "obstacles/horn_hull_kernel.h"
 #include "obstacles/half_planes_kernel.h"

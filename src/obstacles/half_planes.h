@@ -56,7 +56,7 @@ struct HalfPlaneQueue {
 
 /// How many pairs each case had.
 struct HalfPlaneCases {
-  std::size_t contact = 0, tip = 0, convex = 0, horn = 0, walk = 0, follow = 0, rest = 0;
+  std::size_t contact = 0, tip = 0, convex = 0, horn = 0, follow = 0, rest = 0;
   friend bool operator==(const HalfPlaneCases&, const HalfPlaneCases&) = default;
 };
 

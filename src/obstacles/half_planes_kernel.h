@@ -227,9 +227,8 @@ void solve(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace&
   static_assert(Wide::kLanes <= kSparePairs);
   classify<Real>(pairs, horizon, work, planes);
   solve_convex<Wide>(horizon, work, planes);
-  work.cases.horn = solve_horns<Look::quickly, Real, Wide>(horizon, work.horn, planes);
-  work.cases.walk = solve_horns<Look::closely, Real, Wide>(horizon, work.horn, planes);
-  work.cases.follow = solve_horns<Look::thoroughly, Real, Real>(horizon, work.horn, planes);
+  work.cases.horn = solve_horns<Look::once, Real, Wide>(horizon, work.horn, planes);
+  work.cases.follow = solve_horns<Look::often, Real, Wide>(horizon, work.horn, planes);
   std::copy_n(work.horn.index.begin(), work.horn.count, &work.rest[work.rest_count]);
   work.rest_count += work.horn.count;
   work.cases.rest = work.rest_count;

@@ -102,14 +102,13 @@ AVO_KERNEL Hull<Real, kCrossings> hull_of(const Horn<Real>& horn, const At<Real>
   return hull;
 }
 
-/// One crossing at most, as Passage says or, if it does not, a walk does.
-template <bool kWalks, typename Real>
+/// One crossing at most, as Passage says.
+template <typename Real>
 AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
                                         const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
   const At<Real> end = constant<Real>(horizon_end);
-  Passage<Real> way = passage(shape, horizon_end, table);
-  if constexpr (kWalks) walk(shape, table, way);
+  const Passage<Real> way = passage(shape, horizon_end, table);
   Hull<Real, 1> hull = hull_of<1>(shape, end, horizon_end);
   // |b| <= |x|/g: whoever is in reach at the end has crossed
   const Real reach = pair.R * end.gain;
@@ -146,6 +145,8 @@ AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const Response
   auto regular = all.all;
   for (std::size_t k = 0; k < kMostCrossings; ++k) {
     const auto wanted = all.found[k] & all.all;
+    hull.crossing[k] = hull.center;
+    if (!any(wanted)) continue;
     const Crossing<Real> cross = crossing(shape, all.between[k], table, wanted);
     const TwoPoints<Real> ends = circle_points(shape, at(table, cross.time));
     const auto on_near_end = cross.tangential >= Real(0.0);
@@ -163,6 +164,6 @@ AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const Response
 template <Look look, typename Real>
 AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horizon_end,
                                 const ResponseTable& table) {
-  if constexpr (look == Look::thoroughly) return often_crossed(pair, horizon_end, table);
-  return once_crossed<look == Look::closely>(pair, horizon_end, table);
+  if constexpr (look == Look::once) return once_crossed(pair, horizon_end, table);
+  if constexpr (look == Look::often) return often_crossed(pair, horizon_end, table);
 }

@@ -18,11 +18,12 @@ namespace avo {
 
 // Of Newton's iterations; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
-// Whether a horn's near side is walked along, and through how many crossings: few of them must be.
-enum class Look : unsigned char { quickly, closely, thoroughly };
+// How often a horn's near side may cross the circle |w| = R: once, which is nearly always known
+// beforehand, or so often, when it has to be followed.
+enum class Look : unsigned char { once, often };
 constexpr std::size_t kMostCrossings = 3;
-// Of the near side that a walk along it looks at.
-constexpr int kMaxPieces = 24;
+// Along a near side that is followed, halved ones included.
+constexpr int kMaxStrides = 48;
 // `cusp` may change its sign twice within a stride. Not proved, measured: in 10^7 random close
 // passes none did unseen where long strides near R, with a `cusp` near 0, are halved (at most as
 // many again).

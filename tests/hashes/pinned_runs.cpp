@@ -8,11 +8,11 @@ namespace avo_test {
 
 const std::vector<PinnedRun>& pinned_runs() {
   static const std::vector<PinnedRun> runs{
-      {"circle_100", "circle-100", {}, 0, 0x3d383cfd28de9b1d},
-      {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0xa66ab94362a4b029},
-      {"swap_blocks", "swap-blocks", {}, 0, 0xd2970f590ee36d74},
-      {"uniform_1000", "uniform-1000", {}, 100, 0xf6bfd85f2d058b08},
-      {"cars_100", "cars-100", {}, 0, 0x110f6615994a3252},
+      {"circle_100", "circle-100", {}, 0, 0x8e6866b3e19073f1},
+      {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x808c9f74d53aa99a},
+      {"swap_blocks", "swap-blocks", {}, 0, 0x2d484e71791081af},
+      {"uniform_1000", "uniform-1000", {}, 100, 0x37989560f2f04241},
+      {"cars_100", "cars-100", {}, 0, 0x2120c3cf18a75ed8},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},

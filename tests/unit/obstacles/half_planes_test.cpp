@@ -3,10 +3,12 @@
 #include "obstacles/half_planes.h"
 
 #include <bit>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <optional>
 
+#include "obstacles/horn.h"
 #include "support/half_plane_batches.h"
 
 namespace avo {
@@ -37,7 +39,7 @@ std::string text(const RelativeHalfPlane& a) {
 void add(HalfPlaneCases& sum, const HalfPlaneCases& more) {
   sum.contact += more.contact, sum.tip += more.tip, sum.convex += more.convex,
       sum.horn += more.horn;
-  sum.walk += more.walk, sum.follow += more.follow, sum.rest += more.rest;
+  sum.follow += more.follow, sum.rest += more.rest;
 }
 
 // What has been seen: each case and each state has to be.
@@ -94,7 +96,6 @@ TEST(HalfPlanes, have_the_bits_of_one_pair_at_a_time_on_every_target) {
     EXPECT_GT(seen.cases.tip, 10'000);
     EXPECT_GT(seen.cases.convex, 10'000);
     EXPECT_GT(seen.cases.horn, 10'000);
-    EXPECT_GT(seen.cases.walk, 1'000);
     EXPECT_GT(seen.cases.follow, 1'000);
     EXPECT_GT(seen.left_by_the_horn, 1'000);
     for (const PairState state : {PairState::free, PairState::constrained, PairState::unavoidable,
@@ -102,6 +103,45 @@ TEST(HalfPlanes, have_the_bits_of_one_pair_at_a_time_on_every_target) {
       EXPECT_GT(seen.states[state], 100) << static_cast<int>(state);
     }
   }
+}
+
+// On its way past, at little more than the radius.
+Situation close_pass(Random& random, Situation s) {
+  const Vec2 p = s.pair.position;
+  const double miss = s.pair.radius * (1.0 + random.log_uniform(1e-4, 1.0));
+  const double d = norm(p), sine = std::min(miss / d, 1.0), cosine = std::sqrt(1.0 - sine * sine);
+  const double speed = norm(s.pair.velocity);
+  s.pair.velocity = (speed / d) * (sine * perpendicular(p) - cosine * p);
+  return s;
+}
+
+// The search cuts the near side at every turning point: of other text than what kernels follow.
+TEST(HalfPlanes, horns_are_those_of_the_general_search) {
+  constexpr double kDifference = 1e-8;  // of the reach
+  constexpr double kApart = 1e-6;       // of the radius: nearer, rounding decides
+  Random random(12);
+  int planes = 0;
+  for (int k = 0; k < 800; ++k) {
+    const auto all = test::situations_of_one_horizon(random, 256, false);
+    const Horizon horizon = test::horizon_of(all);
+    for (const Situation& any : all) {
+      const Situation s = random.below(2) == 0 ? close_pass(random, any) : any;
+      if (norm(s.pair.position) < (1.0 + kApart) * s.pair.radius) continue;
+      const Vec2 p = s.pair.position, v = s.pair.velocity;
+      const auto frame = scalar::frame_of<scalar::Pack<double>>(
+          {p.x, p.y}, {v.x, v.y}, s.pair.radius, s.reach, horizon.end());
+      if (frame.on_collision_course.bit || scalar::tip(frame.local, horizon.end()).nearest.bit) {
+        continue;
+      }
+      const RelativeHalfPlane plane = half_plane(s.pair, s.reach, horizon);
+      if (plane.state != PairState::constrained) continue;
+      const RelativeHalfPlane judge = searched_half_plane(s.pair, s.reach, horizon);
+      ASSERT_EQ(plane.state, judge.state) << s;
+      ASSERT_NEAR(plane.plane.offset, judge.plane.offset, kDifference * s.reach) << s;
+      ++planes;
+    }
+  }
+  EXPECT_GT(planes, 10'000);
 }
 
 // A pair's answer does not depend on the company that it is in.
