@@ -106,26 +106,6 @@ void collect_near(const NearPair& near, const StepLaw& law, TrajectoryWalls& wal
   collect_close(near.with(walls.own), {}, near.neighbor, law, walls, invariant);
 }
 
-// How far one candidate's path gets from A's braking path, m, against A's direction and anyhow.
-struct CandidateDeviation {
-  double ahead, aside;
-};
-
-// docs/certificate.md, "What can refuse nothing", of v_1 itself instead of all that A may choose
-CandidateDeviation deviation_of(const CandidatePath& path, const Braking& own, const StepLaw& law) {
-  constexpr double kRoom = 1.0 + 0x1p-30;
-  const double lead = law.time_step - law.lag, rounding = 0x1p-40 * own.reach;
-  const double length = stopping_length(path.braking, law);
-  const double speed = own.profile.speed, slow = speed - own.profile.decrement;
-  if (!(slow >= 0.0)) return {0.0, kRoom * (lead * path.speed + length) + rounding};
-  const double along = dot(own.direction, path.direction);
-  const double across = std::abs(cross(own.direction, path.direction));
-  const double ahead = lead * (along * path.speed - slow) + along * length -
-                       stopping_length(slow, own.profile.decrement, law);
-  return {kRoom * std::max(ahead, 0.0) + rounding,
-          kRoom * across * (lead * path.speed + length) + rounding};
-}
-
 }  // namespace
 
 void begin_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
@@ -151,11 +131,16 @@ void begin_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs
 void collect_refusing(const Robot& robot, const CandidatePath& path, const StepLaw& law,
                       TrajectoryWalls& walls, Invariant& invariant) {
   if (walls.waiting.empty()) return;
-  CandidateDeviation deviation{walls.deviation.most_ahead, walls.deviation.most_aside};
-  if (!robot.car) deviation = deviation_of(path, walls.own, law);
+  double ahead = walls.deviation.most_ahead, aside = walls.deviation.most_aside;
+  if (!robot.car) {
+    using Real = scalar::Pack<double>;
+    const auto deviation = scalar::deviation_of(scalar::constant<Real>(walls.own),
+                                                scalar::constant<Real>(path.next_velocity), law);
+    ahead = deviation.ahead.value, aside = deviation.aside.value;
+  }
   std::size_t left = 0;
   for (const NearPair* pair : walls.waiting) {
-    if (pair->gap > pair->against * deviation.ahead + deviation.aside) {
+    if (pair->gap > pair->against * ahead + aside) {
       walls.waiting[left++] = pair;
     } else {
       collect_near(*pair, law, walls, invariant);

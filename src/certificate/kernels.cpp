@@ -16,8 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 #include "certificate/certificate_kernels.h"
 
-constexpr CertificateKernels kKernels{find_near<Pack<double>>, fill_own<Pack<double>>,
-                                      append_walls<Pack<double>>, keeps<Pack<double>>};
+constexpr CertificateKernels kKernels{find_near<Pack<double>>, admit_next<Pack<double>>,
+                                      fill_own<Pack<double>>, append_walls<Pack<double>>,
+                                      keeps<Pack<double>>};
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
@@ -26,14 +27,20 @@ HWY_AFTER_NAMESPACE();
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
 namespace scalar {
-constexpr CertificateKernels kKernels{find_near<Pack<double>>, fill_own<Pack<double>>,
-                                      append_walls<Pack<double>>, keeps<Pack<double>>};
+constexpr CertificateKernels kKernels{find_near<Pack<double>>, admit_next<Pack<double>>,
+                                      fill_own<Pack<double>>, append_walls<Pack<double>>,
+                                      keeps<Pack<double>>};
 }  // namespace scalar
 
 static constexpr KernelTable<CertificateKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near) {
   kKernels->find_near(robots, whom, law, near);
+}
+
+void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
+                const std::vector<double>& next_y, const StepLaw& law, NearPairs& near) {
+  kKernels->admit_next(robots, next_x, next_y, law, near);
 }
 
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own) {

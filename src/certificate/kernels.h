@@ -40,6 +40,8 @@ namespace scalar {
 
 struct CertificateKernels {
   void (*find_near)(const RobotColumns&, Whom, const StepLaw&, NearPairs&);
+  void (*admit_next)(const RobotColumns&, const std::vector<double>&, const std::vector<double>&,
+                     const StepLaw&, NearPairs&);
   void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);
   double (*append_walls)(const PairWalls&, const StepLaw&, const OwnColumns&, WallColumns&);
   bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, WallColumns&);

@@ -182,3 +182,28 @@ void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPa
     pairs.end[i] = end;
   }
 }
+
+/// See admit_next().
+template <typename Real>
+void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
+                const std::vector<double>& next_y, const StepLaw& law, NearPairs& pairs) {
+  BrakingColumns& own = pairs.own;
+  for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
+    const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
+    const PackBraking<Real> a{{load(own.speed), load(own.decrement), {}},
+                              {load(own.direction_x), load(own.direction_y)},
+                              {},
+                              load(own.reach),
+                              {}};
+    const auto [ahead, aside] = deviation_of(a, Vec<Real>{load(next_x), load(next_y)}, law);
+    ahead.store(&own.next_ahead[i]), aside.store(&own.next_aside[i]);
+  }
+  pairs.admits.resize(robots.count);
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    bool admits = robots.wheelbase[i] == 0.0 && pairs.has_movers[i] == 0;
+    for (const NearPair& pair : pairs.of(i)) {
+      admits = admits && pair.gap > pair.against * own.next_ahead[i] + own.next_aside[i];
+    }
+    pairs.admits[i] = admits ? 1 : 0;
+  }
+}

@@ -16,7 +16,8 @@ void BrakingColumns::reserve(std::size_t robots) {
                          &slow_speed,     &slow_steps,
                          &most_ahead,     &most_aside,
                          &far_distance,   &far_speed_squared,
-                         &clear_distance, &per_decrement,
+                         &clear_distance, &next_ahead,
+                         &next_aside,     &per_decrement,
                          &far_reach[0],   &far_reach[1],
                          &far_reach[2]}) {
     column->resize(robots + kSpareNeighbors, 1.0);

@@ -28,6 +28,7 @@ struct BrakingColumns {
   Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
   Column far_distance, far_speed_squared;  // m, m²/s²
   Column clear_distance, per_decrement;    // m, s/m
+  Column next_ahead, next_aside;           // m, of one candidate; by admit_next()
   std::array<Column, 3> far_reach;         // of the other's speed, a polynomial: m, s, s²/m
 
   void reserve(std::size_t robots);
@@ -69,6 +70,7 @@ struct NearPairs {
   std::vector<NearPair> kept;            ///< robot by robot, by ascending neighbor
   std::vector<std::size_t> end;          ///< behind those of robot i
   std::vector<std::uint8_t> has_movers;  ///< whether robot i has some that do not decide
+  std::vector<std::uint8_t> admits;      ///< by admit_next()
 
   std::span<const NearPair> of(std::size_t i) const {
     const std::size_t first = i == 0 ? 0 : end[i - 1];
@@ -79,11 +81,17 @@ struct NearPairs {
     kept.reserve(pairs);
     end.reserve(robots);
     has_movers.reserve(robots);
+    admits.reserve(robots);
   }
 };
 
 /// Of each robot's neighbors that decide, if everyone's walls are wanted, those that may meet it
 /// and can refuse a candidate.
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near);
+
+/// Whether robot i, which is no car and senses no movers, may have the next velocity whatever its
+/// near pairs demand, after find_near() for everyone: it deviates too little from braking.
+void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
+                const std::vector<double>& next_y, const StepLaw& law, NearPairs& near);
 
 }  // namespace avo

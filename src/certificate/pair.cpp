@@ -28,9 +28,8 @@ scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
 
-scalar::PackBraking<Real> pack(const Braking& of) {
-  return {scalar::constant<Real>(of.profile), pack(of.direction), of.length, of.reach,
-          of.intervals};
+scalar::PackBraking<Real> pack(const Braking& braking) {
+  return scalar::constant<Real>(braking);
 }
 
 }  // namespace

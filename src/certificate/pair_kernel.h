@@ -11,6 +11,11 @@ struct PackBraking {
 };
 
 template <typename Real>
+AVO_KERNEL PackBraking<Real> constant(const Braking& a) {
+  return {constant<Real>(a.profile), constant<Real>(a.direction), a.length, a.reach, a.intervals};
+}
+
+template <typename Real>
 AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleration,
                                         const StepLaw& law) {
   const Real zero(0.0), one(1.0), speed = norm(velocity);
@@ -81,6 +86,30 @@ AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a,
   result.most_ahead = over(result.ahead, gained);
   result.most_aside = over(result.across, length) + over(result.anyhow, length);
   return result;
+}
+
+/// How far the path of one candidate gets from A's braking path, m: at most so far against A's
+/// direction, and so far anyhow.
+template <typename Real>
+struct PackCandidateDeviation {
+  Real ahead, aside;
+};
+
+// docs/certificate.md, "What can refuse nothing", of v_1 itself instead of all that A may choose
+template <typename Real>
+AVO_KERNEL PackCandidateDeviation<Real> deviation_of(const PackBraking<Real>& a,
+                                                     Vec<Real> next_velocity, const StepLaw& law) {
+  const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
+  const Real u = a.profile.decrement, slow = a.profile.speed - u, speed = norm(next_velocity);
+  const auto moves = speed > zero;
+  const Vec<Real> direction = (Real(1.0) / select(moves, speed, Real(1.0))) * next_velocity;
+  const Real length = stopping_length(profile(speed, u), law);
+  const auto steady = slow >= zero;
+  const Real far = lead * speed + length, margin = Real(0x1p-40) * a.reach;
+  const Real ahead = dot(a.direction, direction) * far - lead * slow -
+                     stopping_length(profile(max(slow, zero), u), law);
+  const Real aside = select(steady, abs(cross(a.direction, direction)) * far, far);
+  return {select(steady, rounding * max(ahead, zero) + margin, zero), rounding * aside + margin};
 }
 
 /// See BrakingPair, of one that decides.

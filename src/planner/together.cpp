@@ -95,11 +95,11 @@ void make_wishes(const PlannerOptions& options, const Tile& tile, PlanWorkspace:
   }
 }
 
-// Whom nobody can refuse anything, neither now nor on a detour that it is still on.
+// Whom nobody can refuse its choice, neither now nor on a detour that it is still on.
 bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs& near,
                    std::size_t i) {
   if (law.kind == Certificate::braking_trajectories) {
-    if (!near.of(i).empty() || near.has_movers[i] != 0) return false;
+    if (near.admits[i] == 0) return false;
   } else if (law.kind != Certificate::none) {
     return false;
   }
@@ -117,6 +117,10 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
     arrival.target_y[i] = scratch.results[i].point.y;
   }
   decide_freely(law.step, robots, arrival);
+  NearPairs& near = scratch.certified.walls.near;
+  if (law.kind == Certificate::braking_trajectories) {
+    admit_next(robots, arrival.next_x, arrival.next_y, law.step, near);
+  }
   const SoftPlanes& soft = scratch.soft;
   for (std::size_t i = 0; i < robots.count; ++i) {
     const Wished wished{soft.of(i),
@@ -127,7 +131,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                         {arrival.unhindered_x[i], arrival.unhindered_y[i]},
                         soft.overlapping[i] != 0};
     Plan& plan = *tile.plan[i];
-    if (arrival.is_free[i] == 0.0 || !is_unhindered(law, tile, scratch.certified.walls.near, i)) {
+    if (arrival.is_free[i] == 0.0 || !is_unhindered(law, tile, near, i)) {
       plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
       continue;
     }
