@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The horn case: its near side, and whether that crosses the circle |w| = R once at most, as it
-// nearly always does. Included into a namespace that has half_plane_kernel.h, once per instruction
-// set.
+// nearly always does. Lemmas 4 to 7 of docs/half_plane.md.
+#if defined(AVO_OBSTACLES_HORN_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_HORN_KERNEL_H
+#undef AVO_OBSTACLES_HORN_KERNEL_H
+#else
+#define AVO_OBSTACLES_HORN_KERNEL_H
+#endif
+
+#include "obstacles/half_plane_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 /// A pair along its relative motion. After a way of |v| t the distance squared is closest² +
 /// rise(|v| t), of terms that do not cancel: `closest` is the miss distance, or |p| where p . v >=
@@ -262,3 +271,7 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& 
   result.time = t;
   return result;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass
