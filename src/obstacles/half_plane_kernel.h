@@ -34,7 +34,7 @@ struct Plane {
   Real h;
 };
 
-// ---- tip
+// ---- tip: lemma 2
 
 template <typename Real>
 struct Tip {
@@ -53,7 +53,7 @@ AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end)
   return {{per_length * x, (pair.r - length) * Real(1.0 / horizon_end.gain)}, nearest};
 }
 
-// ---- convex
+// ---- convex: lemma 3
 
 // Collision course: p . v < 0 and the miss distance |b| below r. With û = -v/|v| and ê across it,
 // x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
