@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planner/arrival.h"
-#include "planner/robot_columns.h"
+#include "planner/arrival_columns.h"
 #include "sim/moving_columns.h"
 
 namespace avo {
@@ -65,21 +65,29 @@ void run(benchmark::State& state, const Planner& planner, Each each) {
   }
 }
 
+struct MovedTile {
+  RobotColumns robots;
+  MovingColumns moving;
+};
+
 // Of a tile of robots, each() of one after the other; a whole tile is one iteration.
 template <typename Each>
 void run_tiles(benchmark::State& state, const Planner& planner, Each each) {
   const std::vector<Scene> all = scenes(planner);
-  std::vector<MovingColumns> tiles(kRobots / kTileRobots);
+  std::vector<MovedTile> tiles(kRobots / kTileRobots);
   for (std::size_t i = 0; i < kRobots; ++i) {
     const auto& [robot, goal, neighbors, plan] = all[i];
-    MovingColumns& tile = tiles[i / kTileRobots];
-    tile.set(tile.count, robot.position, robot.velocity, goal,
-             {robot.radius, robot.max_speed, robot.max_acceleration, 1.5});
-    tile.new_x[tile.count] = plan.new_velocity.x, tile.new_y[tile.count++] = plan.new_velocity.y;
+    auto& [robots, moving] = tiles[i / kTileRobots];
+    robots.reserve(kTileRobots);
+    const std::size_t k = robots.count;
+    robots.add(robot, {});
+    moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y, moving.preferred_speed[k] = 1.5;
+    moving.new_x[k] = plan.new_velocity.x, moving.new_y[k] = plan.new_velocity.y;
   }
   std::size_t k = 0;
+  MovedTile tile;
   for (auto _ : state) {
-    MovingColumns tile = tiles[k];
+    tile = tiles[k];
     benchmark::DoNotOptimize(each(tile));
     k = (k + 1) % tiles.size();
   }
@@ -89,16 +97,17 @@ void run_tiles(benchmark::State& state, const Planner& planner, Each each) {
 void motion_of_tile(benchmark::State& state) {
   const Planner planner({});
   const StepResponse response = step_response(planner);
-  run_tiles(state, planner, [&](MovingColumns& tile) { return advance(response, tile); });
+  run_tiles(state, planner,
+            [&](MovedTile& tile) { return advance(response, tile.moving, tile.robots); });
 }
 BENCHMARK(motion_of_tile);
 
 void ways_of_tile(benchmark::State& state) {
   const Planner planner({});
   const GoalLaw law = goal_law(planner);
-  run_tiles(state, planner, [&](MovingColumns& tile) {
-    choose_ways(law, tile);
-    return tile.preferred_x[0];
+  run_tiles(state, planner, [&](MovedTile& tile) {
+    choose_ways(law, tile.moving, tile.robots);
+    return tile.robots.preferred_x[0];
   });
 }
 BENCHMARK(ways_of_tile);
@@ -117,14 +126,15 @@ BENCHMARK(towards_goal);
 void wish_among_ten(benchmark::State& state) {
   const Planner planner({});
   NeighborColumns seen;
-  RobotColumns columns;
+  RobotColumns robots;
+  ArrivalColumns columns;
+  robots.reserve(1);
   columns.reserve(1);
   run(state, planner, [&](const Scene& scene) {
-    const Sensing sensing{&scene.robot, in_columns(scene.neighbors, seen), true};
-    columns.count = 0;
-    columns.add(scene.robot);
-    look_around({&sensing, 1}, columns);
-    keep_right(columns);
+    robots.clear();
+    robots.add(scene.robot, in_columns(scene.neighbors, seen));
+    look_around(robots, columns);
+    keep_right(robots, columns);
     Detour detour;
     return wish_of(scene.robot, {columns.wish_x[0], columns.wish_y[0]},
                    {columns.push_x[0], columns.push_y[0]}, planner.options(), detour);

@@ -86,8 +86,7 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
 
 // Where the pair is worth it.
 void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_t index,
-                   const Deviation& deviation, const StepLaw& law, TrajectoryWalls& walls,
-                   Invariant& invariant) {
+                   const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
   const double most = std::max(pair.a.intervals, pair.b.intervals);
   if (!(most <= kMostIntervals)) {
     invariant.unknown = true;
@@ -97,35 +96,77 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
   if (intervals > walls.own_columns.count) {
     walls.own_columns.count = intervals;
     walls.own_columns.reserve(intervals);
-    fill_own(pair.a, deviation, law, walls.own_columns);
+    fill_own(pair.a, walls.deviation, law, walls.own_columns);
   }
   collect_pair(pair, neighbor, static_cast<int>(index), law, walls, invariant);
 }
 
+void collect_near(const NearPair& near, const StepLaw& law, TrajectoryWalls& walls,
+                  Invariant& invariant) {
+  collect_close(near.with(walls.own), {}, near.neighbor, law, walls, invariant);
+}
+
+// How far one candidate's path gets from A's braking path, m, against A's direction and anyhow.
+struct CandidateDeviation {
+  double ahead, aside;
+};
+
+// docs/certificate.md, "What can refuse nothing", of v_1 itself instead of all that A may choose
+CandidateDeviation deviation_of(const CandidatePath& path, const Braking& own, const StepLaw& law) {
+  constexpr double kRoom = 1.0 + 0x1p-30;
+  const double lead = law.time_step - law.lag, rounding = 0x1p-40 * own.reach;
+  const double length = stopping_length(path.braking, law);
+  const double speed = own.profile.speed, slow = speed - own.profile.decrement;
+  if (!(slow >= 0.0)) return {0.0, kRoom * (lead * path.speed + length) + rounding};
+  const double along = dot(own.direction, path.direction);
+  const double across = std::abs(cross(own.direction, path.direction));
+  const double ahead = lead * (along * path.speed - slow) + along * length -
+                       stopping_length(slow, own.profile.decrement, law);
+  return {kRoom * std::max(ahead, 0.0) + rounding,
+          kRoom * across * (lead * path.speed + length) + rounding};
+}
+
 }  // namespace
 
-void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
-                   std::size_t i, const StepLaw& law, TrajectoryWalls& walls,
-                   Invariant& invariant) {
+void begin_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                 std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
   walls.columns.count = walls.own_columns.count = walls.own_columns.filled = 0;
   walls.stays_at_rest = walls.has_cones = false;
+  walls.waiting.clear();
   const bool has_movers = near.has_movers[i] != 0;
   if (near.of(i).empty() && !has_movers) return;
-  const Braking a = near.own.braking(i);
-  const Deviation deviation = near.own.deviation(i);
-  walls.own = a;
-  for (const NearPair& each : near.of(i)) {
-    collect_close(each.with(a), neighbors[each.neighbor], each.neighbor, deviation, law, walls,
-                  invariant);
-  }
+  walls.own = near.own.braking(i);
+  walls.deviation = near.own.deviation(i);
+  for (const NearPair& pair : near.of(i)) walls.waiting.push_back(&pair);
   for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
     const Neighbor mover = neighbors[k];
     if (mover.behavior == Behavior::decides) continue;
-    const BrakingPair pair = braking_pair(robot, mover, a, law);
+    const BrakingPair pair = braking_pair(robot, mover, walls.own, law);
     if (cannot_meet(pair, mover, law)) continue;
     if (norm(pair.p) < pair.contact + law.sensing_error.position) invariant.touched = true;
-    collect_close(pair, mover, k, deviation, law, walls, invariant);
+    collect_close(pair, mover, k, law, walls, invariant);
   }
+}
+
+void collect_refusing(const Robot& robot, const CandidatePath& path, const StepLaw& law,
+                      TrajectoryWalls& walls, Invariant& invariant) {
+  if (walls.waiting.empty()) return;
+  CandidateDeviation deviation{walls.deviation.most_ahead, walls.deviation.most_aside};
+  if (!robot.car) deviation = deviation_of(path, walls.own, law);
+  std::size_t left = 0;
+  for (const NearPair* pair : walls.waiting) {
+    if (pair->gap > pair->against * deviation.ahead + deviation.aside) {
+      walls.waiting[left++] = pair;
+    } else {
+      collect_near(*pair, law, walls, invariant);
+    }
+  }
+  walls.waiting.resize(left);
+}
+
+void collect_waiting(const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
+  for (const NearPair* pair : walls.waiting) collect_near(*pair, law, walls, invariant);
+  walls.waiting.clear();
 }
 
 }  // namespace avo

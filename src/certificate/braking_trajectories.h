@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "avo/geometry.h"
 #include "avo/robot.h"
@@ -35,7 +36,9 @@ struct TrajectoryWall {
 struct TrajectoryWalls {
   WallColumns columns;  ///< a neighbor's follow each other
   Braking own;
+  Deviation deviation;
   OwnColumns own_columns;
+  std::vector<const NearPair*> waiting;  ///< whose walls no candidate has asked for yet
   /// A rests beside one that does not decide, so near that it may not begin to move.
   bool stays_at_rest = false;
   bool has_cones = false;
@@ -43,11 +46,19 @@ struct TrajectoryWalls {
 
 TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
 
-/// Collects the walls that can refuse a candidate of robot i of those that were looked at, with
-/// |v_1 - v| <= u. Neighbors that do not decide are taken to keep their
+/// Those of robot i, of the robots that were looked at, for candidates with |v_1 - v| <= u: the
+/// walls of its movers, while those of other neighbors wait until a candidate comes that they can
+/// refuse. Neighbors that do not decide are taken to keep their
 /// acceleration, A's share is 1, and only the time counts in which A moves.
-void collect_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
-                   std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
+void begin_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                 std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
+
+/// Collects the walls of those that wait and can refuse the path.
+void collect_refusing(const Robot& robot, const CandidatePath& path, const StepLaw& law,
+                      TrajectoryWalls& walls, Invariant& invariant);
+
+/// Collects the walls of all that wait.
+void collect_waiting(const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
 
 /// Whether the path keeps all walls, and by how much or how little each of them.
 bool keeps(const CandidatePath& path, const StepLaw& law, TrajectoryWalls& walls);

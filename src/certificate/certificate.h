@@ -23,13 +23,15 @@ struct CertificateWalls {
   Invariant invariant;
   TrajectoryWalls trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
   std::vector<CapsuleWall> capsules;
-  CandidatePath path;    ///< of the last candidate asked about
-  NearPairs near;        ///< of all robots of find_near()
-  NeighborColumns seen;  ///< where neighbors were not given in columns
+  CandidatePath path;  ///< of the last candidate asked about
+  NearPairs near;      ///< of all robots of find_near()
+  // of a robot that is looked at by itself
+  RobotColumns alone;
+  NeighborColumns seen;
 
   bool demand_nothing() const {
-    return trajectories.columns.count == 0 && capsules.empty() && !invariant.unknown &&
-           !invariant.touched;
+    return trajectories.columns.count == 0 && trajectories.waiting.empty() && capsules.empty() &&
+           !invariant.unknown && !invariant.touched;
   }
 };
 
@@ -37,13 +39,14 @@ struct CertificateWalls {
 void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
                    CertificateWalls& walls);
 
-/// Of robots in lanes what collect_walls() asks, before it is asked of each of them.
-void find_near(std::span<const Sensing> robots, const CertificateLaw& law, CertificateWalls& walls);
+/// Of robots in lanes what begin_walls() asks, before it is asked of each of them.
+void find_near(const RobotColumns& robots, const CertificateLaw& law, CertificateWalls& walls);
 
-/// Those of robot i of the robots that find_near() was given last.
-void collect_walls(const Sensing& sensing, std::size_t i, const CertificateLaw& law,
-                   CertificateWalls& walls);
-/// Those of one robot, looked at by itself.
+/// Those of robot i of the robots that find_near() was given last; admits() collects what a
+/// candidate may be refused by.
+void begin_walls(const Robot& robot, const Neighbors& neighbors, std::size_t i,
+                 const CertificateLaw& law, CertificateWalls& walls);
+/// All of those of one robot, looked at by itself.
 void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
                    const CertificateLaw& law, CertificateWalls& walls);
 

@@ -32,7 +32,7 @@ constexpr CertificateKernels kKernels{find_near<Pack<double>>, fill_own<Pack<dou
 
 static constexpr KernelTable<CertificateKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
-void find_near(std::span<const Sensing> robots, Whom whom, const StepLaw& law, NearPairs& near) {
+void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near) {
   kKernels->find_near(robots, whom, law, near);
 }
 

@@ -39,7 +39,7 @@ namespace scalar {
 }  // namespace scalar
 
 struct CertificateKernels {
-  void (*find_near)(std::span<const Sensing>, Whom, const StepLaw&, NearPairs&);
+  void (*find_near)(const RobotColumns&, Whom, const StepLaw&, NearPairs&);
   void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);
   double (*append_walls)(const PairWalls&, const StepLaw&, const OwnColumns&, WallColumns&);
   bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, WallColumns&);

@@ -2,20 +2,19 @@
 // Who is near enough to be braked for. Included into a namespace that has Pack, after
 // pair_kernel.h, once per instruction set.
 
-/// Of all that was given.
 template <typename Real>
-void fill(const StepLaw& law, BrakingColumns& own) {
-  for (std::size_t i = 0; i < own.count; i += Real::kLanes) {
+void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
+  for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const auto store = [i](Real value, std::vector<double>& column) { value.store(&column[i]); };
-    const Real a_max = load(own.max_acceleration);
-    const PackBraking<Real> a = braking_of({load(own.v_x), load(own.v_y)}, a_max, law);
+    const Real a_max = load(robots.max_acceleration);
+    const PackBraking<Real> a = braking_of({load(robots.v_x), load(robots.v_y)}, a_max, law);
     store(a.profile.speed, own.speed), store(a.profile.decrement, own.decrement);
     store(a.profile.full_steps, own.full_steps);
     store(a.direction.x, own.direction_x), store(a.direction.y, own.direction_y);
     store(a.length, own.length), store(a.reach, own.reach), store(a.intervals, own.intervals);
 
-    const auto is_car = load(own.is_car) > Real(0.0);
+    const auto is_car = load(robots.wheelbase) > Real(0.0);
     const PackDeviation<Real> deviation = deviation_of(a, is_car, law);
     const auto& [ahead, across, anyhow, fast, slow, most_ahead, most_aside] = deviation;
     store(ahead.start, own.ahead_start), store(ahead.per_distance, own.ahead_slope);
@@ -25,24 +24,28 @@ void fill(const StepLaw& law, BrakingColumns& own) {
     store(slow.speed, own.slow_speed), store(slow.full_steps, own.slow_steps);
     store(most_ahead, own.most_ahead), store(most_aside, own.most_aside);
 
-    const PackFarBound<Real> bound = far_bound_of({load(own.x), load(own.y)}, load(own.radius),
-                                                  a.profile, load(own.max_speed), law);
-    store(bound.distance, own.far_distance), store(bound.speed_squared, own.far_speed_squared);
+    const PackBound<Real> bound = bound_of({load(robots.x), load(robots.y)}, load(robots.radius),
+                                           a.profile, deviation, load(robots.max_speed), law);
+    store(bound.far_distance, own.far_distance), store(bound.speed_squared, own.far_speed_squared);
     for (std::size_t k = 0; k < 3; ++k) store(bound.reach[k], own.far_reach[k]);
+    store(bound.clear_distance, own.clear_distance);
+    store(bound.per_decrement, own.per_decrement);
   }
 }
 
 /// Of one robot i and the chosen of its neighbors.
 template <typename Real>
-AVO_KERNEL void push(const BrakingColumns& a, std::size_t i, const PackNeighbor<Real>& of,
-                     Real neighbor, decltype(Real() < Real()) chosen, NearQueue& queue) {
+AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
+                     const PackNeighbor<Real>& of, Real neighbor, decltype(Real() < Real()) chosen,
+                     NearQueue& queue) {
   const std::size_t first = queue.count;
   const auto all = [first](double value, NearQueue::Column& column) {
     Real(value).store(&column[first]);
   };
   all(static_cast<double>(i), queue.robot);
-  all(a.x[i], queue.x), all(a.y[i], queue.y), all(a.v_x[i], queue.v_x), all(a.v_y[i], queue.v_y);
-  all(a.radius[i], queue.radius), all(a.max_acceleration[i], queue.max_acceleration);
+  all(robots.x[i], queue.x), all(robots.y[i], queue.y);
+  all(robots.v_x[i], queue.v_x), all(robots.v_y[i], queue.v_y);
+  all(robots.radius[i], queue.radius), all(robots.max_acceleration[i], queue.max_acceleration);
   all(a.full_steps[i], queue.full_steps), all(a.length[i], queue.length);
   all(a.direction_x[i], queue.direction_x), all(a.direction_y[i], queue.direction_y);
   all(a.reach[i], queue.reach), all(a.intervals[i], queue.intervals);
@@ -57,8 +60,8 @@ AVO_KERNEL void push(const BrakingColumns& a, std::size_t i, const PackNeighbor<
 }
 
 template <typename Real>
-AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, std::size_t lane, double robot,
-                            double neighbor) {
+AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real>& clearance,
+                            std::size_t lane, double robot, double neighbor) {
   const auto number = [lane](Real value) {
     alignas(64) double lanes[Real::kLanes];
     value.store(lanes);
@@ -76,7 +79,9 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, std::size_t lane, double
            {number(b.direction.x), number(b.direction.y)},
            number(b.length),
            number(b.reach),
-           number(b.intervals)}};
+           number(b.intervals)},
+          number(clearance.gap),
+          number(clearance.against)};
 }
 
 /// Keeps those of the queue that may meet A and can refuse a candidate, and empties it.
@@ -103,13 +108,14 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
     const PackPair<Real> pair = pair_of(self, of, law);
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
-    if (exact) {
-      chosen = chosen & !refuses_nothing(self, load(queue.most_ahead), load(queue.most_aside), pair,
-                                         of, law);
-    }
+    PackClearance<Real> clearance = clearance_of(self, pair, of, law);
+    if (!exact) clearance.gap = Real(-std::numeric_limits<double>::infinity());
+    chosen = chosen &
+             !(clearance.gap > clearance.against * load(queue.most_ahead) + load(queue.most_aside));
     for (std::uint32_t lanes = bits(chosen); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      kept.push_back(lane_of(pair, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
+      kept.push_back(
+          lane_of(pair, clearance, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
     }
   }
   queue.count = 0;
@@ -117,15 +123,25 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
 
 /// Neighbors of robot i that are not far go to the queue; returns whether any does not decide.
 template <typename Real>
-AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, const StepLaw& law,
+AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, const StepLaw& law,
                          NearPairs& pairs) {
+  const Neighbors& neighbors = robots.neighbors[i];
   const NeighborColumns& columns = *neighbors.columns;
   const BrakingColumns& own = pairs.own;
-  const Vec<Real> p{own.x[i], own.y[i]};
-  const PackFarBound<Real> bound{own.far_distance[i],
-                                 {own.far_reach[0][i], own.far_reach[1][i], own.far_reach[2][i]},
-                                 own.far_speed_squared[i]};
-  const Real zero(0.0), a_max(own.max_acceleration[i]);
+  const bool exact = law.sensing_error == SensingError{};
+  const BrakingPoint<Real> self{constant<Real>(robots.position(i)),
+                                constant<Real>(robots.velocity(i)),
+                                {own.direction_x[i], own.direction_y[i]},
+                                own.speed[i],
+                                robots.max_acceleration[i]};
+  const PackBound<Real> bound{own.far_distance[i],
+                              {own.far_reach[0][i], own.far_reach[1][i], own.far_reach[2][i]},
+                              own.far_speed_squared[i],
+                              own.clear_distance[i],
+                              own.per_decrement[i],
+                              own.most_ahead[i],
+                              exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
+  const Real zero(0.0);
   auto movers = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
@@ -139,31 +155,29 @@ AVO_KERNEL bool look_for(const Neighbors& neighbors, std::size_t i, Whom whom, c
     const auto decides = load(columns.decides) > zero;
     movers = movers | (counted & !decides);
     if (whom == Whom::movers) continue;
-    const auto near = counted & decides & !are_far(bound, a_max, p - of.position, of);
+    const auto near =
+        counted & decides & !(are_far(bound, self, of) | are_clear(bound, self, of, law));
     if (!any(near)) continue;
-    push(own, i, of, Real::numbers_from(k), near, pairs.queue);
+    push(robots, own, i, of, Real::numbers_from(k), near, pairs.queue);
     if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
   }
   return any(movers);
 }
 
 template <typename Real>
-void find_near(std::span<const Sensing> robots, Whom whom, const StepLaw& law, NearPairs& pairs) {
-  BrakingColumns& own = pairs.own;
-  own.reserve(robots.size());
-  own.count = 0;
-  for (const Sensing& each : robots) own.add(*each.robot);
-  fill<Real>(law, own);
+void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& pairs) {
+  pairs.own.reserve(robots.count);
+  fill<Real>(robots, law, pairs.own);
   pairs.kept.clear();
   pairs.queue.count = 0;  // some are left where memory ran out
-  pairs.has_movers.resize(robots.size());
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    pairs.has_movers[i] = look_for<Real>(robots[i].neighbors, i, whom, law, pairs) ? 1 : 0;
+  pairs.has_movers.resize(robots.count);
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    pairs.has_movers[i] = look_for<Real>(robots, i, whom, law, pairs) ? 1 : 0;
   }
   judge<Real>(law, pairs.queue, pairs.kept);
-  pairs.end.resize(robots.size());
+  pairs.end.resize(robots.count);
   std::size_t end = 0;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
+  for (std::size_t i = 0; i < robots.count; ++i) {
     while (end < pairs.kept.size() && pairs.kept[end].robot == i) ++end;
     pairs.end[i] = end;
   }

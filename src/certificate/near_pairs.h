@@ -11,35 +11,26 @@
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
 #include "certificate/pair.h"
-#include "core/neighbor_columns.h"
+#include "core/robot_columns.h"
 
 namespace avo {
 
 /// Whose walls are wanted.
 enum class Whom : unsigned char { everyone, movers };
 
-/// Robots that may have to brake, in columns: each one's braking path, how far its candidates'
-/// paths get from it, and its far bound: who is no faster than A may be and just as able need not
-/// be looked at beyond a distance, the sum of the bound, its radius and its reach.
+/// By robot: its braking path, how far its candidates' paths get from it, and by which bounds it is
+/// told who can refuse nothing, see PackBound.
 struct BrakingColumns {
   using Column = std::vector<double>;
-  std::size_t count = 0;
-  Column x, y, v_x, v_y, radius, max_acceleration, max_speed, is_car;  // given; is_car: 1 or 0
-
   Column speed, decrement, full_steps, direction_x, direction_y, length, reach, intervals;
   // see Deviation
   Column ahead_start, ahead_slope, across_start, across_slope, anyhow_start, anyhow_slope;
   Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
   Column far_distance, far_speed_squared;  // m, m²/s²
+  Column clear_distance, per_decrement;    // m, s/m
   std::array<Column, 3> far_reach;         // of the other's speed, a polynomial: m, s, s²/m
 
   void reserve(std::size_t robots);
-  void add(const Robot& robot) {
-    x[count] = robot.position.x, y[count] = robot.position.y;
-    v_x[count] = robot.velocity.x, v_y[count] = robot.velocity.y;
-    radius[count] = robot.radius, max_acceleration[count] = robot.max_acceleration;
-    max_speed[count] = robot.max_speed, is_car[count++] = robot.car ? 1.0 : 0.0;
-  }
   Braking braking(std::size_t i) const;
   Deviation deviation(std::size_t i) const;
 };
@@ -64,6 +55,7 @@ struct NearPair {
   Vec2 p;
   double contact, inflated, error, share;
   Braking b;
+  double gap, against;  ///< see PackClearance
 
   BrakingPair with(const Braking& a) const {
     return {p, contact, inflated, error, share, true, a, b};
@@ -92,6 +84,6 @@ struct NearPairs {
 
 /// Of each robot's neighbors that decide, if everyone's walls are wanted, those that may meet it
 /// and can refuse a candidate.
-void find_near(std::span<const Sensing> robots, Whom whom, const StepLaw& law, NearPairs& near);
+void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near);
 
 }  // namespace avo

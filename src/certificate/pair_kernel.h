@@ -120,13 +120,17 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
   return pair;
 }
 
-/// Whether A's share of the gap that joint braking leaves exceeds all that a candidate of A's can
-/// deviate (docs/certificate.md, "What can refuse nothing"): B can refuse nothing, whatever it
-/// does.
+/// What B can refuse at all: nothing to whoever deviates from A's braking path by less than the gap
+/// (docs/certificate.md, "What can refuse nothing").
 template <typename Real>
-AVO_KERNEL auto refuses_nothing(const PackSelf<Real>& self, Real most_ahead, Real most_aside,
-                                const PackPair<Real>& pair, const PackNeighbor<Real>& of,
-                                const StepLaw& law) {
+struct PackClearance {
+  Real gap;      // m, A's share of what joint braking leaves; -∞ where that is not known
+  Real against;  // in [0, 1], largest part of any of the normals against A's direction
+};
+
+template <typename Real>
+AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const PackPair<Real>& pair,
+                                            const PackNeighbor<Real>& of, const StepLaw& law) {
   const Real zero(0.0), one(1.0), d = pair.distance, length_A = self.braking.length;
   const Vec<Real> d_A = self.braking.direction, d_B = pair.b.direction;
   const auto apart = d > zero;
@@ -144,31 +148,47 @@ AVO_KERNEL auto refuses_nothing(const PackSelf<Real>& self, Real most_ahead, Rea
   const Real passes = pair.b.length * max(zero, dot(d_A, d_B));
   const Real shift = select(able_alike, min(passes, drift), passes);
   const auto clear = apart & (nearest > zero);
-  // largest part of any of the walls' normals against A's direction
   const Real against = max(zero, shift - dot(pair.p, d_A)) / select(clear, nearest, one);
-  const Real loss = min(against, one) * most_ahead + most_aside;
-  return clear & (pair.share * (nearest - pair.inflated) > loss);
+  const Real unknown(-std::numeric_limits<double>::infinity());
+  return {select(clear, pair.share * (nearest - pair.inflated), unknown), min(against, one)};
 }
 
-/// See BrakingColumns.
+/// A as refuses_nothing() sees it.
 template <typename Real>
-struct PackFarBound {
-  Real distance;
-  std::array<Real, 3> reach;
-  Real speed_squared;
+struct BrakingPoint {
+  Vec<Real> position, velocity, direction;
+  Real speed, max_acceleration;
 };
 
+/// What is known of A before it looks at anybody: see BrakingColumns.
 template <typename Real>
-AVO_KERNEL PackFarBound<Real> far_bound_of(Vec<Real> position, Real radius,
-                                           const PackProfile<Real>& own, Real max_speed,
-                                           const StepLaw& law) {
-  const Real h(law.time_step), half(0.5), one(1.0), u = own.decrement, per_u = one / u;
+struct PackBound {
+  Real far_distance;            // m
+  std::array<Real, 3> reach;    // m, s, s²/m
+  Real speed_squared;           // m²/s²
+  Real clear_distance;          // m
+  Real per_decrement;           // s/m
+  Real most_ahead, most_aside;  // m
+};
+
+/// At least what one step and stopping take of one as fast as v, as a polynomial in v: v²/2a and
+/// what is lost by stopping in steps.
+template <typename Real>
+AVO_KERNEL std::array<Real, 3> reach_bound(Real u, const StepLaw& law) {
+  const Real h(law.time_step), half(0.5), per_u = Real(1.0) / u;
   const Real top = Real(law.sensing_error.velocity) + u;  // that one at rest may have
   const Real lost(std::abs(law.lag - 0.5 * law.time_step));
-  // at least what one step and stopping take: v²/2a and what is lost by stopping in steps
-  const std::array<Real, 3> reach{
-      (h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
-      h + h * top * per_u + lost, half * h * per_u};
+  return {(h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
+          h + h * top * per_u + lost, half * h * per_u};
+}
+
+template <typename Real>
+AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackProfile<Real>& own,
+                                    const PackDeviation<Real>& deviation, Real max_speed,
+                                    const StepLaw& law) {
+  const Real h(law.time_step), u = own.decrement, per_u = Real(1.0) / u;
+  const Real top = Real(law.sensing_error.velocity) + u;
+  const std::array<Real, 3> reach = reach_bound(u, law);
   const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
   const Real speed = Real(kFarther) * max(max_speed, own.speed);
   const Real intervals = Real(3.0) + (speed + top) * per_u;
@@ -180,15 +200,50 @@ AVO_KERNEL PackFarBound<Real> far_bound_of(Vec<Real> position, Real radius,
   const Real margin = Real(0x1p-46) * (places + lengths + radius + reach_at(speed)) * intervals;
   const auto is_known = intervals <= Real(kMostIntervals);
   const Real infinity(std::numeric_limits<double>::infinity());
-  return {select(is_known, lengths + error + margin, infinity), reach, speed * speed};
+  return {select(is_known, lengths + error + margin, infinity),
+          reach,
+          speed * speed,
+          select(is_known, radius + margin, infinity),
+          per_u,
+          deviation.most_ahead,
+          deviation.most_aside};
 }
 
+/// B is of A's a_max, and no faster than A may be.
 template <typename Real>
-AVO_KERNEL auto are_far(const PackFarBound<Real>& bound, Real max_acceleration, Vec<Real> p,
+AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
+                         const PackNeighbor<Real>& of) {
+  return (dot(of.velocity, of.velocity) <= bound.speed_squared) &
+         (of.max_acceleration <= self.max_acceleration) &
+         (of.max_acceleration >= self.max_acceleration);
+}
+
+/// Whether they are alike, and farther apart than both reach.
+template <typename Real>
+AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
                         const PackNeighbor<Real>& of) {
   const Real squared = dot(of.velocity, of.velocity);
   const Real reach = bound.reach[0] + bound.reach[1] * sqrt(squared) + bound.reach[2] * squared;
-  const Real distance = bound.distance + of.radius + reach;
-  return (dot(p, p) > Real(kFarther) * (distance * distance)) & (squared <= bound.speed_squared) &
-         (of.max_acceleration <= max_acceleration) & (of.max_acceleration >= max_acceleration);
+  const Real distance = norm(self.position - of.position);
+  return is_alike(bound, self, of) &
+         (distance > Real(kFarther) * (bound.far_distance + of.radius + reach));
+}
+
+/// Whether they are alike, and drift towards each other too slowly for B to refuse anything: the
+/// gap of clearance_of(), with the intervals of the faster one, times what drifting leaves of the
+/// distance. It takes no division.
+template <typename Real>
+AVO_KERNEL auto are_clear(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
+                          const PackNeighbor<Real>& of, const StepLaw& law) {
+  const Real zero(0.0);
+  const Vec<Real> p = self.position - of.position;
+  const Real distance = norm(p);
+  const Real steps = Real(1.0) + bound.per_decrement * max(self.speed, norm(of.velocity));
+  const Real drift = Real(kFarther * law.time_step) * steps * norm(self.velocity - of.velocity);
+  const Real left = distance - drift;
+  const Real against = min(max(zero, drift - dot(p, self.direction)), left);
+  const Real gap =
+      Real(0.5) * (left - (bound.clear_distance + of.radius) - Real(0x1p-27) * distance);
+  return is_alike(bound, self, of) & (left > zero) &
+         ((gap - bound.most_aside) * left > against * bound.most_ahead);
 }

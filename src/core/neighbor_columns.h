@@ -64,13 +64,6 @@ struct Neighbors {
   Neighbor operator[](std::size_t k) const { return (*columns)[first + k]; }
 };
 
-/// What a robot senses: views of what others own.
-struct Sensing {
-  const Robot* robot = nullptr;
-  Neighbors neighbors;
-  bool trusted = false;  ///< its neighbors are known to be finite and in range
-};
-
 /// One after the other.
 void list(const Neighbors& neighbors, std::vector<Neighbor>& listed);
 

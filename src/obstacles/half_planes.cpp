@@ -91,17 +91,19 @@ void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWork
   solve_rest(pairs, horizon, workspace, planes);
 }
 
-void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
-            double control_time, PairColumns& pairs, std::vector<double>& share) {
-  kKernels->relate(robots, neighbors, control_time, pairs, share);
+void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
+            std::span<const std::size_t> pair_end, double control_time, PairColumns& pairs,
+            std::vector<double>& share) {
+  kKernels->relate(robots, neighbors, pair_end, control_time, pairs, share);
 }
 
-void share_out(std::span<const PairOwner> robots, std::span<const double> share,
+void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end,
+               std::span<const double> raise, double control_time, std::span<const double> share,
                const PlaneColumns& relative, SharedPlanes& shared) {
   grow(shared.offset, relative.h.size());
   grow(shared.kept, relative.h.size());
-  grow(shared.kept_end, robots.size());
-  kKernels->share_out(robots, share, relative, shared);
+  grow(shared.kept_end, robots.count);
+  kKernels->share_out(robots, pair_end, raise, control_time, share, relative, shared);
 }
 
 }  // namespace avo

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "avo/half_plane.h"
-#include "core/neighbor_columns.h"
+#include "core/robot_columns.h"
 
 namespace avo {
 
@@ -75,22 +75,12 @@ void reserve(std::size_t pairs, HalfPlaneWorkspace& workspace, PlaneColumns& pla
 void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                  PlaneColumns& planes);
 
-/// Robot A of pairs that follow each other, and what it may choose from.
-struct PairOwner {
-  Vec2 position, velocity;  ///< [p_A] m, [v_A] m/s
-  double radius;            ///< [r_A] m
-  double max_acceleration;  ///< [a_max] m/s²
-  double velocity_change;   ///< [δ a_max] m/s
-  double max_speed;         ///< [v_max] m/s
-  double raise;             ///< m/s, most by which its offsets are raised later
-  std::size_t neighbor;     ///< of its first pair, among those of all; the others follow
-  std::size_t end;          ///< behind its pairs, which begin where those of the robot before end
-};
-
-/// Eqs. (2), (3), (20): the pairs of robots with their neighbors, and A's share of each. All
-/// neighbors decide. δ in s; columns have room for kSparePairs more.
-void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
-            double control_time, PairColumns& pairs, std::vector<double>& share);
+/// Eqs. (2), (3), (20): the pairs of robots with their neighbors, and A's share of each. Those of
+/// robot r end at pair_end[r], where those of the next one begin; they are the first of its
+/// neighbors. All neighbors decide. δ in s; columns have room for kSparePairs more.
+void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
+            std::span<const std::size_t> pair_end, double control_time, PairColumns& pairs,
+            std::vector<double>& share);
 
 /// Scratch memory and result of share_out().
 struct SharedPlanes {
@@ -101,9 +91,10 @@ struct SharedPlanes {
 };
 
 /// Eq. (17): the relative half-planes of pairs as their robots' own, apportioned by the share of
-/// Eq. (20). A half-plane is kept unless one of the robot's limits alone keeps to it. Columns have
-/// room for kSparePairs more.
-void share_out(std::span<const PairOwner> robots, std::span<const double> share,
+/// Eq. (20). A half-plane is kept unless one of the robot's limits alone keeps to it, though its
+/// offset be raised by raise[r], m/s. Columns have room for kSparePairs more.
+void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end,
+               std::span<const double> raise, double control_time, std::span<const double> share,
                const PlaneColumns& relative, SharedPlanes& shared);
 
 }  // namespace avo

@@ -11,10 +11,10 @@ namespace avo {
 
 struct HalfPlaneKernels {
   void (*solve)(const PairColumns&, const Horizon&, HalfPlaneWorkspace&, PlaneColumns&);
-  void (*relate)(std::span<const PairOwner>, const NeighborColumns&, double, PairColumns&,
-                 std::vector<double>&);
-  void (*share_out)(std::span<const PairOwner>, std::span<const double>, const PlaneColumns&,
-                    SharedPlanes&);
+  void (*relate)(const RobotColumns&, const NeighborColumns&, std::span<const std::size_t>, double,
+                 PairColumns&, std::vector<double>&);
+  void (*share_out)(const RobotColumns&, std::span<const std::size_t>, std::span<const double>,
+                    double, std::span<const double>, const PlaneColumns&, SharedPlanes&);
 };
 
 }  // namespace avo

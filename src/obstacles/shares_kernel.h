@@ -19,15 +19,16 @@
 AVO_BEGIN_KERNELS
 
 template <typename Real>
-void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
-            double control_time, PairColumns& pairs, std::vector<double>& share) {
+void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
+            std::span<const std::size_t> pair_end, double control_time, PairColumns& pairs,
+            std::vector<double>& share) {
   const Real delta = control_time;
-  std::size_t first = 0;
-  for (const PairOwner& own : robots) {
-    const Real x = own.position.x, y = own.position.y, v_x = own.velocity.x, v_y = own.velocity.y;
-    const Real radius = own.radius, acceleration = own.max_acceleration;
-    std::size_t k = own.neighbor;
-    for (std::size_t i = first; i < own.end; i += Real::kLanes, k += Real::kLanes) {
+  std::size_t i = 0;
+  for (std::size_t r = 0; r < robots.count; ++r) {
+    const Real x = robots.x[r], y = robots.y[r], v_x = robots.v_x[r], v_y = robots.v_y[r];
+    const Real radius = robots.radius[r], acceleration = robots.max_acceleration[r];
+    std::size_t k = robots.neighbors[r].first;
+    for (; i < pair_end[r]; i += Real::kLanes, k += Real::kLanes) {
       (x - Real::load(&neighbors.x[k])).store(&pairs.p_x[i]);
       (y - Real::load(&neighbors.y[k])).store(&pairs.p_y[i]);
       (v_x - Real::load(&neighbors.v_x[k])).store(&pairs.v_x[i]);
@@ -37,34 +38,35 @@ void relate(std::span<const PairOwner> robots, const NeighborColumns& neighbors,
       (delta * both).store(&pairs.reach[i]);
       (acceleration / both).store(&share[i]);
     }
-    first = own.end;
+    i = pair_end[r];
   }
-  pairs.count = first;
+  pairs.count = i;
 }
 
 /// {A's plane is n . v' >= n . v_A + α h}; kept unless D(0, v_max) or D(v_A, δ a_max) by itself
 /// keeps to it.
 template <typename Real>
-void share_out(std::span<const PairOwner> robots, std::span<const double> share,
+void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end,
+               std::span<const double> raise, double control_time, std::span<const double> share,
                const PlaneColumns& relative, SharedPlanes& shared) {
   const Real lane = lane_numbers<Real>();
-  std::size_t first = 0, kept = 0;
+  std::size_t i = 0, kept = 0;
   auto exceeding = lane < Real(0.0);  // none
-  for (std::size_t r = 0; r < robots.size(); ++r) {
-    const PairOwner& own = robots[r];
-    const Real v_x = own.velocity.x, v_y = own.velocity.y, change = own.velocity_change;
-    const Real slowest = -own.max_speed, raise = own.raise, end(static_cast<double>(own.end));
-    for (std::size_t i = first; i < own.end; i += Real::kLanes) {
+  for (std::size_t r = 0; r < robots.count; ++r) {
+    const Real v_x = robots.v_x[r], v_y = robots.v_y[r], raised = raise[r];
+    const Real change = control_time * robots.max_acceleration[r], slowest = -robots.max_speed[r];
+    const Real end(static_cast<double>(pair_end[r]));
+    for (; i < pair_end[r]; i += Real::kLanes) {
       const Real along = Real::load(&relative.n_x[i]) * v_x + Real::load(&relative.n_y[i]) * v_y;
       const Real offset = along + Real::load(&share[i]) * Real::load(&relative.h[i]);
       offset.store(&shared.offset[i]);
       const Real pair = Real(static_cast<double>(i)) + lane;
       const auto exceeds = (Real::load(&relative.excess[i]) > Real(0.0)) & (pair < end);
-      const auto cuts = ((offset + raise > max(slowest, along - change)) & (pair < end)) | exceeds;
+      const auto cuts = ((offset + raised > max(slowest, along - change)) & (pair < end)) | exceeds;
       exceeding = exceeding | exceeds;
       kept += store_chosen(cuts, pair, &shared.kept[kept]);
     }
-    first = own.end;
+    i = pair_end[r];
     shared.kept_end[r] = kept;
   }
   shared.exceeding = any(exceeding);

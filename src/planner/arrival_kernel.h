@@ -12,7 +12,7 @@ AVO_KERNEL Real stopping_distance(Real max_speed, Real max_acceleration) {
 template <typename Real>
 AVO_KERNEL Real traffic_range(Real max_speed, Real max_acceleration, Real radius) {
   const Real stopping = stopping_distance(max_speed, max_acceleration);
-  return max(Real(4.0) * stopping, Real(8.0) * radius);
+  return max(Real(2.0) * stopping, Real(4.0) * radius);
 }
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
@@ -28,13 +28,14 @@ AVO_KERNEL Vec<Real> turned_right(Vec<Real> a, Real angle) {
 
 /// See Traffic.
 template <typename Real>
-AVO_KERNEL Traffic look_around(const Robot& robot, const Neighbors& neighbors, double range) {
-  const NeighborColumns& of = *neighbors.columns;
-  const double slow = kSlow * robot.max_speed;
+AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double range) {
+  const Neighbors& neighbors = robots.neighbors[i];
+  const NeighborColumns& columns = *neighbors.columns;
+  const double slow = kSlow * robots.max_speed[i];
   const Real zero(0.0), one(1.0), per_range(1.0 / range);
   const Real range_squared(range * range), slow_squared(slow * slow);
-  const Vec<Real> p = constant<Real>(robot.position), v = constant<Real>(robot.velocity);
-  const Vec<Real> way = constant<Real>(robot.preferred_velocity);
+  const Vec<Real> p = constant<Real>(robots.position(i)), v = constant<Real>(robots.velocity(i));
+  const Vec<Real> way{robots.preferred_x[i], robots.preferred_y[i]};
   Traffic traffic;
   alignas(64) double weights[8] = {};
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
@@ -42,8 +43,8 @@ AVO_KERNEL Traffic look_around(const Robot& robot, const Neighbors& neighbors, d
       return Real::load(&column[at]);
     };
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
-    const Vec<Real> towards = Vec<Real>{load(of.x), load(of.y)} - p;
-    const Vec<Real> velocity{load(of.v_x), load(of.v_y)};
+    const Vec<Real> towards = Vec<Real>{load(columns.x), load(columns.y)} - p;
+    const Vec<Real> velocity{load(columns.v_x), load(columns.v_y)};
     const Real squared = dot(towards, towards);
     const auto closing = dot(towards, velocity - v) < zero;
     const auto rests = dot(velocity, velocity) < slow_squared;
@@ -57,42 +58,40 @@ AVO_KERNEL Traffic look_around(const Robot& robot, const Neighbors& neighbors, d
       if (Real::kLanes < 8) std::fill_n(weights, 8, 0.0);
     }
 
-    const Real contact = Real(robot.radius) + load(of.radius);
+    const Real contact = Real(robots.radius[i]) + load(columns.radius);
     const Real reach = contact + Real(kRoom) * contact;
     const auto beside = counted & (squared < reach * reach) & (squared > zero);
     for (std::uint32_t lanes = bits(beside); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      traffic.push = traffic.push + push_of(robot, neighbors[k + lane]);
+      traffic.push = traffic.push + push_of(robots.robot(i), neighbors[k + lane]);
     }
   }
   return traffic;
 }
 
 template <typename Real>
-void look_around(std::span<const Sensing> robots, RobotColumns& columns) {
-  for (std::size_t i = 0; i < columns.count; i += Real::kLanes) {
+void look_around(const RobotColumns& robots, ArrivalColumns& columns) {
+  for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
-    traffic_range(load(columns.max_speed), load(columns.max_acceleration), load(columns.radius))
+    traffic_range(load(robots.max_speed), load(robots.max_acceleration), load(robots.radius))
         .store(&columns.range[i]);
   }
-  for (std::size_t i = 0; i < columns.count; ++i) {
-    const Sensing& sensing = robots[i];
-    const Traffic traffic = look_around<Real>(*sensing.robot, sensing.neighbors, columns.range[i]);
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    const Traffic traffic = look_around<Real>(robots, i, columns.range[i]);
     columns.ahead[i] = traffic.ahead;
     columns.push_x[i] = traffic.push.x, columns.push_y[i] = traffic.push.y;
   }
 }
 
 template <typename Real>
-void keep_right(RobotColumns& columns) {
-  for (std::size_t i = 0; i < columns.count; i += Real::kLanes) {
+void keep_right(const RobotColumns& robots, ArrivalColumns& columns) {
+  for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
-    const Vec<Real> way{load(columns.preferred_x), load(columns.preferred_y)};
+    const Vec<Real> way{load(robots.preferred_x), load(robots.preferred_y)};
     const Real ahead = load(columns.ahead);
-    const Real stopping =
-        stopping_distance(load(columns.max_speed), load(columns.max_acceleration));
+    const Real stopping = stopping_distance(load(robots.max_speed), load(robots.max_acceleration));
     const Real part = min(ahead, Real(kCongestion)) / Real(kCongestion);
-    const auto turns = !((load(columns.distance) < stopping) | !(ahead > Real(0.0)));
+    const auto turns = !((load(robots.distance_to_goal) < stopping) | !(ahead > Real(0.0)));
     const Vec<Real> wish = select(turns, turned_right(way, part * Real(kMostKeepRight)), way);
     wish.x.store(&columns.wish_x[i]);
     wish.y.store(&columns.wish_y[i]);
@@ -117,25 +116,25 @@ AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real decreme
 }
 
 template <typename Real>
-void decide_freely(const StepLaw& law, RobotColumns& columns) {
+void decide_freely(const StepLaw& law, const RobotColumns& robots, ArrivalColumns& columns) {
   const auto within = [](Vec<Real> a, Real radius) {
     const Real rounding(kLimitRounding);
     return dot(a, a) <= rounding * radius * radius;
   };
-  for (std::size_t i = 0; i < columns.count; i += Real::kLanes) {
+  for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const auto store = [i](Vec<Real> a, std::vector<double>& x, std::vector<double>& y) {
       a.x.store(&x[i]);
       a.y.store(&y[i]);
     };
-    const Vec<Real> v{load(columns.v_x), load(columns.v_y)};
+    const Vec<Real> v{load(robots.v_x), load(robots.v_y)};
     const Vec<Real> wish{load(columns.wish_x), load(columns.wish_y)};
-    const Real u = load(columns.max_acceleration) * Real(law.braking_time);
+    const Real u = load(robots.max_acceleration) * Real(law.braking_time);
     const Vec<Real> next = approach(v, {load(columns.target_x), load(columns.target_y)}, u);
-    const auto may_detour = load(columns.distance) >= load(columns.radius);
+    const auto may_detour = load(robots.distance_to_goal) >= load(robots.radius);
     const Vec<Real> unhindered = approach(v, wish, u);
     const auto blocked = may_detour & is_blocked(next, unhindered, wish);
-    const auto kept = within(next - v, u) & within(next, load(columns.max_speed));
+    const auto kept = within(next - v, u) & within(next, load(robots.max_speed));
     select(kept & !blocked, Real(1.0), Real(0.0)).store(&columns.is_free[i]);
     const PackPlan<Real> plan = plan_to(v, next, law);
     store(next, columns.next_x, columns.next_y);

@@ -8,8 +8,8 @@
 #include "certificate/kernels.h"
 #include "core/scalar.h"
 #include "planner/arrival.h"
+#include "planner/arrival_columns.h"
 #include "planner/certified.h"
-#include "planner/robot_columns.h"
 
 namespace avo::scalar {
 #include "planner/arrival_kernel.h"
@@ -18,9 +18,9 @@ namespace avo::scalar {
 namespace avo {
 
 struct ArrivalKernels {
-  void (*look_around)(std::span<const Sensing>, RobotColumns&);
-  void (*keep_right)(RobotColumns&);
-  void (*decide_freely)(const StepLaw&, RobotColumns&);
+  void (*look_around)(const RobotColumns&, ArrivalColumns&);
+  void (*keep_right)(const RobotColumns&, ArrivalColumns&);
+  void (*decide_freely)(const StepLaw&, const RobotColumns&, ArrivalColumns&);
 };
 
 }  // namespace avo

@@ -103,12 +103,12 @@ Plan plan_to(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity, 
   return plan;
 }
 
-Plan certify(const Planner& planner, const CertificateLaw& law, const Sensing& sensing,
+Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
              std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour) {
-  const Robot& robot = *sensing.robot;
+  const Robot robot = robots.robot(i);
   const Decision decision{robot, law, planner.acceleration_disc(robot), wished.half_planes,
                           certified};
-  collect_walls(sensing, i, law, certified.walls);
+  begin_walls(robot, robots.neighbors[i], i, law, certified.walls);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
   const double violation = wished.violation();
   return plan_to(law, robot, choice.next_velocity,

@@ -19,7 +19,7 @@ Plan plan_to(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity, 
 
 /// Robot i of those that find_near() was given last: nearest to what the program made of its wish,
 /// or on a detour.
-Plan certify(const Planner& planner, const CertificateLaw& law, const Sensing& sensing,
+Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
              std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour);
 
 /// One robot on its way to a target outside the obstacles of movers (§III-C), none of which

@@ -70,11 +70,11 @@ inline PlanStatus status_of(bool overlapping, double violation) {
 // The parts of a plan below leave next_velocity to whoever moves the robot.
 
 // Here to be inlined: passing a vector by value costs more than the division.
-inline Plan plan_of(const PlannerOptions& options, const Robot& robot, Vec2 new_velocity,
+inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_velocity,
                     PlanStatus status, double violation) {
   const double time = adopts_at_once(options.method) ? options.time_step : options.control_time;
   return {.new_velocity = new_velocity,
-          .acceleration = (new_velocity - robot.velocity) / time,
+          .acceleration = (new_velocity - velocity) / time,
           .status = status,
           .violation = violation};
 }

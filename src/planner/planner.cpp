@@ -129,11 +129,9 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   scratch.reserve_choice(neighbors, braking_steps);
   scratch.order.reserve(neighbors);
   scratch.ordered.reserve(neighbors);
-  scratch.seen.reserve(neighbors);
-  scratch.deciding.reserve(1);
-  scratch.sensing.reserve(1);
+  scratch.alone.reserve(1, neighbors);
   scratch.wishes.reserve(1);
-  scratch.columns.reserve(1);
+  scratch.arrival.reserve(1);
   scratch.results.reserve(1);
   avo::reserve(1, neighbors, scratch.soft);
 }
@@ -199,13 +197,15 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
   if (!can_brake(robot)) return {.status = PlanStatus::invalid_input};
   const PlannerOptions& options = planner.options();
-  if (adopts_at_once(options.method)) return plan_of(options, robot, {}, status, violation);
+  if (adopts_at_once(options.method))
+    return plan_of(options, robot.velocity, {}, status, violation);
   if (options.method == Method::avo) {
     const CertificateLaw law = certificate_law(planner);
     return plan_to(law, robot, backup_velocity(robot, law), status, violation);
   }
-  return plan_of(options, robot, braking_velocity(robot, options.control_time, planner.step_rate()),
-                 status, violation);
+  return plan_of(options, robot.velocity,
+                 braking_velocity(robot, options.control_time, planner.step_rate()), status,
+                 violation);
 }
 
 Plan choose_among_obstacles(const Planner& planner, const Robot& robot,
@@ -241,7 +241,7 @@ Plan choose_among_obstacles(const Planner& planner, const Robot& robot,
   const PlanStatus status = overlapping                          ? PlanStatus::overlapping
                             : choice.state == PassiveState::free ? PlanStatus::optimal
                                                                  : PlanStatus::least_unsafe;
-  return plan_of(options, robot, choice.velocity, status, choice.violation);
+  return plan_of(options, robot.velocity, choice.velocity, status, choice.violation);
 }
 
 namespace {
@@ -269,9 +269,14 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
   if (all_valid(robot, neighbors) && follows_heading(robot)) {
     StageClock clock;
     PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-    const Neighbors seen = in_columns(nearest_first(robot, neighbors, scratch), scratch.seen);
-    const Deciding alone{{&robot, seen, true}, &next, &plan};
-    plan_together(*this, {&alone, 1}, scratch, clock);
+    Tile& tile = scratch.alone;
+    tile.clear();
+    tile.robots.reserve(1);
+    tile.robots.add(robot, in_columns(nearest_first(robot, neighbors, scratch), tile.neighbors));
+    tile.detour.push_back(&next);
+    tile.plan.push_back(&plan);
+    tile.slot.push_back(0);
+    plan_together(*this, tile, scratch, clock);
   } else {
     plan = brake(*this, robot, PlanStatus::invalid_input, 0.0);
   }

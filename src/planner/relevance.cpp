@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "certificate/kernels.h"
 #include "certificate/pair.h"
 #include "planner/arrival.h"
 #include "planner/certify.h"
@@ -23,17 +24,21 @@ Braking fastest(const Planner& planner, const Robot& robot) {
 
 // Beyond it cannot_meet() holds of all pairs. What covers rounding grows with the places of both,
 // of which the neighbor's is at most the distance farther out, √2 of it in one-norms.
-double certificate_range(const Planner& planner, const Robot& robot, const Peers& peers) {
-  const SensingError& error = planner.options().sensing_error;
-  const double time = planner.options().time_step * peers.intervals;
-  const double reach = robot.radius + fastest(planner, robot).reach + peers.reach;
+std::array<double, 3> certificate_range(const Planner& planner, const Robot& robot,
+                                        const Peers& peers) {
+  const StepLaw law = certificate_law(planner).step;
+  const SensingError& error = law.sensing_error;
+  const double time = law.time_step * peers.intervals;
   const double least_share =
       0.5 * peers.least_acceleration / (peers.least_acceleration + peers.most_acceleration);
   const double margin = 0x1p-48 * (1.0 + peers.intervals) / least_share;
-  if (!(margin < 0.5)) return kInfinity;
-  const double places = 4.0 * kMostRelevantPosition;
-  return (reach + error.position + error.velocity * time + margin * (reach + places)) /
-         (1.0 - std::numbers::sqrt2 * margin);
+  if (!(margin < 0.5)) return {kInfinity, 0.0, 0.0};
+  const double wider = (1.0 + margin) / (1.0 - std::numbers::sqrt2 * margin);
+  const double u = braking_decrement(robot.max_acceleration, law);
+  const auto [at_rest, slope, curvature] = scalar::reach_bound(scalar::Pack<double>(u), law);
+  const double others = robot.radius + peers.reach + error.position + error.velocity * time +
+                        4.0 * margin * kMostRelevantPosition;
+  return {wider * (at_rest.value + others), wider * slope.value, wider * curvature.value};
 }
 
 }  // namespace
@@ -47,13 +52,14 @@ void include(Peers& peers, const Planner& planner, const Robot& robot) {
   peers.most_acceleration = std::max(peers.most_acceleration, robot.max_acceleration);
 }
 
-double relevant_range(const Planner& planner, const Robot& robot, const Peers& peers) {
+RelevantRange relevant_range(const Planner& planner, const Robot& robot, const Peers& peers) {
   const PlannerOptions& options = planner.options();
-  if (!options.max_neighbors) return kInfinity;
-  if (options.certificate == Certificate::none) return 0.0;
-  const double range =
-      std::max(certificate_range(planner, robot, peers), arrival_range(robot, peers.radius));
-  return (1.0 + kRounding) * range;
+  if (!options.max_neighbors) return {kInfinity};
+  if (options.certificate == Certificate::none) return {};
+  RelevantRange range{arrival_range(robot, peers.radius), certificate_range(planner, robot, peers)};
+  range.least *= 1.0 + kRounding;
+  for (double& part : range.reach) part *= 1.0 + kRounding;
+  return range;
 }
 
 }  // namespace avo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whom a decision depends on: of all that a robot senses, only the near ones matter to method avo.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "avo/planner.h"
@@ -18,12 +20,22 @@ struct Peers {
 /// Of the robot only radius and limits count.
 void include(Peers& peers, const Planner& planner, const Robot& robot);
 
+/// By the speed that a robot has: see relevant_range().
+struct RelevantRange {
+  double least = 0.0;             ///< m, whatever the speed
+  std::array<double, 3> reach{};  ///< m, s, s²/m: a polynomial of the speed
+
+  [[nodiscard]] double at(double speed) const {
+    return std::max(least, reach[0] + speed * (reach[1] + speed * reach[2]));
+  }
+};
+
 /// m: a neighbor farther away changes no bit of what Planner::plan() decides among neighbors in the
-/// order of their distances, unless it is one of
-/// the nearest max_neighbors or does not decide itself; 0 where nobody else matters, infinite where
-/// all do. Holds while no robot exceeds its max_speed by more than a rounding, and within
-/// kMostRelevantPosition of the origin. Of the robot only radius and limits count.
-double relevant_range(const Planner& planner, const Robot& robot, const Peers& peers);
+/// order of their distances, unless it is one of the nearest max_neighbors or does not decide
+/// itself; 0 where nobody else matters, infinite where all do. Holds while no other robot exceeds
+/// its max_speed by more than a rounding, and within kMostRelevantPosition of the origin. Of the
+/// robot only radius and limits count.
+RelevantRange relevant_range(const Planner& planner, const Robot& robot, const Peers& peers);
 
 /// m, of either coordinate.
 inline constexpr double kMostRelevantPosition = 1e6;

@@ -8,9 +8,9 @@
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 #include "lp/programs.h"
+#include "planner/arrival_columns.h"
 #include "planner/certified.h"
 #include "planner/passive_obstacles.h"
-#include "planner/robot_columns.h"
 #include "planner/together.h"
 
 namespace avo {
@@ -18,11 +18,9 @@ namespace avo {
 struct PlanWorkspace::Scratch {
   static Scratch& of(PlanWorkspace& workspace) { return *workspace.scratch_; }
 
-  std::vector<Deciding> deciding;  // of which these are stages
-  std::vector<Sensing> sensing;
   SoftPlanes soft;
   std::vector<Vec2> wishes;
-  RobotColumns columns;  // of method avo
+  ArrivalColumns arrival;  // of method avo
   std::vector<ProgramResult> results;
   ProgramBatch programs;
   ProgramRows rows;
@@ -30,7 +28,7 @@ struct PlanWorkspace::Scratch {
   // of the neighbors given: numbers, and themselves sorted by distance
   std::vector<std::uint32_t> order;
   std::vector<Neighbor> ordered;
-  NeighborColumns seen;
+  Tile alone;  // of one robot
   std::vector<Neighbor> listed, movers;
   PassiveWorkspace passive;
   CertifiedWorkspace certified;

@@ -16,30 +16,29 @@ void grow(std::vector<T>& column, std::size_t size) {
   if (column.size() < size) column.resize(size);
 }
 
-// Fills soft.owners; returns the number of pairs.
-std::size_t list_owners(const PlannerOptions& options, std::span<const Sensing> robots,
+// Returns the number of pairs.
+std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robots,
                         SoftPlanes& soft) {
-  soft.owners.clear();
+  soft.pair_end.clear();
   std::size_t end = 0;
-  for (const Sensing& sensing : robots) {
-    const Robot& robot = *sensing.robot;
-    end += planned_with(options, sensing.neighbors.size());
-    soft.owners.push_back({robot.position, robot.velocity, robot.radius, robot.max_acceleration,
-                           options.control_time * robot.max_acceleration, robot.max_speed, 0.0,
-                           sensing.neighbors.first, end});
+  for (std::size_t r = 0; r < robots.count; ++r) {
+    end += planned_with(options, robots.neighbors[r].size());
+    soft.pair_end.push_back(end);
   }
+  soft.raise.assign(robots.count, 0.0);
   return end;
 }
 
 // What those that do not decide make of a pair, and by how much it can raise the offset.
-void add_movers(const PlannerOptions& options, const NeighborColumns& neighbors, SoftPlanes& soft) {
+void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
+  const NeighborColumns& neighbors = tile.neighbors;
   std::size_t i = 0;
-  for (PairOwner& own : soft.owners) {
-    for (std::size_t k = own.neighbor; i < own.end; ++i, ++k) {
+  for (std::size_t r = 0; r < tile.robots.count; ++r) {
+    for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
       if (neighbors.decides[k] != 0.0) continue;
       const double acceleration = norm(neighbors.acceleration[k]);
-      soft.pairs.reach[i] = options.control_time * (own.max_acceleration + acceleration);
-      own.raise = std::max(own.raise, options.control_time * acceleration);
+      soft.pairs.reach[i] = options.control_time * (tile.robots.max_acceleration[r] + acceleration);
+      soft.raise[r] = std::max(soft.raise[r], options.control_time * acceleration);
       soft.share[i] = 1.0;
     }
   }
@@ -50,9 +49,9 @@ void mark_overlaps(SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
-  for (std::size_t r = 0; r < soft.owners.size(); ++r) {
+  for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
     bool found = false;
-    for (; i < soft.owners[r].end; ++i) {
+    for (; i < soft.pair_end[r]; ++i) {
       found |= states[i] == PairState::overlapping || states[i] == PairState::coincident;
     }
     soft.overlapping[r] = found ? 1 : 0;
@@ -86,16 +85,15 @@ void keep(std::size_t robots, SoftPlanes& soft) {
                     soft.shared.kept_end.begin() + static_cast<std::ptrdiff_t>(robots));
 }
 
-void raise_for_movers(const PlannerOptions& options, std::span<const Sensing> robots,
-                      SoftPlanes& soft) {
+void raise_for_movers(const PlannerOptions& options, const RobotColumns& robots, SoftPlanes& soft) {
   std::size_t begin = 0;
-  for (std::size_t r = 0; r < robots.size(); ++r) {
+  for (std::size_t r = 0; r < robots.count; ++r) {
     for (std::size_t k = soft.first[r]; k < soft.first[r + 1]; ++k) {
       const std::size_t pair = static_cast<std::size_t>(soft.shared.kept[k]) - begin;
       HalfPlane& plane = soft.planes[k];
-      plane.offset += mover_offset(options, robots[r].neighbors[pair], plane.normal);
+      plane.offset += mover_offset(options, robots.neighbors[r][pair], plane.normal);
     }
-    begin = soft.owners[r].end;
+    begin = soft.pair_end[r];
   }
 }
 
@@ -106,43 +104,44 @@ void reserve(std::size_t pairs, SoftPlanes& soft) {
   grow(soft.shared.kept, pairs + kSparePairs);
 }
 
-void collect_exact(const PlannerOptions& options, const Horizon& horizon,
-                   std::span<const Sensing> robots, SoftPlanes& soft) {
-  soft.overlapping.assign(robots.size(), 0);
-  if (robots.empty()) return;
-  const NeighborColumns& neighbors = *robots[0].neighbors.columns;
-  reserve(list_owners(options, robots, soft), soft);
-  relate(soft.owners, neighbors, options.control_time, soft.pairs, soft.share);
-  if (neighbors.has_movers) add_movers(options, neighbors, soft);
+void collect_exact(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                   SoftPlanes& soft) {
+  const RobotColumns& robots = tile.robots;
+  soft.overlapping.assign(robots.count, 0);
+  if (robots.count == 0) return;
+  reserve(count_pairs(options, robots, soft), soft);
+  relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
+  if (tile.neighbors.has_movers) add_movers(options, tile, soft);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
-  share_out(soft.owners, soft.share, soft.relative, soft.shared);
+  share_out(robots, soft.pair_end, soft.raise, options.control_time, soft.share, soft.relative,
+            soft.shared);
   mark_overlaps(soft);
-  keep(robots.size(), soft);
-  if (neighbors.has_movers) raise_for_movers(options, robots, soft);
+  keep(robots.count, soft);
+  if (tile.neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
 
 // ORCA's half-planes, and those of the paper's samples.
-void collect_others(const PlannerOptions& options, const Horizon& horizon,
-                    std::span<const Sensing> robots, SoftPlanes& soft) {
+void collect_others(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                    SoftPlanes& soft) {
   soft.planes.clear();
   soft.excess.clear();
   soft.exceeding = false;
   soft.first.assign(1, 0);
   soft.overlapping.clear();
-  for (const Sensing& sensing : robots) {
+  for (std::size_t i = 0; i < tile.robots.count; ++i) {
+    const Robot robot = tile.robots.robot(i);
+    const Neighbors& neighbors = tile.robots.neighbors[i];
     soft.overlapping.push_back(0);
-    const std::size_t count = planned_with(options, sensing.neighbors.size());
+    const std::size_t count = planned_with(options, neighbors.size());
     for (std::size_t k = 0; k < count; ++k) {
-      const Neighbor neighbor = sensing.neighbors[k];
-      const RelativeHalfPlane relative =
-          relative_half_plane(options, horizon, *sensing.robot, neighbor);
+      const Neighbor neighbor = neighbors[k];
+      const RelativeHalfPlane relative = relative_half_plane(options, horizon, robot, neighbor);
       if (relative.state == PairState::free) continue;
       if (relative.state == PairState::overlapping || relative.state == PairState::coincident) {
         soft.overlapping.back() = 1;
         if (relative.state == PairState::coincident) continue;
       }
-      const NeighborPlane own =
-          share_of(options, *sensing.robot, neighbor, static_cast<int>(k), relative);
+      const NeighborPlane own = share_of(options, robot, neighbor, static_cast<int>(k), relative);
       soft.planes.push_back(own.plane);
       soft.excess.push_back(own.excess);
       soft.exceeding |= own.excess > 0.0;
@@ -194,17 +193,18 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
   soft.planes.reserve(pairs);
   soft.excess.reserve(pairs);
   grow(soft.shared.kept_end, robots);
-  soft.owners.reserve(robots);
+  soft.pair_end.reserve(robots);
+  soft.raise.reserve(robots);
   soft.first.reserve(robots + 1);
   soft.overlapping.reserve(robots);
 }
 
-void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon,
-                         std::span<const Sensing> robots, SoftPlanes& soft) {
+void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                         SoftPlanes& soft) {
   if (options.method == Method::orca || options.samples > 0) {
-    collect_others(options, horizon, robots, soft);
+    collect_others(options, horizon, tile, soft);
   } else {
-    collect_exact(options, horizon, robots, soft);
+    collect_exact(options, horizon, tile, soft);
   }
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "avo/planner.h"
-#include "core/neighbor_columns.h"
 #include "obstacles/half_planes.h"
+#include "planner/tile.h"
 
 namespace avo {
 
@@ -21,8 +21,9 @@ struct SoftPlanes {
   std::vector<std::uint8_t> overlapping;  ///< whether robot i is in contact already
 
   // scratch memory
-  std::vector<double> share;  // of each pair, Eq. (20)
-  std::vector<PairOwner> owners;
+  std::vector<double> share;          // of each pair, Eq. (20)
+  std::vector<std::size_t> pair_end;  // behind those of each robot
+  std::vector<double> raise;          // m/s, of each robot: most that movers add to its offsets
   SharedPlanes shared;
   PairColumns pairs;
   HalfPlaneWorkspace workspace;
@@ -54,7 +55,7 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 
 /// Of what either limit holds by itself nothing is kept: such a plane cannot cut.
-void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon,
-                         std::span<const Sensing> robots, SoftPlanes& soft);
+void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                         SoftPlanes& soft);
 
 }  // namespace avo

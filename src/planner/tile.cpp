@@ -4,17 +4,20 @@
 namespace avo {
 
 void Tile::clear() {
+  robots.clear();
   neighbors.clear();
-  first.assign(1, 0);
-  deciding.clear();
+  detour.clear();
+  plan.clear();
+  slot.clear();
   trusted = true;
 }
 
 void Tile::reserve(std::size_t most_robots, std::size_t most_neighbors) {
   robots.reserve(most_robots);
   neighbors.reserve(most_neighbors);
-  first.reserve(most_robots + 1);
-  deciding.reserve(most_robots);
+  detour.reserve(most_robots);
+  plan.reserve(most_robots);
+  slot.reserve(most_robots);
 }
 
 }  // namespace avo

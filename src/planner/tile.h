@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that are planned together: their neighbors lie side by side.
+// Robots that are planned together: what they know, sense and remember, and what they decide.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "avo/planner.h"
-#include "core/neighbor_columns.h"
-#include "planner/together.h"
+#include "core/robot_columns.h"
 
 namespace avo {
 
-/// What robots know and sense, and where their decisions go. Allocates only while it grows.
+/// Allocates only while it grows.
 struct Tile {
-  std::vector<Robot> robots;          ///< those of deciding
-  NeighborColumns neighbors;          ///< of all the robots, each by distance and id
-  std::vector<std::size_t> first{0};  ///< of robot i: [first[i], first[i + 1]), into neighbors
-  std::vector<Deciding> deciding;     ///< what each remembers and decides, by plan_together()
-  bool trusted = true;                ///< all neighbors are known to be finite and in range
+  RobotColumns robots;
+  NeighborColumns neighbors;        ///< of all the robots, each one's by distance and id
+  std::vector<Detour*> detour;      ///< of each robot; updated
+  std::vector<Plan*> plan;          ///< filled, but for next_velocity: moving the robot tells that
+  std::vector<std::uint32_t> slot;  ///< what whoever fills the tile calls each robot
+  bool trusted = true;  ///< the robots and their neighbors are known to be finite and in range
 
   void clear();
-  [[nodiscard]] std::size_t size() const { return deciding.size(); }
-  [[nodiscard]] Neighbors neighbors_of(std::size_t i) const {
-    return {&neighbors, first[i], first[i + 1] - first[i]};
-  }
   void reserve(std::size_t most_robots, std::size_t most_neighbors);
 };
 

@@ -7,6 +7,7 @@
 
 #include "avo/simulation.h"
 #include "core/executor.h"
+#include "planner/relevance.h"
 
 namespace avo {
 
@@ -26,7 +27,7 @@ struct Fleet {
   std::vector<RobotId> id;
   std::vector<int> rank;
   std::vector<RobotTraits> traits;
-  std::vector<double> range;   // m, see relevant_range()
+  std::vector<RelevantRange> range;
   std::vector<float> nearest;  // m, within which it found its nearest neighbors in the last step
   std::vector<Vec2> goal;
   std::vector<Vec2> position;

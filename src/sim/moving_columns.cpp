@@ -39,12 +39,12 @@ constexpr MovingKernels kKernels{choose_ways<Pack<double>>, advance<Pack<double>
 
 static constexpr KernelTable<MovingKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
-void choose_ways(const GoalLaw& law, MovingColumns& robots) {
-  kKernels->choose_ways(law, robots);
+void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots) {
+  kKernels->choose_ways(law, moving, robots);
 }
 
-std::uint64_t advance(const StepResponse& response, MovingColumns& robots) {
-  return kKernels->advance(response, robots);
+std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots) {
+  return kKernels->advance(response, moving, robots);
 }
 
 }  // namespace avo

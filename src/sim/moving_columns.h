@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The robots of a tile in columns: what they do on their own, in lanes.
+// The ways and the motion of a tile's robots, in lanes.
 #pragma once
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "core/robot_columns.h"
 #include "robots/motion.h"
 #include "sim/goals.h"
 
@@ -14,38 +15,23 @@ namespace avo {
 /// bits.
 inline constexpr std::size_t kTileRobots = 64;
 
+/// By robot, beside RobotColumns: what a simulation alone knows.
 struct alignas(64) MovingColumns {
   using Column = std::array<double, kTileRobots>;
-  std::size_t count = 0;
-  Column x{}, y{}, v_x{}, v_y{}, goal_x{}, goal_y{};  // m, m/s
-  Column preferred_speed{}, max_acceleration{}, max_speed{};
-
-  Column distance{};                    // m, to the goal; by choose_ways()
-  Column preferred_x{}, preferred_y{};  // m/s, likewise
-  Column new_x{}, new_y{};              // m/s, v'
-  Column acceleration{};                // m/s^2, see MotionStep; by advance()
-
-  Vec2 position(std::size_t k) const { return {x[k], y[k]}; }
-  Vec2 velocity(std::size_t k) const { return {v_x[k], v_y[k]}; }
-  void set(std::size_t k, Vec2 position, Vec2 velocity, Vec2 goal, const RobotTraits& traits) {
-    x[k] = position.x, y[k] = position.y;
-    v_x[k] = velocity.x, v_y[k] = velocity.y;
-    goal_x[k] = goal.x, goal_y[k] = goal.y;
-    preferred_speed[k] = traits.preferred_speed;
-    max_acceleration[k] = traits.max_acceleration;
-    max_speed[k] = traits.max_speed;
-  }
+  Column goal_x{}, goal_y{}, preferred_speed{};  // m, m/s
+  Column new_x{}, new_y{};                       // m/s, v'
+  Column acceleration{};                         // m/s^2, see MotionStep; by advance()
 };
 
 /// preferred_velocity() of all, and how far they are from their goals.
-void choose_ways(const GoalLaw& law, MovingColumns& robots);
+void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots);
 
 /// advance() of all, from v' on. Bit k is set where robot k then exceeds its max_speed.
-std::uint64_t advance(const StepResponse& response, MovingColumns& robots);
+std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots);
 
 struct MovingKernels {
-  void (*choose_ways)(const GoalLaw&, MovingColumns&);
-  std::uint64_t (*advance)(const StepResponse&, MovingColumns&);
+  void (*choose_ways)(const GoalLaw&, const MovingColumns&, RobotColumns&);
+  std::uint64_t (*advance)(const StepResponse&, MovingColumns&, RobotColumns&);
 };
 
 }  // namespace avo

@@ -3,34 +3,34 @@
 // set, behind sim/goals_kernel.h and robots/holonomic_kernel.h.
 
 template <typename Real>
-void choose_ways(const GoalLaw& law, MovingColumns& robots) {
+void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots) {
   static_assert(kTileRobots % Real::kLanes == 0);
   for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
-    const auto load = [k](const MovingColumns::Column& of) { return Real::load(&of[k]); };
+    const auto load = [k](const auto& column) { return Real::load(&column[k]); };
     const Traveller<Real> robot{{load(robots.x), load(robots.y)},
                                 {load(robots.v_x), load(robots.v_y)},
-                                {load(robots.goal_x), load(robots.goal_y)},
-                                load(robots.preferred_speed),
+                                {load(moving.goal_x), load(moving.goal_y)},
+                                load(moving.preferred_speed),
                                 load(robots.max_acceleration),
                                 load(robots.max_speed)};
     const Way<Real> way = way_of(robot, law);
-    way.distance.store(&robots.distance[k]);
+    way.distance.store(&robots.distance_to_goal[k]);
     const Vec<Real> v = preferred_velocity(robot, way, law);
     v.x.store(&robots.preferred_x[k]), v.y.store(&robots.preferred_y[k]);
   }
 }
 
 template <typename Real>
-std::uint64_t advance(const StepResponse& response, MovingColumns& robots) {
+std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots) {
   std::uint64_t fast = 0;
   for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
-    const auto load = [k](const MovingColumns::Column& of) { return Real::load(&of[k]); };
+    const auto load = [k](const auto& column) { return Real::load(&column[k]); };
     const Moved<Real> next =
         moved<Real>({load(robots.x), load(robots.y)}, {load(robots.v_x), load(robots.v_y)},
-                    {load(robots.new_x), load(robots.new_y)}, response);
+                    {load(moving.new_x), load(moving.new_y)}, response);
     next.position.x.store(&robots.x[k]), next.position.y.store(&robots.y[k]);
     next.velocity.x.store(&robots.v_x[k]), next.velocity.y.store(&robots.v_y[k]);
-    next.acceleration.store(&robots.acceleration[k]);
+    next.acceleration.store(&moving.acceleration[k]);
     const Real limit = Real(1.0 + kSpeedRounding) * load(robots.max_speed);
     const auto keeps = dot(next.velocity, next.velocity) <= limit * limit;
     fast |= std::uint64_t{bits(!keeps)} << k;

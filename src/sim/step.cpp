@@ -49,7 +49,8 @@ void find_ranges(World& world) {
   world.fast = false;
   for (const std::uint32_t slot : fleet.slot_of) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
-    sum += std::min(fleet.range[slot], world.settings.sensing_radius);
+    sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed),
+                    world.settings.sensing_radius);
     world.fast = world.fast || world.is_fast(slot);
   }
   world.valid = world.obstacles.setup.empty() && world.settings.sensing_radius <= kFarthestTrusted;
@@ -115,7 +116,7 @@ double near_range(const World& world, std::size_t slot) {
   // among movers it matters whether anybody decides at all
   if (world.fast || !world.obstacles.setup.empty() || !(farthest <= kMostRelevantPosition))
     return everyone;
-  return world.fleet.range[slot];
+  return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
 
 // In canonical order, behind the others.
@@ -189,6 +190,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   const std::size_t robots =
       world.snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
+    const std::size_t first = worker.tile.neighbors.count;
     if (world.obstacles.setup.empty()) {
       append(world, worker.search.found[i], worker.search, worker.tile.neighbors);
     } else {
@@ -196,7 +198,8 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     }
     fleet.nearest[slots[i]] =
         reach_of_nearest(worker.search.found[i], world.most_nearest(), worker.search);
-    worker.tile.first.push_back(worker.tile.neighbors.count);
+    const NeighborColumns& neighbors = worker.tile.neighbors;
+    worker.tile.robots.neighbors.push_back({&neighbors, first, neighbors.count - first});
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
     if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/executor.h"
+#include "core/stage_clock.h"
 #include "planner/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"

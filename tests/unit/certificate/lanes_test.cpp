@@ -114,15 +114,19 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
     const StepLaw& law = crowds[0].law.step;
     NeighborColumns columns;
     columns.reserve(30 * 20);
-    std::vector<Sensing> sensing;
+    RobotColumns robots, single;
+    robots.reserve(crowds.size());
+    single.reserve(1);
     for (const Crowd& crowd : crowds) {
-      sensing.push_back({&crowd.robot, {&columns, columns.count, crowd.neighbors.size()}, true});
+      robots.add(crowd.robot, {&columns, columns.count, crowd.neighbors.size()});
       for (const Neighbor& each : crowd.neighbors) columns.add(each);
     }
     NearPairs all, alone;
-    find_near(sensing, Whom::everyone, law, all);
-    for (std::size_t i = 0; i < sensing.size(); ++i) {
-      find_near({&sensing[i], 1}, Whom::everyone, law, alone);
+    find_near(robots, Whom::everyone, law, all);
+    for (std::size_t i = 0; i < crowds.size(); ++i) {
+      single.clear();
+      single.add(crowds[i].robot, robots.neighbors[i]);
+      find_near(single, Whom::everyone, law, alone);
       ASSERT_EQ(all.of(i).size(), alone.of(0).size());
       EXPECT_EQ(all.has_movers[i], alone.has_movers[0]);
       for (std::size_t k = 0; k < all.of(i).size(); ++k) {
@@ -145,6 +149,8 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
 TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   Random random(42);
   int slow = 0, tight = 0;
+  RobotColumns robots;
+  robots.reserve(1);
   NeighborColumns columns;
   NearPairs near;
   for (int i = 0; i < 4000; ++i) {
@@ -152,8 +158,9 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
         random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
     const StepLaw& law = s.law.step;
     const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, law);
-    const Sensing sensing{&s.a, in_columns({}, columns), true};
-    find_near({&sensing, 1}, Whom::everyone, law, near);
+    robots.clear();
+    robots.add(s.a, in_columns({}, columns));
+    find_near(robots, Whom::everyone, law, near);
     const Deviation deviation = near.own.deviation(0);
     OwnColumns own;
     own.count = std::min<std::size_t>(static_cast<std::size_t>(a.intervals), 100);
@@ -180,15 +187,32 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   EXPECT_GT(tight, 500);
 }
 
+using Real = scalar::Pack<double>;
+
+scalar::Vec<Real> pack(Vec2 v) {
+  return scalar::constant<Real>(v);
+}
+
+// What one robot looks at another by.
+struct Look {
+  scalar::PackBound<Real> bound;
+  scalar::BrakingPoint<Real> self;
+  scalar::PackNeighbor<Real> other;
+};
+
+Look look_of(const Robot& a, const Neighbor& b, const StepLaw& law) {
+  const auto own = scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), law);
+  const auto deviation = scalar::deviation_of(own, scalar::Mask{a.car.has_value()}, law);
+  return {
+      scalar::bound_of(pack(a.position), Real(a.radius), own.profile, deviation, Real(a.max_speed),
+                       law),
+      {pack(a.position), pack(a.velocity), own.direction, own.profile.speed, a.max_acceleration},
+      {pack(b.position), pack(b.velocity), b.radius, b.max_acceleration}};
+}
+
 bool is_beyond_far_bound(const Robot& a, const Neighbor& b, const StepLaw& law) {
-  using Real = scalar::Pack<double>;
-  const auto pack = [](Vec2 v) { return scalar::constant<Real>(v); };
-  const auto own = scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), law).profile;
-  const auto bound =
-      scalar::far_bound_of(pack(a.position), Real(a.radius), own, Real(a.max_speed), law);
-  const scalar::PackNeighbor<Real> other{pack(b.position), pack(b.velocity), b.radius,
-                                         b.max_acceleration};
-  return scalar::are_far(bound, Real(a.max_acceleration), pack(a.position - b.position), other).bit;
+  const Look look = look_of(a, b, law);
+  return scalar::are_far(look.bound, look.self, look.other).bit;
 }
 
 // And all but a few where none can.
@@ -213,6 +237,33 @@ TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
     beyond += part > 1.05 ? 1 : 0;
   }
   EXPECT_GT(far, beyond / 2);
+}
+
+// Whoever is told without a division to refuse nothing is told so by the exact bound as well.
+TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
+  Random random(45);
+  int clear = 0, exactly = 0, near = 0;
+  for (int i = 0; i < 20000; ++i) {
+    PairSituation s =
+        random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
+    s.b.max_acceleration = s.a.max_acceleration;
+    const Neighbor other = seen(s.b);
+    const StepLaw& law = s.law.step;
+    const Look look = look_of(s.a, other, law);
+    const bool told = scalar::are_clear(look.bound, look.self, look.other, law).bit;
+    const auto own = scalar::braking_of(pack(s.a.velocity), Real(s.a.max_acceleration), law);
+    const scalar::PackSelf<Real> self{pack(s.a.position), pack(s.a.velocity), s.a.radius,
+                                      s.a.max_acceleration, own};
+    const auto pair = scalar::pair_of(self, look.other, law);
+    const auto [gap, against] = scalar::clearance_of(self, pair, look.other, law);
+    const auto deviation = scalar::deviation_of(own, scalar::Mask{s.a.car.has_value()}, law);
+    const bool refuses_nothing =
+        gap.value > against.value * deviation.most_ahead.value + deviation.most_aside.value;
+    EXPECT_TRUE(!told || refuses_nothing) << "pair " << i;
+    clear += told ? 1 : 0, exactly += refuses_nothing ? 1 : 0, near += refuses_nothing ? 0 : 1;
+  }
+  EXPECT_GT(near, 1000);
+  EXPECT_GT(clear, exactly / 4);
 }
 
 }  // namespace

@@ -140,7 +140,8 @@ Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
     const Crowd crowd =
         k % 4 == 0 ? duel(random, certificate, motion) : crowd_of(random, certificate, motion);
     const Planner planner(crowd.options);
-    const double range = relevant_range(planner, crowd.robot, peers_of(crowd, planner));
+    const double range = relevant_range(planner, crowd.robot, peers_of(crowd, planner))
+                             .at(norm(crowd.robot.velocity));
     const Detour detour{random.uniform(0.0, 1.0), random.uniform(0.0, 2.0)};
     const Decision all = decide(planner, crowd.robot, crowd.neighbors, detour);
     const std::vector<Neighbor> kept = relevant(crowd, range);
@@ -197,12 +198,13 @@ TEST(Relevance, everyone_matters_where_nothing_bounds_it) {
   const Robot robot;
   Peers peers;
   include(peers, Planner(options), robot);
-  EXPECT_TRUE(std::isinf(relevant_range(Planner(options), robot, peers)));  // all half-planes
+  EXPECT_TRUE(
+      std::isinf(relevant_range(Planner(options), robot, peers).at(0.0)));  // all half-planes
   options.max_neighbors = 10;
-  EXPECT_TRUE(std::isfinite(relevant_range(Planner(options), robot, peers)));
+  EXPECT_TRUE(std::isfinite(relevant_range(Planner(options), robot, peers).at(robot.max_speed)));
   options = default_options(Method::avo_paper);
   options.max_neighbors = 10;
-  EXPECT_EQ(relevant_range(Planner(options), robot, peers), 0.0);
+  EXPECT_EQ(relevant_range(Planner(options), robot, peers).at(robot.max_speed), 0.0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Robots in columns do, bit for bit, what each does alone, on every instruction set.
 #include "sim/moving_columns.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -51,15 +52,25 @@ PlannerOptions random_options(Random& random, Method method) {
   return options;
 }
 
+struct Moved {
+  RobotColumns robots;
+  MovingColumns moving;
+};
+
 // What is left over behind them is fast, and wants to go on.
-MovingColumns columns_of(const std::vector<Mover>& movers) {
-  MovingColumns columns;
-  for (MovingColumns::Column* column : {&columns.v_x, &columns.goal_y, &columns.new_x}) {
-    column->fill(1e9);
-  }
-  columns.count = movers.size();
+Moved columns_of(const std::vector<Mover>& movers) {
+  Moved columns;
+  columns.robots.reserve(kTileRobots);
+  std::fill(columns.robots.v_x.begin(), columns.robots.v_x.end(), 1e9);
+  columns.moving.goal_y.fill(1e9), columns.moving.new_x.fill(1e9);
   for (std::size_t k = 0; k < movers.size(); ++k) {
-    columns.set(k, movers[k].position, movers[k].velocity, movers[k].goal, movers[k].traits);
+    Robot robot;
+    robot.position = movers[k].position, robot.velocity = movers[k].velocity;
+    robot.max_acceleration = movers[k].traits.max_acceleration;
+    robot.max_speed = movers[k].traits.max_speed;
+    columns.robots.add(robot, {});
+    columns.moving.goal_x[k] = movers[k].goal.x, columns.moving.goal_y[k] = movers[k].goal.y;
+    columns.moving.preferred_speed[k] = movers[k].traits.preferred_speed;
   }
   return columns;
 }
@@ -94,12 +105,12 @@ TEST_F(Moving, ways_are_those_of_each_robot) {
   std::size_t at_speed = 0, all = 0;
   for_random_tiles([&](const Planner& planner, const std::vector<Mover>& movers, Random&) {
     const GoalLaw law = goal_law(planner);
-    MovingColumns columns = columns_of(movers);
-    choose_ways(law, columns);
+    Moved columns = columns_of(movers);
+    choose_ways(law, columns.moving, columns.robots);
     for (std::size_t k = 0; k < movers.size(); ++k) {
       const auto& [p, v, goal, traits] = movers[k];
-      const Vec2 found{columns.preferred_x[k], columns.preferred_y[k]};
-      ASSERT_TRUE(same(columns.distance[k], norm(goal - p)));
+      const Vec2 found{columns.robots.preferred_x[k], columns.robots.preferred_y[k]};
+      ASSERT_TRUE(same(columns.robots.distance_to_goal[k], norm(goal - p)));
       ASSERT_TRUE(same(found, preferred_velocity(p, v, traits, goal, law)));
       const Vec2 straight = (traits.preferred_speed / norm(goal - p)) * (goal - p);
       at_speed += norm(found - straight) < 1e-12 * traits.preferred_speed ? 1 : 0, ++all;
@@ -113,23 +124,23 @@ TEST_F(Moving, steps_are_those_of_each_robot) {
   std::size_t fast = 0, all = 0;
   for_random_tiles([&](const Planner& planner, const std::vector<Mover>& movers, Random& random) {
     const StepResponse response = step_response(planner);
-    MovingColumns columns = columns_of(movers);
+    Moved columns = columns_of(movers);
     std::vector<MotionStep> steps;
     for (std::size_t k = 0; k < movers.size(); ++k) {
       const auto& [p, v, goal, traits] = movers[k];
       Plan plan;
       plan.new_velocity = random.uniform(0.0, 1.2 * traits.max_speed) * random.direction();
       if (random.below(4) == 0) plan.new_velocity = v - v / response.rate;  // rests
-      columns.new_x[k] = plan.new_velocity.x, columns.new_y[k] = plan.new_velocity.y;
+      columns.moving.new_x[k] = plan.new_velocity.x, columns.moving.new_y[k] = plan.new_velocity.y;
       steps.push_back(advance({p, v}, plan, response));
     }
-    const std::uint64_t found = advance(response, columns);
+    const std::uint64_t found = advance(response, columns.moving, columns.robots);
     ASSERT_LE(static_cast<std::size_t>(std::bit_width(found)), movers.size());
     for (std::size_t k = 0; k < movers.size(); ++k) {
       const MotionState& next = steps[k].next;
-      ASSERT_TRUE(same(columns.position(k), next.position));
-      ASSERT_TRUE(same(columns.velocity(k), next.velocity));
-      ASSERT_TRUE(same(columns.acceleration[k], steps[k].acceleration));
+      ASSERT_TRUE(same(columns.robots.position(k), next.position));
+      ASSERT_TRUE(same(columns.robots.velocity(k), next.velocity));
+      ASSERT_TRUE(same(columns.moving.acceleration[k], steps[k].acceleration));
       const bool exceeds = norm(next.velocity) > (1.0 + 1e-9) * movers[k].traits.max_speed;
       ASSERT_EQ((found >> k) & 1U, exceeds ? 1U : 0U);
       fast += exceeds ? 1 : 0, ++all;
@@ -143,10 +154,11 @@ TEST_F(Moving, who_moves_as_no_number_is_fast) {
   for (const char* target : simd_targets()) {
     ASSERT_TRUE(use_simd_target(target));
     Random random(7);
-    MovingColumns columns = columns_of({random_mover(random), random_mover(random)});
-    columns.v_x[1] = std::numeric_limits<double>::quiet_NaN();
-    columns.v_x[0] = columns.v_y[0] = columns.new_x[0] = columns.new_y[0] = 0.0;
-    EXPECT_EQ(advance(step_response(Planner({})), columns), 2U) << target;
+    Moved columns = columns_of({random_mover(random), random_mover(random)});
+    columns.robots.v_x[1] = std::numeric_limits<double>::quiet_NaN();
+    columns.robots.v_x[0] = columns.robots.v_y[0] = columns.moving.new_x[0] =
+        columns.moving.new_y[0] = 0.0;
+    EXPECT_EQ(advance(step_response(Planner({})), columns.moving, columns.robots), 2U) << target;
   }
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What robots do by themselves for every instruction set: this file is compiled once for each by
 // hwy/foreach_target.h, and the fittest is chosen at run time.
-#include "planner/robot_columns.h"
+#include "planner/arrival_columns.h"
 
 #include "core/kernel_table.h"
 #include "planner/arrival_kernels.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "planner/robot_columns.cpp"
+#define HWY_TARGET_INCLUDE "planner/arrival_columns.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
 #include "core/lanes.h"
@@ -34,45 +34,23 @@ constexpr ArrivalKernels kKernels{look_around<Pack<double>>, keep_right<Pack<dou
 
 static constexpr KernelTable<ArrivalKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
-void look_around(std::span<const Sensing> robots, RobotColumns& columns) {
+void look_around(const RobotColumns& robots, ArrivalColumns& columns) {
   kKernels->look_around(robots, columns);
 }
 
-void keep_right(RobotColumns& columns) {
-  kKernels->keep_right(columns);
+void keep_right(const RobotColumns& robots, ArrivalColumns& columns) {
+  kKernels->keep_right(robots, columns);
 }
 
-void decide_freely(const StepLaw& law, RobotColumns& columns) {
-  kKernels->decide_freely(law, columns);
+void decide_freely(const StepLaw& law, const RobotColumns& robots, ArrivalColumns& columns) {
+  kKernels->decide_freely(law, robots, columns);
 }
 
-void RobotColumns::reserve(std::size_t robots) {
+void ArrivalColumns::reserve(std::size_t robots) {
   if (is_free.size() >= robots + kSpareNeighbors) return;  // the last to grow
-  for (Column* column : {&v_x,
-                         &v_y,
-                         &preferred_x,
-                         &preferred_y,
-                         &distance,
-                         &radius,
-                         &max_acceleration,
-                         &max_speed,
-                         &range,
-                         &ahead,
-                         &push_x,
-                         &push_y,
-                         &wish_x,
-                         &wish_y,
-                         &target_x,
-                         &target_y,
-                         &next_x,
-                         &next_y,
-                         &unhindered_x,
-                         &unhindered_y,
-                         &new_x,
-                         &new_y,
-                         &a_x,
-                         &a_y,
-                         &is_free}) {
+  for (Column* column :
+       {&range, &ahead, &push_x, &push_y, &wish_x, &wish_y, &target_x, &target_y, &next_x, &next_y,
+        &unhindered_x, &unhindered_y, &new_x, &new_y, &a_x, &a_y, &is_free}) {
     column->resize(robots + kSpareNeighbors, 1.0);
   }
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/robot_columns.h"
+
+#include <utility>
+
+namespace avo {
+namespace {
+
+template <typename Columns, typename Action>
+void for_each_column(Columns& robots, const Action& action) {
+  for (auto* column :
+       {&robots.x, &robots.y, &robots.v_x, &robots.v_y, &robots.preferred_x, &robots.preferred_y,
+        &robots.distance_to_goal, &robots.radius, &robots.max_acceleration, &robots.max_speed,
+        &robots.wheelbase, &robots.heading}) {
+    action(*column);
+  }
+}
+
+}  // namespace
+
+void RobotColumns::reserve(std::size_t robots) {
+  neighbors.reserve(robots);
+  if (heading.size() >= robots + kSpareNeighbors) return;  // the last to grow
+  for_each_column(*this, [&](Column& column) { column.resize(robots + kSpareNeighbors, 1.0); });
+}
+
+void RobotColumns::add(const Robot& robot, const Neighbors& sensed) {
+  x[count] = robot.position.x, y[count] = robot.position.y;
+  v_x[count] = robot.velocity.x, v_y[count] = robot.velocity.y;
+  preferred_x[count] = robot.preferred_velocity.x;
+  preferred_y[count] = robot.preferred_velocity.y;
+  distance_to_goal[count] = robot.distance_to_goal;
+  radius[count] = robot.radius;
+  max_acceleration[count] = robot.max_acceleration, max_speed[count] = robot.max_speed;
+  wheelbase[count] = robot.car ? robot.car->wheelbase : 0.0;
+  heading[count] = robot.car ? robot.car->heading : 0.0;
+  neighbors.push_back(sensed);
+  ++count;
+}
+
+Robot RobotColumns::robot(std::size_t i) const {
+  Robot robot;
+  robot.position = position(i), robot.velocity = velocity(i);
+  robot.preferred_velocity = {preferred_x[i], preferred_y[i]};
+  robot.radius = radius[i];
+  robot.max_acceleration = max_acceleration[i], robot.max_speed = max_speed[i];
+  robot.distance_to_goal = distance_to_goal[i];
+  if (wheelbase[i] != 0.0) robot.car = CarSetup{wheelbase[i], heading[i]};
+  return robot;
+}
+
+void RobotColumns::swap(std::size_t i, std::size_t k) {
+  for_each_column(*this, [&](Column& column) { std::swap(column[i], column[k]); });
+  std::swap(neighbors[i], neighbors[k]);
+}
+
+}  // namespace avo

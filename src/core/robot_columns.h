@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots that decide together, in columns: their state is laid out here once a step, and read here
+// by every kernel.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "avo/robot.h"
+#include "core/neighbor_columns.h"
+
+namespace avo {
+
+/// Allocates only while it grows. Columns have room for kSpareNeighbors more entries than there
+/// are, which are read but do not count.
+struct RobotColumns {
+  using Column = std::vector<double>;
+  std::size_t count = 0;
+  Column x, y, v_x, v_y;               // m, m/s
+  Column preferred_x, preferred_y;     // m/s
+  Column distance_to_goal, radius;     // m
+  Column max_acceleration, max_speed;  // m/s², m/s
+  Column wheelbase, heading;           // m, 0: not a car; rad
+  std::vector<Neighbors> neighbors;    // that each senses, nearest first
+
+  void reserve(std::size_t robots);
+  void clear() {
+    count = 0;
+    neighbors.clear();
+  }
+  void add(const Robot& robot, const Neighbors& sensed);
+  Robot robot(std::size_t i) const;
+  /// Two robots in each other's place.
+  void swap(std::size_t i, std::size_t k);
+
+  Vec2 position(std::size_t i) const { return {x[i], y[i]}; }
+  Vec2 velocity(std::size_t i) const { return {v_x[i], v_y[i]}; }
+};
+
+}  // namespace avo
