@@ -14,7 +14,7 @@
 #define HWY_TARGET_INCLUDE "lp/programs.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
+#include "core/lanes.h"  // begins the pass
 #include "lp/program_kernel.h"
 
 AVO_BEGIN_KERNELS

@@ -15,7 +15,7 @@
 #define HWY_TARGET_INCLUDE "obstacles/half_planes.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
+#include "core/lanes.h"  // begins the pass
 #include "obstacles/half_planes_kernel.h"
 #include "obstacles/shares_kernel.h"
 
