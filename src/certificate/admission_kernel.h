@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A candidate against walls, as many at once as Pack has lanes. Included into a namespace that has
-// Pack, after walls_kernel.h, once per instruction set.
+// A candidate against walls, as many at once as Pack has lanes: docs/certificate.md, "Braking
+// trajectories".
+#if defined(AVO_CERTIFICATE_ADMISSION_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CERTIFICATE_ADMISSION_KERNEL_H
+#undef AVO_CERTIFICATE_ADMISSION_KERNEL_H
+#else
+#define AVO_CERTIFICATE_ADMISSION_KERNEL_H
+#endif
+
+#include <cstddef>
+#include <limits>
+
+#include "certificate/walls_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 /// normal . y_i + offset_i of the three points of the wall's interval, less what its cone takes, m.
 template <typename Real>
@@ -58,3 +71,7 @@ bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bo
   }
   return kept;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

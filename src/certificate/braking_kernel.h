@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Straight full braking in steps, in closed form, for as many intervals at once as Pack has lanes.
-// Included into a namespace that has Pack, once per instruction set.
+// Straight full braking in steps, in closed form, for as many intervals at once as Pack has lanes:
+// docs/certificate.md, "One step and braking".
+#if defined(AVO_CERTIFICATE_BRAKING_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CERTIFICATE_BRAKING_KERNEL_H
+#undef AVO_CERTIFICATE_BRAKING_KERNEL_H
+#else
+#define AVO_CERTIFICATE_BRAKING_KERNEL_H
+#endif
+
+#include "certificate/braking_path.h"
+#include "core/scalar.h"
+
+AVO_BEGIN_KERNELS
 
 /// See BrakingProfile.
 template <typename Real>
@@ -62,3 +73,7 @@ AVO_KERNEL PackPoints<Real> points(const BrakingProfile& of, Vec2 direction, con
   const Vec<Real> along = constant<Real>(direction);
   return {now.start * along, now.middle * along, next.start * along};
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -10,17 +10,17 @@
 #define HWY_TARGET_INCLUDE "certificate/kernels.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
+// clang-format off
+#include "core/lanes.h"  // begins the pass
+// clang-format on
+#include "certificate/admission_kernel.h"
+#include "certificate/near_kernel.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace avo::HWY_NAMESPACE {
-#include "certificate/certificate_kernels.h"
-
+AVO_BEGIN_KERNELS
 constexpr CertificateKernels kKernels{find_near<Pack<double>>, admit_next<Pack<double>>,
                                       fill_own<Pack<double>>, append_walls<Pack<double>>,
                                       keeps<Pack<double>>};
-}  // namespace avo::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+AVO_END_KERNELS
 #endif
 #endif
 

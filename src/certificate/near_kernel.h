@@ -1,6 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is near enough to be braked for. Included into a namespace that has Pack, after
-// pair_kernel.h, once per instruction set.
+// Who is near enough to be braked for: docs/certificate.md, "What can refuse nothing".
+#if defined(AVO_CERTIFICATE_NEAR_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CERTIFICATE_NEAR_KERNEL_H
+#undef AVO_CERTIFICATE_NEAR_KERNEL_H
+#else
+#define AVO_CERTIFICATE_NEAR_KERNEL_H
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "certificate/near_pairs.h"
+#include "certificate/pair_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 template <typename Real>
 void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
@@ -207,3 +222,7 @@ void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
     pairs.admits[i] = admits ? 1 : 0;
   }
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

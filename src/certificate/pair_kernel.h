@@ -1,6 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs that may have to brake for each other, as many at once as Pack has lanes. Included into a
-// namespace that has Pack, after braking_kernel.h, once per instruction set.
+// Pairs that may have to brake for each other, as many at once as Pack has lanes:
+// docs/certificate.md, "What can refuse nothing" and "Cars".
+#if defined(AVO_CERTIFICATE_PAIR_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CERTIFICATE_PAIR_KERNEL_H
+#undef AVO_CERTIFICATE_PAIR_KERNEL_H
+#else
+#define AVO_CERTIFICATE_PAIR_KERNEL_H
+#endif
+
+#include <array>
+#include <limits>
+
+#include "certificate/braking_kernel.h"
+#include "certificate/pair.h"
+#include "certificate/pair_walls.h"
+
+AVO_BEGIN_KERNELS
 
 /// See Braking.
 template <typename Real>
@@ -276,3 +291,7 @@ AVO_KERNEL auto are_clear(const PackBound<Real>& bound, const BrakingPoint<Real>
   return is_alike(bound, self, of) & (left > zero) &
          ((gap - bound.most_aside) * left > against * bound.most_ahead);
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

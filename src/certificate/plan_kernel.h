@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision that leads to a next velocity, as many at once as Pack has lanes. Included into a
-// namespace that has Pack, once per instruction set.
+// The decision that leads to a next velocity, as many at once as Pack has lanes: Eq. (7).
+#if defined(AVO_CERTIFICATE_PLAN_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CERTIFICATE_PLAN_KERNEL_H
+#undef AVO_CERTIFICATE_PLAN_KERNEL_H
+#else
+#define AVO_CERTIFICATE_PLAN_KERNEL_H
+#endif
+
+#include "certificate/braking_path.h"
+#include "core/scalar.h"
+
+AVO_BEGIN_KERNELS
 
 /// See plan_to().
 template <typename Real>
@@ -15,3 +25,7 @@ AVO_KERNEL PackPlan<Real> plan_to(Vec<Real> velocity, Vec<Real> next_velocity, c
   const Vec<Real> new_velocity = velocity + (next_velocity - velocity) / rate;
   return {new_velocity, (new_velocity - velocity) / control_time};
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,6 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walls of one pair, for as many intervals at once as Pack has lanes. Included into a namespace
-// that has Pack, after braking_kernel.h, once per instruction set.
+// The walls of one pair, for as many intervals at once as Pack has lanes: docs/certificate.md,
+// "Braking trajectories" and "What can refuse nothing".
+#if defined(AVO_CERTIFICATE_WALLS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CERTIFICATE_WALLS_KERNEL_H
+#undef AVO_CERTIFICATE_WALLS_KERNEL_H
+#else
+#define AVO_CERTIFICATE_WALLS_KERNEL_H
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "certificate/braking_kernel.h"
+#include "certificate/pair_walls.h"
+#include "certificate/wall_columns.h"
+
+AVO_BEGIN_KERNELS
 
 /// A's braking path and what its candidates can deviate from it.
 template <typename Real>
@@ -223,3 +241,7 @@ double append_walls(const PairWalls& of, const StepLaw& law, const OwnColumns& o
   return of.pair.decides ? append<Real>(of, BrakingOther<Real>{of.pair, law}, law, own, walls)
                          : append<Real>(of, MovingOther<Real>{of.other, law}, law, own, walls);
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -16,6 +16,20 @@
 
 #include "core/scalar.h"
 
+#ifdef AVO_PASS_TOGGLE
+#undef AVO_PASS_TOGGLE
+#else
+#define AVO_PASS_TOGGLE
+#endif
+#undef AVO_BEGIN_KERNELS
+#undef AVO_END_KERNELS
+#define AVO_BEGIN_KERNELS \
+  HWY_BEFORE_NAMESPACE(); \
+  namespace avo::HWY_NAMESPACE {
+#define AVO_END_KERNELS \
+  }                     \
+  HWY_AFTER_NAMESPACE();
+
 HWY_BEFORE_NAMESPACE();
 namespace avo::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -198,9 +212,9 @@ HWY_INLINE TwoPacks max(TwoPacks x, TwoPacks y) {
   return {max(x.a, y.a), max(x.b, y.b)};
 }
 
-#include "core/vec_kernel.h"
-
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#include "core/vec_kernel.h"
 
 #endif  // per target

@@ -12,6 +12,13 @@
 // Of all that kernels are made of: what is not inlined costs more than what it does.
 #define AVO_KERNEL inline __attribute__((always_inline))
 
+// A kernel header, *_kernel.h, is compiled once per pass: first for the pack above, then once for
+// each instruction set, beginning with core/lanes.h, which flips AVO_PASS_TOGGLE. It opens the
+// namespace of the pass itself, and its guard lets it in once while the toggle stays: so a file
+// with several passes includes the same kernel headers in each of them.
+#define AVO_BEGIN_KERNELS namespace avo::scalar {
+#define AVO_END_KERNELS }
+
 namespace avo {
 /// Of doubles, as many as any vector has.
 inline constexpr std::array<double, 8> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
@@ -94,6 +101,6 @@ Pack<T> max(Pack<T> a, Pack<T> b) {
   return select(a > b, a, b);
 }
 
-#include "core/vec_kernel.h"
-
 }  // namespace avo::scalar
+
+#include "core/vec_kernel.h"

@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane vectors of packs. Included into a namespace that has Pack: by core/scalar.h, and by
-// core/lanes.h once per instruction set.
+// Plane vectors of packs, which core/scalar.h and core/lanes.h include.
+#if defined(AVO_CORE_VEC_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CORE_VEC_KERNEL_H
+#undef AVO_CORE_VEC_KERNEL_H
+#else
+#define AVO_CORE_VEC_KERNEL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/scalar.h"
+
+AVO_BEGIN_KERNELS
 
 template <typename Real>
 struct Vec {
@@ -45,3 +57,7 @@ AVO_KERNEL std::size_t store_chosen(std::uint32_t chosen, const Real (&values)[N
   }
   return count;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -3,7 +3,18 @@
 // leave a robot to choose from (paper §IV-D), one robot per lane. In coordinates relative to the
 // center of the smaller disc numbers are as small as the set, and nothing cancels where the discs
 // lie far from the origin. Nothing invalid is computed, not even in a lane that does not ask.
-// Included into a namespace that has Pack, once per instruction set.
+#if defined(AVO_LP_LENS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_LP_LENS_KERNEL_H
+#undef AVO_LP_LENS_KERNEL_H
+#else
+#define AVO_LP_LENS_KERNEL_H
+#endif
+
+#include "core/scalar.h"
+#include "lp/constants.h"
+
+AVO_BEGIN_KERNELS
+namespace planar {
 
 template <typename Real>
 using Mask = decltype(Real() < Real());
@@ -161,3 +172,8 @@ AVO_KERNEL Vec<Real> absolute_point(const Lens<Real>& lens, const Discs<Real>& d
   put_into(lens.origin, lens.radius);
   return u;
 }
+
+}  // namespace planar
+AVO_END_KERNELS
+
+#endif  // once per pass

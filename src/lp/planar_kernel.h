@@ -2,7 +2,20 @@
 // Eq. (23) in the plane, one robot per lane: one half-plane after the other, one line at a time.
 // Each lane takes the half-plane that it violates most, until the last one has done: the best point
 // then lies on its boundary, and only those taken before limit it there.
-// Included after lens_kernel.h, once per instruction set.
+#if defined(AVO_LP_PLANAR_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_LP_PLANAR_KERNEL_H
+#undef AVO_LP_PLANAR_KERNEL_H
+#else
+#define AVO_LP_PLANAR_KERNEL_H
+#endif
+
+#include <cstddef>
+#include <limits>
+
+#include "lp/lens_kernel.h"
+
+AVO_BEGIN_KERNELS
+namespace planar {
 
 template <typename Real>
 struct Plane {
@@ -225,3 +238,8 @@ AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real,
     taken.add(worst);
   }
 }
+
+}  // namespace planar
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,6 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eqs. (22), (23), one robot per lane: nearest_point() is the scalar instance. Included after
-// planar_kernel.h, once per instruction set.
+// Eqs. (22), (23), one robot per lane: nearest_point() is the scalar instance.
+#if defined(AVO_LP_PROGRAM_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_LP_PROGRAM_KERNEL_H
+#undef AVO_LP_PROGRAM_KERNEL_H
+#else
+#define AVO_LP_PROGRAM_KERNEL_H
+#endif
+
+#include <bit>
+#include <cstddef>
+
+#include "lp/planar_kernel.h"
+#include "lp/programs.h"
+
+AVO_BEGIN_KERNELS
+namespace planar {
 
 /// CA_A of Eq. (22) is empty, the 3-D program: the smallest s such that some point of the lens
 /// violates no plane by more than s. Incremental as well: of the planes violated by more than s,
@@ -111,3 +125,8 @@ void solve_programs(Programs& programs, ProgramRow<kProgramLanes>* scratch, bool
     }
   }
 }
+
+}  // namespace planar
+AVO_END_KERNELS
+
+#endif  // once per pass

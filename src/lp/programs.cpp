@@ -14,17 +14,12 @@
 #define HWY_TARGET_INCLUDE "lp/programs.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
+#include "core/lanes.h"  // begins the pass
+#include "lp/program_kernel.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace avo::HWY_NAMESPACE {
-namespace planar {
-#include "lp/program_kernels.h"
-}  // namespace planar
-
+AVO_BEGIN_KERNELS
 constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>};
-}  // namespace avo::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+AVO_END_KERNELS
 #endif
 #endif
 

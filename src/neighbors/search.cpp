@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/kernel_table.h"
+#include "neighbors/search_kernel.h"
 #include "neighbors/search_steps.h"
 
 #ifdef AVO_HIGHWAY
@@ -13,23 +14,18 @@
 #define HWY_TARGET_INCLUDE "neighbors/search.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace avo::HWY_NAMESPACE {
+#include "core/lanes.h"  // begins the pass
 #include "neighbors/search_kernel.h"
 
+AVO_BEGIN_KERNELS
 constexpr SearchKernels kKernels{find_candidates<Pack<double>, Pack<float>>};
-}  // namespace avo::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+AVO_END_KERNELS
 #endif
 #endif
 
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
 namespace scalar {
-#include "neighbors/search_kernel.h"
-
 constexpr SearchKernels kKernels{find_candidates<Pack<double>, Pack<float>>};
 }  // namespace scalar
 

@@ -1,5 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lanes of a search. Included into a namespace that has Pack, once per instruction set.
+// The lanes of a search (ARCHITECTURE.md, "One step").
+#if defined(AVO_NEIGHBORS_SEARCH_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_NEIGHBORS_SEARCH_KERNEL_H
+#undef AVO_NEIGHBORS_SEARCH_KERNEL_H
+#else
+#define AVO_NEIGHBORS_SEARCH_KERNEL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "core/scalar.h"
+#include "neighbors/search_steps.h"
+
+AVO_BEGIN_KERNELS
 
 // So many places are looked at together: how many cells hold cannot be foreseen, and a processor
 // that guesses wrong loses more than what it does for nothing.
@@ -149,3 +166,7 @@ std::size_t find_candidates(const PlacedPoints& points, std::size_t enough,
   }
   return answered;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs that overlap already: outside the paper, whose guarantee starts from a free pair.
-// Included into a namespace that has Pack, once per instruction set.
+// Pairs that overlap already: outside the paper, whose guarantee starts from a free pair. Lemma 10
+// of docs/half_plane.md.
+#if defined(AVO_OBSTACLES_CONTACT_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_CONTACT_KERNEL_H
+#undef AVO_OBSTACLES_CONTACT_KERNEL_H
+#else
+#define AVO_OBSTACLES_CONTACT_KERNEL_H
+#endif
+
+#include "avo/horizon.h"
+#include "core/scalar.h"
+
+AVO_BEGIN_KERNELS
 
 /// [m/s] What n . w must be for a pair `depth` > 0 deep, n . v = along, over the shortest window T
 /// in [Δt, τ] at whose end it can be apart. That takes d(T) = (depth - T along)/g(T), which falls
@@ -13,3 +24,7 @@ AVO_KERNEL Real separating(Real depth, Real along, Real R, const Horizon& horizo
   };
   return min(demand(horizon.step()), max(demand(horizon.end()), R));
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

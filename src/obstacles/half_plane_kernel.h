@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper's half-plane H, Eqs. (15), (16), in closed form (§IV-B): the unit normal n of least
 // support of hull(D(0, R) ∩ AVO), with that support as offset, for as many pairs as Pack has lanes.
-// Included into a namespace that has Pack and At, once per instruction set.
-//
-// In w = v' - v the obstacle is the family of discs {w : |x(t) + g(t) w| < r}, x(t) = p + t v, with
-// centers -x/g and radii r/g. Their envelope has at time t the two normals n with n . y = r, where
-// y(t) = p + s(t) v and s = t - g/g' is the lag. Three cases:
-//   tip     the disc of τ alone is nearest: n = x(τ)/|x(τ)|
-//   convex  on collision course the obstacle is convex: n = x(t)/|x(t)| where n . y = r
-//   horn    otherwise its near side is concave, and the hull closes it by a chord from Q, where the
-//           near side crosses the circle |w| = R: once where `Passage` says so, up to three times
-//           in horn_follow_kernel.h, else see horn.cpp
+// Lemmas 1 to 3 of docs/half_plane.md, which has the figure and the symbols.
+#if defined(AVO_OBSTACLES_HALF_PLANE_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_HALF_PLANE_KERNEL_H
+#undef AVO_OBSTACLES_HALF_PLANE_KERNEL_H
+#else
+#define AVO_OBSTACLES_HALF_PLANE_KERNEL_H
+#endif
+
+#include <limits>
+
+#include "obstacles/response_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 /// A pair in its own frame: first axis along p, second across it on v's side: p = (d, 0), v.y >= 0
 /// but for ties. Exchanging the robots turns this frame by 180 degrees and changes no number in it.
@@ -31,7 +34,7 @@ struct Plane {
   Real h;
 };
 
-// ---- tip
+// ---- tip: lemma 2
 
 template <typename Real>
 struct Tip {
@@ -50,7 +53,7 @@ AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end)
   return {{per_length * x, (pair.r - length) * Real(1.0 / horizon_end.gain)}, nearest};
 }
 
-// ---- convex
+// ---- convex: lemma 3
 
 // Collision course: p . v < 0 and the miss distance |b| below r. With û = -v/|v| and ê across it,
 // x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest approach.
@@ -157,3 +160,7 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair, const ResponseTable& tabl
   h = select(head_on, (pair.r - sine * course.b) / latest.gain, h);
   return {n, h};
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

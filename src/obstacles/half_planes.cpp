@@ -15,16 +15,14 @@
 #define HWY_TARGET_INCLUDE "obstacles/half_planes.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
+#include "core/lanes.h"  // begins the pass
+#include "obstacles/half_planes_kernel.h"
+#include "obstacles/shares_kernel.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace avo::HWY_NAMESPACE {
-#include "obstacles/half_plane_kernels.h"
-
+AVO_BEGIN_KERNELS
 constexpr HalfPlaneKernels kKernels{solve<Pack<double>, TwoPacks>, relate<Pack<double>>,
                                     share_out<Pack<double>>};
-}  // namespace avo::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+AVO_END_KERNELS
 #endif
 #endif
 

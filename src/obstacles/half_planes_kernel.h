@@ -1,6 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many pairs: what can be told at once is told at once, the rest waits in a queue for its case, so
-// that all lanes work on the same one. Included after horn_hull_kernel.h, once per instruction set.
+// that all lanes work on the same one. docs/half_plane.md, "The order of the cases".
+#if defined(AVO_OBSTACLES_HALF_PLANES_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_HALF_PLANES_KERNEL_H
+#undef AVO_OBSTACLES_HALF_PLANES_KERNEL_H
+#else
+#define AVO_OBSTACLES_HALF_PLANES_KERNEL_H
+#endif
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "obstacles/contact_kernel.h"
+#include "obstacles/half_planes.h"
+#include "obstacles/horn_hull_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 /// A pair's own frame (see Local), and what is known of it without more ado.
 template <typename Real>
@@ -233,3 +252,7 @@ void solve(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace&
   work.rest_count += work.horn.count;
   work.cases.rest = work.rest_count;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The horn case of a close pass: its near side may come into reach, leave it around its cusps, and
-// come back. Included after horn_kernel.h, once per instruction set.
+// come back. Lemma 9 of docs/half_plane.md.
+#if defined(AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H
+#undef AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H
+#else
+#define AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H
+#endif
+
+#include <array>
+#include <cstddef>
+
+#include "obstacles/horn_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 // The time whose lag is t_m, where y comes nearest, in two steps of Newton's iteration: what lies
 // between the cusps of a close pass lies around it.
@@ -157,3 +170,7 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
   result.all = passage.ordinary & (!(active | lost));
   return result;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,7 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The horn case: where its near side crosses the circle |w| = R once at most, the half-plane from
 // that corner of the hull and those of the disc of τ; and where it does so up to three times.
-// Included after horn_follow_kernel.h, once per instruction set.
+// Lemma 8 of docs/half_plane.md.
+#if defined(AVO_OBSTACLES_HORN_HULL_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_HORN_HULL_KERNEL_H
+#undef AVO_OBSTACLES_HORN_HULL_KERNEL_H
+#else
+#define AVO_OBSTACLES_HORN_HULL_KERNEL_H
+#endif
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "obstacles/horn_follow_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 // Normal on the left of the way from a to b, and to the tangent point of a disc.
 template <typename Real>
@@ -167,3 +181,7 @@ AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horiz
   if constexpr (look == Look::once) return once_crossed(pair, horizon_end, table);
   if constexpr (look == Look::often) return often_crossed(pair, horizon_end, table);
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The horn case: its near side, and whether that crosses the circle |w| = R once at most, as it
-// nearly always does. Included into a namespace that has half_plane_kernel.h, once per instruction
-// set.
+// nearly always does. Lemmas 4 to 7 of docs/half_plane.md.
+#if defined(AVO_OBSTACLES_HORN_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_HORN_KERNEL_H
+#undef AVO_OBSTACLES_HORN_KERNEL_H
+#else
+#define AVO_OBSTACLES_HORN_KERNEL_H
+#endif
+
+#include "obstacles/half_plane_kernel.h"
+
+AVO_BEGIN_KERNELS
 
 /// A pair along its relative motion. After a way of |v| t the distance squared is closest² +
 /// rise(|v| t), of terms that do not cancel: `closest` is the miss distance, or |p| where p . v >=
@@ -35,17 +44,15 @@ AVO_KERNEL Horn<Real> horn_of(const Local<Real>& pair) {
   return horn;
 }
 
-/// The near side at one time: the point b = (r n - x)/g, n . y = r, at which it touches the disc.
-/// With x = y + q v, q = g/g', g b has the components -q n . v along n and `tangential` across it.
-/// b moves across n only, by -cusp/(g l q) with l² = |y|² - r²: so |b| turns where `tangential` or
-/// `cusp` changes its sign, and falls at first, when both are positive.
+/// The near side at one time (lemma 4): |b| turns where `tangential` or `cusp` changes its sign,
+/// and falls while both are positive.
 template <typename Real>
 struct NearSide {
   At<Real> at;
   Real lead;              // q, s
   Real per_y2, l2, l;     // 1/m², m², m
   Real b2;                // |g b|², m²
-  Real tangential, cusp;  // m, m²; -d|b|/dt = tangential · cusp/(g l q |g b|)
+  Real tangential, cusp;  // m, m²
 };
 
 template <typename Real>
@@ -104,59 +111,63 @@ struct Passage {
   Real t_m;          // time of the closest approach or 0, s
 };
 
-// Before `first` all discs are out of reach, g being at most t²/(2 δ). |b| falls up to the closest
-// approach t_m. It crosses R outwards only where `tangential` or `cusp` is negative.
-//   `tangential` > 0 if l > |v| g/g', and only matters up to T where R g' >= |v| (there the robot
-//      outruns the boundary). l² - (v g/g')² is concave in t: so it holds on all of [t_m, T]
-//      (or [0, T]) if it does at T; larger bounds of T and g/g', by Padé's of ln and t/2 + t²/(12
-//      δ), only make it stricter there. Exactly it reads l (|y|² + q z) > q r b, with q = |v| g/g',
-//      the miss distance b and z = |v| (s - t_m), and q <= κ |v| s up to T, κ = (T - s)/s at T.
-//      Receding, |y|² >= 2 b z and |v| s <= z: 2 l_0 >= κ r suffices. Else, with m = |v| t_m, it is
-//      linear in q, true at q = 0, and to show at q = κ (m + z), where l (b² + z² + q z) > q r b
-//      follows from l_m (b² + z² + κ (m + z) z) > κ (m + z) r b, since l >= l_m (closest point of
-//      y) and m + z >= 0. That is a quadratic in z, positive at all z if its discriminant is
-//      negative: κ² (l_m m - r b)² < 4 (1 + κ) l_m b (l_m b - κ r m).
-//   `cusp` > 0 if l² > |v| r s' g/g', and s' g/g' is at most s/2 and 0.271 δ. Receding, l² grows
-//      at least as (l_0 + z_0 |v|s...): l_0 + p . v/|v| > r/4 suffices. Else, with the miss
-//      distance b, l_m² > r²/16 + r |v| t_m/2, or b l_m >= 0.353 δ r |v|: n . v/|v| is
-//      (r z + l b)/(z² + b²), for which l² > c n . v/|v| at all z if b l_m >= 1.3 c.
-// Else, if the closest approach is in reach, |b| <= |x|/g <= R from there on.
+// Lemma 7.2, the first half: `tangential` > 0 up to the time from which the robot outruns the
+// boundary (lemma 6), here bounded by Padé's approximation of ln, and q by t/2 + t²/(12 δ).
 template <typename Real>
-AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
+AVO_KERNEL auto never_tangential(const Horn<Real>& horn, const ResponseAt& horizon_end,
                                  const ResponseTable& table) {
   const Real kappa_end = (horizon_end.time - horizon_end.lag) / horizon_end.lag;
-  const Local<Real>& pair = horn.pair;
-  const Real delta = table.control_time, tau = table.end, zero = Real(0.0);
-  const Real z = horn.z, l = horn.gap, closest = horn.closest, clear = closest - pair.r;
-  const Real t_m = max(-z * horn.per_speed, zero);
-  const auto closing = z < zero;
-
-  const Real spare = pair.R - horn.speed;
-  const Real outrun = Real(0.5) * delta * horn.speed *
-                      (Real(6.0) * pair.R - Real(5.0) * horn.speed) /
-                      (spare * (Real(3.0) * pair.R - horn.speed));
+  const Real R = horn.pair.R, r = horn.pair.r, zero = Real(0.0), tau = table.end;
+  const Real z = horn.z, l = horn.gap, closest = horn.closest;
+  const Real spare = R - horn.speed;
+  const Real outrun = Real(0.5) * Real(table.control_time) * horn.speed *
+                      (Real(6.0) * R - Real(5.0) * horn.speed) /
+                      (spare * (Real(3.0) * R - horn.speed));
   const Real T = select((spare > zero) & (outrun < tau), outrun, tau);
   const Real lead = T * (Real(0.5) + T * Real(table.per_control_time / 12.0));
   const Real ahead = horn.speed * lead;
-  const Real kappa = min(kappa_end, lead * inverse(T - lead)), r = pair.r;
+  const Real kappa = min(kappa_end, lead * inverse(T - lead));
   const Real per_area = inverse(l * closest), bend = kappa * (l * z + r * closest) * per_area;
-  const auto no_turn = (horn.gap2 + horn.rise(horn.speed * (T - lead)) >= ahead * ahead) |
-                       ((!closing) & (Real(2.0) * l >= kappa * r)) |
-                       (closing & (bend * bend < Real(4.0) * (Real(1.0) + kappa) *
-                                                     (Real(1.0) + kappa * r * z * per_area)));
-  const Real r_v = r * horn.speed;
-  const auto no_cusp = ((!closing) & (l + z > Real(0.25) * r)) |
-                       (closing & ((closest * l >= Real(0.353) * delta * r_v) |
-                                   (horn.gap2 > r * r * Real(1.0 / 16.0) + Real(0.5) * r_v * t_m)));
+  const auto closing = z < zero;
+  const auto ahead_of_all = horn.gap2 + horn.rise(horn.speed * (T - lead)) >= ahead * ahead;
+  const auto receding = (!closing) & (Real(2.0) * l >= kappa * r);
+  const auto passing = closing & (bend * bend < Real(4.0) * (Real(1.0) + kappa) *
+                                                    (Real(1.0) + kappa * r * z * per_area));
+  return ahead_of_all | receding | passing;
+}
 
+// Lemma 7.2, the second half: `cusp` > 0 always.
+template <typename Real>
+AVO_KERNEL auto never_cusped(const Horn<Real>& horn, Real t_m, const ResponseTable& table) {
+  const Real r = horn.pair.r, r_v = r * horn.speed, l = horn.gap;
+  const auto closing = horn.z < Real(0.0);
+  const auto receding = (!closing) & (l + horn.z > Real(0.25) * r);
+  const auto wide = horn.closest * l >= Real(0.353) * Real(table.control_time) * r_v;
+  const auto late = horn.gap2 > r * r * Real(1.0 / 16.0) + Real(0.5) * r_v * t_m;
+  return receding | (closing & (wide | late));
+}
+
+// Lemma 7.1: the closest approach is in reach, and stays so.
+template <typename Real>
+AVO_KERNEL auto closest_in_reach(const Horn<Real>& horn, Real t_m, const ResponseTable& table) {
+  const Real R = horn.pair.R, tau = table.end;
   const At<Real> at_m = at(table, min(t_m, tau));
-  const auto in_reach =
-      closing & (t_m <= tau) & (closest <= pair.R * at_m.gain) & (horn.speed <= pair.R * at_m.rate);
-  return {sqrt(Real(2.0) * delta * max(clear, zero) / pair.R),
-          select(in_reach, t_m, tau),
-          in_reach | (no_turn & no_cusp),
+  return (horn.z < Real(0.0)) & (t_m <= tau) & (horn.closest <= R * at_m.gain) &
+         (horn.speed <= R * at_m.rate);
+}
+
+template <typename Real>
+AVO_KERNEL Passage<Real> passage(const Horn<Real>& horn, const ResponseAt& horizon_end,
+                                 const ResponseTable& table) {
+  const Real r = horn.pair.r, R = horn.pair.R, zero = Real(0.0);
+  const Real clear = horn.closest - r, t_m = max(-horn.z * horn.per_speed, zero);
+  const auto in_reach = closest_in_reach(horn, t_m, table);
+  const auto monotone = never_tangential(horn, horizon_end, table) & never_cusped(horn, t_m, table);
+  return {sqrt(Real(2.0) * Real(table.control_time) * max(clear, zero) / R),
+          select(in_reach, t_m, Real(table.end)),
+          in_reach | monotone,
           in_reach,
-          clear > Real(kContact) * pair.r,
+          clear > Real(kContact) * r,
           t_m};
 }
 
@@ -262,3 +273,7 @@ AVO_KERNEL Crossing<Real> crossing(const Horn<Real>& horn, const Bracket<Real>& 
   result.time = t;
   return result;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

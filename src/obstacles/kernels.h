@@ -1,52 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the half-plane kernels share whatever the instruction set, and their scalar instance: the
-// reference that all others equal bit for bit.
+// The scalar instance of the half-plane's kernels: the reference that all others equal bit for bit.
 #pragma once
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <span>
+#include <vector>
 
-#include "avo/horizon.h"
-#include "core/scalar.h"
-#include "obstacles/half_planes.h"
+#include "obstacles/half_planes_kernel.h"
+#include "obstacles/shares_kernel.h"
 
 namespace avo {
-
-// Of Newton's iterations; bisection alone would end by then.
-constexpr int kMaxIterations = 64;
-// How often a horn's near side may cross the circle |w| = R: once, which is nearly always known
-// beforehand, or so often, when it has to be followed.
-enum class Look : unsigned char { once, often };
-constexpr std::size_t kMostCrossings = 3;
-// Along a near side that is followed, halved ones included.
-constexpr int kMaxStrides = 48;
-// `cusp` may change its sign twice within a stride. Not proved, measured: in 10^7 random close
-// passes none did unseen where long strides near R, with a `cusp` near 0, are halved (at most as
-// many again).
-constexpr double kFlat = 0.1;   // of l²
-constexpr double kWide = 0.25;  // of the time, and of R
-// Of the last two steps' product, relative, which leaves about its square: a use of second order.
-constexpr double kTimeTolerance = 1e-4;
-// The same where the near side may have cusps near by.
-constexpr double kCloseTolerance = 1e-8;
-// Relative, of Newton's last step in σ, which leaves about its square.
-constexpr double kConvexTolerance = 1e-8;
-// Its square does not underflow.
-constexpr double kTiniest = 1e-150;
-// |sin| of an angle that may be one of rounding.
-constexpr double kTie = 1e-9;
-// Of r: nearer than this, what is left is of the order of rounding.
-constexpr double kContact = 1e-9;
-// m/s; slower is at rest.
-constexpr double kSlowest = 1e-100;
-
-namespace scalar {
-#include "obstacles/half_plane_kernels.h"
-}  // namespace scalar
 
 struct HalfPlaneKernels {
   void (*solve)(const PairColumns&, const Horizon&, HalfPlaneWorkspace&, PlaneColumns&);

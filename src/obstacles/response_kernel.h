@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eq. (9)'s gain from a table: between nodes the response continues as
 // g(t_k + h) = g(t_k) + h g'(t_k) + e^{-t_k/δ} g(h), a sum without cancellation.
-// Included into a namespace that has Pack, once per instruction set.
+#if defined(AVO_OBSTACLES_RESPONSE_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_RESPONSE_KERNEL_H
+#undef AVO_OBSTACLES_RESPONSE_KERNEL_H
+#else
+#define AVO_OBSTACLES_RESPONSE_KERNEL_H
+#endif
+
+#include "avo/horizon.h"
+#include "core/scalar.h"
+#include "obstacles/constants.h"
+
+AVO_BEGIN_KERNELS
 
 /// 1/a for a >= 0; finite for a = 0, where nobody wants it, but lanes compute it all the same.
 template <typename Real>
@@ -55,3 +66,7 @@ AVO_KERNEL At<Real> constant(const ResponseAt& instant) {
   result.lag = Real(instant.lag);
   return result;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

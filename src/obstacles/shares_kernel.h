@@ -1,6 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eqs. (2), (3), (17)-(20) for many robots. Included after half_planes_kernel.h, once per
-// instruction set. What lanes write beyond a robot's last pair is the next robot's to write.
+// Eqs. (2), (3), (17)-(20) for many robots. What lanes write beyond a robot's last pair is the next
+// robot's to write.
+#if defined(AVO_OBSTACLES_SHARES_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_OBSTACLES_SHARES_KERNEL_H
+#undef AVO_OBSTACLES_SHARES_KERNEL_H
+#else
+#define AVO_OBSTACLES_SHARES_KERNEL_H
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/scalar.h"
+#include "obstacles/half_planes.h"
+
+AVO_BEGIN_KERNELS
 
 template <typename Real>
 void relate(const RobotColumns& robots, const NeighborColumns& neighbors,
@@ -55,3 +71,7 @@ void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end
   }
   shared.exceeding = any(exceeding);
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

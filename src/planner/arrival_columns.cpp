@@ -11,17 +11,13 @@
 #define HWY_TARGET_INCLUDE "planner/arrival_columns.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace avo::HWY_NAMESPACE {
-#include "certificate/plan_kernel.h"
+#include "core/lanes.h"  // begins the pass
 #include "planner/arrival_kernel.h"
 
+AVO_BEGIN_KERNELS
 constexpr ArrivalKernels kKernels{look_around<Pack<double>>, keep_right<Pack<double>>,
                                   decide_freely<Pack<double>>};
-}  // namespace avo::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+AVO_END_KERNELS
 #endif
 #endif
 

@@ -1,6 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rules for arriving (docs/arrival.md), as many neighbors or robots at once as Pack has lanes.
-// Included into a namespace that has Pack, once per instruction set.
+#if defined(AVO_PLANNER_ARRIVAL_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_PLANNER_ARRIVAL_KERNEL_H
+#undef AVO_PLANNER_ARRIVAL_KERNEL_H
+#else
+#define AVO_PLANNER_ARRIVAL_KERNEL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "certificate/plan_kernel.h"
+#include "planner/arrival.h"
+#include "planner/arrival_columns.h"
+#include "planner/certified.h"
+
+AVO_BEGIN_KERNELS
 
 /// m: half of L, the way to stop from v_max.
 template <typename Real>
@@ -143,3 +160,7 @@ void decide_freely(const StepLaw& law, const RobotColumns& robots, ArrivalColumn
     store(plan.acceleration, columns.a_x, columns.a_y);
   }
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion of a robot that can accelerate in any direction, Eqs. (7)-(9).
 #include "core/scalar.h"
+#include "robots/holonomic_kernel.h"
 #include "robots/motion.h"
 
 namespace avo {
-namespace scalar {
-#include "robots/holonomic_kernel.h"
-}  // namespace scalar
-
 StepResponse step_response(const Planner& planner) {
   const PlannerOptions& options = planner.options();
   const double rate = planner.step_rate();

@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion of robots that can accelerate in any direction, Eqs. (7)-(9). Included into a namespace
-// that has Pack, once per instruction set.
+// Motion of robots that can accelerate in any direction, Eqs. (7)-(9).
+#if defined(AVO_ROBOTS_HOLONOMIC_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_ROBOTS_HOLONOMIC_KERNEL_H
+#undef AVO_ROBOTS_HOLONOMIC_KERNEL_H
+#else
+#define AVO_ROBOTS_HOLONOMIC_KERNEL_H
+#endif
+
+#include "core/scalar.h"
+#include "robots/motion.h"
+
+AVO_BEGIN_KERNELS
 
 template <typename Real>
 struct Moved {
@@ -21,3 +31,7 @@ AVO_KERNEL Moved<Real> moved(Vec<Real> position, Vec<Real> velocity, Vec<Real> n
   next.acceleration = norm(w) / Real(response.control_time);
   return next;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

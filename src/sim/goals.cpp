@@ -2,12 +2,9 @@
 #include "sim/goals.h"
 
 #include "core/scalar.h"
+#include "sim/goals_kernel.h"
 
 namespace avo {
-namespace scalar {
-#include "sim/goals_kernel.h"
-}  // namespace scalar
-
 GoalLaw goal_law(const Planner& planner) {
   const PlannerOptions& options = planner.options();
   return {options.method, options.time_step, options.control_time, planner.step_rate(),

@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coming to rest at a goal under Eq. (7)'s control, in discrete steps. Included into a namespace
-// that has Pack, once per instruction set.
+// Coming to rest at a goal under Eq. (7)'s control, in discrete steps.
+#if defined(AVO_SIM_GOALS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_SIM_GOALS_KERNEL_H
+#undef AVO_SIM_GOALS_KERNEL_H
+#else
+#define AVO_SIM_GOALS_KERNEL_H
+#endif
+
+#include "core/scalar.h"
+#include "sim/goals.h"
+
+AVO_BEGIN_KERNELS
 
 /// What preferred_velocity() depends on.
 template <typename Real>
@@ -104,3 +114,7 @@ AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const Way<
   if (law.method == Method::avo_paper) return lead(robot, way, law);
   return min(way.distance / Real(law.time_step), robot.preferred_speed) * way.direction;
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -5,35 +5,25 @@
 
 #include "core/kernel_table.h"
 #include "planner/relevance.h"
+#include "sim/moving_kernel.h"
 
 #ifdef AVO_HIGHWAY
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/moving_columns.cpp"
 #include <hwy/foreach_target.h>
 #if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace avo::HWY_NAMESPACE {
-#include "robots/holonomic_kernel.h"
-#include "sim/goals_kernel.h"
+#include "core/lanes.h"  // begins the pass
 #include "sim/moving_kernel.h"
 
+AVO_BEGIN_KERNELS
 constexpr MovingKernels kKernels{choose_ways<Pack<double>>, advance<Pack<double>>};
-}  // namespace avo::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+AVO_END_KERNELS
 #endif
 #endif
 
 #if !defined(AVO_HIGHWAY) || HWY_ONCE
-#include "core/scalar.h"
-
 namespace avo {
 namespace scalar {
-#include "robots/holonomic_kernel.h"
-#include "sim/goals_kernel.h"
-#include "sim/moving_kernel.h"
-
 constexpr MovingKernels kKernels{choose_ways<Pack<double>>, advance<Pack<double>>};
 }  // namespace scalar
 

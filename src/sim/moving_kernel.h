@@ -1,6 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels over the columns of a tile. Included into a namespace that has Pack, once per instruction
-// set, behind sim/goals_kernel.h and robots/holonomic_kernel.h.
+// Kernels over the columns of a tile.
+#if defined(AVO_SIM_MOVING_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_SIM_MOVING_KERNEL_H
+#undef AVO_SIM_MOVING_KERNEL_H
+#else
+#define AVO_SIM_MOVING_KERNEL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "robots/holonomic_kernel.h"
+#include "sim/goals_kernel.h"
+#include "sim/moving_columns.h"
+
+AVO_BEGIN_KERNELS
 
 template <typename Real>
 void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots) {
@@ -37,3 +51,7 @@ std::uint64_t advance(const StepResponse& response, MovingColumns& moving, Robot
   }
   return robots.count == 0 ? 0 : fast & ~std::uint64_t{0} >> (kTileRobots - robots.count);
 }
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+
+#include "avo/robot.h"
+#include "certificate/pair.h"
+
+namespace avo {
+
+/// Covers rounding of squares, and of the margin for it what grows with the distance.
+inline constexpr double kFarther = 1.0 + 0x1p-27;
+
+/// One pair whose walls are wanted.
+struct PairWalls {
+  const BrakingPair& pair;
+  const Neighbor& other;
+  int neighbor;           ///< its index
+  std::size_t intervals;  ///< that are looked at
+  double inflated;        ///< m, contact and all that is known to be uncertain
+  double held;            ///< m, the distance that is held
+  double moving;          ///< the invariant speaks of the intervals below
+};
+
+}  // namespace avo
