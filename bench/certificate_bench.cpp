@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of the certificate alone: the walls of ten near neighbors, one admission, a whole choice
-// that is admitted at once or refused.
+// Time of the certificate alone: the constraints of ten near neighbors, one admission, a whole
+// choice that is admitted at once or refused.
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdint>
@@ -57,41 +57,41 @@ CertificateLaw law() {
 std::vector<Scene> scenes(Traffic traffic, bool admitted) {
   std::uint64_t state = 2025;
   std::vector<Scene> found;
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   while (found.size() < 1024) {  // so many that no branch can be learned
     Scene scene = random_scene(state, traffic);
-    collect_walls(scene.robot, scene.neighbors, law(), walls);
-    if (walls.invariant.broken >= 0) continue;
-    if (admits(scene.robot, scene.wanted, law(), walls) == admitted) found.push_back(scene);
+    collect_constraints(scene.robot, scene.neighbors, law(), constraints);
+    if (constraints.invariant.broken >= 0) continue;
+    if (admits(scene.robot, scene.wanted, law(), constraints) == admitted) found.push_back(scene);
   }
   return found;
 }
 
-void walls_of_ten(benchmark::State& state) {
+void constraints_of_ten(benchmark::State& state) {
   const std::vector<Scene> all = scenes(Traffic{state.range(0)}, true);
   const CertificateLaw agreed = law();
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   std::size_t k = 0, count = 0, decisions = 0;
   for (auto _ : state) {
-    collect_walls(all[k].robot, all[k].neighbors, agreed, walls);
-    count += walls.trajectories.columns.count;
+    collect_constraints(all[k].robot, all[k].neighbors, agreed, constraints);
+    count += constraints.trajectories.columns.count;
     ++decisions;
     k = (k + 1) % all.size();
   }
-  state.counters["walls"] = static_cast<double>(count) / static_cast<double>(decisions);
+  state.counters["constraints"] = static_cast<double>(count) / static_cast<double>(decisions);
 }
-BENCHMARK(walls_of_ten)->ArgName("across")->Arg(0)->Arg(1);
+BENCHMARK(constraints_of_ten)->ArgName("across")->Arg(0)->Arg(1);
 
 void admission(benchmark::State& state) {
   const std::vector<Scene> all = scenes(Traffic::across, true);
   const CertificateLaw agreed = law();
-  std::vector<CertificateWalls> walls(all.size());
+  std::vector<CertificateConstraints> constraints(all.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
-    collect_walls(all[k].robot, all[k].neighbors, agreed, walls[k]);
+    collect_constraints(all[k].robot, all[k].neighbors, agreed, constraints[k]);
   }
   std::size_t k = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(admits(all[k].robot, all[k].wanted, agreed, walls[k]));
+    benchmark::DoNotOptimize(admits(all[k].robot, all[k].wanted, agreed, constraints[k]));
     k = (k + 1) % all.size();
   }
 }
@@ -103,7 +103,7 @@ void choice(benchmark::State& state, bool admitted) {
   CertifiedWorkspace workspace;
   std::size_t k = 0;
   for (auto _ : state) {
-    collect_walls(all[k].robot, all[k].neighbors, agreed, workspace.walls);
+    collect_constraints(all[k].robot, all[k].neighbors, agreed, workspace.constraints);
     benchmark::DoNotOptimize(choose_certified(all[k].robot, all[k].wanted, agreed, workspace));
     k = (k + 1) % all.size();
   }

@@ -118,16 +118,16 @@ IndexedImage reduce_colors(std::span<const std::uint32_t> pixels) {
   std::vector<std::uint8_t> index_of(colors.size());
   for (const Group& group : groups) {
     for (std::size_t i = group.begin; i < group.end; ++i) {
-      const auto found = std::lower_bound(colors.begin(), colors.end(), shades[i].color);
-      index_of[static_cast<std::size_t>(found - colors.begin())] =
+      const auto entry = std::lower_bound(colors.begin(), colors.end(), shades[i].color);
+      index_of[static_cast<std::size_t>(entry - colors.begin())] =
           static_cast<std::uint8_t>(image.palette.size());
     }
     image.palette.push_back(color_of(shades, group));
   }
   image.index.reserve(pixels.size());
   for (const std::uint32_t pixel : pixels) {
-    const auto found = std::lower_bound(colors.begin(), colors.end(), pixel & 0xFFFFFFU);
-    image.index.push_back(index_of[static_cast<std::size_t>(found - colors.begin())]);
+    const auto entry = std::lower_bound(colors.begin(), colors.end(), pixel & 0xFFFFFFU);
+    image.index.push_back(index_of[static_cast<std::size_t>(entry - colors.begin())]);
   }
   return image;
 }

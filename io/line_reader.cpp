@@ -55,19 +55,18 @@ std::optional<std::string_view> LineReader::next() {
   while (true) {
     const char* start = buffer_.data() + begin_;
     const std::size_t there = end_ - begin_;
-    const void* found = std::memchr(start + searched, '\n', there - searched);
+    const void* end = std::memchr(start + searched, '\n', there - searched);
     const std::size_t length =
-        found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - start)
-                         : there;
+        end != nullptr ? static_cast<std::size_t>(static_cast<const char*>(end) - start) : there;
     if (length > kLongestLine)
       throw RecordingError(
           fmt::format("{}:{}: found more than {} characters, a line must be shorter", name_,
                       number_ + 1, kLongestLine));
     searched = there;
-    if (found == nullptr && fill()) continue;
-    if (found == nullptr && there == 0) return std::nullopt;
+    if (end == nullptr && fill()) continue;
+    if (end == nullptr && there == 0) return std::nullopt;
     const std::string_view line(buffer_.data() + begin_, length);
-    begin_ += length + (found != nullptr ? 1 : 0);
+    begin_ += length + (end != nullptr ? 1 : 0);
     ++number_;
     return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
   }

@@ -105,9 +105,9 @@ struct RecordingReader::State {
 // Where the column is in the first line, whose fields these are.
 std::size_t RecordingReader::State::find_column(std::string_view name) const {
   const auto is_name = [name](std::string_view field) { return field == name; };
-  const auto found = std::find_if(fields.begin(), fields.end(), is_name);
+  const auto match = std::find_if(fields.begin(), fields.end(), is_name);
   const std::string allowed = fmt::format("the first line must name {}", fmt::join(kColumns, ", "));
-  if (found == fields.end()) {
+  if (match == fields.end()) {
     std::vector<std::string_view> others;
     for (const std::string_view field : fields)
       if (std::find(kColumns.begin(), kColumns.end(), field) == kColumns.end())
@@ -118,7 +118,7 @@ std::size_t RecordingReader::State::find_column(std::string_view name) const {
   }
   if (std::count_if(fields.begin(), fields.end(), is_name) > 1)
     refuse(1, fmt::format("found column \"{}\" more than once, {}", name, allowed));
-  return static_cast<std::size_t>(found - fields.begin());
+  return static_cast<std::size_t>(match - fields.begin());
 }
 
 void RecordingReader::State::read_header() {

@@ -34,9 +34,9 @@ std::string shown(const YamlNode& node) {
   return bare ? node.text : in_quotes(node.text);
 }
 
-void Reader::fail(const YamlNode& node, const std::string& path, const std::string& found,
+void Reader::fail(const YamlNode& node, const std::string& path, const std::string& given,
                   const std::string& allowed) const {
-  document_.fail(node, fmt::format("{}found {}, {}", in_front(path), found, allowed));
+  document_.fail(node, fmt::format("{}found {}, {}", in_front(path), given, allowed));
 }
 
 void Reader::check_keys(const YamlNode& map, const std::string& path,

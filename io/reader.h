@@ -28,7 +28,7 @@ class Reader {
  public:
   explicit Reader(const Document& document) : document_(document) {}
 
-  [[noreturn]] void fail(const YamlNode& node, const std::string& path, const std::string& found,
+  [[noreturn]] void fail(const YamlNode& node, const std::string& path, const std::string& given,
                          const std::string& allowed) const;
 
   /// Refuses anything but a map, unknown keys and keys given twice.

@@ -33,7 +33,7 @@ Json name_of(std::int64_t source) {
 
 Json to_json(const avo::NotArrived& robot) {
   Json held_by = Json::array();
-  for (const std::int64_t each : robot.held_by) held_by.push_back(name_of(each));
+  for (const std::int64_t entry : robot.held_by) held_by.push_back(name_of(entry));
   return {{"robot", robot.robot},   {"distance", robot.distance},
           {"speed", robot.speed},   {"status", avo::to_string(robot.status)},
           {"detour", robot.detour}, {"held_by", held_by}};
@@ -76,8 +76,8 @@ std::string to_json(const avo::RunSummary& summary) {
   json["decisions"] = to_json(summary.decisions);
   json["not_arrived_count"] = summary.robots - summary.arrived;
   json["not_arrived"] = Json::array();
-  for (const avo::NotArrived& each : summary.not_arrived)
-    json["not_arrived"].push_back(to_json(each));
+  for (const avo::NotArrived& entry : summary.not_arrived)
+    json["not_arrived"].push_back(to_json(entry));
   json["step_milliseconds_median"] = or_null(summary.step_milliseconds_median);
   json["seed"] = summary.seed;
   json["version"] = avo::kVersion;

@@ -41,13 +41,13 @@ std::size_t skip_digits(std::string_view text, std::size_t i) {
 }
 
 /// Is `word` what `found` abbreviates: the same beginning, and all letters in order?
-bool abbreviates(std::string_view found, std::string_view word) {
+bool abbreviates(std::string_view given, std::string_view word) {
   constexpr std::size_t kBeginning = 3;
-  if (found.size() < kBeginning || !word.starts_with(found.substr(0, kBeginning))) return false;
+  if (given.size() < kBeginning || !word.starts_with(given.substr(0, kBeginning))) return false;
   std::size_t i = 0;
   for (const char c : word)
-    if (i < found.size() && c == found[i]) ++i;
-  return i == found.size();
+    if (i < given.size() && c == given[i]) ++i;
+  return i == given.size();
 }
 
 }  // namespace
@@ -61,22 +61,22 @@ std::string joined(const std::vector<std::string_view>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::optional<std::string_view> nearest(std::string_view found,
+std::optional<std::string_view> nearest(std::string_view given,
                                         const std::vector<std::string_view>& words) {
   constexpr std::size_t kLongest = 40;  // bounds the work; no key is as long
-  if (found.empty() || found.size() > kLongest) return std::nullopt;
+  if (given.empty() || given.size() > kLongest) return std::nullopt;
   std::optional<std::string_view> best;
   std::size_t smallest = 0;
   for (const std::string_view word : words) {
-    const std::size_t distance = edit_distance(found, word);
-    const std::size_t allowed = std::max<std::size_t>(1, std::max(found.size(), word.size()) / 3);
+    const std::size_t distance = edit_distance(given, word);
+    const std::size_t allowed = std::max<std::size_t>(1, std::max(given.size(), word.size()) / 3);
     if (distance > allowed || (best && distance >= smallest)) continue;
     best = word;
     smallest = distance;
   }
   if (best) return best;
   for (const std::string_view word : words)
-    if (abbreviates(found, word)) return word;
+    if (abbreviates(given, word)) return word;
   return std::nullopt;
 }
 

@@ -89,8 +89,9 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
                       robot.car ? 0.0 : interpolation_error(options, robot.max_acceleration),
                       adopts_at_once(options.method) && !robot.car, robot.car.has_value()});
   std::vector<avo::CheckedObstacle> obstacles;
-  for (const avo::MovingObstacle& each : scenario->moving_obstacles)
-    obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
+  for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
+    obstacles.push_back(
+        {obstacle.position, obstacle.velocity, obstacle.acceleration, obstacle.radius});
   return avo::Check(robots, std::move(obstacles), rules);
 }
 

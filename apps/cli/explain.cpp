@@ -33,7 +33,7 @@ struct Decision {
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
   avo::HalfPlanes half_planes;
-  std::vector<avo::CertificateWall> walls;
+  std::vector<avo::CertificateConstraint> constraints;
   avo::Certificate certificate{};
   avo::Plan plan;
   avo::Disc acceleration_disc, speed_disc;
@@ -59,7 +59,7 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes);
   decision.certificate = planner.options().certificate;
   if (decision.method == avo::Method::avo)
-    planner.collect_certificate(self, neighbors, workspace, decision.walls);
+    planner.collect_certificate(self, neighbors, workspace, decision.constraints);
   decision.acceleration_disc = planner.acceleration_disc(self);
   decision.speed_disc = planner.speed_disc(self);
   return decision;
@@ -80,25 +80,25 @@ Json to_json(const avo::Disc& disc) {
   return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
 }
 
-Json walls_of(const Decision& decision) {
-  Json walls = Json::array();
-  for (const avo::CertificateWall& wall : decision.walls)
-    walls.push_back(
-        {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(wall.neighbor)])},
-         {"interval", wall.interval},
-         {"normal", to_json(wall.normal)},
-         {"offset", wall.offset}});
-  return walls;
+Json constraints_of(const Decision& decision) {
+  Json constraints = Json::array();
+  for (const avo::CertificateConstraint& constraint : decision.constraints)
+    constraints.push_back(
+        {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(constraint.neighbor)])},
+         {"interval", constraint.interval},
+         {"normal", to_json(constraint.normal)},
+         {"offset", constraint.offset}});
+  return constraints;
 }
 
 Json to_json(const Decision& decision) {
   const auto& seen = decision.seen;
   Json half_planes = Json::array();
-  for (const avo::NeighborPlane& each : decision.half_planes.planes)
+  for (const avo::NeighborPlane& plane : decision.half_planes.planes)
     half_planes.push_back(
-        {{"neighbor", name_of(seen.source[static_cast<std::size_t>(each.neighbor)])},
-         {"normal", to_json(each.plane.normal)},
-         {"offset", each.plane.offset}});
+        {{"neighbor", name_of(seen.source[static_cast<std::size_t>(plane.neighbor)])},
+         {"normal", to_json(plane.plane.normal)},
+         {"offset", plane.plane.offset}});
   Json obstacles = Json::array();
   for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
     const avo::Neighbor& neighbor = seen.neighbors[k];
@@ -125,7 +125,7 @@ Json to_json(const Decision& decision) {
             {"half_planes", half_planes}};
   if (decision.method == avo::Method::avo) {
     json["certificate_kind"] = avo::to_string(decision.certificate);
-    json["certificate"] = walls_of(decision);
+    json["certificate"] = constraints_of(decision);
     json["detour"] = seen.detour.angle;
   }
   const Json rest{{"acceleration_disc", to_json(decision.acceleration_disc)},
@@ -148,25 +148,26 @@ std::string text_of(int source) {
                      : fmt::format("moving obstacle {}", -1 - source);
 }
 
-/// How many walls there are, and the first one of each of the nearest neighbors.
+/// How many constraints there are, and the first one of each of the nearest neighbors.
 void append_certificate(const Decision& decision,
                         const std::function<void(const char*, const std::string&)>& line) {
   constexpr int kNamed = 3;
-  const auto& walls = decision.walls;
+  const auto& constraints = decision.constraints;
   std::set<int> neighbors;
-  for (const avo::CertificateWall& wall : walls) neighbors.insert(wall.neighbor);
+  for (const avo::CertificateConstraint& constraint : constraints)
+    neighbors.insert(constraint.neighbor);
   line("certificate",
-       fmt::format("{}, {} walls of {} neighbors", avo::to_string(decision.certificate),
-                   walls.size(), neighbors.size()));
+       fmt::format("{}, {} constraints of {} neighbors", avo::to_string(decision.certificate),
+                   constraints.size(), neighbors.size()));
   int named = 0, last = -1;
-  for (const avo::CertificateWall& wall : walls) {
+  for (const avo::CertificateConstraint& constraint : constraints) {
     if (named == kNamed) break;
-    if (wall.neighbor == last) continue;
-    last = wall.neighbor;
+    if (constraint.neighbor == last) continue;
+    last = constraint.neighbor;
     ++named;
-    line("wall",
-         fmt::format("{} . q >= {:.6g} m on step {}, of {}", text(wall.normal), wall.offset,
-                     wall.interval, text_of(decision.seen.source[static_cast<std::size_t>(last)])));
+    line("constraint", fmt::format("{} . q >= {:.6g} m on step {}, of {}", text(constraint.normal),
+                                   constraint.offset, constraint.interval,
+                                   text_of(decision.seen.source[static_cast<std::size_t>(last)])));
   }
   if (decision.seen.detour.angle > 0.0)
     line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
@@ -188,10 +189,10 @@ std::string readable(const Decision& decision) {
                          fmt::format("|v'| <= {:.6g} m/s", decision.speed_disc.radius));
   line("sees", fmt::format("{} robots and moving obstacles", decision.seen.neighbors.size()));
   if (!decision.by_half_planes) line("avoids", "the union of their obstacles");
-  for (const avo::NeighborPlane& each : decision.half_planes.planes)
+  for (const avo::NeighborPlane& plane : decision.half_planes.planes)
     line("half-plane",
-         fmt::format("{} . v' >= {:.6g} m/s, of {}", text(each.plane.normal), each.plane.offset,
-                     text_of(decision.seen.source[static_cast<std::size_t>(each.neighbor)])));
+         fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal), plane.plane.offset,
+                     text_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])));
   if (decision.method == avo::Method::avo) append_certificate(decision, line);
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
   line("new velocity", text(decision.plan.new_velocity) + " m/s");

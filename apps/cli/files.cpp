@@ -76,13 +76,13 @@ NamedFile file_of(const SceneArguments& arguments) {
 }
 
 void require_ending(const NamedFile& file, std::string_view ending) {
-  const std::string found = fs::path(file.path).extension().string();
+  const std::string extension = fs::path(file.path).extension().string();
   std::error_code error;
   const fs::file_status status = fs::status(file.path, error);
   const bool other = fs::exists(status) && !fs::is_regular_file(status);
-  if (found.empty() || lower(found) == ending || other) return;
+  if (extension.empty() || lower(extension) == ending || other) return;
   throw UsageError(fmt::format("{} {}: found the ending {}, must be {} or none", file.role,
-                               file.path, found, ending));
+                               file.path, extension, ending));
 }
 
 void require_figure(const NamedFile& file) {

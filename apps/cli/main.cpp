@@ -148,9 +148,9 @@ void add_others(CLI::App& app, Action& action) {
   schema->callback([&action] { action = [] { return print_schema(); }; });
 }
 
-std::string did_you_mean(std::string_view found, const std::vector<std::string>& names) {
+std::string did_you_mean(std::string_view given, const std::vector<std::string>& names) {
   const std::vector<std::string_view> words(names.begin(), names.end());
-  const auto meant = avo_io::nearest(found, words);
+  const auto meant = avo_io::nearest(given, words);
   return meant ? ", did you mean " + std::string(*meant) + "?" : "";
 }
 

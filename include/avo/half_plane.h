@@ -20,7 +20,7 @@ enum class PairState : unsigned char {
 struct RelativeHalfPlane {
   PairState state = PairState::free;
   HalfPlane plane;  ///< [n, h] n unit, h in m/s; meaningful where state is not free or coincident
-  double excess = 0.0;  ///< m/s, by how much the wall of n asks for more than reach; without bound
+  double excess = 0.0;  ///< m/s, by how much the line of n asks for more than reach; without bound
                         ///< as a closing pair comes into contact
 };
 

@@ -121,7 +121,7 @@ struct Detour {
 /// path to the point y of its path, sufficient for the three Bézier points of the interval;
 /// interval 0 is the step decided upon. For stopping_capsules q is any point of where A would next
 /// stop, m; interval is 0.
-struct CertificateWall {
+struct CertificateConstraint {
   int neighbor = 0;  ///< index into the neighbors given
   int interval = 0;
   Vec2 normal;  ///< unit, from B to A
@@ -179,9 +179,10 @@ class AVO_API Planner {
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
                            PlanWorkspace& workspace, HalfPlanes& half_planes) const;
 
-  /// The walls of the certificate that can refuse anything.
+  /// The constraints of the certificate that can refuse anything.
   void collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
-                           PlanWorkspace& workspace, std::vector<CertificateWall>& walls) const;
+                           PlanWorkspace& workspace,
+                           std::vector<CertificateConstraint>& constraints) const;
 
   /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
   /// radius).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Braking trajectories: the test of a candidate against the walls, and what would have been
+// Braking trajectories: the test of a candidate against the constraints, and what would have been
 // admitted instead.
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace avo {
 
-TrajectoryWall wall_at(const WallColumns& columns, std::size_t index) {
+TrajectoryConstraint constraint_at(const ConstraintColumns& columns, std::size_t index) {
   const std::size_t k = index;
   return {columns.neighbor[k],
           static_cast<int>(columns.interval[k]),
@@ -22,59 +22,63 @@ TrajectoryWall wall_at(const WallColumns& columns, std::size_t index) {
           columns.bound[k]};
 }
 
-bool keeps(const CandidatePath& path, const StepLaw& law, TrajectoryWalls& walls) {
-  const bool all_kept = keeps(walls.own, path, law, walls.has_cones, walls.columns);
-  return all_kept && !(walls.stays_at_rest && path.moving > 0);
+bool keeps_trajectories(const CandidatePath& path, const StepLaw& law,
+                        TrajectoryConstraints& constraints) {
+  const bool all_kept =
+      keeps(constraints.own, path, law, constraints.has_cones, constraints.columns);
+  return all_kept && !(constraints.stays_at_rest && path.moving > 0);
 }
 
 namespace {
 
 // From the point of A's braking path to that of the path.
-Vec2 deviation_at(const Braking& own, const TrajectoryWall& wall, int point,
+Vec2 deviation_at(const Braking& own, const TrajectoryConstraint& constraint, int point,
                   const CandidatePath& path, const StepLaw& law) {
   const auto pick = [point](const BrakingDistances& along) {
     return point == 0 ? along.start : point == 1 ? along.middle : along.end;
   };
-  const Vec2 x = pick(braking_distances(own.profile, law, wall.interval)) * own.direction;
-  if (wall.interval == 0) return path.first - x;
-  const BrakingDistances along = braking_distances(path.braking, law, wall.interval - 1);
+  const Vec2 x = pick(braking_distances(own.profile, law, constraint.interval)) * own.direction;
+  if (constraint.interval == 0) return path.first - x;
+  const BrakingDistances along = braking_distances(path.braking, law, constraint.interval - 1);
   return path.first + pick(along) * path.direction - x;
 }
 
 }  // namespace
 
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, const StepLaw& law) {
-  return worst_wall(walls, path, law, 0, walls.columns.count);
+WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
+                                 const CandidatePath& path, const StepLaw& law) {
+  return worst_of_neighbor(constraints, path, law, 0, constraints.columns.count);
 }
 
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, const StepLaw& law,
-                     std::size_t first, std::size_t last) {
-  const WallColumns& columns = walls.columns;
+WorstConstraint worst_of_neighbor(const TrajectoryConstraints& constraints,
+                                  const CandidatePath& path, const StepLaw& law, std::size_t first,
+                                  std::size_t last) {
+  const ConstraintColumns& columns = constraints.columns;
   const double* coefficient = columns.coefficient.data();
   const std::size_t k = static_cast<std::size_t>(
       std::min_element(coefficient + first, coefficient + last) - coefficient);
-  WorstWall worst{std::numeric_limits<double>::infinity()};
+  WorstConstraint worst{std::numeric_limits<double>::infinity()};
   if (k == last || !(coefficient[k] < worst.coefficient)) return worst;
-  const auto [start, middle, end] =
-      scalar::coefficients<scalar::Pack<double>>(columns, k, walls.own, path, law, walls.has_cones);
-  worst.wall = wall_at(columns, k);
+  const auto [start, middle, end] = scalar::coefficients<scalar::Pack<double>>(
+      columns, k, constraints.own, path, law, constraints.has_cones);
+  worst.constraint = constraint_at(columns, k);
   worst.coefficient = coefficient[k];
   worst.point = start.value <= worst.coefficient ? 0 : middle.value <= worst.coefficient ? 1 : 2;
-  if (worst.wall.cone > 0.0) {
-    const Vec2 deviation = deviation_at(walls.own, worst.wall, worst.point, path, law);
+  if (worst.constraint.cone > 0.0) {
+    const Vec2 deviation = deviation_at(constraints.own, worst.constraint, worst.point, path, law);
     const double length = norm(deviation);
-    if (length > 0.0) worst.lean = (worst.wall.cone / length) * deviation;
+    if (length > 0.0) worst.lean = (worst.constraint.cone / length) * deviation;
   }
   return worst;
 }
 
-HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const StepLaw& law) {
-  const TrajectoryWall& wall = worst.wall;
+HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const StepLaw& law) {
+  const TrajectoryConstraint& constraint = worst.constraint;
   // the point is (Δt - s) v_1 + (v_1/|v_1|) D(|v_1|) and a constant; the second term grows with v_1
   // by D/|v_1| across it and by D', the time for which braking moves it, along it
   double across = law.time_step - law.lag, along = across;
-  if (wall.interval > 0) {
-    const int m = wall.interval - 1;
+  if (constraint.interval > 0) {
+    const int m = constraint.interval - 1;
     const BrakingDistances distances = braking_distances(path.braking, law, m);
     const double distance = worst.point == 0   ? distances.start
                             : worst.point == 1 ? distances.middle
@@ -85,11 +89,11 @@ HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const StepL
     across += path.speed > 0.0 ? distance / path.speed : law.lag;
     along += std::min(law.time_step * m + to_point, to_rest);
   }
-  const Vec2 normal = wall.normal - worst.lean;
+  const Vec2 normal = constraint.normal - worst.lean;
   const double n_along = dot(normal, path.direction);
   const Vec2 gradient = across * normal + ((along - across) * n_along) * path.direction;
   const double length = norm(gradient);
-  if (!(length > 0.0)) return {wall.normal, dot(wall.normal, path.next_velocity)};
+  if (!(length > 0.0)) return {constraint.normal, dot(constraint.normal, path.next_velocity)};
   return {gradient / length, (dot(gradient, path.next_velocity) - worst.coefficient) / length};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A candidate against walls, as many at once as Pack has lanes: docs/certificate.md, "Braking
+// A candidate against constraints, as many at once as Pack has lanes: docs/certificate.md, "Braking
 // trajectories".
 #if defined(AVO_CERTIFICATE_ADMISSION_KERNEL_H) == defined(AVO_PASS_TOGGLE)
 #ifdef AVO_CERTIFICATE_ADMISSION_KERNEL_H
@@ -11,23 +11,24 @@
 #include <cstddef>
 #include <limits>
 
-#include "certificate/walls_kernel.h"
+#include "certificate/constraints_kernel.h"
 
 AVO_BEGIN_KERNELS
 
-/// normal . y_i + offset_i of the three points of the wall's interval, less what its cone takes, m.
+/// normal . y_i + offset_i of the three points of the constraint's interval, less what its cone
+/// takes, m.
 template <typename Real>
 struct PackCoefficients {
   Real start, middle, end;
 };
 
 template <typename Real>
-AVO_KERNEL PackCoefficients<Real> coefficients(const WallColumns& walls, std::size_t k,
+AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constraints, std::size_t k,
                                                const Braking& own, const CandidatePath& path,
                                                const StepLaw& law, bool has_cones) {
   const Real zero(0.0), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  const Vec<Real> n{Real::load(&walls.normal_x[k]), Real::load(&walls.normal_y[k])};
-  const Real m = Real::load(&walls.interval[k]);
+  const Vec<Real> n{Real::load(&constraints.normal_x[k]), Real::load(&constraints.normal_y[k])};
+  const Real m = Real::load(&constraints.interval[k]);
   const auto later = m > zero;  // than the step that is decided
   // the interval's points lie so far along the braking that follows the first step
   const PackProfile<Real> braking = constant<Real>(path.braking);
@@ -36,11 +37,11 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const WallColumns& walls, std::si
   const Vec<Real> first = constant<Real>(path.first), along = constant<Real>(path.direction);
   const Real base = dot(n, first), per_distance = dot(n, along);
   PackCoefficients<Real> result{
-      base + per_distance * before.start + Real::load(&walls.offset[0][k]),
-      base + per_distance * before.middle + Real::load(&walls.offset[1][k]),
-      base + per_distance * end + Real::load(&walls.offset[2][k])};
+      base + per_distance * before.start + Real::load(&constraints.offset[0][k]),
+      base + per_distance * before.middle + Real::load(&constraints.offset[1][k]),
+      base + per_distance * end + Real::load(&constraints.offset[2][k])};
   if (has_cones) {
-    const Real cone = Real::load(&walls.cone[k]);
+    const Real cone = Real::load(&constraints.cone[k]);
     const PackPoints<Real> x = points(own.profile, own.direction, law, m);
     const auto off = [&](Real distance, Vec<Real> from) {
       return cone * norm(first + distance * along - from);
@@ -53,21 +54,22 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const WallColumns& walls, std::si
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Whether the path keeps all walls; walls.coefficient is filled.
+/// Whether the path keeps all constraints; constraints.coefficient is filled.
 template <typename Real>
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           WallColumns& walls) {
+           ConstraintColumns& constraints) {
   const Real zero(0.0), infinity(std::numeric_limits<double>::infinity());
   bool kept = true;
-  for (std::size_t k = 0; k < walls.count; k += Real::kLanes) {
-    const PackCoefficients<Real> each = coefficients<Real>(walls, k, own, path, law, has_cones);
-    const auto asked = Real::load(&walls.needs[k]) < Real(static_cast<double>(path.moving));
-    const auto counted = lane_numbers<Real>() < Real(static_cast<double>(walls.count - k));
+  for (std::size_t k = 0; k < constraints.count; k += Real::kLanes) {
+    const PackCoefficients<Real> left =
+        coefficients<Real>(constraints, k, own, path, law, has_cones);
+    const auto asked = Real::load(&constraints.needs[k]) < Real(static_cast<double>(path.moving));
+    const auto counted = lane_numbers<Real>() < Real(static_cast<double>(constraints.count - k));
     // nothing that is not known is admitted
-    const auto good = (each.start >= zero) & (each.middle >= zero) & (each.end >= zero);
+    const auto good = (left.start >= zero) & (left.middle >= zero) & (left.end >= zero);
     kept = kept && !any(counted & asked & !good);
-    select(asked, min(min(each.start, each.middle), each.end), infinity)
-        .store(&walls.coefficient[k]);
+    select(asked, min(min(left.start, left.middle), left.end), infinity)
+        .store(&constraints.coefficient[k]);
   }
   return kept;
 }

@@ -65,9 +65,9 @@ struct PackPoints {
 };
 
 template <typename Real>
-AVO_KERNEL PackPoints<Real> points(const BrakingProfile& of, Vec2 direction, const StepLaw& law,
-                                   Real steps) {
-  const PackProfile<Real> braking = constant<Real>(of);
+AVO_KERNEL PackPoints<Real> points(const BrakingProfile& profile, Vec2 direction,
+                                   const StepLaw& law, Real steps) {
+  const PackProfile<Real> braking = constant<Real>(profile);
   const PackDistances<Real> now = distances(braking, law, steps);
   const PackDistances<Real> next = distances(braking, law, steps + Real(1.0));
   const Vec<Real> along = constant<Real>(direction);

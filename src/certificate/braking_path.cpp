@@ -23,16 +23,17 @@ double braking_steps_at_least(double speed, double decrement) {
 }
 
 BrakingProfile braking_profile(double speed, double decrement) {
-  const auto found = scalar::profile<Real>(speed, decrement);
-  return {speed, decrement, found.full_steps.value};
+  const auto packed = scalar::profile<Real>(speed, decrement);
+  return {speed, decrement, packed.full_steps.value};
 }
 
 double stopping_length(const BrakingProfile& braking, const StepLaw& law) {
   return scalar::stopping_length(scalar::constant<Real>(braking), law).value;
 }
 
-BrakingDistances braking_distances(const BrakingProfile& of, const StepLaw& law, int interval) {
-  const auto braking = scalar::constant<Real>(of);
+BrakingDistances braking_distances(const BrakingProfile& profile, const StepLaw& law,
+                                   int interval) {
+  const auto braking = scalar::constant<Real>(profile);
   const auto now = scalar::distances(braking, law, Real(interval));
   const auto next = scalar::distances(braking, law, Real(interval + 1.0));
   return {now.start.value, now.middle.value, next.start.value};
@@ -66,7 +67,7 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
   path.speed = norm(path.next_velocity);
   path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
   const bool stays = path.speed == 0.0 && robot.velocity == Vec2{};
-  constexpr double kForEver = 1e9;  // more than any wall's interval
+  constexpr double kForEver = 1e9;  // more than any constraint's interval
   path.braking = braking_profile(path.speed, decrement);
   const double steps = path.speed > 0.0 ? std::min(path.braking.full_steps + 1.0, kForEver) : 0.0;
   path.moving = stays ? 0 : 1 + static_cast<int>(steps);

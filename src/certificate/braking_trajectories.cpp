@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Braking trajectories: the walls of neighbors.
+// Braking trajectories: the constraints of neighbors.
 #include "certificate/braking_trajectories.h"
 
 #include <algorithm>
@@ -25,133 +25,139 @@ double parabola_error(const Neighbor& neighbor, const StepLaw& law) {
 }
 
 // Where braking is seen to leave less than the margin, A may not lose more of it.
-void allow_braking(const Braking& own, const StepLaw& law, WallColumns& walls, std::size_t k) {
+void allow_braking(const Braking& own, const StepLaw& law, ConstraintColumns& constraints,
+                   std::size_t k) {
   const auto [start, middle, end] =
-      braking_distances(own.profile, law, static_cast<int>(walls.interval[k]));
-  const double along = dot({walls.normal_x[k], walls.normal_y[k]}, own.direction);
+      braking_distances(own.profile, law, static_cast<int>(constraints.interval[k]));
+  const double along = dot({constraints.normal_x[k], constraints.normal_y[k]}, own.direction);
   const std::array<double, 3> distances{start, middle, end};
   for (std::size_t i = 0; i < 3; ++i) {
-    walls.offset[i][k] = std::max(walls.offset[i][k], -distances[i] * along);
+    constraints.offset[i][k] = std::max(constraints.offset[i][k], -distances[i] * along);
   }
 }
 
-// What errors and movers take off the pair's walls.
-void take_off(const PairWalls& of, std::size_t first, const StepLaw& law, TrajectoryWalls& walls) {
-  WallColumns& columns = walls.columns;
+// What errors and movers take off the pair's constraints.
+void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& law,
+              TrajectoryConstraints& constraints) {
+  ConstraintColumns& columns = constraints.columns;
   const std::array<double, 3> times{0.0, law.lag, law.time_step};
   for (std::size_t k = first; k < columns.count; ++k) {
-    if (!columns.is_wall(k)) continue;
+    if (!columns.is_constraint(k)) continue;
     const double m = columns.interval[k];
-    const bool holds = m < of.moving;
+    const bool holds = m < wanted.moving;
     for (std::size_t i = 0; i < 3; ++i) {
       if (!holds) columns.offset[i][k] -= error_at(law, m * law.time_step + times[i]);
     }
     if (columns.cone[k] > 0.0) {
-      walls.has_cones = true;
-      allow_braking(walls.own, law, columns, k);
+      constraints.has_cones = true;
+      allow_braking(constraints.own, law, columns, k);
     }
     if (holds || m > 0.0) continue;
     // Where A starts cannot be inflated: at rest beside what does not decide it could never leave.
     for (std::size_t i = 0; i < 2; ++i) {
-      columns.offset[i][k] += of.held - (of.inflated - of.pair.inflated) - of.pair.contact;
-      if (!(columns.offset[i][k] >= 0.0)) walls.stays_at_rest = true;
+      columns.offset[i][k] +=
+          wanted.held - (wanted.inflated - wanted.pair.inflated) - wanted.pair.contact;
+      if (!(columns.offset[i][k] >= 0.0)) constraints.stays_at_rest = true;
     }
   }
 }
 
 void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
-                  TrajectoryWalls& walls, Invariant& invariant) {
+                  TrajectoryConstraints& constraints, Invariant& invariant) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double inflation = parabola_error(neighbor, law), inflated = pair.inflated + inflation;
-  PairWalls of{pair,
-               neighbor,
-               index,
-               static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
-               inflated,
-               inflated,
-               pair.decides
-                   ? infinity
+  PairConstraints wanted{
+      pair,
+      neighbor,
+      index,
+      static_cast<std::size_t>(std::max(pair.a.intervals, pair.b.intervals)),
+      inflated,
+      inflated,
+      pair.decides ? infinity
                    : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
-  const std::size_t first = walls.columns.count;
-  walls.columns.reserve(first + of.intervals);
-  const double nearest = append_walls(of, law, walls.own_columns, walls.columns);
-  of.held = held_distance(pair, nearest, index, invariant) + inflation;
-  if (of.held != inflated) {
-    walls.columns.count = first;
-    append_walls(of, law, walls.own_columns, walls.columns);
+  const std::size_t first = constraints.columns.count;
+  constraints.columns.reserve(first + wanted.intervals);
+  const double nearest =
+      append_constraints(wanted, law, constraints.own_columns, constraints.columns);
+  wanted.held = held_distance(pair, nearest, index, invariant) + inflation;
+  if (wanted.held != inflated) {
+    constraints.columns.count = first;
+    append_constraints(wanted, law, constraints.own_columns, constraints.columns);
   }
   if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
-  if (!pair.decides || law.sensing_error != SensingError{}) take_off(of, first, law, walls);
+  if (!pair.decides || law.sensing_error != SensingError{})
+    take_off(wanted, first, law, constraints);
 }
 
 // Where the pair is worth it.
 void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_t index,
-                   const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
+                   const StepLaw& law, TrajectoryConstraints& constraints, Invariant& invariant) {
   const double most = std::max(pair.a.intervals, pair.b.intervals);
   if (!(most <= kMostIntervals)) {
     invariant.unknown = true;
     return;
   }
   const auto intervals = static_cast<std::size_t>(most);
-  if (intervals > walls.own_columns.count) {
-    walls.own_columns.count = intervals;
-    walls.own_columns.reserve(intervals);
-    fill_own(pair.a, walls.deviation, law, walls.own_columns);
+  if (intervals > constraints.own_columns.count) {
+    constraints.own_columns.count = intervals;
+    constraints.own_columns.reserve(intervals);
+    fill_own(pair.a, constraints.deviation, law, constraints.own_columns);
   }
-  collect_pair(pair, neighbor, static_cast<int>(index), law, walls, invariant);
+  collect_pair(pair, neighbor, static_cast<int>(index), law, constraints, invariant);
 }
 
-void collect_near(const NearPair& near, const StepLaw& law, TrajectoryWalls& walls,
+void collect_near(const NearPair& near, const StepLaw& law, TrajectoryConstraints& constraints,
                   Invariant& invariant) {
-  collect_close(near.with(walls.own), {}, near.neighbor, law, walls, invariant);
+  collect_close(near.with(constraints.own), {}, near.neighbor, law, constraints, invariant);
 }
 
 }  // namespace
 
-void begin_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
-                 std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
-  walls.columns.count = walls.own_columns.count = walls.own_columns.filled = 0;
-  walls.stays_at_rest = walls.has_cones = false;
-  walls.waiting.clear();
+void begin_trajectories(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                        std::size_t i, const StepLaw& law, TrajectoryConstraints& constraints,
+                        Invariant& invariant) {
+  constraints.columns.count = constraints.own_columns.count = constraints.own_columns.filled = 0;
+  constraints.stays_at_rest = constraints.has_cones = false;
+  constraints.waiting.clear();
   const bool has_movers = near.has_movers[i] != 0;
   if (near.of(i).empty() && !has_movers) return;
-  walls.own = near.own.braking(i);
-  walls.deviation = near.own.deviation(i);
-  for (const NearPair& pair : near.of(i)) walls.waiting.push_back(&pair);
+  constraints.own = near.own.braking(i);
+  constraints.deviation = near.own.deviation(i);
+  for (const NearPair& pair : near.of(i)) constraints.waiting.push_back(&pair);
   for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
     const Neighbor mover = neighbors[k];
     if (mover.behavior == Behavior::decides) continue;
-    const BrakingPair pair = braking_pair(robot, mover, walls.own, law);
+    const BrakingPair pair = braking_pair(robot, mover, constraints.own, law);
     if (cannot_meet(pair, mover, law)) continue;
     if (norm(pair.p) < pair.contact + law.sensing_error.position) invariant.touched = true;
-    collect_close(pair, mover, k, law, walls, invariant);
+    collect_close(pair, mover, k, law, constraints, invariant);
   }
 }
 
 void collect_refusing(const Robot& robot, const CandidatePath& path, const StepLaw& law,
-                      TrajectoryWalls& walls, Invariant& invariant) {
-  if (walls.waiting.empty()) return;
-  double ahead = walls.deviation.most_ahead, aside = walls.deviation.most_aside;
+                      TrajectoryConstraints& constraints, Invariant& invariant) {
+  if (constraints.waiting.empty()) return;
+  double ahead = constraints.deviation.most_ahead, aside = constraints.deviation.most_aside;
   if (!robot.car) {
     using Real = scalar::Pack<double>;
-    const auto deviation = scalar::deviation_of(scalar::constant<Real>(walls.own),
+    const auto deviation = scalar::deviation_of(scalar::constant<Real>(constraints.own),
                                                 scalar::constant<Real>(path.next_velocity), law);
     ahead = deviation.ahead.value, aside = deviation.aside.value;
   }
   std::size_t left = 0;
-  for (const NearPair* pair : walls.waiting) {
+  for (const NearPair* pair : constraints.waiting) {
     if (pair->gap > pair->against * ahead + aside) {
-      walls.waiting[left++] = pair;
+      constraints.waiting[left++] = pair;
     } else {
-      collect_near(*pair, law, walls, invariant);
+      collect_near(*pair, law, constraints, invariant);
     }
   }
-  walls.waiting.resize(left);
+  constraints.waiting.resize(left);
 }
 
-void collect_waiting(const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant) {
-  for (const NearPair* pair : walls.waiting) collect_near(*pair, law, walls, invariant);
-  walls.waiting.clear();
+void collect_waiting(const StepLaw& law, TrajectoryConstraints& constraints, Invariant& invariant) {
+  for (const NearPair* pair : constraints.waiting) collect_near(*pair, law, constraints, invariant);
+  constraints.waiting.clear();
 }
 
 }  // namespace avo

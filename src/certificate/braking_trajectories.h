@@ -10,16 +10,16 @@
 #include "avo/geometry.h"
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
+#include "certificate/constraint_columns.h"
 #include "certificate/near_pairs.h"
 #include "certificate/pair.h"
-#include "certificate/wall_columns.h"
 #include "core/neighbor_columns.h"
 
 namespace avo {
 
 /// What one neighbor demands on one interval between steps: normal . y_i + offset[i] >= 0 for the
 /// Bézier points y_0, y_1, y_2 of A's path on it, relative to p_A.
-struct TrajectoryWall {
+struct TrajectoryConstraint {
   int neighbor = 0;
   int interval = 0;                ///< 0: the step to be decided
   bool only_in_motion = false;     ///< asked only of paths on which A still moves then
@@ -28,54 +28,60 @@ struct TrajectoryWall {
   /// With sensing errors the normal is off by so much: cone |y_i - x_i| is asked for besides, x
   /// being A's braking path.
   double cone = 0.0;
-  /// m, <= 0: a path that keeps normal . (y - x) >= bound, x the braking path, keeps the wall.
+  /// m, <= 0: a path that keeps normal . (y - x) >= bound, x the braking path, keeps the
+  /// constraint.
   double bound = 0.0;
 };
 
 /// Scratch memory; allocates only while it grows.
-struct TrajectoryWalls {
-  WallColumns columns;  ///< a neighbor's follow each other
+struct TrajectoryConstraints {
+  ConstraintColumns columns;  ///< a neighbor's follow each other
   Braking own;
   Deviation deviation;
   OwnColumns own_columns;
-  std::vector<const NearPair*> waiting;  ///< whose walls no candidate has asked for yet
+  std::vector<const NearPair*> waiting;  ///< whose constraints no candidate has asked for yet
   /// A rests beside one that does not decide, so near that it may not begin to move.
   bool stays_at_rest = false;
   bool has_cones = false;
 };
 
-TrajectoryWall wall_at(const WallColumns& columns, std::size_t index);
+TrajectoryConstraint constraint_at(const ConstraintColumns& columns, std::size_t index);
 
 /// Those of robot i, of the robots that were looked at, for candidates with |v_1 - v| <= u: the
-/// walls of its movers, while those of other neighbors wait until a candidate comes that they can
-/// refuse. Neighbors that do not decide are taken to keep their
-/// acceleration, A's share is 1, and only the time counts in which A moves.
-void begin_walls(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
-                 std::size_t i, const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
+/// constraints of its movers, while those of other neighbors wait until a candidate comes that they
+/// can refuse. Neighbors that do not decide are taken to keep their acceleration, A's share is 1,
+/// and only the time counts in which A moves.
+void begin_trajectories(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
+                        std::size_t i, const StepLaw& law, TrajectoryConstraints& constraints,
+                        Invariant& invariant);
 
-/// Collects the walls of those that wait and can refuse the path.
+/// Collects the constraints of those that wait and can refuse the path.
 void collect_refusing(const Robot& robot, const CandidatePath& path, const StepLaw& law,
-                      TrajectoryWalls& walls, Invariant& invariant);
+                      TrajectoryConstraints& constraints, Invariant& invariant);
 
-/// Collects the walls of all that wait.
-void collect_waiting(const StepLaw& law, TrajectoryWalls& walls, Invariant& invariant);
+/// Collects the constraints of all that wait.
+void collect_waiting(const StepLaw& law, TrajectoryConstraints& constraints, Invariant& invariant);
 
-/// Whether the path keeps all walls, and by how much or how little each of them.
-bool keeps(const CandidatePath& path, const StepLaw& law, TrajectoryWalls& walls);
+/// Whether the path keeps all constraints, and by how much or how little each of them.
+bool keeps_trajectories(const CandidatePath& path, const StepLaw& law,
+                        TrajectoryConstraints& constraints);
 
-/// The wall that the path asked about last violates most, or that it is nearest to.
-struct WorstWall {
-  double coefficient;  ///< m, >= 0 iff the candidate is admitted; infinite without walls
-  TrajectoryWall wall = {};
+/// The constraint that the path asked about last violates most, or that it is nearest to.
+struct WorstConstraint {
+  double coefficient;  ///< m, >= 0 iff the candidate is admitted; infinite without constraints
+  TrajectoryConstraint constraint = {};
   int point = 0;   ///< of the three
   Vec2 lean = {};  ///< what a cone takes off the normal there
 };
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, const StepLaw& law);
-/// Of walls [first .. last) only.
-WorstWall worst_wall(const TrajectoryWalls& walls, const CandidatePath& path, const StepLaw& law,
-                     std::size_t first, std::size_t last);
+WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
+                                 const CandidatePath& path, const StepLaw& law);
+/// Of constraints [first .. last) only.
+WorstConstraint worst_of_neighbor(const TrajectoryConstraints& constraints,
+                                  const CandidatePath& path, const StepLaw& law, std::size_t first,
+                                  std::size_t last);
 
-/// The wall's half-plane in v_1, tangent at the path: v_1 of a path that violates it lies outside.
-HalfPlane tangent(const WorstWall& worst, const CandidatePath& path, const StepLaw& law);
+/// The constraint's half-plane in v_1, tangent at the path: v_1 of a path that violates it lies
+/// outside.
+HalfPlane tangent(const WorstConstraint& worst, const CandidatePath& path, const StepLaw& law);
 
 }  // namespace avo

@@ -19,10 +19,11 @@ struct CertificateLaw {
 };
 
 /// What the neighbors demand of a robot. Scratch memory; allocates only while it grows.
-struct CertificateWalls {
+struct CertificateConstraints {
   Invariant invariant;
-  TrajectoryWalls trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
-  std::vector<CapsuleWall> capsules;
+  TrajectoryConstraints
+      trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
+  std::vector<CapsuleConstraint> capsules;
   CandidatePath path;  ///< of the last candidate asked about
   NearPairs near;      ///< of all robots of find_near()
   // of a robot that is looked at by itself
@@ -35,30 +36,33 @@ struct CertificateWalls {
   }
 };
 
-/// Room for the walls of so many neighbors, each of which brakes for so many steps.
-void reserve_walls(std::size_t neighbors, std::size_t braking_steps, std::size_t most_walls,
-                   CertificateWalls& walls);
+/// Room for the constraints of so many neighbors, each of which brakes for so many steps.
+void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
+                         std::size_t most_constraints, CertificateConstraints& constraints);
 
-/// Of robots in lanes what begin_walls() asks, before it is asked of each of them.
-void find_near(const RobotColumns& robots, const CertificateLaw& law, CertificateWalls& walls);
+/// Of robots in lanes what begin_constraints() asks, before it is asked of each of them.
+void find_near(const RobotColumns& robots, const CertificateLaw& law,
+               CertificateConstraints& constraints);
 
 /// Those of robot i of the robots that find_near() was given last; admits() collects what a
 /// candidate may be refused by.
-void begin_walls(const Robot& robot, const Neighbors& neighbors, std::size_t i,
-                 const CertificateLaw& law, CertificateWalls& walls);
+void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
+                       const CertificateLaw& law, CertificateConstraints& constraints);
 /// All of those of one robot, looked at by itself.
-void collect_walls(const Robot& robot, std::span<const Neighbor> neighbors,
-                   const CertificateLaw& law, CertificateWalls& walls);
+void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
+                         const CertificateLaw& law, CertificateConstraints& constraints);
 
 /// Whether the robot may have the velocity v_1 after this step. True of backup_velocity() wherever
 /// the invariant holds, up to rounding.
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
-            CertificateWalls& walls);
+            CertificateConstraints& constraints);
 
 /// [v_1] of what is always allowed: full braking.
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law);
 
-/// All walls, for those who want to look at them (see CertificateWall in avo/planner.h).
-void list_walls(const CertificateWalls& walls, Vec2 position, std::vector<CertificateWall>& list);
+/// All constraints, for those who want to look at them (see CertificateConstraint in
+/// avo/planner.h).
+void list_constraints(const CertificateConstraints& constraints, Vec2 position,
+                      std::vector<CertificateConstraint>& list);
 
 }  // namespace avo

@@ -18,7 +18,7 @@
 
 AVO_BEGIN_KERNELS
 constexpr CertificateKernels kKernels{find_near<Pack<double>>, admit_next<Pack<double>>,
-                                      fill_own<Pack<double>>, append_walls<Pack<double>>,
+                                      fill_own<Pack<double>>, append_constraints<Pack<double>>,
                                       keeps<Pack<double>>};
 AVO_END_KERNELS
 #endif
@@ -28,7 +28,7 @@ AVO_END_KERNELS
 namespace avo {
 namespace scalar {
 constexpr CertificateKernels kKernels{find_near<Pack<double>>, admit_next<Pack<double>>,
-                                      fill_own<Pack<double>>, append_walls<Pack<double>>,
+                                      fill_own<Pack<double>>, append_constraints<Pack<double>>,
                                       keeps<Pack<double>>};
 }  // namespace scalar
 
@@ -47,14 +47,14 @@ void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, 
   kKernels->fill_own(a, deviation, law, own);
 }
 
-double append_walls(const PairWalls& of, const StepLaw& law, const OwnColumns& own,
-                    WallColumns& walls) {
-  return kKernels->append_walls(of, law, own, walls);
+double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
+                          ConstraintColumns& constraints) {
+  return kKernels->append_constraints(wanted, law, own, constraints);
 }
 
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           WallColumns& walls) {
-  return kKernels->keeps(own, path, law, has_cones, walls);
+           ConstraintColumns& constraints) {
+  return kKernels->keeps(own, path, law, has_cones, constraints);
 }
 
 }  // namespace avo

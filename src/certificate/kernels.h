@@ -13,19 +13,20 @@ struct CertificateKernels {
   void (*admit_next)(const RobotColumns&, const std::vector<double>&, const std::vector<double>&,
                      const StepLaw&, NearPairs&);
   void (*fill_own)(const Braking&, const Deviation&, const StepLaw&, OwnColumns&);
-  double (*append_walls)(const PairWalls&, const StepLaw&, const OwnColumns&, WallColumns&);
-  bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, WallColumns&);
+  double (*append_constraints)(const PairConstraints&, const StepLaw&, const OwnColumns&,
+                               ConstraintColumns&);
+  bool (*keeps)(const Braking&, const CandidatePath&, const StepLaw&, bool, ConstraintColumns&);
 };
 
 /// own.count is known, the columns have room for it.
 void fill_own(const Braking& a, const Deviation& deviation, const StepLaw& law, OwnColumns& own);
 
-/// See walls_kernel.h; the columns have room for all intervals.
-double append_walls(const PairWalls& of, const StepLaw& law, const OwnColumns& own,
-                    WallColumns& walls);
+/// See constraints_kernel.h; the columns have room for all intervals.
+double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
+                          ConstraintColumns& constraints);
 
 /// See admission_kernel.h.
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
-           WallColumns& walls);
+           ConstraintColumns& constraints);
 
 }  // namespace avo

@@ -51,8 +51,8 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
 /// Of one robot i and the chosen of its neighbors.
 template <typename Real>
 AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
-                     const PackNeighbor<Real>& of, Real neighbor, decltype(Real() < Real()) chosen,
-                     NearQueue& queue) {
+                     const PackNeighbor<Real>& other, Real neighbor,
+                     decltype(Real() < Real()) chosen, NearQueue& queue) {
   const std::size_t first = queue.count;
   const auto all = [first](double value, NearQueue::Column& column) {
     Real(value).store(&column[first]);
@@ -68,9 +68,10 @@ AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::s
   const auto some = [&](Real value, NearQueue::Column& column) {
     return store_chosen(chosen, value, &column[first]);
   };
-  some(of.position.x, queue.other_x), some(of.position.y, queue.other_y);
-  some(of.velocity.x, queue.other_v_x), some(of.velocity.y, queue.other_v_y);
-  some(of.radius, queue.other_radius), some(of.max_acceleration, queue.other_max_acceleration);
+  some(other.position.x, queue.other_x), some(other.position.y, queue.other_y);
+  some(other.velocity.x, queue.other_v_x), some(other.velocity.y, queue.other_v_y);
+  some(other.radius, queue.other_radius),
+      some(other.max_acceleration, queue.other_max_acceleration);
   queue.count += some(neighbor, queue.neighbor);
 }
 
@@ -106,7 +107,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
     const auto load = [i](const NearQueue::Column& column) { return Real::load(&column[i]); };
     const auto is_pair = lane_numbers<Real>() < Real(static_cast<double>(queue.count - i));
-    const PackNeighbor<Real> of{
+    const PackNeighbor<Real> other{
         {load(queue.other_x), load(queue.other_y)},
         {load(queue.other_v_x), load(queue.other_v_y)},
         load(queue.other_radius),
@@ -120,10 +121,10 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
                                load(queue.length),
                                load(queue.reach),
                                load(queue.intervals)}};
-    const PackPair<Real> pair = pair_of(self, of, law);
+    const PackPair<Real> pair = pair_of(self, other, law);
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
-    PackClearance<Real> clearance = clearance_of(self, pair, of, law);
+    PackClearance<Real> clearance = clearance_of(self, pair, other, law);
     if (!exact) clearance.gap = Real(-std::numeric_limits<double>::infinity());
     chosen = chosen &
              !(clearance.gap > clearance.against * load(queue.most_ahead) + load(queue.most_aside));
@@ -162,18 +163,18 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
       return Real::load(&column[at]);
     };
-    const PackNeighbor<Real> of{{load(columns.x), load(columns.y)},
-                                {load(columns.v_x), load(columns.v_y)},
-                                load(columns.radius),
-                                load(columns.max_acceleration)};
+    const PackNeighbor<Real> other{{load(columns.x), load(columns.y)},
+                                   {load(columns.v_x), load(columns.v_y)},
+                                   load(columns.radius),
+                                   load(columns.max_acceleration)};
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
     const auto decides = load(columns.decides) > zero;
     movers = movers | (counted & !decides);
     if (whom == Whom::movers) continue;
     const auto near =
-        counted & decides & !(are_far(bound, self, of) | are_clear(bound, self, of, law));
+        counted & decides & !(are_far(bound, self, other) | are_clear(bound, self, other, law));
     if (!any(near)) continue;
-    push(robots, own, i, of, Real::numbers_from(k), near, pairs.queue);
+    push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
     if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
   }
   return any(movers);

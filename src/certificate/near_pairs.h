@@ -15,7 +15,7 @@
 
 namespace avo {
 
-/// Whose walls are wanted.
+/// Whose constraints are wanted.
 enum class Whom : unsigned char { everyone, movers };
 
 /// By robot: its braking path, how far its candidates' paths get from it, and by which bounds it is
@@ -85,8 +85,8 @@ struct NearPairs {
   }
 };
 
-/// Of each robot's neighbors that decide, if everyone's walls are wanted, those that may meet it
-/// and can refuse a candidate.
+/// Of each robot's neighbors that decide, if everyone's constraints are wanted, those that may meet
+/// it and can refuse a candidate.
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near);
 
 /// Whether robot i, which is no car and senses no movers, may have the next velocity whatever its

@@ -43,18 +43,18 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   if (neighbor.behavior == Behavior::decides) {
     const scalar::PackSelf<Real> self{pack(robot.position), pack(robot.velocity), robot.radius,
                                       robot.max_acceleration, pack(a)};
-    const auto found = scalar::pair_of<Real>(self,
-                                             {pack(neighbor.position), pack(neighbor.velocity),
-                                              neighbor.radius, neighbor.max_acceleration},
-                                             law);
-    return {plain(found.p),
-            found.contact.value,
-            found.inflated.value,
-            found.error.value,
-            found.share.value,
+    const auto packed = scalar::pair_of<Real>(self,
+                                              {pack(neighbor.position), pack(neighbor.velocity),
+                                               neighbor.radius, neighbor.max_acceleration},
+                                              law);
+    return {plain(packed.p),
+            packed.contact.value,
+            packed.inflated.value,
+            packed.error.value,
+            packed.share.value,
             true,
             a,
-            plain(found.b)};
+            plain(packed.b)};
   }
   BrakingPair pair{};
   pair.p = robot.position - neighbor.position;

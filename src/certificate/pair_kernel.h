@@ -13,7 +13,7 @@
 
 #include "certificate/braking_kernel.h"
 #include "certificate/pair.h"
-#include "certificate/pair_walls.h"
+#include "certificate/pair_constraints.h"
 
 AVO_BEGIN_KERNELS
 
@@ -144,19 +144,19 @@ AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
 }
 
 template <typename Real>
-AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& of,
+AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& other,
                                   const StepLaw& law) {
   const Real a_A = self.max_acceleration, one(1.0);
   const Vec<Real> p_A = self.position;
   const PackBraking<Real>& a = self.braking;
   PackPair<Real> pair;
-  pair.b = braking_of(of.velocity, of.max_acceleration, law);
-  pair.p = p_A - of.position;
+  pair.b = braking_of(other.velocity, other.max_acceleration, law);
+  pair.p = p_A - other.position;
   pair.distance = norm(pair.p);
-  pair.contact = self.radius + of.radius;
-  pair.share = a_A / (a_A + of.max_acceleration);
+  pair.contact = self.radius + other.radius;
+  pair.share = a_A / (a_A + other.max_acceleration);
   const Real lengths = pair.contact + a.reach + pair.b.reach + (abs(p_A.x) + abs(p_A.y)) +
-                       (abs(of.position.x) + abs(of.position.y));
+                       (abs(other.position.x) + abs(other.position.y));
   pair.inflated = pair.contact + rounding_margin(lengths, max(a.intervals, pair.b.intervals),
                                                  min(pair.share, one - pair.share));
   pair.error = Real(law.sensing_error.position) +
@@ -174,7 +174,7 @@ struct PackClearance {
 
 template <typename Real>
 AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const PackPair<Real>& pair,
-                                            const PackNeighbor<Real>& of, const StepLaw& law) {
+                                            const PackNeighbor<Real>& other, const StepLaw& law) {
   const Real zero(0.0), one(1.0), d = pair.distance, length_A = self.braking.length;
   const Vec<Real> d_A = self.braking.direction, d_B = pair.b.direction;
   const auto apart = d > zero;
@@ -184,9 +184,9 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const Pa
   const Real alone = d + towards / select(apart, d, one);
   // equally able ones brake with less relative velocity than they have
   const Real steps = one + max(self.braking.profile.full_steps, pair.b.profile.full_steps);
-  const Real drift = Real(law.time_step) * steps * norm(self.velocity - of.velocity);
+  const Real drift = Real(law.time_step) * steps * norm(self.velocity - other.velocity);
   const Real a_A = self.max_acceleration;
-  const auto able_alike = (of.max_acceleration <= a_A) & (of.max_acceleration >= a_A);
+  const auto able_alike = (other.max_acceleration <= a_A) & (other.max_acceleration >= a_A);
   const Real together = select(able_alike, d - drift, alone);
   const Real nearest = max(alone, together);
   const Real passes = pair.b.length * max(zero, dot(d_A, d_B));
@@ -256,21 +256,21 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackP
 /// B is of A's a_max, and no faster than A may be.
 template <typename Real>
 AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
-                         const PackNeighbor<Real>& of) {
-  return (dot(of.velocity, of.velocity) <= bound.speed_squared) &
-         (of.max_acceleration <= self.max_acceleration) &
-         (of.max_acceleration >= self.max_acceleration);
+                         const PackNeighbor<Real>& other) {
+  return (dot(other.velocity, other.velocity) <= bound.speed_squared) &
+         (other.max_acceleration <= self.max_acceleration) &
+         (other.max_acceleration >= self.max_acceleration);
 }
 
 /// Whether they are alike, and farther apart than both reach.
 template <typename Real>
 AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
-                        const PackNeighbor<Real>& of) {
-  const Real squared = dot(of.velocity, of.velocity);
+                        const PackNeighbor<Real>& other) {
+  const Real squared = dot(other.velocity, other.velocity);
   const Real reach = bound.reach[0] + bound.reach[1] * sqrt(squared) + bound.reach[2] * squared;
-  const Real distance = norm(self.position - of.position);
-  return is_alike(bound, self, of) &
-         (distance > Real(kFarther) * (bound.far_distance + of.radius + reach));
+  const Real distance = norm(self.position - other.position);
+  return is_alike(bound, self, other) &
+         (distance > Real(kFarther) * (bound.far_distance + other.radius + reach));
 }
 
 /// Whether they are alike, and drift towards each other too slowly for B to refuse anything: the
@@ -278,17 +278,17 @@ AVO_KERNEL auto are_far(const PackBound<Real>& bound, const BrakingPoint<Real>& 
 /// distance. It takes no division.
 template <typename Real>
 AVO_KERNEL auto are_clear(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
-                          const PackNeighbor<Real>& of, const StepLaw& law) {
+                          const PackNeighbor<Real>& other, const StepLaw& law) {
   const Real zero(0.0);
-  const Vec<Real> p = self.position - of.position;
+  const Vec<Real> p = self.position - other.position;
   const Real distance = norm(p);
-  const Real steps = Real(1.0) + bound.per_decrement * max(self.speed, norm(of.velocity));
-  const Real drift = Real(kFarther * law.time_step) * steps * norm(self.velocity - of.velocity);
+  const Real steps = Real(1.0) + bound.per_decrement * max(self.speed, norm(other.velocity));
+  const Real drift = Real(kFarther * law.time_step) * steps * norm(self.velocity - other.velocity);
   const Real left = distance - drift;
   const Real against = min(max(zero, drift - dot(p, self.direction)), left);
   const Real gap =
-      Real(0.5) * (left - (bound.clear_distance + of.radius) - Real(0x1p-27) * distance);
-  return is_alike(bound, self, of) & (left > zero) &
+      Real(0.5) * (left - (bound.clear_distance + other.radius) - Real(0x1p-27) * distance);
+  return is_alike(bound, self, other) & (left > zero) &
          ((gap - bound.most_aside) * left > against * bound.most_ahead);
 }
 

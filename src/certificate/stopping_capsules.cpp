@@ -34,7 +34,7 @@ Vec2 separating_normal(const std::array<Vec2, 4>& corners) {
 }  // namespace
 
 void collect_capsules(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
-                      std::vector<CapsuleWall>& walls, Invariant& invariant) {
+                      std::vector<CapsuleConstraint>& constraints, Invariant& invariant) {
   const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
@@ -48,34 +48,36 @@ void collect_capsules(const Robot& robot, const Neighbors& neighbors, const Step
     for (const Vec2 corner : corners) distance = std::min(distance, dot(n, corner));
     const double held = held_distance(pair, distance, static_cast<int>(k), invariant);
     // A's capsule begins at n . x = min(0, n . s_A), and may use its share of the gap
-    walls.push_back(
+    constraints.push_back(
         {static_cast<int>(k), n, std::min(0.0, dot(n, s_A)) - pair.share * (distance - held)});
   }
 }
 
-bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const StepLaw& law) {
-  if (walls.empty()) return true;
+bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const CandidatePath& path,
+                    const StepLaw& law) {
+  if (constraints.empty()) return true;
   const double length = stopping_length(path.braking, law);
   const Vec2 end = path.first + length * path.direction;
-  return std::all_of(walls.begin(), walls.end(), [&](const CapsuleWall& wall) {
-    return dot(wall.normal, path.first) - path.bend >= wall.offset &&
-           dot(wall.normal, end) >= wall.offset;
-  });
+  return std::all_of(constraints.begin(), constraints.end(),
+                     [&](const CapsuleConstraint& constraint) {
+                       return dot(constraint.normal, path.first) - path.bend >= constraint.offset &&
+                              dot(constraint.normal, end) >= constraint.offset;
+                     });
 }
 
-void append_half_planes(std::span<const CapsuleWall> walls, const Robot& robot, const StepLaw& law,
-                        double top_speed, std::vector<HalfPlane>& half_planes) {
+void append_half_planes(std::span<const CapsuleConstraint> constraints, const Robot& robot,
+                        const StepLaw& law, double top_speed, std::vector<HalfPlane>& half_planes) {
   const double decrement = braking_decrement(robot.max_acceleration, law);
   const double lead = law.time_step - law.lag;
   // l(S)/S, nondecreasing: a slower robot stops earlier than the half-plane counts on
   const double stopping_time =
       top_speed > 0.0 ? stopping_length(top_speed, decrement, law) / top_speed : law.lag;
-  for (const CapsuleWall& wall : walls) {
-    if (wall.normal == Vec2{}) continue;  // equal centers: no direction
+  for (const CapsuleConstraint& constraint : constraints) {
+    if (constraint.normal == Vec2{}) continue;  // equal centers: no direction
     // n . (s v + (Δt - s) v_1 + l(S)/S v_1) >= offset, exact for |v_1| = S
-    const double start = law.lag * dot(wall.normal, robot.velocity);
-    const double rest = wall.offset - start;
-    half_planes.push_back({wall.normal, rest / (lead + (rest <= 0.0 ? stopping_time : 0.0))});
+    const double start = law.lag * dot(constraint.normal, robot.velocity);
+    const double rest = constraint.offset - start;
+    half_planes.push_back({constraint.normal, rest / (lead + (rest <= 0.0 ? stopping_time : 0.0))});
   }
 }
 

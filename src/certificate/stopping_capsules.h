@@ -13,21 +13,23 @@
 namespace avo {
 
 /// What one neighbor demands: normal . x >= offset for all of A's next capsule, relative to p_A.
-struct CapsuleWall {
+struct CapsuleConstraint {
   int neighbor = 0;
   Vec2 normal;          ///< unit, from B's capsule to A's
   double offset = 0.0;  ///< m
 };
 
-/// Appends the walls of the neighbors that decide and whose capsules can come to meet A's.
+/// Appends the constraints of the neighbors that decide and whose capsules can come to meet A's.
 void collect_capsules(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
-                      std::vector<CapsuleWall>& walls, Invariant& invariant);
+                      std::vector<CapsuleConstraint>& constraints, Invariant& invariant);
 
-/// Whether the capsule after the candidate's first step, and with it that step, keeps to all walls.
-bool keeps(std::span<const CapsuleWall> walls, const CandidatePath& path, const StepLaw& law);
+/// Whether the capsule after the candidate's first step, and with it that step, keeps to all
+/// constraints.
+bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const CandidatePath& path,
+                    const StepLaw& law);
 
-/// The walls as half-planes in v_1, sufficient while |v_1| <= top_speed.
-void append_half_planes(std::span<const CapsuleWall> walls, const Robot& robot, const StepLaw& law,
-                        double top_speed, std::vector<HalfPlane>& half_planes);
+/// The constraints as half-planes in v_1, sufficient while |v_1| <= top_speed.
+void append_half_planes(std::span<const CapsuleConstraint> constraints, const Robot& robot,
+                        const StepLaw& law, double top_speed, std::vector<HalfPlane>& half_planes);
 
 }  // namespace avo

@@ -277,13 +277,13 @@ CheckReport Check::report() const {
   const State& state = *state_;
   CheckReport report = state.report;
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
-    const Seen& each = state.seen[i];
-    if (each.at >= 0) ++report.robots;
+    const Seen& other = state.seen[i];
+    if (other.at >= 0) ++report.robots;
     if (!state.robots[i].goal) continue;
     ++report.with_goal;
-    if (each.arrived) ++report.arrived;
-    if (each.at_goal) ++report.at_goal_at_end;
-    if (!each.arrived) report.not_arrived.push_back(static_cast<std::int64_t>(i));
+    if (other.arrived) ++report.arrived;
+    if (other.at_goal) ++report.at_goal_at_end;
+    if (!other.arrived) report.not_arrived.push_back(static_cast<std::int64_t>(i));
   }
   if (report.with_goal > 0 && report.arrived == report.with_goal)
     report.last_arrival = state.last_arrival;

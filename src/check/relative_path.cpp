@@ -69,11 +69,11 @@ struct Signs {
 Signs signs(const Quintic& b) {
   Signs result;
   double last = 0.0;
-  for (const double each : b) {
-    if (each == 0.0) continue;
-    if (last == 0.0) result.falls_first = each < 0.0;
-    if (last != 0.0 && (last < 0.0) != (each < 0.0)) ++result.changes;
-    last = each;
+  for (const double coefficient : b) {
+    if (coefficient == 0.0) continue;
+    if (last == 0.0) result.falls_first = coefficient < 0.0;
+    if (last != 0.0 && (last < 0.0) != (coefficient < 0.0)) ++result.changes;
+    last = coefficient;
   }
   return result;
 }
@@ -96,7 +96,7 @@ bool is_settled(const Part& part, const Quintic& b, double size) {
   const double resolution = kResolution * size;
   if (length <= resolution) return true;
   double most = 0.0;
-  for (const double each : b) most = std::max(most, std::abs(each));
+  for (const double coefficient : b) most = std::max(most, std::abs(coefficient));
   return 3.0 * most <= resolution * std::min(norm(part.b[0]), norm(part.b[3]));
 }
 
@@ -106,12 +106,12 @@ bool is_settled(const Part& part, const Quintic& b, double size) {
 template <typename Visit>
 bool visit_turns(const Part& part, double size, const Visit& visit) {
   const Quintic b = slope(part.b);
-  const Signs found = signs(b);
-  if (found.changes > 1 && !is_settled(part, b, size)) {
+  const Signs counted = signs(b);
+  if (counted.changes > 1 && !is_settled(part, b, size)) {
     const auto [left, right] = halves(part);
     return visit_turns(left, size, visit) && visit_turns(right, size, visit);
   }
-  if (found.changes == 1 && found.falls_first) {
+  if (counted.changes == 1 && counted.falls_first) {
     const double u = rising_root(b);
     if (!visit(Instant{part.from + u * (part.to - part.from), norm(point_at(part.b, u))}))
       return false;

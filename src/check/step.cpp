@@ -88,8 +88,9 @@ Box box_of(const Mover& mover, std::size_t owner, double duration) {
   const auto& c = path_of(mover, duration).control;
   Box box;
   box.owner = owner;
-  const auto span = [&](std::size_t axis, double Vec2::*of) {
-    const auto [low, high] = std::minmax({c[0].*of, c[1].*of, c[2].*of, c[3].*of});
+  const auto span = [&](std::size_t axis, double Vec2::*coordinate) {
+    const auto [low, high] =
+        std::minmax({c[0].*coordinate, c[1].*coordinate, c[2].*coordinate, c[3].*coordinate});
     const double reach =
         mover.radius + kRounding * (mover.radius + std::max(std::abs(low), std::abs(high)));
     box.low[axis] = low - reach;

@@ -21,7 +21,7 @@ void list(const Neighbors& neighbors, std::vector<Neighbor>& listed) {
 Neighbors in_columns(std::span<const Neighbor> neighbors, NeighborColumns& columns) {
   columns.reserve(neighbors.size());
   columns.clear();
-  for (const Neighbor& each : neighbors) columns.add(each);
+  for (const Neighbor& neighbor : neighbors) columns.add(neighbor);
   return {&columns, 0, neighbors.size()};
 }
 

@@ -129,20 +129,20 @@ AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real
                                        const Plane<Real>& plane, const Goal<Real>& goal,
                                        Mask<Real> active, Vec<Real>& point) {
   Line<Real> line{plane.normal, perpendicular(plane.normal), plane.offset};
-  Mask<Real> found = active;
+  Mask<Real> moved = active;
   if constexpr (kLinear) {
     const Real length = norm(plane.normal);
-    found = active & (length > Real(0.0));
-    const Real per_length = Real(1.0) / select(found, length, Real(1.0));
+    moved = active & (length > Real(0.0));
+    const Real per_length = Real(1.0) / select(moved, length, Real(1.0));
     const Vec<Real> normal = per_length * plane.normal;
     line = {normal, perpendicular(normal), per_length * plane.offset};
   }
   Range<Real> range = clip<false>(lens, line, before);
-  if (const Mask<Real> thin = found & !range.left; any(thin)) {
+  if (const Mask<Real> thin = moved & !range.left; any(thin)) {
     const Range<Real> relaxed = clip<true>(lens, line, before);
     range.lo = select(thin, relaxed.lo, range.lo);
     range.hi = select(thin, relaxed.hi, range.hi);
-    found = found & (range.left | relaxed.left);
+    moved = moved & (range.left | relaxed.left);
     line.offset = select(thin, clamp(line.offset, -lens.radius, lens.radius), line.offset);
   }
   Real t = dot(goal.preferred, line.along);
@@ -152,8 +152,8 @@ AVO_KERNEL Mask<Real> move_to_boundary(const Lens<Real>& lens, const Planes<Real
     t = select(flat, t, select(slope > Real(0.0), range.hi, range.lo));
   }
   t = clamp(t, range.lo, range.hi);
-  point = select(found, line.offset * line.normal + t * line.along, point);
-  return found;
+  point = select(moved, line.offset * line.normal + t * line.along, point);
+  return moved;
 }
 
 template <typename Real>
@@ -196,13 +196,14 @@ AVO_KERNEL Plane<Real> most_violated(const Planes<Real, Row>& planes, Vec<Real> 
 template <typename Real, typename Row>
 AVO_KERNEL Mask<Real> contains(const Planes<Real, Row>& planes, const Plane<Real>& plane) {
   const auto equal = [](Real a, Real b) { return (a <= b) & (a >= b); };
-  Mask<Real> found = plane.offset < plane.offset;
+  Mask<Real> moved = plane.offset < plane.offset;
   for (std::size_t j = 0; j < planes.count; ++j) {
-    const Plane<Real> each = planes[j];
-    found = found | (equal(each.offset, plane.offset) & equal(each.normal.x, plane.normal.x) &
-                     equal(each.normal.y, plane.normal.y));
+    const Plane<Real> other_plane = planes[j];
+    moved = moved |
+            (equal(other_plane.offset, plane.offset) & equal(other_plane.normal.x, plane.normal.x) &
+             equal(other_plane.normal.y, plane.normal.y));
   }
-  return found;
+  return moved;
 }
 
 template <typename Real>
@@ -227,13 +228,13 @@ AVO_KERNEL Outcome<Real> solve_planar(const Lens<Real>& lens, const Planes<Real,
     if (!any(active)) return outcome;
     active = active & !contains(taken, worst);
     if (!any(active)) return outcome;
-    const Mask<Real> found = move_to_boundary<kLinear>(lens, taken, worst, goal, active, point);
-    const Mask<Real> stuck = active & !found;
+    const Mask<Real> moved = move_to_boundary<kLinear>(lens, taken, worst, goal, active, point);
+    const Mask<Real> stuck = active & !moved;
     outcome.next.normal = select(stuck, worst.normal, outcome.next.normal);
     outcome.next.offset = select(stuck, worst.offset, outcome.next.offset);
     outcome.failed = outcome.failed | stuck;
-    outcome.moved = outcome.moved | found;
-    active = found;
+    outcome.moved = outcome.moved | moved;
+    active = moved;
     if (!any(active)) return outcome;
     taken.add(worst);
   }

@@ -33,7 +33,7 @@ void LastSeen::look_at(const Simulation& simulation) {
   obstacle_position.assign(obstacles.position.begin(), obstacles.position.end());
   obstacle_velocity.assign(obstacles.velocity.begin(), obstacles.velocity.end());
   obstacle_radius.clear();
-  for (const MovingObstacle& each : obstacles.setup) obstacle_radius.push_back(each.radius);
+  for (const MovingObstacle& obstacle : obstacles.setup) obstacle_radius.push_back(obstacle.radius);
 }
 
 NotArrived LastSeen::describe(std::size_t robot) const {

@@ -62,22 +62,22 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
                              std::size_t begin, SearchScratch& scratch) {
   const CellRange range = cells_within(query.position, radius, points.cells);
   HitLimit limit{radius * radius};
-  Collected found{begin, 0};
+  Collected hits{begin, 0};
   std::size_t many = more_than(query.most, kManyHits);
   bool thinned = false;
   const auto look = [&](std::size_t first_slot, std::size_t last_slot) {
     const std::size_t last = points.begin[last_slot];
     for (std::size_t place = points.begin[first_slot]; place < last; place += kTogether<Real>) {
-      scratch.reserve(found.end + kTogether<Real>);
+      scratch.reserve(hits.end + kTogether<Real>);
       if (thinned) {
-        append_candidates<true, Real>(query, points, limit, place, last, scratch, found);
+        append_candidates<true, Real>(query, points, limit, place, last, scratch, hits);
       } else {
-        append_candidates<false, Real>(query, points, limit, place, last, scratch, found);
+        append_candidates<false, Real>(query, points, limit, place, last, scratch, hits);
       }
-      if (found.end - begin < many) continue;
-      found.end = keep_nearest(query, points, begin, found.end, limit, scratch);
+      if (hits.end - begin < many) continue;
+      hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
       thinned = true;
-      many = 2 * (found.end - begin) + kManyHits;
+      many = 2 * (hits.end - begin) + kManyHits;
     }
   };
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
@@ -86,10 +86,10 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
     look(first, std::min(last, points.cells.table()));
     if (last > points.cells.table()) look(0, last - points.cells.table());
   }
-  if (found.end - begin > std::max(kFewHits, more_than(query.most, kManyHits / 4))) {
-    found.end = keep_nearest(query, points, begin, found.end, limit, scratch);
+  if (hits.end - begin > std::max(kFewHits, more_than(query.most, kManyHits / 4))) {
+    hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
   }
-  return found;
+  return hits;
 }
 
 /// The ranks of few candidates, by distances that end in infinite ones. False where some are equal.
@@ -123,18 +123,18 @@ AVO_KERNEL bool rank_candidates(const typename Real::Number* distances, std::siz
 
 /// In single precision where that tells all apart, in double where that does, by sorting elsewhere.
 template <typename Real, typename Narrow>
-AVO_KERNEL void rank_found(const NeighborQuery& query, const Found& found,
+AVO_KERNEL void rank_found(const NeighborQuery& query, const Found& hits,
                            const PlacedPoints& points, SearchScratch& scratch) {
-  const std::size_t count = found.candidates;
-  std::uint32_t* const ranks = scratch.rank.data() + found.first;
-  if (count > kFewHits) return rank_by_sorting(query, found, points, scratch);
-  if (rank_candidates<Narrow>(scratch.distance_squared.data() + found.first, count, ranks)) return;
+  const std::size_t count = hits.candidates;
+  std::uint32_t* const ranks = scratch.rank.data() + hits.first;
+  if (count > kFewHits) return rank_by_sorting(query, hits, points, scratch);
+  if (rank_candidates<Narrow>(scratch.distance_squared.data() + hits.first, count, ranks)) return;
   alignas(64) double exact[kFewHits + kSparePoints];
   for (std::size_t k = 0; k < count; ++k) {
-    exact[k] = exact_distance_squared(query, points, scratch, found.first + k);
+    exact[k] = exact_distance_squared(query, points, scratch, hits.first + k);
   }
   std::fill_n(exact + count, kSparePoints, std::numeric_limits<double>::infinity());
-  if (!rank_candidates<Real>(exact, count, ranks)) rank_by_sorting(query, found, points, scratch);
+  if (!rank_candidates<Real>(exact, count, ranks)) rank_by_sorting(query, hits, points, scratch);
 }
 
 /// Returns how many queries were answered. Each step is made for all of them before the next one:

@@ -86,10 +86,10 @@ std::span<const NeighborHit> UniformGrid::gather(Vec2 position, int self, std::s
 }
 
 std::span<const NeighborHit> UniformGrid::list(std::size_t query, SearchScratch& scratch) const {
-  const Found& found = scratch.found[query];
-  scratch.hits.resize(found.count);
-  for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
-    if (scratch.rank[k] >= found.count) continue;
+  const Found& hits = scratch.found[query];
+  scratch.hits.resize(hits.count);
+  for (std::size_t k = hits.first; k < hits.first + hits.candidates; ++k) {
+    if (scratch.rank[k] >= hits.count) continue;
     const std::uint32_t place = scratch.place[k];
     scratch.hits[scratch.rank[k]] = {
         norm_squared(position(place) - scratch.queries[query].position), index(place), place};

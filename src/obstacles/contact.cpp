@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wall that takes an overlapping pair apart.
+// The line that takes an overlapping pair apart.
 #include "obstacles/contact.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 namespace avo {
 
-/// Requires |p| < r. The wall n = p/|p| over the shortest window in [Δt, τ] at whose end the pair
+/// Requires |p| < r. The line n = p/|p| over the shortest window in [Δt, τ] at whose end the pair
 /// can be apart, see contact_kernel.h. If even τ is too short, h = reach, and excess says by how
 /// much more. Equal centers separate along the relative velocity; at rest they have no direction
 /// (coincident).

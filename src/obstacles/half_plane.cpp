@@ -19,10 +19,10 @@ struct Found {
 
 Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {
   const ResponseTable table = horizon.table();
-  scalar::HornPlane<Real> found = scalar::horn<Look::once>(local, horizon.end(), table);
-  if (!found.settled.bit) found = scalar::horn<Look::often>(local, horizon.end(), table);
-  if (!found.settled.bit) found = searched_horn(local, horizon);
-  return {found.plane, found.free.bit};
+  scalar::HornPlane<Real> solved = scalar::horn<Look::once>(local, horizon.end(), table);
+  if (!solved.settled.bit) solved = scalar::horn<Look::often>(local, horizon.end(), table);
+  if (!solved.settled.bit) solved = searched_horn(local, horizon);
+  return {solved.plane, solved.free.bit};
 }
 
 Found local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon) {
@@ -37,11 +37,11 @@ scalar::Frame<Real> frame_of(const Pair& pair, double reach, const Horizon& hori
   return scalar::frame_of<Real>({p.x, p.y}, {v.x, v.y}, pair.radius, reach, horizon.end());
 }
 
-RelativeHalfPlane turned_back(const Found& found, const scalar::Frame<Real>& frame, double reach) {
-  if (found.free) return {};
-  const scalar::Vec<Real> n = frame.turned_back(found.plane.n);
+RelativeHalfPlane turned_back(const Found& solved, const scalar::Frame<Real>& frame, double reach) {
+  if (solved.free) return {};
+  const scalar::Vec<Real> n = frame.turned_back(solved.plane.n);
   const Vec2 normal{n.x.value, n.y.value};
-  const double h = found.plane.h.value;
+  const double h = solved.plane.h.value;
   if (h > reach) return {PairState::unavoidable, {normal, reach}, h - reach};
   return {PairState::constrained, {normal, h}};
 }
@@ -58,8 +58,8 @@ RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& hori
 RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
                                       const Horizon& horizon) noexcept {
   const scalar::Frame<Real> frame = frame_of(pair, reach, horizon);
-  const scalar::HornPlane<Real> found = searched_horn(frame.local, horizon);
-  return turned_back({found.plane, found.free.bit}, frame, reach);
+  const scalar::HornPlane<Real> solved = searched_horn(frame.local, horizon);
+  return turned_back({solved.plane, solved.free.bit}, frame, reach);
 }
 
 }  // namespace avo

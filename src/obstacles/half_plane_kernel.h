@@ -39,7 +39,7 @@ struct Plane {
 template <typename Real>
 struct Tip {
   Plane<Real> plane;
-  decltype(Real() < Real()) nearest;  // the wall n = x(τ)/|x(τ)| is nowhere higher than at τ
+  decltype(Real() < Real()) nearest;  // the line n = x(τ)/|x(τ)| is nowhere higher than at τ
 };
 
 // A test without search: A <= 0, B s >= A.
@@ -106,15 +106,15 @@ AVO_KERNEL Real solve_approach(const Local<Real>& pair, const Approach<Real>& ap
   Real sigma = first_sigma(pair, approach, cosine, table, low, high);
   auto active = pair.r > Real(0.0);
   for (int i = 0; i < kMaxIterations; ++i) {
-    const At<Real> found = at(table, approach.time(sigma, tau));
-    const Real m = approach.m(found);
+    const At<Real> crossing = at(table, approach.time(sigma, tau));
+    const Real m = approach.m(crossing);
     const Real x2 = sigma * sigma + b2;
     const Real excess = sigma * m + b2 - pair.r * sqrt(x2);
     low = select(excess < Real(0.0), sigma, low);
     high = select(excess < Real(0.0), high, sigma);
-    const Real lag_rate = select(found.rate > Real(0.0),
-                                 found.gain * found.per_rate * (Real(1.0) - found.rate) *
-                                     found.per_rate * Real(table.per_control_time),
+    const Real lag_rate = select(crossing.rate > Real(0.0),
+                                 crossing.gain * crossing.per_rate * (Real(1.0) - crossing.rate) *
+                                     crossing.per_rate * Real(table.per_control_time),
                                  Real(0.5));  // at t = 0
     const Real slope = b2 * (m - sigma) * inverse(x2) + sigma * lag_rate;
     const auto rises = slope > Real(0.0);
@@ -143,10 +143,10 @@ AVO_KERNEL Plane<Real> convex(const Local<Real>& pair, const ResponseTable& tabl
   // F(t), stationary here. In contact t, and with it r - |x|, is known to rounding only: there the
   // equal -n . v/g' keeps the demand high, and the least time that rounding can tell, finite.
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-  const At<Real> found = at(table, max(course.time(sigma, tau), Real(kRounding) * course.t_m));
-  Real h = (pair.r - x) / found.gain;
+  const At<Real> crossing = at(table, max(course.time(sigma, tau), Real(kRounding) * course.t_m));
+  Real h = (pair.r - x) / crossing.gain;
   const auto touching = pair.r - x < Real(1e-7) * pair.r;
-  h = select(touching, max(h, course.speed * (sigma * per_x) * found.per_rate), h);
+  h = select(touching, max(h, course.speed * (sigma * per_x) * crossing.per_rate), h);
   Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
 
   // head-on, both sides are equally near, and n is where n . y = r at t_m itself; so it is where a

@@ -71,12 +71,12 @@ void cross(const Search& search, const Touch& from, const Touch& to, Corners& co
   const auto f = [&](double length) { return std::sqrt(std::min(search.R / length, 9.0)) - 1.0; };
   const double f_from = f(from.length), f_to = f(to.length);
   const double start = (from.t * f_to - to.t * f_from) / (f_to - f_from);
-  const scalar::Crossing<Real> found = scalar::crossing(
+  const scalar::Crossing<Real> crossed = scalar::crossing(
       search.horn, {from.t, to.t, start, from.outside ? 1.0 : -1.0, kCloseTolerance}, search.table,
       scalar::Mask{true});
   const scalar::TwoPoints<Real> ends =
-      scalar::circle_points(search.horn, scalar::at(search.table, found.time));
-  const bool on_near_end = found.tangential.value >= 0.0;
+      scalar::circle_points(search.horn, scalar::at(search.table, crossed.time));
+  const bool on_near_end = crossed.tangential.value >= 0.0;
   // In contact, the first disc's edge can be the near side, up to where the others take over.
   if (!on_near_end && corners.count == 0) corners.add(ends.near);
   corners.add(on_near_end ? ends.near : ends.far);

@@ -42,20 +42,20 @@ bool is_within_limits(const Proposals& proposals) {
 }
 
 bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
-  return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.walls);
+  return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.constraints);
 }
 
-// For every neighbor that refuses the path asked about last, the tangent of its worst wall.
+// For every neighbor that refuses the path asked about last, the tangent of its worst constraint.
 void append_cuts(const Proposals& proposals) {
-  const CertificateWalls& walls = proposals.workspace.walls;
-  const WallColumns& columns = walls.trajectories.columns;
+  const CertificateConstraints& constraints = proposals.workspace.constraints;
+  const ConstraintColumns& columns = constraints.trajectories.columns;
   for (std::size_t first = 0; first < columns.count;) {
     std::size_t last = first;
     while (last < columns.count && columns.neighbor[last] == columns.neighbor[first]) ++last;
-    const WorstWall worst =
-        worst_wall(walls.trajectories, walls.path, proposals.law.step, first, last);
+    const WorstConstraint worst = worst_of_neighbor(constraints.trajectories, constraints.path,
+                                                    proposals.law.step, first, last);
     if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient)) {
-      HalfPlane cut = tangent(worst, walls.path, proposals.law.step);
+      HalfPlane cut = tangent(worst, constraints.path, proposals.law.step);
       cut.offset += kInside * proposals.acceleration.radius;
       proposals.workspace.hard.push_back(cut);
     }
@@ -63,9 +63,9 @@ void append_cuts(const Proposals& proposals) {
   }
 }
 
-// Braking trajectories are not convex in v_1: the walls that a proposal violates are added as their
-// tangents there. At last, the admitted point between the backup and what is wanted that bisection
-// finds.
+// Braking trajectories are not convex in v_1: the constraints that a proposal violates are added as
+// their tangents there. At last, the admitted point between the backup and what is wanted that
+// bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   proposals.workspace.hard.clear();
   const double top_speed = proposals.robot.max_speed;
@@ -109,7 +109,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   for (const double limit : {speed + u, speed, std::max(speed - u, 0.0)}) {
     const double top_speed = std::min(limit, robot.max_speed);
     workspace.hard.clear();
-    append_half_planes(workspace.walls.capsules, robot, law.step, top_speed, workspace.hard);
+    append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
     for (HalfPlane& half_plane : workspace.hard) half_plane.offset += kInside * u;
     for (int round = 0; round < kRounds; ++round) {
       const ProgramResult result = propose(proposals, top_speed);

@@ -28,13 +28,13 @@ inline constexpr std::size_t kMostCuts = 6;
 
 /// Scratch memory; allocates only while it grows.
 struct CertifiedWorkspace {
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   std::vector<HalfPlane> hard;
   ProgramRows rows;  // of programs
 };
 
 /// Nearest to `wanted` with |v_1 - v| <= u and |v_1| <= v_max, as far as a few linear programs
-/// tell; always admitted, or the backup. workspace.walls are the robot's.
+/// tell; always admitted, or the backup. workspace.constraints are the robot's.
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace);
 

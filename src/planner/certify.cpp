@@ -25,7 +25,7 @@ CertificateLaw certificate_law(const Planner& planner) {
 
 namespace {
 
-// What a decision is made from; the walls of the robot lie in `certified`.
+// What a decision is made from; the constraints of the robot lie in `certified`.
 struct Decision {
   const Robot& robot;
   CertificateLaw law;
@@ -37,20 +37,21 @@ struct Decision {
 };
 
 // The nearest admitted to `wanted`, one step towards what Eq. (23) chose.
-CertifiedChoice choose(const Decision& decision, Vec2 wanted) {
+CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted) {
   return choose_certified(decision.robot, wanted, decision.law, decision.certified);
 }
 
-CertifiedChoice choose(const Decision& decision, std::span<const HalfPlane> half_planes,
-                       Vec2 wish) {
+CertifiedChoice choose_by_program(const Decision& decision, std::span<const HalfPlane> half_planes,
+                                  Vec2 wish) {
   const ProgramResult result = nearest_point(
       half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
-  return choose(decision, approach(decision.robot.velocity, result.point, decision.decrement()));
+  return choose_admitted(decision,
+                         approach(decision.robot.velocity, result.point, decision.decrement()));
 }
 
 // unhindered: as far as one step leads to the wish.
-bool is_blocked(const Decision& decision, const CertifiedChoice& choice, Vec2 unhindered,
-                Vec2 wish) {
+bool is_way_blocked(const Decision& decision, const CertifiedChoice& choice, Vec2 unhindered,
+                    Vec2 wish) {
   const bool turns = decision.robot.car && decision.robot.velocity == Vec2{};
   Vec2 next_velocity = choice.next_velocity;
   if (turns) {
@@ -68,20 +69,20 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   const Robot& robot = decision.robot;
   const double time_step = decision.law.step.time_step;
   const Vec2 wish = wished.wish;
-  CertifiedChoice choice = choose(decision, wished.next);
+  CertifiedChoice choice = choose_admitted(decision, wished.next);
   if (!may_detour(robot)) {
     detour.angle = 0.0;
     return choice;
   }
-  if (is_blocked(decision, choice, wished.unhindered, wish)) {
+  if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = turned_right(wish, detour.angle);
     const Vec2 unhindered = approach(robot.velocity, turned, decision.decrement());
-    choice = choose(decision, std::span<const HalfPlane>{}, turned);
-    if (is_blocked(decision, choice, unhindered, turned)) turn_off(detour, robot, time_step);
+    choice = choose_by_program(decision, {}, turned);
+    if (is_way_blocked(decision, choice, unhindered, turned)) turn_off(detour, robot, time_step);
     if (choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
   } else if (detour.angle > 0.0) {
     turn_back(detour, robot, time_step);
-    choice = choose(decision, decision.half_planes, turned_right(wish, detour.angle));
+    choice = choose_by_program(decision, decision.half_planes, turned_right(wish, detour.angle));
   }
   return choice;
 }
@@ -95,8 +96,8 @@ PlanStatus status_of(Chosen chosen, double violation, const Invariant& invariant
 
 }  // namespace
 
-Plan plan_to(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity, PlanStatus status,
-             double violation) {
+Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity,
+                PlanStatus status, double violation) {
   Plan plan = plan_to(robot, next_velocity, law.step);
   plan.status = status;
   plan.violation = violation;
@@ -108,12 +109,13 @@ Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColum
   const Robot robot = robots.robot(i);
   const Decision decision{robot, law, planner.acceleration_disc(robot), wished.half_planes,
                           certified};
-  begin_walls(robot, robots.neighbors[i], i, law, certified.walls);
+  begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
   const double violation = wished.violation();
-  return plan_to(law, robot, choice.next_velocity,
-                 status_of(choice.chosen, violation, certified.walls.invariant, wished.overlapping),
-                 violation);
+  return plan_under(
+      law, robot, choice.next_velocity,
+      status_of(choice.chosen, violation, certified.constraints.invariant, wished.overlapping),
+      violation);
 }
 
 Plan certify_among_movers(const Planner& planner, const Robot& robot,
@@ -127,13 +129,14 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
     if (mover.behavior == Behavior::decides) mover.acceleration = {};
     mover.behavior = Behavior::moves_on;
   }
-  collect_walls(robot, movers, law, certified.walls);
+  collect_constraints(robot, movers, law, certified.constraints);
   const Vec2 wanted = approach(robot.velocity, target.velocity,
                                braking_decrement(robot.max_acceleration, law.step));
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  return plan_to(law, robot, choice.next_velocity,
-                 status_of(choice.chosen, target.violation, certified.walls.invariant, overlapping),
-                 target.violation);
+  return plan_under(
+      law, robot, choice.next_velocity,
+      status_of(choice.chosen, target.violation, certified.constraints.invariant, overlapping),
+      target.violation);
 }
 
 }  // namespace avo

@@ -14,8 +14,8 @@ namespace avo {
 CertificateLaw certificate_law(const Planner& planner);
 
 /// The decision that leads to a next velocity, m/s.
-Plan plan_to(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity, PlanStatus status,
-             double violation);
+Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity,
+                PlanStatus status, double violation);
 
 /// Robot i of those that find_near() was given last: nearest to what the program made of its wish,
 /// or on a detour.

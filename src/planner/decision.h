@@ -83,7 +83,7 @@ inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_veloc
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 
 /// Planner::plan_among_obstacles().
-Plan choose_among_obstacles(const Planner& planner, const Robot& robot,
+Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> obstacles, PlanWorkspace::Scratch& scratch);
 
 }  // namespace avo

@@ -54,9 +54,9 @@ double first_time(const Obstacle& obstacle, double reach) {
                    [&](double t) { return gap > speed * t + reach * obstacle.response.gain(t); });
 }
 
-// The wall that parts an overlapping pair: n = p/|p| over the shortest window at whose end the
+// The line that parts an overlapping pair: n = p/|p| over the shortest window at whose end the
 // pair can be apart, n . w >= (r - |p| - T n . v)/g(T). No direction if both p and v are 0.
-void append_wall(const PassiveObstacle& mover, double reach, std::vector<Limit>& limits) {
+void append_line(const PassiveObstacle& mover, double reach, std::vector<Limit>& limits) {
   const Obstacle& obstacle = mover.obstacle;
   const Pair& pair = obstacle.pair;
   const Vec2 along = pair.position == Vec2{} ? pair.velocity : pair.position;
@@ -74,10 +74,10 @@ void append_wall(const PassiveObstacle& mover, double reach, std::vector<Limit>&
                       obstacle.time_horizon);
   const Vec2 origin = unchanged(obstacle, mover.v_new_B);
   Limit limit;
-  limit.kind = Limit::Kind::wall;
+  limit.kind = Limit::Kind::line;
   const double demand = (A - B * window) / obstacle.response.gain(window);
   limit.slack = kSlackUlps * kEpsilon * (norm(origin) + std::abs(demand));
-  limit.wall = {n, dot(n, origin) + demand + limit.slack};
+  limit.line = {n, dot(n, origin) + demand + limit.slack};
   limits.push_back(limit);
 }
 
@@ -193,8 +193,8 @@ double clearance(const Limit& limit, Vec2 v_new) {
     case Limit::Kind::obstacle:
       return closest_approach(limit.obstacle, v_new - limit.v_new_B).distance -
              limit.obstacle.pair.radius + 0.5 * limit.slack;
-    case Limit::Kind::wall:
-      return dot(limit.wall.normal, v_new) - limit.wall.offset + 0.5 * limit.slack;
+    case Limit::Kind::line:
+      return dot(limit.line.normal, v_new) - limit.line.offset + 0.5 * limit.slack;
     case Limit::Kind::disc:
       break;
   }
@@ -220,8 +220,8 @@ double violation(const Limit& limit, Vec2 v_new) {
       const double depth = limit.true_radius - nearest.distance;
       return depth > 0.0 ? depth / limit.obstacle.response.gain(nearest.time) : 0.0;
     }
-    case Limit::Kind::wall:
-      return std::max(0.0, limit.wall.offset - limit.slack - dot(limit.wall.normal, v_new));
+    case Limit::Kind::line:
+      return std::max(0.0, limit.line.offset - limit.slack - dot(limit.line.normal, v_new));
     case Limit::Kind::disc:
       break;
   }
@@ -254,7 +254,7 @@ void append_limit(const PassiveObstacle& mover, const Disc& acceleration, const 
   const Vec2 origin = unchanged(obstacle, mover.v_new_B);
   const double reach = reach_from(origin, acceleration, speed);
   const double distance = norm(pair.position);
-  if (distance < pair.radius) return append_wall(mover, reach, limits);
+  if (distance < pair.radius) return append_line(mover, reach, limits);
   const double tau = obstacle.time_horizon;
   const double gain = obstacle.response.gain(tau);
   if (distance - pair.radius > norm(pair.velocity) * tau + reach * gain) return;
@@ -292,12 +292,12 @@ void append_boundary(int k, std::span<const Limit> limits, const Disc& accelerat
     case Limit::Kind::disc:
       sample_circle(k, limit.disc, sampler);
       return;
-    case Limit::Kind::wall:
+    case Limit::Kind::line:
       break;
   }
   const Disc& inner = acceleration.radius < speed.radius ? acceleration : speed;
-  const Vec2 n = limit.wall.normal;
-  const Vec2 foot = inner.center + (limit.wall.offset - dot(n, inner.center)) * n;
+  const Vec2 n = limit.line.normal;
+  const Vec2 foot = inner.center + (limit.line.offset - dot(n, inner.center)) * n;
   const Vec2 half = inner.radius * perpendicular(n);
   sampler.begin({Curve::Kind::segment, k, 1.0, {}, foot - half, foot + half});
   sampler.add_parts(kSegmentPieces);

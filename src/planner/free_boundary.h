@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bounds the free velocities of one robot among passive movers, Eq. (13): obstacles, walls
+// What bounds the free velocities of one robot among passive movers, Eq. (13): obstacles, lines
 // and discs, each with an exact test and an exact parametrized boundary.
 #pragma once
 #include <limits>
@@ -18,16 +18,16 @@ struct PassiveObstacle {
   double shortest_window = 0.0;  ///< s: a pair that overlaps need not be apart before
 };
 
-/// Something that v'_A must stay outside of (an obstacle, a wall) or inside of (a disc). Boundaries
+/// Something that v'_A must stay outside of (an obstacle, a line) or inside of (a disc). Boundaries
 /// are drawn `slack` on the safe side of what is asked, and tests allow half of it: so a point of
 /// a boundary passes the test of that boundary whatever rounding does, and is safe.
 struct Limit {
-  enum class Kind : unsigned char { obstacle, wall, disc };
+  enum class Kind : unsigned char { obstacle, line, disc };
   Kind kind = Kind::disc;
   Obstacle obstacle{{}, Response::velocity(), 0.0};  ///< its radius is the drawn one
   Vec2 v_new_B;
   double true_radius = 0.0;  ///< m, of the obstacle
-  HalfPlane wall;            ///< in v'_A, as drawn
+  HalfPlane line;            ///< in v'_A, as drawn
   Disc disc;                 ///< as drawn
   double slack = 0.0;        ///< m for obstacles, else m/s
 };
@@ -71,7 +71,7 @@ struct Piece {
   double bound = 0.0;         ///< no point of it is nearer the preferred velocity, m/s
 };
 
-/// Appends the limits of one mover: its obstacle, or a wall if the pair overlaps; none if out of
+/// Appends the limits of one mover: its obstacle, or a line if the pair overlaps; none if out of
 /// reach of both discs.
 void append_limit(const PassiveObstacle& mover, const Disc& acceleration, const Disc& speed,
                   std::vector<Limit>& limits);

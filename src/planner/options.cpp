@@ -10,8 +10,8 @@
 namespace avo {
 namespace {
 
-[[noreturn]] void refuse(const char* name, const std::string& found, const std::string& allowed) {
-  throw Error(std::string("PlannerOptions.") + name + ": found " + found + ", must be " + allowed);
+[[noreturn]] void refuse(const char* name, const std::string& given, const std::string& allowed) {
+  throw Error(std::string("PlannerOptions.") + name + ": found " + given + ", must be " + allowed);
 }
 
 void require_positive(double value, const char* name, const char* allowed = "> 0 s") {

@@ -25,7 +25,7 @@ struct Search {
   std::span<const Limit> limits;
   std::span<const Curve> curves;
   Vec2 preferred;
-  bool found = false;
+  bool has_free = false;
   Vec2 best{};
   double distance = std::numeric_limits<double>::infinity();  // of best to preferred, m/s
   std::size_t last_violated = 0;                              // most likely to be violated again
@@ -37,14 +37,14 @@ struct Search {
   void offer(Vec2 u) {
     const double d = distance_to(u);
     if (too_far(d)) return;
-    const bool tied = found && d >= distance * (1.0 - kTie);
+    const bool tied = has_free && d >= distance * (1.0 - kTie);
     if (tied && !(cross(preferred, u) < cross(preferred, best))) return;
     best = u;
     distance = d;
-    found = true;
+    has_free = true;
   }
 
-  // The index of a limit that the point violates, or kFree. Discs and walls are quickly tested;
+  // The index of a limit that the point violates, or kFree. Discs and lines are quickly tested;
   // of the obstacles the one that was violated last is tried first.
   int violated(Vec2 u) {
     const std::size_t count = limits.size();
@@ -284,7 +284,7 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
     try_piece(search, curves[static_cast<std::size_t>(piece.curve)], point(piece.first),
               point(piece.second));
   }
-  if (search.found) return {search.best, 0.0, PassiveState::free};
+  if (search.has_free) return {search.best, 0.0, PassiveState::free};
   return least_unsafe(limits, points, lens, preferred);
 }
 

@@ -114,14 +114,14 @@ PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 
 namespace {
 
-constexpr std::size_t kMostWalls = 8192;  // of more, memory grows when it is needed
+constexpr std::size_t kMostConstraints = 8192;  // of more, memory grows when it is needed
 }  // namespace
 
 void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t braking_steps) {
   rows.reserve(program_rows(neighbors));
   certified.hard.reserve(kMostCuts * neighbors);
   certified.rows.reserve(program_rows(kMostCuts * neighbors));
-  reserve_walls(neighbors, braking_steps, kMostWalls, certified.walls);
+  reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
@@ -188,10 +188,10 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
 
 void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
                                   PlanWorkspace& workspace,
-                                  std::vector<CertificateWall>& walls) const {
-  CertificateWalls& own = PlanWorkspace::Scratch::of(workspace).certified.walls;
-  collect_walls(robot, neighbors, certificate_law(*this), own);
-  list_walls(own, robot.position, walls);
+                                  std::vector<CertificateConstraint>& constraints) const {
+  CertificateConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints;
+  collect_constraints(robot, neighbors, certificate_law(*this), own);
+  list_constraints(own, robot.position, constraints);
 }
 
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
@@ -201,14 +201,14 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
     return plan_of(options, robot.velocity, {}, status, violation);
   if (options.method == Method::avo) {
     const CertificateLaw law = certificate_law(planner);
-    return plan_to(law, robot, backup_velocity(robot, law), status, violation);
+    return plan_under(law, robot, backup_velocity(robot, law), status, violation);
   }
   return plan_of(options, robot.velocity,
                  braking_velocity(robot, options.control_time, planner.step_rate()), status,
                  violation);
 }
 
-Plan choose_among_obstacles(const Planner& planner, const Robot& robot,
+Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> given, PlanWorkspace::Scratch& scratch) {
   const PlannerOptions& options = planner.options();
   if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, options)) {
@@ -220,11 +220,12 @@ Plan choose_among_obstacles(const Planner& planner, const Robot& robot,
                                 : Response::proportional(options.control_time);
   bool overlapping = false;
   scratch.obstacles.clear();
-  for (const Neighbor& each : obstacles) {
-    const Pair pair = relative(robot, each);
+  for (const Neighbor& obstacle : obstacles) {
+    const Pair pair = relative(robot, obstacle);
     overlapping = overlapping || norm(pair.position) < pair.radius;
-    const double kept = each.behavior == Behavior::decides ? 0.0 : 1.0;
-    const Vec2 v_new_B = each.velocity + (response.control_time() * kept) * each.acceleration;
+    const double kept = obstacle.behavior == Behavior::decides ? 0.0 : 1.0;
+    const Vec2 v_new_B =
+        obstacle.velocity + (response.control_time() * kept) * obstacle.acceleration;
     scratch.obstacles.push_back(
         {{pair, response, options.time_horizon}, v_new_B, options.time_step});
   }
@@ -288,7 +289,7 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
                                    PlanWorkspace& workspace) const {
   return with_next_velocity(
       *this, robot,
-      choose_among_obstacles(*this, robot, obstacles, PlanWorkspace::Scratch::of(workspace)));
+      decide_among_obstacles(*this, robot, obstacles, PlanWorkspace::Scratch::of(workspace)));
 }
 
 }  // namespace avo

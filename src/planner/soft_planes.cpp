@@ -50,11 +50,11 @@ void mark_overlaps(SoftPlanes& soft) {
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
-    bool found = false;
+    bool overlaps = false;
     for (; i < soft.pair_end[r]; ++i) {
-      found |= states[i] == PairState::overlapping || states[i] == PairState::coincident;
+      overlaps |= states[i] == PairState::overlapping || states[i] == PairState::coincident;
     }
-    soft.overlapping[r] = found ? 1 : 0;
+    soft.overlapping[r] = overlaps ? 1 : 0;
   }
 }
 

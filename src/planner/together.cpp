@@ -110,14 +110,14 @@ bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs&
 void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch) {
   const CertificateLaw law = certificate_law(planner);
   const RobotColumns& robots = tile.robots;
-  find_near(robots, law, scratch.certified.walls);
+  find_near(robots, law, scratch.certified.constraints);
   ArrivalColumns& arrival = scratch.arrival;
   for (std::size_t i = 0; i < robots.count; ++i) {
     arrival.target_x[i] = scratch.results[i].point.x;
     arrival.target_y[i] = scratch.results[i].point.y;
   }
   decide_freely(law.step, robots, arrival);
-  NearPairs& near = scratch.certified.walls.near;
+  NearPairs& near = scratch.certified.constraints.near;
   if (law.kind == Certificate::braking_trajectories) {
     admit_next(robots, arrival.next_x, arrival.next_y, law.step, near);
   }
@@ -172,7 +172,7 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const bool has_movers = tile.neighbors.has_movers || options.method == Method::velocity_obstacle;
   if (!has_movers || !is_among_movers(options, neighbors)) return false;
   list(neighbors, scratch.listed);
-  *tile.plan[i] = choose_among_obstacles(planner, robots.robot(i), scratch.listed, scratch);
+  *tile.plan[i] = decide_among_obstacles(planner, robots.robot(i), scratch.listed, scratch);
   *tile.detour[i] = {};
   return true;
 }
@@ -220,7 +220,7 @@ void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t p
                       std::size_t neighbors_each, std::size_t neighbors, std::size_t braking_steps,
                       PlanWorkspace::Scratch& scratch) {
   scratch.reserve_choice(neighbors_each, braking_steps);
-  scratch.certified.walls.near.reserve(robots, std::min(neighbors, kMostNear));
+  scratch.certified.constraints.near.reserve(robots, std::min(neighbors, kMostNear));
   scratch.wishes.reserve(robots);
   scratch.arrival.reserve(robots);
   scratch.results.reserve(robots);

@@ -177,25 +177,25 @@ void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) 
   constexpr int kNamed = 3, kCounted = 1000;
   if (is_certified(scenario)) return;
   const std::vector<StartDisc> discs = sorted_discs(scenario);
-  int found = 0;
-  for (std::size_t i = 0; i < discs.size() && found < kCounted; ++i) {
+  int advised = 0;
+  for (std::size_t i = 0; i < discs.size() && advised < kCounted; ++i) {
     const double end = discs[i].center.x + discs[i].radius;
-    for (std::size_t j = i + 1; j < discs.size() && found < kCounted; ++j) {
+    for (std::size_t j = i + 1; j < discs.size() && advised < kCounted; ++j) {
       if (discs[j].center.x - discs[j].radius > end) break;
       const StartDisc* a = &discs[i];
       const StartDisc* b = &discs[j];
       const double touching = a->radius + b->radius;
       const double distance = norm(a->center - b->center);
       if (distance >= (1.0 - 1e-9) * touching || (a->source < 0 && b->source < 0)) continue;
-      if (++found > kNamed) continue;
+      if (++advised > kNamed) continue;
       if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
       lines.push_back(name(a->source) + " and " + name(b->source) + " overlap at the start: " +
                       text(distance) + " m between the centers, radii " + text(a->radius) + " + " +
                       text(b->radius) + " = " + text(touching) + " m");
     }
   }
-  if (found > kNamed)
-    lines.push_back((found == kCounted ? "at least " : "") + std::to_string(found - kNamed) +
+  if (advised > kNamed)
+    lines.push_back((advised == kCounted ? "at least " : "") + std::to_string(advised - kNamed) +
                     " further pairs overlap at the start");
 }
 

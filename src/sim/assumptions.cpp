@@ -28,7 +28,7 @@ struct Starts {
   const Scenario& scenario;
   CertificateLaw law;
   std::vector<Starter> starters = {};
-  CertificateWalls walls = {};
+  CertificateConstraints constraints = {};
   std::vector<BrokenStart> broken = {};
 };
 
@@ -63,11 +63,12 @@ void collect_starters(Starts& starts) {
   }
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    const MovingObstacle& each = obstacles[k];
-    const double way = longest * norm(each.velocity) +
-                       0.5 * longest * longest * norm(each.acceleration) +
-                       prediction_error(each, starts.law);
-    starts.starters.push_back({each.position, -1 - static_cast<int>(k), {}, each.radius + way});
+    const MovingObstacle& obstacle = obstacles[k];
+    const double way = longest * norm(obstacle.velocity) +
+                       0.5 * longest * longest * norm(obstacle.acceleration) +
+                       prediction_error(obstacle, starts.law);
+    starts.starters.push_back(
+        {obstacle.position, -1 - static_cast<int>(k), {}, obstacle.radius + way});
   }
 }
 
@@ -83,7 +84,7 @@ bool are_apart(const Starter& a, const Starter& b, double contact) {
 }
 
 void examine(const Starter& a, const Starter& b, Starts& starts) {
-  const auto& [scenario, law, starters, walls, broken] = starts;
+  const auto& [scenario, law, starters, constraints, broken] = starts;
   const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
   Neighbor neighbor;
   double margin = 0.0;
@@ -111,11 +112,11 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   robot.radius = own.radius;
   robot.max_acceleration = own.max_acceleration;
   robot.max_speed = own.max_speed;
-  collect_walls(robot, std::span(&neighbor, 1), law, starts.walls);
+  collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
   const double distance = norm(robot.position - neighbor.position);
   // beside a robot at rest the slack does not count what may touch it, but that is contact
   const double depth =
-      std::max(contact - distance, std::min(contact, margin - starts.walls.invariant.slack));
+      std::max(contact - distance, std::min(contact, margin - starts.constraints.invariant.slack));
   if (depth > kStartTolerance * contact) {
     starts.broken.push_back({a.source, b.source, distance, depth});
   }

@@ -80,20 +80,26 @@ void Fleet::remove(std::size_t slot) {
 }
 
 std::size_t Fleet::find(RobotId robot) const {
-  const auto found =
+  const auto place =
       std::lower_bound(slot_of.begin(), slot_of.end(), robot,
                        [&](std::uint32_t slot, RobotId b) { return id[slot].value < b.value; });
-  if (found == slot_of.end() || !(id[*found] == robot)) {
+  if (place == slot_of.end() || !(id[*place] == robot)) {
     throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
   }
-  return *found;
+  return *place;
 }
 
 RobotSetup Fleet::setup(std::size_t slot) const {
-  const RobotTraits& its = traits[slot];
-  RobotSetup setup{position[slot], velocity[slot],       goal[slot],          its.radius,
-                   its.max_speed,  its.max_acceleration, its.preferred_speed, {}};
-  if (its.wheelbase > 0.0) setup.car = CarSetup{its.wheelbase, heading[slot]};
+  const RobotTraits& robot_traits = traits[slot];
+  RobotSetup setup{position[slot],
+                   velocity[slot],
+                   goal[slot],
+                   robot_traits.radius,
+                   robot_traits.max_speed,
+                   robot_traits.max_acceleration,
+                   robot_traits.preferred_speed,
+                   {}};
+  if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
   return setup;
 }
 

@@ -59,13 +59,14 @@ AVO_KERNEL Vec<Real> limited(Vec<Real> a, Real length) {
 template <typename Real>
 AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const GoalLaw& law) {
   const Vec<Real> way = robot.goal - robot.position;
-  Way<Real> of;
-  of.distance = norm(way);
-  const auto is_away = of.distance > Real(0.0);
-  of.direction = select(is_away, way / select(is_away, of.distance, Real(1.0)), constant<Real>({}));
-  of.along = dot(robot.velocity, of.direction);
-  of.left = of.distance - Real(law.lag) * of.along;
-  return of;
+  Way<Real> result;
+  result.distance = norm(way);
+  const auto is_away = result.distance > Real(0.0);
+  result.direction =
+      select(is_away, way / select(is_away, result.distance, Real(1.0)), constant<Real>({}));
+  result.along = dot(robot.velocity, result.direction);
+  result.left = result.distance - Real(law.lag) * result.along;
+  return result;
 }
 
 /// Method avo approaches v' as fast as it can, so v' needs no lead.

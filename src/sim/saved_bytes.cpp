@@ -26,8 +26,8 @@ constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, c
 constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
 
-[[noreturn]] void refuse(const std::string& found, const std::string& allowed) {
-  throw Error("saved state: found " + found + ", must be " + allowed);
+[[noreturn]] void refuse(const std::string& given, const std::string& allowed) {
+  throw Error("saved state: found " + given + ", must be " + allowed);
 }
 
 std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t index) {

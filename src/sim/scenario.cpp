@@ -13,9 +13,9 @@
 namespace avo {
 namespace {
 
-[[noreturn]] void refuse(const std::string& field, const std::string& found,
+[[noreturn]] void refuse(const std::string& field, const std::string& given,
                          const std::string& allowed) {
-  throw Error(field + ": found " + found + ", must be " + allowed);
+  throw Error(field + ": found " + given + ", must be " + allowed);
 }
 
 /// A value's place; spelled out only where the value is refused.

@@ -40,8 +40,9 @@ std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snap
   const std::span<const std::uint32_t> order = snapshot.grid.order();
   for (std::size_t place = sorted.first; place < sorted.last; ++place) {
     const std::uint32_t slot = order[place];
-    const RobotTraits& its = fleet.traits[slot];
-    snapshot.sensed[place] = {fleet.velocity[slot], its.radius, its.max_acceleration};
+    const RobotTraits& robot_traits = fleet.traits[slot];
+    snapshot.sensed[place] = {fleet.velocity[slot], robot_traits.radius,
+                              robot_traits.max_acceleration};
   }
   return sorted.crowding;
 }

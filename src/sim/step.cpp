@@ -36,11 +36,11 @@ bool is_trusted(const World& world, std::size_t slot) {
 void find_ranges(World& world) {
   Fleet& fleet = world.fleet;
   const auto limits = [&](std::size_t slot) {
-    const RobotTraits& its = fleet.traits[slot];
+    const RobotTraits& robot_traits = fleet.traits[slot];
     Robot robot;
-    robot.radius = its.radius;
-    robot.max_acceleration = its.max_acceleration;
-    robot.max_speed = its.max_speed;
+    robot.radius = robot_traits.radius;
+    robot.max_acceleration = robot_traits.max_acceleration;
+    robot.max_speed = robot_traits.max_speed;
     return robot;
   };
   Peers peers;
@@ -120,21 +120,21 @@ double near_range(const World& world, std::size_t slot) {
 }
 
 // In canonical order, behind the others.
-void append(const World& world, const Found& found, const SearchScratch& search,
+void append(const World& world, const Found& hits, const SearchScratch& search,
             NeighborColumns& to) {
   const Snapshot& snapshot = world.snapshot;
-  to.reserve(to.count + found.count);
-  for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
+  to.reserve(to.count + hits.count);
+  for (std::size_t k = hits.first; k < hits.first + hits.candidates; ++k) {
     const std::uint32_t place = search.place[k];
     const Vec2 p = snapshot.grid.position(place);
     const Sensed& sensed = snapshot.sensed[place];
     // who is not found is overwritten by the next robot's neighbors
-    const std::size_t i = to.count + std::min<std::size_t>(search.rank[k], found.count);
+    const std::size_t i = to.count + std::min<std::size_t>(search.rank[k], hits.count);
     to.x[i] = p.x, to.y[i] = p.y;
     to.v_x[i] = sensed.velocity.x, to.v_y[i] = sensed.velocity.y;
     to.radius[i] = sensed.radius, to.max_acceleration[i] = sensed.max_acceleration;
   }
-  to.count += found.count;
+  to.count += hits.count;
 }
 
 // The same among moving obstacles: robots first where distances are equal.
@@ -165,10 +165,10 @@ void append_with_obstacles(const World& world, Vec2 position, std::size_t query,
 
 // m, within which are the nearest, or all if those are fewer. Distances are as large as their bits,
 // which can be masked: whose rank is low cannot be foreseen.
-float reach_of_nearest(const Found& found, std::size_t nearest, const SearchScratch& search) {
-  if (found.candidates < nearest) return std::numeric_limits<float>::infinity();
+float reach_of_nearest(const Found& hits, std::size_t nearest, const SearchScratch& search) {
+  if (hits.candidates < nearest) return std::numeric_limits<float>::infinity();
   std::uint32_t farthest = 0;
-  for (std::size_t k = found.first; k < found.first + found.candidates; ++k) {
+  for (std::size_t k = hits.first; k < hits.first + hits.candidates; ++k) {
     const std::uint32_t counts = 0U - static_cast<std::uint32_t>(search.rank[k] < nearest);
     farthest =
         std::max(farthest, std::bit_cast<std::uint32_t>(search.distance_squared[k]) & counts);

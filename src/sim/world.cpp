@@ -17,8 +17,8 @@ std::size_t most_braking_steps(const World& world) {
   constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
   const double braking_time = world.planner.step_rate() * world.planner.options().control_time;
   double most = 0.0;
-  for (const RobotTraits& its : world.fleet.traits) {
-    most = std::max(most, its.max_speed / (its.max_acceleration * braking_time));
+  for (const RobotTraits& robot_traits : world.fleet.traits) {
+    most = std::max(most, robot_traits.max_speed / (robot_traits.max_acceleration * braking_time));
   }
   return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
 }
@@ -36,9 +36,9 @@ void reserve(const World& world, Worker& worker) {
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
   worker.tile.reserve(together, sensed);
-  const std::size_t each = std::min(seen, world.most_nearest());
-  reserve_together(together, each, std::min(together * each, kTileCandidates + each), seen, sensed,
-                   most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
+  const std::size_t nearest = std::min(seen, world.most_nearest());
+  reserve_together(together, nearest, std::min(together * nearest, kTileCandidates + nearest), seen,
+                   sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
 }  // namespace
@@ -68,17 +68,18 @@ bool World::is_fast(std::size_t slot) const {
 }
 
 Robot World::robot(std::size_t slot) const {
-  const RobotTraits& its = fleet.traits[slot];
+  const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Robot robot{p,
               v,
-              preferred_velocity(p, v, its, goal, goal_law(planner)),
-              its.radius,
-              its.max_acceleration,
-              its.max_speed,
+              preferred_velocity(p, v, robot_traits, goal, goal_law(planner)),
+              robot_traits.radius,
+              robot_traits.max_acceleration,
+              robot_traits.max_speed,
               norm(goal - p),
               {}};
-  if (its.wheelbase > 0.0) robot.car = CarSetup{its.wheelbase, fleet.heading[slot]};
+  if (robot_traits.wheelbase > 0.0)
+    robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
   return robot;
 }
 

@@ -134,19 +134,19 @@ TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
         100);
     const auto seen = simulation.perceive(3);
     avo::PlanWorkspace workspace;
-    std::vector<avo::CertificateWall> walls;
-    simulation.planner().collect_certificate(seen.robot, seen.neighbors, workspace, walls);
-    EXPECT_EQ(walls.empty(), std::string(kind) == "none");
+    std::vector<avo::CertificateConstraint> constraints;
+    simulation.planner().collect_certificate(seen.robot, seen.neighbors, workspace, constraints);
+    EXPECT_EQ(constraints.empty(), std::string(kind) == "none");
     EXPECT_EQ(json["certificate_kind"], kind);
     EXPECT_EQ(json["detour"], seen.detour.angle);
-    ASSERT_EQ(json["certificate"].size(), walls.size());
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-      const avo::CertificateWall& expected = walls[k];
-      const Json& wall = json["certificate"][k];
-      EXPECT_EQ(wall["neighbor"], seen.source[static_cast<std::size_t>(expected.neighbor)]);
-      EXPECT_EQ(wall["interval"], expected.interval);
-      EXPECT_EQ(point(wall["normal"]), expected.normal);
-      EXPECT_EQ(wall["offset"], expected.offset);
+    ASSERT_EQ(json["certificate"].size(), constraints.size());
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
+      const avo::CertificateConstraint& expected = constraints[k];
+      const Json& constraint = json["certificate"][k];
+      EXPECT_EQ(constraint["neighbor"], seen.source[static_cast<std::size_t>(expected.neighbor)]);
+      EXPECT_EQ(constraint["interval"], expected.interval);
+      EXPECT_EQ(point(constraint["normal"]), expected.normal);
+      EXPECT_EQ(constraint["offset"], expected.offset);
     }
     simulation.step();
     EXPECT_EQ(point(json["new_velocity"]), simulation.fleet().plan[3].new_velocity)
@@ -160,7 +160,7 @@ TEST(Explain, other_methods_have_no_certificate) {
     EXPECT_FALSE(json.contains(key)) << key;
 }
 
-TEST(Explain, names_the_first_walls_of_the_nearest) {
+TEST(Explain, names_the_first_constraints_of_the_nearest) {
   Strings arguments{"explain"};
   arguments.insert(arguments.end(), kAvo.begin(), kAvo.end());
   arguments.insert(arguments.end(), {"--robot", "3"});
@@ -168,7 +168,7 @@ TEST(Explain, names_the_first_walls_of_the_nearest) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.out.find("  certificate         braking_trajectories, "), std::string::npos)
       << result.out;
-  EXPECT_NE(result.out.find("  wall                ("), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  constraint                ("), std::string::npos) << result.out;
 }
 
 TEST(Explain, orca_has_no_acceleration_disc) {

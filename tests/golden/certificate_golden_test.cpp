@@ -46,15 +46,15 @@ CertificateLaw law_of(const json& row) {
   return certificate_law(Planner(options));
 }
 
-// What the walls say of a candidate, in the reference's terms: contact not inflated, and with the
-// first two coefficients of the step itself, which no candidate changes.
-double smallest_coefficient(const TrajectoryWalls& walls, const CandidatePath& path,
+// What the constraints say of a candidate, in the reference's terms: contact not inflated, and with
+// the first two coefficients of the step itself, which no candidate changes.
+double smallest_coefficient(const TrajectoryConstraints& constraints, const CandidatePath& path,
                             const Robot& robot, const BrakingPair& pair, const StepLaw& law) {
-  double smallest = worst_wall(walls, path, law).coefficient;
-  for (const TrajectoryWall& wall : test::all_walls(walls)) {
-    if (wall.interval > 0) continue;
-    smallest = std::min(
-        {smallest, wall.offset[0], law.lag * dot(wall.normal, robot.velocity) + wall.offset[1]});
+  double smallest = worst_constraint(constraints, path, law).coefficient;
+  for (const TrajectoryConstraint& constraint : test::all_constraints(constraints)) {
+    if (constraint.interval > 0) continue;
+    smallest = std::min({smallest, constraint.offset[0],
+                         law.lag * dot(constraint.normal, robot.velocity) + constraint.offset[1]});
   }
   return smallest + pair.share * (pair.inflated - pair.contact);
 }
@@ -74,7 +74,7 @@ bool is_out_of_reach(const Robot& a, const Robot& b, const StepLaw& law) {
 
 // Compares every case but those of pairs that cannot come to meet, whatever both do: the rule would
 // refuse some candidates there as well, to no purpose. What no candidate of the pair could use up
-// belongs to no wall. Returns how many are refused.
+// belongs to no constraint. Returns how many are refused.
 int compare(const json& rows) {
   int refused = 0;
   for (const json& row : rows) {
@@ -83,10 +83,10 @@ int compare(const json& rows) {
     const Robot a = robot_of(row.at("a")), b = robot_of(row.at("b"));
     const std::vector<Neighbor> neighbors{
         {b.position, b.velocity, b.radius, b.max_acceleration, {}}};
-    CertificateWalls walls;
-    collect_walls(a, neighbors, law, walls);
+    CertificateConstraints constraints;
+    collect_constraints(a, neighbors, law, constraints);
     const Vec2 next = a.velocity + law.step.braking_time * vec(row.at("candidate"));
-    const bool admitted = admits(a, next, law, walls);
+    const bool admitted = admits(a, next, law, constraints);
     const Braking braking = braking_of(a.velocity, a.max_acceleration, law.step);
     const BrakingPair pair = braking_pair(a, neighbors[0], braking, law.step);
     if (is_out_of_reach(a, b, law.step)) {
@@ -96,10 +96,11 @@ int compare(const json& rows) {
     const double expected = row.at("smallest_coefficient").get<double>();
     EXPECT_EQ(admitted, row.at("admitted").get<bool>());
     refused += admitted ? 0 : 1;
-    const double found = smallest_coefficient(walls.trajectories, walls.path, a, pair, law.step);
+    const double found =
+        smallest_coefficient(constraints.trajectories, constraints.path, a, pair, law.step);
     const double tolerance = 1e-9 * std::max(1.0, std::abs(expected));
     EXPECT_GE(found, expected - tolerance);
-    EXPECT_LE(row.at("invariant_slack").get<double>(), walls.invariant.slack + 1e-9);
+    EXPECT_LE(row.at("invariant_slack").get<double>(), constraints.invariant.slack + 1e-9);
     if (expected < 0.0) {
       EXPECT_NEAR(found, expected, tolerance);
     }

@@ -62,15 +62,15 @@ inline Fleet random_fleet(Random& random, Certificate kind, Motion motion) {
 
 /// The admitted velocity farthest from the backup towards `wish`, by bisection.
 inline Vec2 farthest_admitted(const Robot& robot, Vec2 wish, const CertificateLaw& law,
-                              CertificateWalls& walls, int bisections = 12) {
-  if (admits(robot, wish, law, walls)) return wish;
+                              CertificateConstraints& constraints, int bisections = 12) {
+  if (admits(robot, wish, law, constraints)) return wish;
   const Vec2 backup = backup_velocity(robot, law);
   Vec2 best = backup;
   double low = 0.0, high = 1.0;
   for (int i = 0; i < bisections; ++i) {
     const double part = 0.5 * (low + high);
     const Vec2 candidate = backup + part * (wish - backup);
-    if (admits(robot, candidate, law, walls)) {
+    if (admits(robot, candidate, law, constraints)) {
       low = part;
       best = candidate;
     } else {
@@ -89,12 +89,12 @@ inline Vec2 within_speed(const Robot& robot, Vec2 change) {
 
 inline Vec2 adverse_velocity(Random& random, const Robot& robot, Whim whim,
                              const std::vector<Neighbor>& neighbors, const CertificateLaw& law,
-                             CertificateWalls& walls) {
+                             CertificateConstraints& constraints) {
   const double u = braking_decrement(robot.max_acceleration, law.step);
   if (whim == Whim::random) {
     for (int i = 0; i < 6; ++i) {
       const Vec2 next = within_speed(robot, in_disc(random, u));
-      if (admits(robot, next, law, walls)) return next;
+      if (admits(robot, next, law, constraints)) return next;
     }
   }
   if (whim == Whim::random || whim == Whim::backup) return backup_velocity(robot, law);
@@ -115,7 +115,7 @@ inline Vec2 adverse_velocity(Random& random, const Robot& robot, Whim whim,
   if (whim == Whim::past_the_nearest) towards = towards + 0.7 * perpendicular(towards);
   const double length = norm(towards);
   const Vec2 push = length > 0.0 ? (u / length) * towards : Vec2{u, 0.0};
-  return farthest_admitted(robot, within_speed(robot, push), law, walls);
+  return farthest_admitted(robot, within_speed(robot, push), law, constraints);
 }
 
 /// What one step of the whole fleet showed.

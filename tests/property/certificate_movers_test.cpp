@@ -118,8 +118,8 @@ void look(const std::vector<TrueStep>& steps, const Fleet& fleet, const StepLaw&
 }
 
 // Movers change their accelerations just after the robots have looked.
-void step(Random& random, Fleet& fleet, const CertificateLaw& law, CertificateWalls& walls,
-          const Whims& whims, Seen& result) {
+void step(Random& random, Fleet& fleet, const CertificateLaw& law,
+          CertificateConstraints& constraints, const Whims& whims, Seen& result) {
   std::vector<TrueStep> steps;
   for (std::size_t k = 0; k < fleet.robots.size(); ++k) {
     const Robot& robot = fleet.robots[k];
@@ -128,9 +128,9 @@ void step(Random& random, Fleet& fleet, const CertificateLaw& law, CertificateWa
       if (whims.looks_large) mover.radius += way_of(whims, robot, law.step);
       neighbors.push_back(mover);
     }
-    collect_walls(robot, neighbors, law, walls);
-    const Vec2 next =
-        adverse_velocity(random, robot, static_cast<Whim>(random.below(4)), neighbors, law, walls);
+    collect_constraints(robot, neighbors, law, constraints);
+    const Vec2 next = adverse_velocity(random, robot, static_cast<Whim>(random.below(4)), neighbors,
+                                       law, constraints);
     steps.push_back({robot.position, robot.velocity, next});
   }
   for (Neighbor& mover : fleet.movers) {
@@ -150,14 +150,14 @@ void step(Random& random, Fleet& fleet, const CertificateLaw& law, CertificateWa
 
 TEST_P(AmongMovers, who_is_touched_is_at_rest_and_stays_so) {
   const auto [kind, motion] = GetParam();
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   Seen all;
   for (int seed = 1; seed <= kFleets; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     Fleet fleet = fleet_among_movers(random, kind, motion);
     const CertificateLaw law = law_of(fleet.options);
     for (int k = 0; k < kSteps; ++k) {
-      step(random, fleet, law, walls, {}, all);
+      step(random, fleet, law, constraints, {}, all);
       ASSERT_GE(all.least_gap, 0.0) << "seed " << seed << " step " << k;
       // a robot that starts beside a mover is not inflated: rounding of the lengths may show
       ASSERT_GE(all.least_gap_moving, -1e-12) << "seed " << seed << " step " << k;
@@ -169,7 +169,7 @@ TEST_P(AmongMovers, who_is_touched_is_at_rest_and_stays_so) {
 }
 
 Seen among_changing_movers(Certificate kind, Motion motion, double most, bool looks_large) {
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   Seen all;
   for (int seed = 1; seed <= kFleets; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
@@ -177,7 +177,7 @@ Seen among_changing_movers(Certificate kind, Motion motion, double most, bool lo
     const CertificateLaw law = law_of(fleet.options);
     const Whims whims{random.log_uniform(0.01, most), looks_large};
     for (Neighbor& mover : fleet.movers) mover.acceleration = in_disc(random, 0.5 * whims.change);
-    for (int k = 0; k < kSteps; ++k) step(random, fleet, law, walls, whims, all);
+    for (int k = 0; k < kSteps; ++k) step(random, fleet, law, constraints, whims, all);
   }
   return all;
 }
@@ -206,16 +206,16 @@ TEST(ChangingMover, is_touched_in_motion_nearly_as_deep_as_proven) {
   constexpr double kChange = 0.2;
   const PlannerOptions options;
   const CertificateLaw law = law_of(options);
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   Robot robot;
   Neighbor mover{.position = {12.0, 0.0}, .behavior = Behavior::moves_on};
   double deepest = 0.0;
   bool comes = false;
   for (int k = 0; k < 200; ++k) {
-    collect_walls(robot, {&mover, 1}, law, walls);
-    const bool broken = walls.invariant.touched;
+    collect_constraints(robot, {&mover, 1}, law, constraints);
+    const bool broken = constraints.invariant.touched;
     const Vec2 wish = within_speed(robot, {0.1, 0.0});
-    const Vec2 next = farthest_admitted(robot, wish, law, walls, 40);
+    const Vec2 next = farthest_admitted(robot, wish, law, constraints, 40);
     if (broken) {
       EXPECT_EQ(next, backup_velocity(robot, law)) << k;
     }

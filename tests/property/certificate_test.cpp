@@ -21,21 +21,22 @@ std::string name_of(const testing::TestParamInfo<Certified::ParamType>& info) {
 }
 
 // Every robot picks by a whim of its own; all move; the distance within the step is looked at.
-Witness step(Random& random, Fleet& fleet, const CertificateLaw& law, CertificateWalls& walls) {
+Witness step(Random& random, Fleet& fleet, const CertificateLaw& law,
+             CertificateConstraints& constraints) {
   Witness witness;
   std::vector<TrueStep> steps;
   for (std::size_t k = 0; k < fleet.robots.size(); ++k) {
     const Robot& robot = fleet.robots[k];
     const std::vector<Neighbor> neighbors = others(fleet.robots, k);
-    collect_walls(robot, neighbors, law, walls);
+    collect_constraints(robot, neighbors, law, constraints);
     const Vec2 backup = backup_velocity(robot, law);
     // beyond all inflation: 10^-9 of the place, 10^-9 m
     const double scale = 1e-9 * (1.0 + norm(robot.position));
-    if (walls.invariant.slack > scale && !admits(robot, backup, law, walls)) {
+    if (constraints.invariant.slack > scale && !admits(robot, backup, law, constraints)) {
       witness.backup_refused = true;
     }
-    const Vec2 next =
-        adverse_velocity(random, robot, static_cast<Whim>(random.below(5)), neighbors, law, walls);
+    const Vec2 next = adverse_velocity(random, robot, static_cast<Whim>(random.below(5)), neighbors,
+                                       law, constraints);
     steps.push_back({robot.position, robot.velocity, next});
     const double u = braking_decrement(robot.max_acceleration, law.step);
     witness.most_change = std::max(witness.most_change, norm(next - robot.velocity) / u);
@@ -58,13 +59,13 @@ Witness step(Random& random, Fleet& fleet, const CertificateLaw& law, Certificat
 TEST_P(Certified, nobody_touches_whatever_admitted_velocity_all_choose) {
   const auto [kind, motion] = GetParam();
   double least_gap = 1.0 / 0.0;
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   for (int seed = 1; seed <= kFleets; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     Fleet fleet = random_fleet(random, kind, motion);
     const CertificateLaw law = law_of(fleet.options);
     for (int k = 0; k < kSteps; ++k) {
-      const Witness witness = step(random, fleet, law, walls);
+      const Witness witness = step(random, fleet, law, constraints);
       ASSERT_GE(witness.least_gap, 0.0) << "seed " << seed << " step " << k;
       ASSERT_LE(witness.most_change, 1.0 + 1e-9) << "seed " << seed << " step " << k;
       ASSERT_LE(witness.most_speed, 1.0 + 1e-9) << "seed " << seed << " step " << k;
@@ -89,7 +90,7 @@ Fleet far_pair(Random& random, Certificate kind, Motion motion) {
 
 TEST_P(Certified, rounding_is_covered_by_the_margin) {
   const auto [kind, motion] = GetParam();
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   for (int seed = 1; seed <= 60; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     Fleet fleet = far_pair(random, kind, motion);
@@ -98,13 +99,14 @@ TEST_P(Certified, rounding_is_covered_by_the_margin) {
       std::vector<TrueStep> steps;
       for (std::size_t i = 0; i < 2; ++i) {
         const Robot &robot = fleet.robots[i], &other = fleet.robots[1 - i];
-        collect_walls(robot, others(fleet.robots, i), law, walls);
+        collect_constraints(robot, others(fleet.robots, i), law, constraints);
         const Vec2 towards = other.position - robot.position;
         const double u = braking_decrement(robot.max_acceleration, law.step);
         const Vec2 push = within_speed(robot, (u / norm(towards)) * towards);
         // to the last bit that is admitted, and now and then nothing but braking
-        const Vec2 next = random.below(10) == 0 ? backup_velocity(robot, law)
-                                                : farthest_admitted(robot, push, law, walls, 60);
+        const Vec2 next = random.below(10) == 0
+                              ? backup_velocity(robot, law)
+                              : farthest_admitted(robot, push, law, constraints, 60);
         steps.push_back({robot.position, robot.velocity, next});
       }
       const double contact = fleet.robots[0].radius + fleet.robots[1].radius;

@@ -112,7 +112,7 @@ TEST(HalfPlanes, P3_tiny_steps_towards_a_crossing_end_no_search) {
   }
 }
 
-// The wall of the first time, among many, at whose end the pair can be apart; the demand of a
+// The line of the first time, among many, at whose end the pair can be apart; the demand of a
 // window falls as that grows. Without any, that of the last one.
 TEST(HalfPlanes, overlapping_pairs_part_within_the_shortest_window) {
   Batch batch;

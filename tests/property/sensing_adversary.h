@@ -111,13 +111,13 @@ inline double clearance_after(const std::vector<Body>& bodies, std::size_t self,
 
 /// The farthest admitted velocity from braking towards `wanted`.
 inline Vec2 farthest_admitted(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
-                              CertificateWalls& walls) {
-  if (admits(robot, wanted, law, walls)) return wanted;
+                              CertificateConstraints& constraints) {
+  if (admits(robot, wanted, law, constraints)) return wanted;
   const Vec2 backup = backup_velocity(robot, law);
   double good = 0.0, bad = 1.0;
   for (int i = 0; i < 12; ++i) {
     const double part = 0.5 * (good + bad);
-    (admits(robot, backup + part * (wanted - backup), law, walls) ? good : bad) = part;
+    (admits(robot, backup + part * (wanted - backup), law, constraints) ? good : bad) = part;
   }
   return backup + good * (wanted - backup);
 }
@@ -125,7 +125,7 @@ inline Vec2 farthest_admitted(const Robot& robot, Vec2 wanted, const Certificate
 /// Of what `self` is allowed under some errors within the bound: what leaves the least clearance.
 /// One time in `calm` (> 0) it takes anything admitted.
 inline Vec2 worst_choice(const std::vector<Body>& bodies, std::size_t self, const Senses& senses,
-                         int calm, Random& random, CertificateWalls& walls) {
+                         int calm, Random& random, CertificateConstraints& constraints) {
   const Robot& robot = bodies[self].robot;
   const CertificateLaw law = held_law(senses.declared);
   const double u = braking_decrement(robot.max_acceleration, law.step);
@@ -136,7 +136,7 @@ inline Vec2 worst_choice(const std::vector<Body>& bodies, std::size_t self, cons
     const int of_position = random.below(kShapes);
     const int of_velocity = random.below(2) == 0 ? of_position : random.below(kShapes);
     const auto neighbors = sensed(bodies, self, senses, of_position, of_velocity, random);
-    collect_walls(robot, neighbors, law, walls);
+    collect_constraints(robot, neighbors, law, constraints);
     for (int i = 0; i < (anything ? 1 : 5); ++i) {
       Vec2 change = random.below(2) == 0 ? u * random.direction() : in_disc(random, u);
       const Neighbor& other =
@@ -147,7 +147,7 @@ inline Vec2 worst_choice(const std::vector<Body>& bodies, std::size_t self, cons
       if (i == 3) change = u * unit(change + (3.0 * u) * towards);
       Vec2 wanted = robot.velocity + change;
       if (norm(wanted) > robot.max_speed) wanted = (robot.max_speed / norm(wanted)) * wanted;
-      const Vec2 chosen = farthest_admitted(robot, wanted, law, walls);
+      const Vec2 chosen = farthest_admitted(robot, wanted, law, constraints);
       const double clearance = clearance_after(bodies, self, chosen, law.step);
       if (anything || clearance < least) worst = chosen, least = clearance;
     }
@@ -196,12 +196,13 @@ inline CheckReport run_adversary(std::vector<Body> bodies, const std::vector<Sen
                                  int steps, int calm, Random& random) {
   const StepLaw law = held_law({}).step;
   Check check = judge_of(bodies);
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   show(check, 0.0, bodies);
   std::vector<Vec2> next(bodies.size());
   for (int step = 1; step <= steps; ++step) {
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-      if (bodies[k].decides) next[k] = worst_choice(bodies, k, senses[k], calm, random, walls);
+      if (bodies[k].decides)
+        next[k] = worst_choice(bodies, k, senses[k], calm, random, constraints);
     }
     move(bodies, next, law.time_step);
     show(check, step * law.time_step, bodies);

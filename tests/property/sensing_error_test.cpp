@@ -157,11 +157,11 @@ TEST(SensingError, does_not_flee_from_a_mover_that_reaches_it_in_motion) {
       .position = {1.3, 0.0}, .velocity = {-2.0, 0.0}, .behavior = Behavior::moves_on};
   for (const SensingError& bound : {kExact, kPosition, kBoth}) {
     const CertificateLaw law = held_law(bound);
-    CertificateWalls walls;
-    collect_walls(robot, {&mover, 1}, law, walls);
-    EXPECT_TRUE(admits(robot, {}, law, walls));
-    EXPECT_FALSE(admits(robot, {-0.1, 0.0}, law, walls));
-    EXPECT_FALSE(admits(robot, {-0.01, 0.0}, law, walls));
+    CertificateConstraints constraints;
+    collect_constraints(robot, {&mover, 1}, law, constraints);
+    EXPECT_TRUE(admits(robot, {}, law, constraints));
+    EXPECT_FALSE(admits(robot, {-0.1, 0.0}, law, constraints));
+    EXPECT_FALSE(admits(robot, {-0.01, 0.0}, law, constraints));
   }
 }
 
@@ -173,11 +173,11 @@ Vec2 heading_for(const std::vector<Body>& bodies, std::size_t self, double way,
   const double u = braking_decrement(robot.max_acceleration, law.step);
   const std::vector<Neighbor> neighbors =
       sensed(bodies, self, {bound, bound}, shape, shape, random);
-  CertificateWalls walls;
-  collect_walls(robot, neighbors, law, walls);
+  CertificateConstraints constraints;
+  collect_constraints(robot, neighbors, law, constraints);
   Vec2 wanted = robot.velocity + (way * u) * unit(neighbors[0].position - robot.position);
   if (norm(wanted) > robot.max_speed) wanted = (robot.max_speed / norm(wanted)) * wanted;
-  return farthest_admitted(robot, wanted, law, walls);
+  return farthest_admitted(robot, wanted, law, constraints);
 }
 
 // Both, or a robot and a mover at rest, for 20 s towards each other and 4 s away. A `shape` of

@@ -39,10 +39,10 @@ inline Neighbor seen(const Robot& robot) {
   return {robot.position, robot.velocity, robot.radius, robot.max_acceleration, {}};
 }
 
-inline std::vector<TrajectoryWall> all_walls(const TrajectoryWalls& walls) {
-  std::vector<TrajectoryWall> all;
-  for (std::size_t k = 0; k < walls.columns.count; ++k) {
-    if (walls.columns.is_wall(k)) all.push_back(wall_at(walls.columns, k));
+inline std::vector<TrajectoryConstraint> all_constraints(const TrajectoryConstraints& constraints) {
+  std::vector<TrajectoryConstraint> all;
+  for (std::size_t k = 0; k < constraints.columns.count; ++k) {
+    if (constraints.columns.is_constraint(k)) all.push_back(constraint_at(constraints.columns, k));
   }
   return all;
 }
@@ -135,10 +135,10 @@ inline double least_distance(const TrueStep& a, const TrueStep& b, const Planner
 
 /// Whether all pairs keep the certificate's invariant.
 inline bool invariant_holds(const std::vector<Robot>& robots, const CertificateLaw& law) {
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   for (std::size_t k = 0; k < robots.size(); ++k) {
-    collect_walls(robots[k], others(robots, k), law, walls);
-    if (walls.invariant.broken >= 0 || walls.invariant.unknown) return false;
+    collect_constraints(robots[k], others(robots, k), law, constraints);
+    if (constraints.invariant.broken >= 0 || constraints.invariant.unknown) return false;
   }
   return true;
 }

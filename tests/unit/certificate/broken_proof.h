@@ -74,7 +74,7 @@ struct TrajectoryRule {
   bool same_normals = true;        ///< or turned by kTurn, for every second robot
   std::size_t most_neighbors = 1000;
 
-  struct Wall {
+  struct Constraint {
     Vec2 normal;
     std::size_t interval, point;
     double offset;  ///< normal . (y - p_A) + offset >= 0
@@ -90,8 +90,9 @@ struct TrajectoryRule {
     return std::max(until_rest(self, 1.0), until_rest(other, 1.0));
   }
 
-  void append_walls(const Robot& self, const Robot& other, bool second,
-                    const PlannerOptions& options, std::vector<Wall>& walls) const {
+  void append_constraints(const Robot& self, const Robot& other, bool second,
+                          const PlannerOptions& options,
+                          std::vector<Constraint>& constraints) const {
     const StepLaw law = law_of(options).step;
     const int intervals = count(self, other, options);
     const auto x_A = stepped_braking(self, law, intervals);
@@ -105,7 +106,7 @@ struct TrajectoryRule {
       if (!same_normals && second) n = turned(n, kTurn);
       for (std::size_t i = whole_intervals ? (m == 0 ? 2 : 0) : 2; i < 3; ++i) {
         if (i == 1 && !middle_coefficient) continue;
-        walls.push_back(
+        constraints.push_back(
             {n, m, i, share * (dot(n, q[i]) - contact) - dot(n, x_A[m][i] - self.position)});
       }
     }
@@ -113,17 +114,19 @@ struct TrajectoryRule {
 
   Choices operator()(const std::vector<Robot>& robots, std::size_t self,
                      const PlannerOptions& options) const {
-    std::vector<Wall> walls;
+    std::vector<Constraint> constraints;
     for (const std::size_t k : nearest_others(robots, self, most_neighbors)) {
-      append_walls(robots[self], robots[k], self > k, options, walls);
+      append_constraints(robots[self], robots[k], self > k, options, constraints);
     }
     const Robot robot = robots[self];
-    const auto keeps_all = [walls, robot, options](Vec2 next) {
+    const auto keeps_all = [constraints, robot, options](Vec2 next) {
       std::size_t most = 0;
-      for (const Wall& wall : walls) most = std::max(most, wall.interval);
+      for (const Constraint& constraint : constraints) most = std::max(most, constraint.interval);
       const auto y = stepped_path(robot, next, law_of(options).step, static_cast<int>(most) + 1);
-      return std::all_of(walls.begin(), walls.end(), [&](const Wall& wall) {
-        return dot(wall.normal, y[wall.interval][wall.point] - robot.position) + wall.offset >= 0.0;
+      return std::all_of(constraints.begin(), constraints.end(), [&](const Constraint& constraint) {
+        return dot(constraint.normal, y[constraint.interval][constraint.point] - robot.position) +
+                   constraint.offset >=
+               0.0;
       });
     };
     return {keeps_all, hardest_braked(robot, options)};

@@ -11,10 +11,11 @@ namespace {
 constexpr Certificate kCapsules = Certificate::stopping_capsules;
 constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
 
-CertificateWalls walls_of(const Robot& self, const Robot& other, const CertificateLaw& law) {
-  CertificateWalls walls;
-  collect_walls(self, std::vector<Neighbor>{seen(other)}, law, walls);
-  return walls;
+CertificateConstraints constraints_of(const Robot& self, const Robot& other,
+                                      const CertificateLaw& law) {
+  CertificateConstraints constraints;
+  collect_constraints(self, std::vector<Neighbor>{seen(other)}, law, constraints);
+  return constraints;
 }
 
 Vec2 stop_of(const Robot& robot, Vec2 position, Vec2 velocity, const StepLaw& law) {
@@ -29,7 +30,8 @@ TEST(Capsules, lines_of_a_pair_are_mirror_images_bit_for_bit) {
     int compared = 0;
     for (int i = 0; i < 3000; ++i) {
       const PairSituation s = random_pair(random, kCapsules, motion);
-      const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
+      const CertificateConstraints of_A = constraints_of(s.a, s.b, s.law),
+                                   of_B = constraints_of(s.b, s.a, s.law);
       if (of_A.capsules.empty() || of_B.capsules.empty()) continue;
       ASSERT_EQ(of_A.capsules[0].normal.x, -of_B.capsules[0].normal.x);
       ASSERT_EQ(of_A.capsules[0].normal.y, -of_B.capsules[0].normal.y);
@@ -44,7 +46,8 @@ TEST(Capsules, line_separates_and_shares_the_gap) {
   Random random(32);
   for (int i = 0; i < 2000; ++i) {
     const PairSituation s = sound_pair(random, kCapsules, Motion::held);
-    const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
+    const CertificateConstraints of_A = constraints_of(s.a, s.b, s.law),
+                                 of_B = constraints_of(s.b, s.a, s.law);
     if (of_A.capsules.empty() || of_B.capsules.empty()) continue;
     const Vec2 n = of_A.capsules[0].normal;
     const double edge_A = dot(n, s.a.position) + of_A.capsules[0].offset;
@@ -66,12 +69,12 @@ TEST(Capsules, line_between_parallel_ones_is_unique) {
     for (const double sign : {-1.0, 1.0}) {  // the same way, and against each other
       a.position.x = ahead;
       a.velocity.x = sign * 1.5;
-      const CertificateWalls of_A = walls_of(a, b, law);
+      const CertificateConstraints of_A = constraints_of(a, b, law);
       ASSERT_EQ(of_A.capsules.size(), 1U);
       if (sign > 0.0) {
         EXPECT_LE(norm(of_A.capsules[0].normal - Vec2{0.0, 1.0}), 1e-15);
       }
-      EXPECT_EQ(of_A.capsules[0].normal, -walls_of(b, a, law).capsules[0].normal);
+      EXPECT_EQ(of_A.capsules[0].normal, -constraints_of(b, a, law).capsules[0].normal);
     }
   }
 }
@@ -98,9 +101,9 @@ TEST(Capsules, braking_is_always_admitted) {
     Random random(34);
     for (int i = 0; i < 2000; ++i) {
       const PairSituation s = sound_pair(random, kCapsules, motion);
-      CertificateWalls walls = walls_of(s.a, s.b, s.law);
-      if (walls.invariant.slack < 1e-9) continue;
-      EXPECT_TRUE(admits(s.a, backup_velocity(s.a, s.law), s.law, walls));
+      CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
+      if (constraints.invariant.slack < 1e-9) continue;
+      EXPECT_TRUE(admits(s.a, backup_velocity(s.a, s.law), s.law, constraints));
     }
   }
 }
@@ -111,17 +114,17 @@ TEST(Capsules, next_capsule_and_step_are_what_is_tested) {
     int refused = 0;
     for (int i = 0; i < 3000; ++i) {
       const PairSituation s = sound_pair(random, kCapsules, motion);
-      CertificateWalls walls = walls_of(s.a, s.b, s.law);
-      if (walls.capsules.empty()) continue;
-      const CapsuleWall& wall = walls.capsules[0];
+      CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
+      if (constraints.capsules.empty()) continue;
+      const CapsuleConstraint& constraint = constraints.capsules[0];
       const Vec2 next = random_choice(random, s);
       const Vec2 moved = stepped_path(s.a, next, s.law.step, 1)[0][2];
       const Vec2 stop = stop_of(s.a, moved, next, s.law.step);
-      const double margin =
-          std::min(dot(wall.normal, moved - s.a.position), dot(wall.normal, stop - s.a.position)) -
-          wall.offset;
+      const double margin = std::min(dot(constraint.normal, moved - s.a.position),
+                                     dot(constraint.normal, stop - s.a.position)) -
+                            constraint.offset;
       if (std::abs(margin) < 1e-10) continue;
-      EXPECT_EQ(admits(s.a, next, s.law, walls), margin > 0.0);
+      EXPECT_EQ(admits(s.a, next, s.law, constraints), margin > 0.0);
       refused += margin < 0.0 ? 1 : 0;
     }
     EXPECT_GT(refused, 100);
@@ -134,25 +137,25 @@ TEST(Capsules, half_planes_suffice_up_to_their_speed) {
     int inside = 0;
     for (int i = 0; i < 4000; ++i) {
       const PairSituation s = sound_pair(random, kCapsules, motion);
-      CertificateWalls walls = walls_of(s.a, s.b, s.law);
+      CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
       const double u = braking_decrement(s.a.max_acceleration, s.law.step);
       const double speed = norm(s.a.velocity);
       for (const double top : {speed + u, speed, std::max(speed - u, 0.0)}) {
         std::vector<HalfPlane> planes;
-        append_half_planes(walls.capsules, s.a, s.law.step, top, planes);
+        append_half_planes(constraints.capsules, s.a, s.law.step, top, planes);
         const Vec2 next = random_choice(random, s);
         const bool within = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& plane) {
           return violation(plane, next) <= -1e-12;
         });
         if (planes.empty() || !within || norm(next) > top) continue;
-        EXPECT_TRUE(admits(s.a, next, s.law, walls)) << "pair " << i;
+        EXPECT_TRUE(admits(s.a, next, s.law, constraints)) << "pair " << i;
         ++inside;
       }
       // at the last of these speeds braking is left
       std::vector<HalfPlane> planes;
-      append_half_planes(walls.capsules, s.a, s.law.step, std::max(speed - u, 0.0), planes);
+      append_half_planes(constraints.capsules, s.a, s.law.step, std::max(speed - u, 0.0), planes);
       for (const HalfPlane& plane : planes) {
-        if (walls.invariant.slack < 1e-9) continue;
+        if (constraints.invariant.slack < 1e-9) continue;
         EXPECT_LE(violation(plane, braked(s.a.velocity, u)), 1e-9 * u) << "pair " << i;
       }
     }

@@ -56,12 +56,13 @@ bool is_sane(Vec2 normal, double offset) {
   return !std::isnan(offset) && (length == 0.0 || std::abs(length - 1.0) < 1e-15);
 }
 
-bool are_sane(const CertificateWalls& walls) {
-  bool sane = !std::isnan(walls.invariant.slack);
-  for (const TrajectoryWall& wall : all_walls(walls.trajectories)) {
-    for (const double offset : wall.offset) sane = sane && is_sane(wall.normal, offset);
+bool are_sane(const CertificateConstraints& constraints) {
+  bool sane = !std::isnan(constraints.invariant.slack);
+  for (const TrajectoryConstraint& constraint : all_constraints(constraints.trajectories)) {
+    for (const double offset : constraint.offset) sane = sane && is_sane(constraint.normal, offset);
   }
-  for (const CapsuleWall& wall : walls.capsules) sane = sane && is_sane(wall.normal, wall.offset);
+  for (const CapsuleConstraint& constraint : constraints.capsules)
+    sane = sane && is_sane(constraint.normal, constraint.offset);
   return sane;
 }
 
@@ -71,22 +72,22 @@ constexpr std::pair<Certificate, Motion> kLaws[] = {
     {Certificate::braking_trajectories, Motion::held},
     {Certificate::braking_trajectories, Motion::exponential}};
 
-TEST(DegenerateCertificate, walls_are_sane_and_braking_is_admitted) {
+TEST(DegenerateCertificate, constraints_are_sane_and_braking_is_admitted) {
   for (const auto& [kind, motion] : kLaws) {
     const CertificateLaw law = law_of(options_of(kind, motion, 0.1, 2.0));
     for (const Case& each : cases()) {
       for (const auto& [self, other] : {std::pair(each.a, each.b), std::pair(each.b, each.a)}) {
         SCOPED_TRACE(each.name + ", kind " + std::to_string(static_cast<int>(kind)));
         std::feclearexcept(FE_ALL_EXCEPT);
-        CertificateWalls walls;
-        collect_walls(self, std::vector<Neighbor>{seen(other)}, law, walls);
-        EXPECT_TRUE(are_sane(walls));
+        CertificateConstraints constraints;
+        collect_constraints(self, std::vector<Neighbor>{seen(other)}, law, constraints);
+        EXPECT_TRUE(are_sane(constraints));
         EXPECT_FALSE(std::fetestexcept(FE_INVALID));
         const Vec2 backup = backup_velocity(self, law);
         EXPECT_TRUE(is_finite(backup));
-        const bool admitted = admits(self, backup, law, walls);
+        const bool admitted = admits(self, backup, law, constraints);
         if (each.sound) {
-          EXPECT_GT(walls.invariant.slack, 0.0);
+          EXPECT_GT(constraints.invariant.slack, 0.0);
           EXPECT_TRUE(admitted);
         }
         EXPECT_FALSE(std::fetestexcept(FE_INVALID));
@@ -118,13 +119,13 @@ TEST(DegenerateCertificate, more_intervals_than_anyone_looks_at_are_braked_for) 
   const CertificateLaw law =
       law_of(options_of(Certificate::braking_trajectories, Motion::held, 0.1, 2.0));
   Robot self{{}, {1.0, 0.0}, {}, 0.5, 1.0, 2.0}, other{{4.0, 0.0}, {-1.0, 0.0}, {}, 0.5, 1.0, 2.0};
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   for (const double steps : {0.9 * kMostIntervals, 1.1 * kMostIntervals}) {
     other.max_acceleration = 1.0 / (0.1 * steps);
-    collect_walls(self, std::vector<Neighbor>{seen(other)}, law, walls);
-    EXPECT_EQ(walls.invariant.unknown, steps > kMostIntervals);
+    collect_constraints(self, std::vector<Neighbor>{seen(other)}, law, constraints);
+    EXPECT_EQ(constraints.invariant.unknown, steps > kMostIntervals);
     if (steps > kMostIntervals) {
-      EXPECT_FALSE(admits(self, self.velocity, law, walls));
+      EXPECT_FALSE(admits(self, self.velocity, law, constraints));
     }
   }
 }
@@ -140,10 +141,10 @@ TEST(DegenerateCertificate, robots_at_rest_side_by_side_are_not_frozen) {
         for (const Vec2 side : {Vec2{1.0, 0.0}, Vec2{-1.0, 0.0}, Vec2{0.0, 1.0}}) {
           neighbors.push_back({(1.0 + gap) * side, {0.0, -speed}, 0.5, 1.0, {}});
         }
-        CertificateWalls walls;
-        collect_walls(self, neighbors, law, walls);
-        EXPECT_TRUE(admits(self, {0.0, -u}, law, walls));  // away from all of them
-        EXPECT_FALSE(admits(self, {0.0, u}, law, walls));
+        CertificateConstraints constraints;
+        collect_constraints(self, neighbors, law, constraints);
+        EXPECT_TRUE(admits(self, {0.0, -u}, law, constraints));  // away from all of them
+        EXPECT_FALSE(admits(self, {0.0, u}, law, constraints));
       }
     }
   }

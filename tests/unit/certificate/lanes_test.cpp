@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls and admission have the same bits whatever the instruction set, and nothing that is left out
-// can refuse: no candidate's path gets farther from braking than it is counted on.
+// Constraints and admission have the same bits whatever the instruction set, and nothing that is
+// left out can refuse: no candidate's path gets farther from braking than it is counted on.
 #include <bit>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -50,30 +50,31 @@ Crowd random_crowd(Random& random) {
 // What has been seen: each of it has to be.
 struct Seen {
   std::size_t admitted = 0, refused = 0;
-  std::size_t first_intervals = 0, later_intervals = 0, of_movers = 0, cones = 0;  // walls
+  std::size_t first_intervals = 0, later_intervals = 0, of_movers = 0, cones = 0;  // constraints
 };
 
 // Everything that a decision rests on.
 std::vector<std::uint64_t> bits_of(const Crowd& crowd, Seen& seen) {
   std::vector<std::uint64_t> all;
   const auto add = [&all](double number) { all.push_back(std::bit_cast<std::uint64_t>(number)); };
-  CertificateWalls walls;
-  collect_walls(crowd.robot, crowd.neighbors, crowd.law, walls);
-  add(walls.invariant.slack);
-  for (const TrajectoryWall& wall : all_walls(walls.trajectories)) {
-    add(wall.neighbor), add(wall.interval), add(wall.only_in_motion ? 1.0 : 0.0);
-    add(wall.normal.x), add(wall.normal.y), add(wall.cone), add(wall.bound);
-    for (const double offset : wall.offset) add(offset);
-    const std::size_t other = static_cast<std::size_t>(wall.neighbor);
-    ++(wall.interval == 0 ? seen.first_intervals : seen.later_intervals);
+  CertificateConstraints constraints;
+  collect_constraints(crowd.robot, crowd.neighbors, crowd.law, constraints);
+  add(constraints.invariant.slack);
+  for (const TrajectoryConstraint& constraint : all_constraints(constraints.trajectories)) {
+    add(constraint.neighbor), add(constraint.interval), add(constraint.only_in_motion ? 1.0 : 0.0);
+    add(constraint.normal.x), add(constraint.normal.y), add(constraint.cone), add(constraint.bound);
+    for (const double offset : constraint.offset) add(offset);
+    const std::size_t other = static_cast<std::size_t>(constraint.neighbor);
+    ++(constraint.interval == 0 ? seen.first_intervals : seen.later_intervals);
     seen.of_movers += crowd.neighbors[other].behavior == Behavior::moves_on ? 1 : 0;
-    seen.cones += wall.cone > 0.0 ? 1 : 0;
+    seen.cones += constraint.cone > 0.0 ? 1 : 0;
   }
   for (const Vec2 candidate : crowd.candidates) {
-    const bool admitted = admits(crowd.robot, candidate, crowd.law, walls);
+    const bool admitted = admits(crowd.robot, candidate, crowd.law, constraints);
     ++(admitted ? seen.admitted : seen.refused);
     add(admitted ? 1.0 : 0.0);
-    const WorstWall worst = worst_wall(walls.trajectories, walls.path, crowd.law.step);
+    const WorstConstraint worst =
+        worst_constraint(constraints.trajectories, constraints.path, crowd.law.step);
     add(worst.coefficient), add(worst.point), add(worst.lean.x), add(worst.lean.y);
   }
   return all;

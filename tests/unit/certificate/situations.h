@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of robots to derive walls from, and the rules of docs/certificate.md written out plainly.
+// Pairs of robots to derive constraints from, and the rules of docs/certificate.md written out
+// plainly.
 #pragma once
 #include <array>
 #include <vector>

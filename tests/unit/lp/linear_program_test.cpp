@@ -109,9 +109,9 @@ TEST(LinearProgram, two_half_planes_meet_in_a_corner) {
 }
 
 TEST(LinearProgram, satisfied_and_duplicate_half_planes_change_nothing) {
-  const HalfPlane wall{{0.6, 0.8}, 1};
-  const ProgramResult once = solve({}, {wall}, {0, 0});
-  const ProgramResult more = solve({wall}, {wall, {{0.6, 0.8}, 0.5}, wall, {{1, 0}, -3}}, {0, 0});
+  const HalfPlane line{{0.6, 0.8}, 1};
+  const ProgramResult once = solve({}, {line}, {0, 0});
+  const ProgramResult more = solve({line}, {line, {{0.6, 0.8}, 0.5}, line, {{1, 0}, -3}}, {0, 0});
   EXPECT_EQ(more.point, once.point);
   EXPECT_EQ(more.state, ProgramState::optimal);
 }

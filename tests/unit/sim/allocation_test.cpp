@@ -148,7 +148,7 @@ void expect_none_per_plan(const Scenario& scene) {
   std::vector<Simulation::Perception> seen;
   for (std::size_t i = 0; i < 100; ++i) seen.push_back(simulation.perceive(i));
   PlanWorkspace workspace;
-  std::vector<CertificateWall> walls;
+  std::vector<CertificateConstraint> constraints;
   const Planner& planner = simulation.planner();
   double sum = 0.0;
   long before = 0;
@@ -157,7 +157,7 @@ void expect_none_per_plan(const Scenario& scene) {
     for (const Simulation::Perception& each : seen) {
       sum += planner.plan(each.robot, each.neighbors, workspace).new_velocity.x;
       sum += planner.plan_among_obstacles(each.robot, each.neighbors, workspace).new_velocity.x;
-      planner.collect_certificate(each.robot, each.neighbors, workspace, walls);
+      planner.collect_certificate(each.robot, each.neighbors, workspace, constraints);
     }
   }
   EXPECT_EQ(allocations - before, 0);

@@ -184,15 +184,15 @@ TEST(Assumptions, nothing_is_assumed_without_a_certificate) {
 // Every pair put to the certificate, no search.
 std::int64_t counted_one_by_one(const Scenario& scene) {
   const CertificateLaw law = certificate_law(scene);
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   std::int64_t count = 0;
   const auto is_broken = [&](const RobotSetup& own, const Neighbor& other, double margin) {
     Robot robot;
     robot.position = own.position, robot.velocity = own.velocity;
     robot.radius = own.radius, robot.max_acceleration = own.max_acceleration;
-    collect_walls(robot, std::span(&other, 1), law, walls);
+    collect_constraints(robot, std::span(&other, 1), law, constraints);
     const double contact = own.radius + other.radius;
-    return walls.invariant.slack - margin < -1e-9 * contact ||
+    return constraints.invariant.slack - margin < -1e-9 * contact ||
            norm(own.position - other.position) < (1.0 - 1e-9) * contact;
   };
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {

@@ -24,7 +24,7 @@ using Slacks = std::map<std::pair<std::size_t, std::size_t>, double>;
 
 Slacks slacks(const Simulation& simulation, const CertificateLaw& law) {
   const FleetView fleet = simulation.fleet();
-  CertificateWalls walls;
+  CertificateConstraints constraints;
   Slacks result;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     for (std::size_t j = i + 1; j < fleet.id.size(); ++j) {
@@ -37,8 +37,8 @@ Slacks slacks(const Simulation& simulation, const CertificateLaw& law) {
                            fleet.setup[j].radius,
                            fleet.setup[j].max_acceleration,
                            {}};
-      collect_walls(robot, std::span(&other, 1), law, walls);
-      result[{i, j}] = walls.invariant.slack;
+      collect_constraints(robot, std::span(&other, 1), law, constraints);
+      result[{i, j}] = constraints.invariant.slack;
     }
   }
   return result;

@@ -101,7 +101,7 @@ TEST(CertifiedMotion, robots_whose_goals_touch_or_overlap_come_to_rest) {
 
 TEST(CertifiedMotion, robots_at_their_goals_give_way_and_come_back) {
   Scenario scene;
-  // a wall of parked robots, too close to pass between, and one that has to get through
+  // a constraint of parked robots, too close to pass between, and one that has to get through
   for (int k = -4; k <= 4; ++k) scene.robots.push_back(robot_at({0, 1.6 * k}, {0, 1.6 * k}));
   scene.robots.push_back(robot_at({-8, 0.1}, {8, 0.1}));
   Simulation simulation(scene, 1);
@@ -193,10 +193,10 @@ TEST(CertifiedMotion, obstacles_are_not_counted_on) {
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;
   Robot robot{.velocity = {2, 0}, .preferred_velocity = {2, 0}};
-  Neighbor wall{.position = {9, 0}, .velocity = {-2, 0}, .radius = 0.5};
+  Neighbor constraint{.position = {9, 0}, .velocity = {-2, 0}, .radius = 0.5};
   std::vector<Neighbor> obstacles;
   for (int k = -8; k <= 8; ++k) {
-    obstacles.push_back(wall);
+    obstacles.push_back(constraint);
     obstacles.back().position.y = 0.9 * k;
   }
   for (int k = 0; k < 100; ++k) {

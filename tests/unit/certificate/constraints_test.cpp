@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Braking trajectories: both robots of a pair see the same walls, none that can refuse is left out,
-// and tangents are tangent.
+// Braking trajectories: both robots of a pair see the same constraints, none that can refuse is
+// left out, and tangents are tangent.
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -12,21 +12,23 @@ namespace {
 constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
 
-CertificateWalls walls_of(const Robot& self, const Robot& other, const CertificateLaw& law) {
-  CertificateWalls walls;
-  collect_walls(self, std::vector<Neighbor>{seen(other)}, law, walls);
-  return walls;
+CertificateConstraints constraints_of(const Robot& self, const Robot& other,
+                                      const CertificateLaw& law) {
+  CertificateConstraints constraints;
+  collect_constraints(self, std::vector<Neighbor>{seen(other)}, law, constraints);
+  return constraints;
 }
 
-TEST(Walls, of_a_pair_are_mirror_images_bit_for_bit) {
+TEST(Constraints, of_a_pair_are_mirror_images_bit_for_bit) {
   for (const Motion motion : kMotions) {
     Random random(21);
     int compared = 0, broken = 0;
     for (int i = 0; i < 3000; ++i) {
       const PairSituation s = random_pair(random, kTrajectories, motion);
-      const CertificateWalls of_A = walls_of(s.a, s.b, s.law), of_B = walls_of(s.b, s.a, s.law);
-      const std::vector<TrajectoryWall> a = all_walls(of_A.trajectories);
-      const std::vector<TrajectoryWall> b = all_walls(of_B.trajectories);
+      const CertificateConstraints of_A = constraints_of(s.a, s.b, s.law),
+                                   of_B = constraints_of(s.b, s.a, s.law);
+      const std::vector<TrajectoryConstraint> a = all_constraints(of_A.trajectories);
+      const std::vector<TrajectoryConstraint> b = all_constraints(of_B.trajectories);
       // where braking leaves too little, both hold what it leaves
       if (std::min(of_A.invariant.slack, of_B.invariant.slack) < 0.0) {
         EXPECT_EQ(of_A.invariant.slack, of_B.invariant.slack);
@@ -47,13 +49,13 @@ TEST(Walls, of_a_pair_are_mirror_images_bit_for_bit) {
   }
 }
 
-TEST(Walls, shares_of_a_pair_add_up_to_the_gap) {
+TEST(Constraints, shares_of_a_pair_add_up_to_the_gap) {
   for (const Motion motion : kMotions) {
     Random random(22);
     for (int i = 0; i < 1000; ++i) {
       const PairSituation s = sound_pair(random, kTrajectories, motion);
-      const auto of_A = all_walls(walls_of(s.a, s.b, s.law).trajectories);
-      const auto of_B = all_walls(walls_of(s.b, s.a, s.law).trajectories);
+      const auto of_A = all_constraints(constraints_of(s.a, s.b, s.law).trajectories);
+      const auto of_B = all_constraints(constraints_of(s.b, s.a, s.law).trajectories);
       if (of_A.empty() || of_B.empty() || of_A[0].interval != 0 || of_B[0].interval != 0) continue;
       // at the start of the step itself both paths begin where the robots are
       const double gap = dot(of_A[0].normal, s.a.position - s.b.position) - s.a.radius - s.b.radius;
@@ -62,7 +64,8 @@ TEST(Walls, shares_of_a_pair_add_up_to_the_gap) {
   }
 }
 
-// Smallest coefficient of the rule as docs/certificate.md has it, all walls, nothing left out.
+// Smallest coefficient of the rule as docs/certificate.md has it, all constraints, nothing left
+// out.
 double plain_coefficient(const PairSituation& s, Vec2 next) {
   const StepLaw& law = s.law.step;
   const auto steps = [&](const Robot& robot) {
@@ -94,18 +97,18 @@ double plain_coefficient(const PairSituation& s, Vec2 next) {
   return smallest;
 }
 
-TEST(Walls, left_out_could_refuse_nothing) {
+TEST(Constraints, left_out_could_refuse_nothing) {
   for (const Motion motion : kMotions) {
     Random random(23);
     int refused = 0, admitted = 0;
     for (int i = 0; i < 2500; ++i) {
       const PairSituation s = sound_pair(random, kTrajectories, motion);
-      CertificateWalls walls = walls_of(s.a, s.b, s.law);
+      CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
       for (int k = 0; k < 8; ++k) {
         const Vec2 next = random_choice(random, s);
         const double coefficient = plain_coefficient(s, next);
         if (std::abs(coefficient) < 1e-9) continue;
-        const bool is_admitted = admits(s.a, next, s.law, walls);
+        const bool is_admitted = admits(s.a, next, s.law, constraints);
         if (out_of_reach(s)) {
           EXPECT_TRUE(is_admitted);
           continue;
@@ -119,36 +122,39 @@ TEST(Walls, left_out_could_refuse_nothing) {
   }
 }
 
-// normal . y_i + offset of one wall's point, from the path alone.
-double coefficient_of(const PairSituation& s, const TrajectoryWall& wall, int point, Vec2 next) {
-  const auto path = stepped_path(s.a, next, s.law.step, wall.interval + 1);
-  const auto m = static_cast<std::size_t>(wall.interval), i = static_cast<std::size_t>(point);
-  return dot(wall.normal, path[m][i] - s.a.position) + wall.offset[i];
+// normal . y_i + offset of one constraint's point, from the path alone.
+double coefficient_of(const PairSituation& s, const TrajectoryConstraint& constraint, int point,
+                      Vec2 next) {
+  const auto path = stepped_path(s.a, next, s.law.step, constraint.interval + 1);
+  const auto m = static_cast<std::size_t>(constraint.interval), i = static_cast<std::size_t>(point);
+  return dot(constraint.normal, path[m][i] - s.a.position) + constraint.offset[i];
 }
 
-TEST(Walls, tangent_is_the_derivative) {
+TEST(Constraints, tangent_is_the_derivative) {
   for (const Motion motion : kMotions) {
     Random random(24);
     int compared = 0;
     while (compared < 1000) {
       const PairSituation s = sound_pair(random, kTrajectories, motion);
-      CertificateWalls walls = walls_of(s.a, s.b, s.law);
+      CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
       const Vec2 next = random_choice(random, s);
       const double u = braking_decrement(s.a.max_acceleration, s.law.step);
       const double steps = norm(next) / u;
       // the braking path has kinks where a step more begins
-      if (admits(s.a, next, s.law, walls) || std::abs(steps - std::round(steps)) < 1e-3) continue;
-      const WorstWall worst = worst_wall(walls.trajectories, walls.path, s.law.step);
-      const double value = coefficient_of(s, worst.wall, worst.point, next);
+      if (admits(s.a, next, s.law, constraints) || std::abs(steps - std::round(steps)) < 1e-3)
+        continue;
+      const WorstConstraint worst =
+          worst_constraint(constraints.trajectories, constraints.path, s.law.step);
+      const double value = coefficient_of(s, worst.constraint, worst.point, next);
       EXPECT_NEAR(value, worst.coefficient, 1e-11);
       const double h = 1e-5 * u;
       const auto slope = [&](Vec2 direction) {
-        return (coefficient_of(s, worst.wall, worst.point, next + h * direction) -
-                coefficient_of(s, worst.wall, worst.point, next - h * direction)) /
+        return (coefficient_of(s, worst.constraint, worst.point, next + h * direction) -
+                coefficient_of(s, worst.constraint, worst.point, next - h * direction)) /
                (2.0 * h);
       };
       const Vec2 gradient{slope({1.0, 0.0}), slope({0.0, 1.0})};
-      const HalfPlane plane = tangent(worst, walls.path, s.law.step);
+      const HalfPlane plane = tangent(worst, constraints.path, s.law.step);
       EXPECT_LE(norm(plane.normal - gradient / norm(gradient)), 1e-5);
       EXPECT_NEAR(violation(plane, next) * norm(gradient), -value, 1e-5 * std::abs(value) + 1e-12);
       EXPECT_GT(violation(plane, next), 0.0);  // what is refused is cut off
@@ -157,21 +163,21 @@ TEST(Walls, tangent_is_the_derivative) {
   }
 }
 
-TEST(Walls, bound_is_sufficient_for_the_deviation_from_braking) {
+TEST(Constraints, bound_is_sufficient_for_the_deviation_from_braking) {
   Random random(25);
   for (int i = 0; i < 300; ++i) {
     const PairSituation s = sound_pair(random, kTrajectories, Motion::held);
-    const CertificateWalls walls = walls_of(s.a, s.b, s.law);
+    const CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
     const double u = braking_decrement(s.a.max_acceleration, s.law.step);
-    for (const TrajectoryWall& wall : all_walls(walls.trajectories)) {
-      EXPECT_LE(wall.bound, 1e-9);
-      const auto m = static_cast<std::size_t>(wall.interval);
+    for (const TrajectoryConstraint& constraint : all_constraints(constraints.trajectories)) {
+      EXPECT_LE(constraint.bound, 1e-9);
+      const auto m = static_cast<std::size_t>(constraint.interval);
       const Vec2 next = braked(s.a.velocity, u);
-      const auto x = stepped_path(s.a, next, s.law.step, wall.interval + 1);
+      const auto x = stepped_path(s.a, next, s.law.step, constraint.interval + 1);
       for (std::size_t k = 0; k < 3; ++k) {
-        // a path that deviates by just the bound along the normal keeps the wall
-        const Vec2 y = x[m][k] - s.a.position + wall.bound * wall.normal;
-        EXPECT_GE(dot(wall.normal, y) + wall.offset[k], -1e-11);
+        // a path that deviates by just the bound along the normal keeps the constraint
+        const Vec2 y = x[m][k] - s.a.position + constraint.bound * constraint.normal;
+        EXPECT_GE(dot(constraint.normal, y) + constraint.offset[k], -1e-11);
       }
     }
   }

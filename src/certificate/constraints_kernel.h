@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walls of one pair, for as many intervals at once as Pack has lanes: docs/certificate.md,
-// "Braking trajectories" and "What can refuse nothing".
-#if defined(AVO_CERTIFICATE_WALLS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CERTIFICATE_WALLS_KERNEL_H
-#undef AVO_CERTIFICATE_WALLS_KERNEL_H
+// The constraints of one pair, for as many intervals at once as Pack has lanes:
+// docs/certificate.md, "Braking trajectories" and "What can refuse nothing".
+#if defined(AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
+#ifdef AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
+#undef AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
 #else
-#define AVO_CERTIFICATE_WALLS_KERNEL_H
+#define AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
 #endif
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "certificate/braking_kernel.h"
-#include "certificate/pair_walls.h"
-#include "certificate/wall_columns.h"
+#include "certificate/constraint_columns.h"
+#include "certificate/pair_constraints.h"
 
 AVO_BEGIN_KERNELS
 
@@ -85,7 +85,7 @@ AVO_KERNEL Vec<Real> nearest_on_segment(Vec<Real> a, Vec<Real> b) {
 
 /// Direction of the point of the triangle's edges nearest to the origin; 0 where that is the
 /// origin. Whether the origin lies inside is not asked: no sign of rounding noise decides anything,
-/// since any direction makes a sound wall, and its distance tells what it is worth.
+/// since any direction makes a sound constraint, and its distance tells what it is worth.
 template <typename Real>
 AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q) {
   const Real zero(0.0), one(1.0);
@@ -111,7 +111,7 @@ struct PackMargin {
   Real cone;      // most that the normal differs from that of the true paths
 };
 
-/// distance: of the wall; moved: how far B gets from A on the interval, m.
+/// distance: of the constraint; moved: how far B gets from A on the interval, m.
 template <typename Real>
 AVO_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw& law, Real m,
                                          Real distance, Real moved) {
@@ -134,19 +134,20 @@ AVO_KERNEL Real one_norm(Vec<Real> a) {
   return abs(a.x) + abs(a.y);
 }
 
-/// What the walls of a pair are.
+/// What the constraints of a pair are.
 template <typename Real>
-struct PackWalls {
+struct PackConstraints {
   Vec<Real> normal;
   Real cone, bound;
   std::array<Real, 3> offset;
 };
 
 template <typename Real>
-AVO_KERNEL PackWalls<Real> walls_of(const PairWalls& of, const PackPoints<Real>& own,
-                                    const PackPoints<Real>& q, Vec<Real> n, Real distance,
-                                    const PackMargin<Real>& margin) {
-  const Real share(of.pair.share), held(of.pair.share * of.held);
+AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
+                                                const PackPoints<Real>& own,
+                                                const PackPoints<Real>& q, Vec<Real> n,
+                                                Real distance, const PackMargin<Real>& margin) {
+  const Real share(wanted.pair.share), held(wanted.pair.share * wanted.held);
   const auto offset = [&](Vec<Real> of_q, Vec<Real> of_x) {
     return share * (dot(n, of_q) - margin.distance) - dot(n, of_x) - held;
   };
@@ -156,39 +157,39 @@ AVO_KERNEL PackWalls<Real> walls_of(const PairWalls& of, const PackPoints<Real>&
           {offset(q.start, own.start), offset(q.middle, own.middle), offset(q.end, own.end)}};
 }
 
-/// Those of the lanes that are kept. The others take up room without being walls: nothing has to be
-/// moved.
+/// Those of the lanes that are kept. The others take up room without being constraints: nothing has
+/// to be moved.
 template <typename Real, typename Mask>
-AVO_KERNEL void push(const PackWalls<Real>& found, Real m, Mask kept, const PairWalls& of,
-                     WallColumns& walls) {
-  const std::size_t w = walls.count;
-  found.normal.x.store(&walls.normal_x[w]);
-  found.normal.y.store(&walls.normal_y[w]);
-  found.cone.store(&walls.cone[w]);
-  found.bound.store(&walls.bound[w]);
-  for (std::size_t i = 0; i < 3; ++i) found.offset[i].store(&walls.offset[i][w]);
-  m.store(&walls.interval[w]);
-  const Real needs = select(m < Real(of.moving), Real(-1.0), m);
-  select(kept, needs, Real(kNoWall)).store(&walls.needs[w]);
-  for (std::size_t k = 0; k < Real::kLanes; ++k) walls.neighbor[w + k] = of.neighbor;
-  walls.count += Real::kLanes;
+AVO_KERNEL void push(const PackConstraints<Real>& fresh, Real m, Mask kept,
+                     const PairConstraints& wanted, ConstraintColumns& constraints) {
+  const std::size_t w = constraints.count;
+  fresh.normal.x.store(&constraints.normal_x[w]);
+  fresh.normal.y.store(&constraints.normal_y[w]);
+  fresh.cone.store(&constraints.cone[w]);
+  fresh.bound.store(&constraints.bound[w]);
+  for (std::size_t i = 0; i < 3; ++i) fresh.offset[i].store(&constraints.offset[i][w]);
+  m.store(&constraints.interval[w]);
+  const Real needs = select(m < Real(wanted.moving), Real(-1.0), m);
+  select(kept, needs, Real(kNoConstraint)).store(&constraints.needs[w]);
+  for (std::size_t k = 0; k < Real::kLanes; ++k) constraints.neighbor[w + k] = wanted.neighbor;
+  constraints.count += Real::kLanes;
 }
 
-/// Appends the walls that can refuse a candidate. Returns the least distance of the intervals that
-/// are looked at closely; of the others it is beyond contact.
+/// Appends the constraints that can refuse a candidate. Returns the least distance of the intervals
+/// that are looked at closely; of the others it is beyond contact.
 template <typename Real, typename Other>
-double append(const PairWalls& of, const Other& other, const StepLaw& law, const OwnColumns& own,
-              WallColumns& walls) {
-  const BrakingPair& pair = of.pair;
+double append(const PairConstraints& wanted, const Other& other, const StepLaw& law,
+              const OwnColumns& own, ConstraintColumns& constraints) {
+  const BrakingPair& pair = wanted.pair;
   const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
-  const Real share(pair.share), inflated(of.inflated), contact(pair.contact);
+  const Real share(pair.share), inflated(wanted.inflated), contact(pair.contact);
   const Vec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
     return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
   };
   const bool is_exact = law.sensing_error == SensingError{};
   Real nearest = infinity;
-  for (std::size_t k = 0; k < of.intervals; k += Real::kLanes) {
+  for (std::size_t k = 0; k < wanted.intervals; k += Real::kLanes) {
     const Real m = Real::numbers_from(k);
     const PackPoints<Real> x_A{load(own.start_x, own.start_y, k),
                                load(own.middle_x, own.middle_y, k),
@@ -198,7 +199,7 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
                              p + (x_A.end - x_B.end)};
     const Real most = Real::load(&own.most[k]);
     // those that are looked at closely: each for itself, so that no number of lanes has a say
-    auto close = m < Real(static_cast<double>(of.intervals));
+    auto close = m < Real(static_cast<double>(wanted.intervals));
     {
       const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
       const PackMargin<Real> margin = error_margin(pair, law, m, contact, before + after);
@@ -217,7 +218,7 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
     }
     const Vec<Real> n = normal_of(q);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
-    const auto holds = m < Real(of.moving);  // the invariant speaks of it
+    const auto holds = m < Real(wanted.moving);  // the invariant speaks of it
     nearest = select(close & holds & (distance < nearest), distance, nearest);
     const Real moved =
         is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors ask
@@ -228,7 +229,8 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
     const auto kept = close & !(share * (distance - inflated - margin.distance) > loss);
     // of intervals at rest it says nothing: all three points stay clear along n there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
-    if (any(kept)) push(walls_of(of, x_A, q, n, distance, margin), m, kept, of, walls);
+    if (any(kept))
+      push(constraints_of(wanted, x_A, q, n, distance, margin), m, kept, wanted, constraints);
   }
   alignas(64) std::array<double, Real::kLanes> lanes;
   nearest.store(lanes.data());
@@ -236,10 +238,11 @@ double append(const PairWalls& of, const Other& other, const StepLaw& law, const
 }
 
 template <typename Real>
-double append_walls(const PairWalls& of, const StepLaw& law, const OwnColumns& own,
-                    WallColumns& walls) {
-  return of.pair.decides ? append<Real>(of, BrakingOther<Real>{of.pair, law}, law, own, walls)
-                         : append<Real>(of, MovingOther<Real>{of.other, law}, law, own, walls);
+double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
+                          ConstraintColumns& constraints) {
+  return wanted.pair.decides
+             ? append<Real>(wanted, BrakingOther<Real>{wanted.pair, law}, law, own, constraints)
+             : append<Real>(wanted, MovingOther<Real>{wanted.other, law}, law, own, constraints);
 }
 
 AVO_END_KERNELS

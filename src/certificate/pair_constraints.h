@@ -10,8 +10,8 @@ namespace avo {
 /// Covers rounding of squares, and of the margin for it what grows with the distance.
 inline constexpr double kFarther = 1.0 + 0x1p-27;
 
-/// One pair whose walls are wanted.
-struct PairWalls {
+/// One pair whose constraints are wanted.
+struct PairConstraints {
   const BrakingPair& pair;
   const Neighbor& other;
   int neighbor;           ///< its index

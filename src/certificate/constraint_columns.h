@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls, and a robot's own braking path, in columns: an entry for each wall or interval.
+// Constraints, and a robot's own braking path, in columns: an entry for each constraint or
+// interval.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -12,7 +13,7 @@
 namespace avo {
 
 /// Columns have room for so many more entries than there are, which are read but do not count.
-inline constexpr std::size_t kWallLanes = 8;
+inline constexpr std::size_t kConstraintLanes = 8;
 
 /// By interval: points of A's braking path, relative to p_A, and how far a candidate's path can get
 /// from it at any of the interval's points (docs/certificate.md, "What can refuse nothing").
@@ -23,35 +24,35 @@ struct OwnColumns {
 
   /// Room for so many intervals, and where the last of them ends; allocates only while it grows.
   void reserve(std::size_t intervals) {
-    if (most.size() >= intervals + 1 + kWallLanes) return;  // the last to grow
+    if (most.size() >= intervals + 1 + kConstraintLanes) return;  // the last to grow
     for (auto* column :
          {&start_x, &start_y, &middle_x, &middle_y, &ahead, &across, &anyhow, &most}) {
-      column->resize(intervals + 1 + kWallLanes);
+      column->resize(intervals + 1 + kConstraintLanes);
     }
   }
 };
 
-/// Of an entry that is no wall, it only takes up room: what it needs.
-inline constexpr double kNoWall = std::numeric_limits<double>::infinity();
+/// Of an entry that is no constraint, it only takes up room: what it needs.
+inline constexpr double kNoConstraint = std::numeric_limits<double>::infinity();
 
-/// See TrajectoryWall.
-struct WallColumns {
+/// See TrajectoryConstraint.
+struct ConstraintColumns {
   std::size_t count = 0;
   std::vector<double> normal_x, normal_y, cone, bound;
   std::array<std::vector<double>, 3> offset;
-  std::vector<double> interval, needs;  ///< needs: moving > needs, or the wall is not asked
+  std::vector<double> interval, needs;  ///< needs: moving > needs, or the constraint is not asked
   std::vector<double> coefficient;      ///< m, of the path asked about last
   std::vector<int> neighbor;
 
-  bool is_wall(std::size_t k) const { return needs[k] < kNoWall; }
+  bool is_constraint(std::size_t k) const { return needs[k] < kNoConstraint; }
 
-  void reserve(std::size_t walls) {
-    if (neighbor.size() >= walls + kWallLanes) return;  // the last to grow
+  void reserve(std::size_t constraints) {
+    if (neighbor.size() >= constraints + kConstraintLanes) return;  // the last to grow
     for (auto* column : {&normal_x, &normal_y, &cone, &bound, &offset[0], &offset[1], &offset[2],
                          &interval, &needs, &coefficient}) {
-      column->resize(walls + kWallLanes);
+      column->resize(constraints + kConstraintLanes);
     }
-    neighbor.resize(walls + kWallLanes);
+    neighbor.resize(constraints + kConstraintLanes);
   }
 };
 
