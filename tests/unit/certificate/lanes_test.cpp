@@ -146,6 +146,42 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
   EXPECT_GT(with_movers, 100U);
 }
 
+// A pair waits until a candidate comes that it can refuse: no candidate may be judged otherwise
+// than where nobody waits.
+TEST(Waiting, candidates_are_judged_as_if_all_constraints_were_collected) {
+  Random random(46);
+  std::size_t refused = 0, admitted = 0, waited = 0, told_at_once = 0;
+  RobotColumns robots;
+  NeighborColumns seen;
+  robots.reserve(1);
+  for (int i = 0; i < 3000; ++i) {
+    const Crowd crowd = random_crowd(random);
+    CertificateConstraints all, waiting;
+    collect_constraints(crowd.robot, crowd.neighbors, crowd.law, all);
+    robots.clear();
+    robots.add(crowd.robot, in_columns(crowd.neighbors, seen));
+    find_near(robots, crowd.law, waiting);
+    for (const Vec2 candidate : crowd.candidates) {
+      begin_constraints(crowd.robot, robots.neighbors[0], 0, crowd.law, waiting);
+      const bool is_admitted = admits(crowd.robot, candidate, crowd.law, all);
+      EXPECT_EQ(admits(crowd.robot, candidate, crowd.law, waiting), is_admitted) << "crowd " << i;
+      waited += waiting.trajectories.waiting.size();
+      const std::vector<double> x(1 + kSpareNeighbors, candidate.x);
+      const std::vector<double> y(1 + kSpareNeighbors, candidate.y);
+      if (crowd.law.kind == Certificate::braking_trajectories) {
+        admit_next(robots, x, y, crowd.law.step, waiting.near);
+        EXPECT_TRUE(waiting.near.admits[0] == 0 || is_admitted) << "crowd " << i;
+        told_at_once += waiting.near.admits[0];
+      }
+      (is_admitted ? admitted : refused) += 1;
+    }
+  }
+  EXPECT_GT(refused, 1000U);
+  EXPECT_GT(admitted, 1000U);
+  EXPECT_GT(waited, 1000U);
+  EXPECT_GT(told_at_once, 150U);
+}
+
 // Of every candidate, at every point of every interval, along any normal.
 TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   Random random(42);
