@@ -9,7 +9,7 @@
 namespace avo {
 
 inline constexpr double kMostKeepRight = 30.0 * (3.14159265358979323846 / 180.0);  // rad
-inline constexpr double kCongestion = 1.9;  // robots right ahead that make the way fully congested
+inline constexpr double kCongestion = 2.8;  // robots right ahead that make the way fully congested
 inline constexpr double kSlow = 0.05;       // of v_max: nearly at rest
 inline constexpr double kBlocked = 0.5;     // of the velocity that the limits alone allow
 /// The clearance that is nearly contact, of r_A + r_B.

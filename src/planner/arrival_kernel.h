@@ -29,7 +29,7 @@ AVO_KERNEL Real stopping_distance(Real max_speed, Real max_acceleration) {
 template <typename Real>
 AVO_KERNEL Real traffic_range(Real max_speed, Real max_acceleration, Real radius) {
   const Real stopping = stopping_distance(max_speed, max_acceleration);
-  return max(Real(2.0) * stopping, Real(4.0) * radius);
+  return max(Real(3.0) * stopping, Real(6.0) * radius);
 }
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.

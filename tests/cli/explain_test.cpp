@@ -168,7 +168,7 @@ TEST(Explain, names_the_first_constraints_of_the_nearest) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.out.find("  certificate         braking_trajectories, "), std::string::npos)
       << result.out;
-  EXPECT_NE(result.out.find("  constraint                ("), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  constraint          ("), std::string::npos) << result.out;
 }
 
 TEST(Explain, orca_has_no_acceleration_disc) {

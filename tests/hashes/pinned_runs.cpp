@@ -8,11 +8,11 @@ namespace avo_test {
 
 const std::vector<PinnedRun>& pinned_runs() {
   static const std::vector<PinnedRun> runs{
-      {"circle_100", "circle-100", {}, 0, 0xc36fff7c1ca61acb},
+      {"circle_100", "circle-100", {}, 0, 0xa68713678c7d1db7},
       {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x808c9f74d53aa99a},
-      {"swap_blocks", "swap-blocks", {}, 0, 0xe4d6acb7898a7eea},
-      {"uniform_1000", "uniform-1000", {}, 100, 0xf93a1e3af0fdf8cf},
-      {"cars_100", "cars-100", {}, 0, 0xe228d26d7fc2bfe7},
+      {"swap_blocks", "swap-blocks", {}, 0, 0x46c0f326c5d1b548},
+      {"uniform_1000", "uniform-1000", {}, 100, 0xd7d1486335789abd},
+      {"cars_100", "cars-100", {}, 0, 0xdcbd627ce2453f7f},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},

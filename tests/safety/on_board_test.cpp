@@ -112,8 +112,8 @@ TEST(OnBoard, clocks_out_of_phase_cost_millimeters_and_nothing_where_declared) {
 }
 
 TEST(OnBoard, a_wrong_radius_gives_no_status) {
-  const RowResult row = result_of("board-radius-random", 2, 60.0);
-  EXPECT_EQ(row.unsafe_scenes, 2);
+  const RowResult row = result_of("board-radius-random", 6, 60.0);
+  EXPECT_EQ(row.unsafe_scenes, 6);
   EXPECT_NEAR(*row.least_clearance, -0.05, 1e-3);
   EXPECT_EQ(row.decisions[static_cast<std::size_t>(PlanStatus::overlapping)], 0);
 }
