@@ -192,7 +192,9 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const Pa
   const Real passes = pair.b.length * max(zero, dot(d_A, d_B));
   const Real shift = select(able_alike, min(passes, drift), passes);
   const auto clear = apart & (nearest > zero);
-  const Real against = max(zero, shift - dot(pair.p, d_A)) / select(clear, nearest, one);
+  // and what rounding of p . d may hide
+  const Real towards_B = max(zero, shift - dot(pair.p, d_A)) + Real(0x1p-40) * d;
+  const Real against = towards_B / select(clear, nearest, one);
   const Real unknown(-std::numeric_limits<double>::infinity());
   return {select(clear, pair.share * (nearest - pair.inflated), unknown), min(against, one)};
 }

@@ -14,6 +14,7 @@
 #include "avo/version.h"
 #include "core/hash.h"
 #include "core/ranges.h"
+#include "planner/arrival.h"
 #include "sim/saved_settings.h"
 #include "sim/saved_state.h"
 
@@ -244,6 +245,7 @@ void check_states(const SavedState& state) {
   for (const RobotState& robot : state.robots) {
     if (!kAnyValue.contains(robot.heading))
       refuse("heading " + text(robot.heading), "an angle in rad");
+    if (!is_sound(robot.detour)) refuse("a detour that no robot can remember", "a sound one");
     if (robot.id.value < next || robot.id.value >= state.next_id) {
       refuse("id " + std::to_string(robot.id.value),
              "ascending and below the next, " + std::to_string(state.next_id));

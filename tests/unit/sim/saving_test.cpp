@@ -285,6 +285,12 @@ TEST(Saving, forged_values_are_refused) {
   EXPECT_EQ(forged(end - 7, kNan), infinite + ", must be finite");
   EXPECT_EQ(forged(end - 4, kInfinity), infinite + ", must be finite");
   EXPECT_EQ(forged(end - 3, kInfinity), "saved state: found heading inf, must be an angle in rad");
+  for (const std::size_t part : {end - 2, end - 1}) {  // of the detour
+    for (const std::uint64_t value : {kNan, kInfinity, 0xbff0000000000000}) {
+      EXPECT_EQ(forged(part, value),
+                "saved state: found a detour that no robot can remember, must be a sound one");
+    }
+  }
   EXPECT_EQ(word(saved, 14), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(14, 4), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(14, 1000), "saved state: found the number 1000, must be one that its type has");
