@@ -171,8 +171,9 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     const auto decides = load(columns.decides) > zero;
     movers = movers | (counted & !decides);
     if (whom == Whom::movers) continue;
-    const auto near =
-        counted & decides & !(are_far(bound, self, other) | are_clear(bound, self, other, law));
+    auto near = counted & decides & !are_far(bound, self, other);
+    if (!any(near)) continue;
+    near = near & !are_clear(bound, self, other, law);
     if (!any(near)) continue;
     push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
     if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
