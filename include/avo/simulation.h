@@ -87,7 +87,7 @@ class AVO_API Simulation {
   /// next step, sums of measure(), Metrics. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
   /// Back, or forth, to what this simulation or another one of the same settings and obstacles has
-  /// saved: a rollback, which keeps threads and memory. Robots, goals and ids become those that
+  /// saved: a rollback, which keeps the threads. Robots, goals and ids become those that
   /// were saved; ids that were given since may come again. Throws Error on bytes that are cut off,
   /// changed, of another version of the library or of another scene; changes nothing where it
   /// throws. Makes a simulation whole whose step ended in the midst.

@@ -140,8 +140,8 @@ void collect_refusing(const Robot& robot, const CandidatePath& path, const StepL
   double ahead = constraints.deviation.most_ahead, aside = constraints.deviation.most_aside;
   if (!robot.car) {
     using Real = scalar::Pack<double>;
-    const auto deviation = scalar::deviation_of(scalar::constant<Real>(constraints.own),
-                                                scalar::constant<Real>(path.next_velocity), law);
+    const auto deviation = scalar::candidate_deviation(
+        scalar::constant<Real>(constraints.own), scalar::constant<Real>(path.next_velocity), law);
     ahead = deviation.ahead.value, aside = deviation.aside.value;
   }
   std::size_t left = 0;

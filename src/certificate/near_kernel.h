@@ -84,20 +84,22 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
     return lanes[lane];
   };
   const PackBraking<Real>& b = pair.b;
-  return {static_cast<std::uint32_t>(robot),
-          static_cast<std::uint32_t>(neighbor),
-          {number(pair.p.x), number(pair.p.y)},
-          number(pair.contact),
-          number(pair.inflated),
-          number(pair.error),
-          number(pair.share),
-          {{number(b.profile.speed), number(b.profile.decrement), number(b.profile.full_steps)},
-           {number(b.direction.x), number(b.direction.y)},
-           number(b.length),
-           number(b.reach),
-           number(b.intervals)},
-          number(clearance.gap),
-          number(clearance.against)};
+  return {.robot = static_cast<std::uint32_t>(robot),
+          .neighbor = static_cast<std::uint32_t>(neighbor),
+          .p = {number(pair.p.x), number(pair.p.y)},
+          .contact = number(pair.contact),
+          .inflated = number(pair.inflated),
+          .error = number(pair.error),
+          .share = number(pair.share),
+          .b = {.profile = {.speed = number(b.profile.speed),
+                            .decrement = number(b.profile.decrement),
+                            .full_steps = number(b.profile.full_steps)},
+                .direction = {number(b.direction.x), number(b.direction.y)},
+                .length = number(b.length),
+                .reach = number(b.reach),
+                .intervals = number(b.intervals)},
+          .gap = number(clearance.gap),
+          .against = number(clearance.against)};
 }
 
 /// Keeps those of the queue that may meet A and can refuse a candidate, and empties it.
@@ -212,7 +214,7 @@ void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
                               {},
                               load(own.reach),
                               {}};
-    const auto [ahead, aside] = deviation_of(a, Vec<Real>{load(next_x), load(next_y)}, law);
+    const auto [ahead, aside] = candidate_deviation(a, Vec<Real>{load(next_x), load(next_y)}, law);
     ahead.store(&own.next_ahead[i]), aside.store(&own.next_aside[i]);
   }
   pairs.admits.resize(robots.count);

@@ -25,21 +25,21 @@ void BrakingColumns::reserve(std::size_t robots) {
 }
 
 Braking BrakingColumns::braking(std::size_t i) const {
-  return {{speed[i], decrement[i], full_steps[i]},
-          {direction_x[i], direction_y[i]},
-          length[i],
-          reach[i],
-          intervals[i]};
+  return {.profile = {.speed = speed[i], .decrement = decrement[i], .full_steps = full_steps[i]},
+          .direction = {direction_x[i], direction_y[i]},
+          .length = length[i],
+          .reach = reach[i],
+          .intervals = intervals[i]};
 }
 
 Deviation BrakingColumns::deviation(std::size_t i) const {
-  return {{ahead_start[i], ahead_slope[i]},
-          {across_start[i], across_slope[i]},
-          {anyhow_start[i], anyhow_slope[i]},
-          {fast_speed[i], decrement[i], fast_steps[i]},
-          {slow_speed[i], decrement[i], slow_steps[i]},
-          most_ahead[i],
-          most_aside[i]};
+  return {.ahead = {.start = ahead_start[i], .per_distance = ahead_slope[i]},
+          .across = {.start = across_start[i], .per_distance = across_slope[i]},
+          .anyhow = {.start = anyhow_start[i], .per_distance = anyhow_slope[i]},
+          .fast = {.speed = fast_speed[i], .decrement = decrement[i], .full_steps = fast_steps[i]},
+          .slow = {.speed = slow_speed[i], .decrement = decrement[i], .full_steps = slow_steps[i]},
+          .most_ahead = most_ahead[i],
+          .most_aside = most_aside[i]};
 }
 
 }  // namespace avo

@@ -59,7 +59,14 @@ struct NearPair {
   double gap, against;  ///< see PackClearance
 
   BrakingPair with(const Braking& a) const {
-    return {p, contact, inflated, error, share, true, a, b};
+    return {.p = p,
+            .contact = contact,
+            .inflated = inflated,
+            .error = error,
+            .share = share,
+            .decides = true,
+            .a = a,
+            .b = b};
   }
 };
 

@@ -112,8 +112,9 @@ struct PackCandidateDeviation {
 
 // docs/certificate.md, "What can refuse nothing", of v_1 itself instead of all that A may choose
 template <typename Real>
-AVO_KERNEL PackCandidateDeviation<Real> deviation_of(const PackBraking<Real>& a,
-                                                     Vec<Real> next_velocity, const StepLaw& law) {
+AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Real>& a,
+                                                            Vec<Real> next_velocity,
+                                                            const StepLaw& law) {
   const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
   const Real u = a.profile.decrement, slow = a.profile.speed - u, speed = norm(next_velocity);
   const auto moves = speed > zero;

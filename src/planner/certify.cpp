@@ -18,9 +18,12 @@ CertificateLaw certificate_law(const Planner& planner) {
   const double braking_time = options.motion == Motion::held
                                   ? options.time_step
                                   : planner.step_rate() * options.control_time;
-  return {options.certificate,
-          {options.time_step, planner.step_lag(), braking_time, options.sensing_error,
-           options.control_time}};
+  return {.kind = options.certificate,
+          .step = {.time_step = options.time_step,
+                   .lag = planner.step_lag(),
+                   .braking_time = braking_time,
+                   .sensing_error = options.sensing_error,
+                   .control_time = options.control_time}};
 }
 
 namespace {
