@@ -166,7 +166,8 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
                                   PlanWorkspace& workspace, HalfPlanes& half_planes) const {
   half_planes.planes.clear();
   half_planes.overlapping = false;
-  if (!all_valid(robot, neighbors) || !follows_heading(robot) || !can_follow(robot, options_)) return;
+  if (!all_valid(robot, neighbors) || !follows_heading(robot) || !can_follow(robot, options_))
+    return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   for (const std::uint32_t k :
        list_nearest(options_, robot, neighbors, PlanWorkspace::Scratch::of(workspace))) {
