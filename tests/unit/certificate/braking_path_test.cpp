@@ -12,8 +12,6 @@
 namespace avo::test {
 namespace {
 
-constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
-
 TEST(BrakingPath, stopping_length_and_steps_are_those_of_stepping) {
   for (const Motion motion : kMotions) {
     Random random(11);

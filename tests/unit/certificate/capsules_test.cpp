@@ -9,14 +9,6 @@ namespace avo::test {
 namespace {
 
 constexpr Certificate kCapsules = Certificate::stopping_capsules;
-constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
-
-CertificateConstraints constraints_of(const Robot& self, const Robot& other,
-                                      const CertificateLaw& law) {
-  CertificateConstraints constraints;
-  collect_constraints(self, std::vector<Neighbor>{seen(other)}, law, constraints);
-  return constraints;
-}
 
 Vec2 stop_of(const Robot& robot, Vec2 position, Vec2 velocity, const StepLaw& law) {
   const double speed = norm(velocity);

@@ -10,14 +10,6 @@ namespace avo::test {
 namespace {
 
 constexpr Certificate kTrajectories = Certificate::braking_trajectories;
-constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
-
-CertificateConstraints constraints_of(const Robot& self, const Robot& other,
-                                      const CertificateLaw& law) {
-  CertificateConstraints constraints;
-  collect_constraints(self, std::vector<Neighbor>{seen(other)}, law, constraints);
-  return constraints;
-}
 
 TEST(Constraints, of_a_pair_are_mirror_images_bit_for_bit) {
   for (const Motion motion : kMotions) {

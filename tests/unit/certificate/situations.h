@@ -9,6 +9,16 @@
 
 namespace avo::test {
 
+inline constexpr Motion kMotions[] = {Motion::held, Motion::exponential};
+
+/// All that one robot has to keep to beside one other.
+inline CertificateConstraints constraints_of(const Robot& self, const Robot& other,
+                                             const CertificateLaw& law) {
+  CertificateConstraints constraints;
+  collect_constraints(self, std::vector<Neighbor>{seen(other)}, law, constraints);
+  return constraints;
+}
+
 struct PairSituation {
   PlannerOptions options;
   CertificateLaw law;

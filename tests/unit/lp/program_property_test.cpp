@@ -175,11 +175,7 @@ TEST(Programs, P11_equally_unsafe_points_are_settled_by_the_preferred_one) {
 // Any finite number is an input, and the answer is a point.
 TEST(Programs, never_yields_nan) {
   Random random(9);
-  constexpr double kNumbers[] = {0,       1,        -1,     2,      1e-6,   1e7,
-                                 -1e7,    1e100,    -1e150, 1e155,  -1e200, 1e300,
-                                 1.7e308, -1.7e308, 5e-324, 1e-310, -1e-200};
-  const auto number = [&] { return kNumbers[random.below(std::size(kNumbers))]; };
-  const auto usual = [&] { return random.chance(0.7) ? random.uniform(-2.0, 2.0) : number(); };
+  const auto usual = [&] { return any_number(random); };
   for (int k = 0; k < kPrograms; ++k) {
     Program p;
     p.acceleration = {{usual(), usual()}, std::abs(usual())};

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random programs: as a planner meets them, in general position, degenerate, nearly degenerate.
 #pragma once
+#include <iterator>
 #include <ostream>
 
 #include "unit/lp/brute_force.h"
 
 namespace avo::test {
+
+/// Usual most of the time; else one of those that squares and quotients cannot hold.
+inline double any_number(Random& random) {
+  constexpr double kNumbers[] = {0,       1,        -1,     2,      1e-6,   1e7,
+                                 -1e7,    1e100,    -1e150, 1e155,  -1e200, 1e300,
+                                 1.7e308, -1.7e308, 5e-324, 1e-310, -1e-200};
+  return random.chance(0.7) ? random.uniform(-2.0, 2.0)
+                            : kNumbers[random.below(std::size(kNumbers))];
+}
 
 /// What a robot of the paper solves: speed at most 2, reach 4, half-planes near the velocity.
 inline Program planner_program(Random& random) {
