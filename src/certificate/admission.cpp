@@ -46,13 +46,8 @@ Vec2 deviation_at(const Braking& own, const TrajectoryConstraint& constraint, in
 }  // namespace
 
 WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
-                                 const CandidatePath& path, const StepLaw& law) {
-  return worst_of_neighbor(constraints, path, law, 0, constraints.columns.count);
-}
-
-WorstConstraint worst_of_neighbor(const TrajectoryConstraints& constraints,
-                                  const CandidatePath& path, const StepLaw& law, std::size_t first,
-                                  std::size_t last) {
+                                 const CandidatePath& path, const StepLaw& law, std::size_t first,
+                                 std::size_t last) {
   const ConstraintColumns& columns = constraints.columns;
   const double* coefficient = columns.coefficient.data();
   const std::size_t k = static_cast<std::size_t>(

@@ -73,12 +73,10 @@ struct WorstConstraint {
   int point = 0;   ///< of the three
   Vec2 lean = {};  ///< what a cone takes off the normal there
 };
+/// Of constraints [first .. last) alone.
 WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
-                                 const CandidatePath& path, const StepLaw& law);
-/// Of constraints [first .. last) only.
-WorstConstraint worst_of_neighbor(const TrajectoryConstraints& constraints,
-                                  const CandidatePath& path, const StepLaw& law, std::size_t first,
-                                  std::size_t last);
+                                 const CandidatePath& path, const StepLaw& law, std::size_t first,
+                                 std::size_t last);
 
 /// The constraint's half-plane in v_1, tangent at the path: v_1 of a path that violates it lies
 /// outside.

@@ -52,8 +52,8 @@ void append_cuts(const Proposals& proposals) {
   for (std::size_t first = 0; first < columns.count;) {
     std::size_t last = first;
     while (last < columns.count && columns.neighbor[last] == columns.neighbor[first]) ++last;
-    const WorstConstraint worst = worst_of_neighbor(constraints.trajectories, constraints.path,
-                                                    proposals.law.step, first, last);
+    const WorstConstraint worst = worst_constraint(constraints.trajectories, constraints.path,
+                                                   proposals.law.step, first, last);
     if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient)) {
       HalfPlane cut = tangent(worst, constraints.path, proposals.law.step);
       cut.offset += kInside * proposals.acceleration.radius;

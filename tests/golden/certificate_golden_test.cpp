@@ -50,7 +50,7 @@ CertificateLaw law_of(const json& row) {
 // the first two coefficients of the step itself, which no candidate changes.
 double smallest_coefficient(const TrajectoryConstraints& constraints, const CandidatePath& path,
                             const Robot& robot, const BrakingPair& pair, const StepLaw& law) {
-  double smallest = worst_constraint(constraints, path, law).coefficient;
+  double smallest = test::worst_of_all(constraints, path, law).coefficient;
   for (const TrajectoryConstraint& constraint : test::all_constraints(constraints)) {
     if (constraint.interval > 0) continue;
     smallest = std::min({smallest, constraint.offset[0],

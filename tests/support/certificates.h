@@ -143,4 +143,9 @@ inline bool invariant_holds(const std::vector<Robot>& robots, const CertificateL
   return true;
 }
 
+inline WorstConstraint worst_of_all(const TrajectoryConstraints& constraints,
+                                    const CandidatePath& path, const StepLaw& law) {
+  return worst_constraint(constraints, path, law, 0, constraints.columns.count);
+}
+
 }  // namespace avo::test

@@ -136,7 +136,7 @@ TEST(Constraints, tangent_is_the_derivative) {
       if (admits(s.a, next, s.law, constraints) || std::abs(steps - std::round(steps)) < 1e-3)
         continue;
       const WorstConstraint worst =
-          worst_constraint(constraints.trajectories, constraints.path, s.law.step);
+          worst_of_all(constraints.trajectories, constraints.path, s.law.step);
       const double value = coefficient_of(s, worst.constraint, worst.point, next);
       EXPECT_NEAR(value, worst.coefficient, 1e-11);
       const double h = 1e-5 * u;

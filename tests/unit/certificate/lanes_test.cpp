@@ -74,7 +74,7 @@ std::vector<std::uint64_t> bits_of(const Crowd& crowd, Seen& seen) {
     ++(admitted ? seen.admitted : seen.refused);
     add(admitted ? 1.0 : 0.0);
     const WorstConstraint worst =
-        worst_constraint(constraints.trajectories, constraints.path, crowd.law.step);
+        worst_of_all(constraints.trajectories, constraints.path, crowd.law.step);
     add(worst.coefficient), add(worst.point), add(worst.lean.x), add(worst.lean.y);
   }
   return all;
