@@ -159,7 +159,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
                               own.per_decrement[i],
                               own.most_ahead[i],
                               exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
-  const Real zero(0.0);
+  const Real zero(0.0), range_squared(neighbors.range * neighbors.range);
   auto movers = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
@@ -174,11 +174,13 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     movers = movers | (counted & !decides);
     if (whom == Whom::movers) continue;
     auto near = counted & decides & !are_far(bound, self, other);
-    if (!any(near)) continue;
-    near = near & !are_clear(bound, self, other, law);
-    if (!any(near)) continue;
-    push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
-    if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
+    if (any(near)) near = near & !are_clear(bound, self, other, law);
+    if (any(near)) {
+      push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
+      if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
+    }
+    const Vec<Real> p = self.position - other.position;
+    if (any(dot(p, p) > range_squared)) break;
   }
   return any(movers);
 }

@@ -51,6 +51,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
   const double slow = kSlow * robots.max_speed[i];
   const Real zero(0.0), one(1.0), per_range(1.0 / range);
   const Real range_squared(range * range), slow_squared(slow * slow);
+  const Real most_squared(neighbors.range * neighbors.range);
   const Vec<Real> p = constant<Real>(robots.position(i)), v = constant<Real>(robots.velocity(i));
   const Vec<Real> way{robots.preferred_x[i], robots.preferred_y[i]};
   Traffic traffic;
@@ -63,13 +64,14 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const Vec<Real> towards = Vec<Real>{load(columns.x), load(columns.y)} - p;
     const Vec<Real> velocity{load(columns.v_x), load(columns.v_y)};
     const Real squared = dot(towards, towards);
+    const bool last = k + Real::kLanes >= neighbors.count || any(squared > most_squared);
     const auto closing = dot(towards, velocity - v) < zero;
     const auto rests = dot(velocity, velocity) < slow_squared;
     const auto near = (squared < range_squared) & (dot(towards, way) > zero);
     const Real weight = one - per_range * sqrt(squared);
     // eight at a time in the same order: no number of lanes has a say, nor zeros at the end
     select(counted & near & (closing | rests), weight, zero).store(weights + k % 8);
-    if ((k + Real::kLanes) % 8 == 0 || k + Real::kLanes >= neighbors.count) {
+    if ((k + Real::kLanes) % 8 == 0 || last) {
       traffic.ahead += ((weights[0] + weights[4]) + (weights[2] + weights[6])) +
                        ((weights[1] + weights[5]) + (weights[3] + weights[7]));
       if (Real::kLanes < 8) std::fill_n(weights, 8, 0.0);
@@ -82,6 +84,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
       traffic.push = traffic.push + push_of(robots.robot(i), neighbors[k + lane]);
     }
+    if (last) break;
   }
   return traffic;
 }
