@@ -147,6 +147,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
   const NeighborColumns& columns = *neighbors.columns;
   const BrakingColumns& own = pairs.own;
   const bool exact = law.sensing_error == SensingError{};
+  const Real range_squared(neighbors.range * neighbors.range);
   const BrakingPoint<Real> self{constant<Real>(robots.position(i)),
                                 constant<Real>(robots.velocity(i)),
                                 {own.direction_x[i], own.direction_y[i]},
@@ -159,7 +160,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
                               own.per_decrement[i],
                               own.most_ahead[i],
                               exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
-  const Real zero(0.0), range_squared(neighbors.range * neighbors.range);
+  const Real zero(0.0);
   auto movers = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {

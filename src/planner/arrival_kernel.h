@@ -14,8 +14,8 @@
 
 #include "certificate/plan_kernel.h"
 #include "planner/arrival.h"
-#include "planner/arrival_columns.h"
 #include "planner/certified.h"
+#include "planner/decision_columns.h"
 
 AVO_BEGIN_KERNELS
 
@@ -90,7 +90,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
 }
 
 template <typename Real>
-void look_around(const RobotColumns& robots, ArrivalColumns& columns) {
+void look_around(const RobotColumns& robots, DecisionColumns& columns) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     traffic_range(load(robots.max_speed), load(robots.max_acceleration), load(robots.radius))
@@ -104,7 +104,7 @@ void look_around(const RobotColumns& robots, ArrivalColumns& columns) {
 }
 
 template <typename Real>
-void keep_right(const RobotColumns& robots, ArrivalColumns& columns) {
+void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const Vec<Real> way{load(robots.preferred_x), load(robots.preferred_y)};
@@ -136,7 +136,7 @@ AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real decreme
 }
 
 template <typename Real>
-void decide_freely(const StepLaw& law, const RobotColumns& robots, ArrivalColumns& columns) {
+void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColumns& columns) {
   const auto within = [](Vec<Real> a, Real radius) {
     const Real rounding(kLimitRounding);
     return dot(a, a) <= rounding * radius * radius;

@@ -6,9 +6,9 @@
 namespace avo {
 
 struct ArrivalKernels {
-  void (*look_around)(const RobotColumns&, ArrivalColumns&);
-  void (*keep_right)(const RobotColumns&, ArrivalColumns&);
-  void (*decide_freely)(const StepLaw&, const RobotColumns&, ArrivalColumns&);
+  void (*look_around)(const RobotColumns&, DecisionColumns&);
+  void (*keep_right)(const RobotColumns&, DecisionColumns&);
+  void (*decide_freely)(const StepLaw&, const RobotColumns&, DecisionColumns&);
 };
 
 }  // namespace avo
