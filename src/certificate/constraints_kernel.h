@@ -207,6 +207,7 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
       const Real gap = share * (length - (inflated + around + margin.distance));
       const Real left = gap - margin.cone * most;
       close = close & !(left > most);
+      if (!any(close)) continue;
       // n points to what is so near to q_1 that it is turned by less than around/w
       const Real w = length - Real(0.5) * around;
       const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
