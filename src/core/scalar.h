@@ -80,6 +80,9 @@ struct Pack {
   }
 };
 
+/// One number has nothing to wait beside, see core/lanes.h.
+using TwoPacks = Pack<double>;
+
 template <typename T>
 T sum_of(Pack<T> a) {
   return a.value;

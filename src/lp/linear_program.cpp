@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lp/kernels.h"
 #include "lp/lens.h"
+#include "lp/program_kernel.h"
 
 namespace avo {
 namespace {

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "obstacles/kernels.h"
+#include "obstacles/constants.h"
+#include "obstacles/contact_kernel.h"
 
 namespace avo {
 

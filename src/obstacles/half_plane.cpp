@@ -5,7 +5,6 @@
 
 #include "obstacles/contact.h"
 #include "obstacles/horn.h"
-#include "obstacles/kernels.h"
 
 namespace avo {
 namespace {

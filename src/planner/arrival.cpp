@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/arrival_kernels.h"
+#include "planner/arrival_kernel.h"
 
 namespace avo {
 namespace {

@@ -29,9 +29,4 @@ void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& 
 /// advance() of all, from v' on. Bit k is set where robot k then exceeds its max_speed.
 std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots);
 
-struct MovingKernels {
-  void (*choose_ways)(const GoalLaw&, const MovingColumns&, RobotColumns&);
-  std::uint64_t (*advance)(const StepResponse&, MovingColumns&, RobotColumns&);
-};
-
 }  // namespace avo
