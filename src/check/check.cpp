@@ -100,9 +100,9 @@ void Check::State::require_sound(double time, std::span<const CheckedState> rows
   for (const CheckedState& row : rows) {
     const auto count = static_cast<std::int64_t>(robots.size());
     if (row.robot < lowest || row.robot >= count)
-      throw Error("robot: found " + std::to_string(row.robot) + ", must be " +
-                  std::to_string(lowest) + " to " + std::to_string(count - 1) +
-                  ", each once and ascending");
+      refuse("robot", std::to_string(row.robot),
+             std::to_string(lowest) + " to " + std::to_string(count - 1) +
+                 ", each once and ascending");
     lowest = row.robot + 1;
     judge::require_sound(row);
   }

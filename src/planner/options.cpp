@@ -4,19 +4,19 @@
 
 #include <string>
 
-#include "avo/error.h"
 #include "core/ranges.h"
 
 namespace avo {
 namespace {
 
+constexpr const char* kPrefix = "PlannerOptions.";
+
 [[noreturn]] void refuse(const char* name, const std::string& given, const std::string& allowed) {
-  throw Error(std::string("PlannerOptions.") + name + ": found " + given + ", must be " + allowed);
+  avo::refuse(std::string(kPrefix) + name, given, allowed);
 }
 
-void require_positive(double value, const char* name, const char* allowed = "> 0 s") {
-  if (kPositive.contains(value)) return;
-  refuse(name, text(value), value > kLargest ? "<= " + text(kLargest) : allowed);
+void require(const char* name, double value, const Range& range, const char* unit) {
+  avo::require(std::string(kPrefix) + name, value, range, unit);
 }
 
 void validate_control(const PlannerOptions& options) {
@@ -34,12 +34,8 @@ void validate_control(const PlannerOptions& options) {
 }
 
 void validate_sensing_error(const PlannerOptions& options) {
-  const auto require = [](double value, const char* name, const char* unit) {
-    if (kNotNegative.contains(value)) return;
-    refuse(name, text(value), value > kLargest ? "<= " + text(kLargest) : unit);
-  };
-  require(options.sensing_error.position, "sensing_error.position", ">= 0 m");
-  require(options.sensing_error.velocity, "sensing_error.velocity", ">= 0 m/s");
+  require("sensing_error.position", options.sensing_error.position, kNotNegative, "m");
+  require("sensing_error.velocity", options.sensing_error.velocity, kNotNegative, "m/s");
   if (options.sensing_error != SensingError{} &&
       options.certificate != Certificate::braking_trajectories) {
     refuse("sensing_error", "one",
@@ -52,40 +48,23 @@ void validate_certificate(const PlannerOptions& options) {
     refuse("certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(options.method));
   }
-  require_positive(options.arrival_distance, "arrival_distance", "> 0 m");
+  require("arrival_distance", options.arrival_distance, kPositive, "m");
   validate_sensing_error(options);
 }
 
 }  // namespace
 
 const char* to_string(Method method) {
-  switch (method) {
-    case Method::avo:
-      return "avo";
-    case Method::avo_paper:
-      return "avo_paper";
-    case Method::velocity_obstacle:
-      return "velocity_obstacle";
-    case Method::orca:
-      return "orca";
-  }
-  return "unknown";
+  return name_of(method);
 }
-
 const char* to_string(Certificate certificate) {
-  switch (certificate) {
-    case Certificate::none:
-      return "none";
-    case Certificate::stopping_capsules:
-      return "stopping_capsules";
-    case Certificate::braking_trajectories:
-      return "braking_trajectories";
-  }
-  return "unknown";
+  return name_of(certificate);
 }
-
 const char* to_string(Motion motion) {
-  return motion == Motion::held ? "held" : "exponential";
+  return name_of(motion);
+}
+const char* to_string(PlanStatus status) {
+  return name_of(status);
 }
 
 PlannerOptions default_options(Method method) {
@@ -99,9 +78,9 @@ PlannerOptions default_options(Method method) {
 }
 
 void validate(const PlannerOptions& options) {
-  require_positive(options.control_time, "control_time");
-  require_positive(options.time_horizon, "time_horizon");
-  require_positive(options.time_step, "time_step");
+  require("control_time", options.control_time, kPositive, "s");
+  require("time_horizon", options.time_horizon, kPositive, "s");
+  require("time_step", options.time_step, kPositive, "s");
   if (options.time_step > options.time_horizon) {
     refuse("time_step", text(options.time_step), "<= time_horizon");
   }

@@ -28,6 +28,7 @@ namespace {
 
 // Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
 constexpr double kSmallest = 1e-60;
+constexpr std::size_t kMostConstraints = 8192;  // for more, memory grows when it is needed
 
 // 1 or 0, to be joined without a branch: nearly all are.
 int is_known(double value) {
@@ -89,33 +90,10 @@ bool can_follow(const Robot& robot, const PlannerOptions& options) {
   return !robot.car || options.certificate == Certificate::none || options.motion == Motion::held;
 }
 
-const char* to_string(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::optimal:
-      return "optimal";
-    case PlanStatus::least_unsafe:
-      return "least_unsafe";
-    case PlanStatus::candidate:
-      return "candidate";
-    case PlanStatus::braking:
-      return "braking";
-    case PlanStatus::overlapping:
-      return "overlapping";
-    case PlanStatus::invalid_input:
-      return "invalid_input";
-  }
-  return "unknown";
-}
-
 PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
 PlanWorkspace::~PlanWorkspace() = default;
 PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
 PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
-
-namespace {
-
-constexpr std::size_t kMostConstraints = 8192;  // of more, memory grows when it is needed
-}  // namespace
 
 void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t braking_steps) {
   rows.reserve(program_rows(neighbors));

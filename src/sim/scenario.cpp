@@ -6,80 +6,51 @@
 #include <cstddef>
 #include <string_view>
 
-#include "avo/error.h"
 #include "avo/response.h"
 #include "core/ranges.h"
 
 namespace avo {
 namespace {
 
-[[noreturn]] void refuse(const std::string& field, const std::string& given,
-                         const std::string& allowed) {
-  throw Error(field + ": found " + given + ", must be " + allowed);
-}
-
-/// A value's place; spelled out only where the value is refused.
+// A value's place in a list of the scene.
 struct Place {
-  std::string_view list;  ///< empty for the scene itself
+  std::string_view list;
   std::size_t index;
   std::string_view field;
+
+  explicit operator std::string() const {
+    return std::string(list) + "." + std::to_string(index) + "." + std::string(field);
+  }
 };
-
-std::string name_of(const Place& place) {
-  std::string field(place.field);
-  if (place.list.empty()) return field;
-  return std::string(place.list) + "." + std::to_string(place.index) + "." + field;
-}
-
-void check(const Place& place, double value, const Range& range, std::string_view unit,
-           std::string_view component = "") {
-  if (range.contains(value)) return;
-  const std::string field = name_of(place) + std::string(component);
-  const std::string suffix = unit.empty() ? "" : std::string(" ").append(unit);
-  if (!std::isfinite(value)) refuse(field, text(value), "a finite number");
-  if (range.below(value))
-    refuse(field, text(value),
-           std::string(range.open_min ? "> " : ">= ") + text(range.min) + suffix);
-  refuse(field, text(value), "<= " + text(range.max) + suffix);
-}
-
-void check(const Place& place, Vec2 value, std::string_view unit) {
-  check(place, value.x, kAnyValue, unit, ".0");
-  check(place, value.y, kAnyValue, unit, ".1");
-}
-
-void check(std::string_view field, double value, const Range& range, std::string_view unit) {
-  check(Place{"", 0, field}, value, range, unit);
-}
 
 void check_robot(std::size_t i, const RobotSetup& robot) {
   const std::string_view list = "robots";
-  check({list, i, "position"}, robot.position, "m");
-  check({list, i, "velocity"}, robot.velocity, "m/s");
-  check({list, i, "goal"}, robot.goal, "m");
-  check({list, i, "radius"}, robot.radius, kPositive, "m");
-  check({list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
-  check({list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
-  check({list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
+  require(Place{list, i, "position"}, robot.position, "m");
+  require(Place{list, i, "velocity"}, robot.velocity, "m/s");
+  require(Place{list, i, "goal"}, robot.goal, "m");
+  require(Place{list, i, "radius"}, robot.radius, kPositive, "m");
+  require(Place{list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
+  require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
+  require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
   if (!robot.car) return;
-  check({list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
-  check({list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
+  require(Place{list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
+  require(Place{list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   const std::string_view list = "moving_obstacles";
-  check({list, k, "position"}, obstacle.position, "m");
-  check({list, k, "velocity"}, obstacle.velocity, "m/s");
-  check({list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
-  check({list, k, "radius"}, obstacle.radius, kPositive, "m");
+  require(Place{list, k, "position"}, obstacle.position, "m");
+  require(Place{list, k, "velocity"}, obstacle.velocity, "m/s");
+  require(Place{list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
+  require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
 }
 
 void check_times(const Scenario& scenario) {
   const double dt = scenario.time_step;
-  check("time_step", dt, kPositive, "s");
-  check("duration", scenario.duration, kPositive, "s");
-  if (scenario.control_time) check("control_time", *scenario.control_time, kPositive, "s");
-  if (scenario.time_horizon) check("time_horizon", *scenario.time_horizon, kPositive, "s");
+  require("time_step", dt, kPositive, "s");
+  require("duration", scenario.duration, kPositive, "s");
+  if (scenario.control_time) require("control_time", *scenario.control_time, kPositive, "s");
+  if (scenario.time_horizon) require("time_horizon", *scenario.time_horizon, kPositive, "s");
   const PlannerOptions options = planner_options(scenario);
   if (scenario.duration < dt)
     refuse("duration", text(scenario.duration), ">= time_step = " + text(dt) + " s");
@@ -113,7 +84,7 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
     if (robot.max_speed <= longest * robot.max_acceleration) continue;
-    refuse(name_of(Place{"robots", i, "max_speed"}), text(robot.max_speed),
+    refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
            "<= " + text(longest * robot.max_acceleration) + " m/s, " +
                std::to_string(kMostBrakingSteps) + " steps of braking, with a certificate");
   }
@@ -124,7 +95,7 @@ void check_certificate(const Scenario& scenario) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (scenario.robots[i].car && options.motion != Motion::held)
-      refuse(name_of(Place{"robots", i, "car"}), "a car-like robot",
+      refuse(std::string(Place{"robots", i, "car"}), "a car-like robot",
              "none with a certificate where motion is exponential");
   }
   if (scenario.method != Method::avo)
@@ -137,11 +108,11 @@ void check_certificate(const Scenario& scenario) {
 
 void validate(const Scenario& scenario) {
   check_times(scenario);
-  check("sensing_radius", scenario.sensing_radius, kPositive, "m");
-  if (scenario.max_neighbors) check("max_neighbors", *scenario.max_neighbors, kAtLeastOne, "");
-  check("samples", scenario.samples, kSamples, "");
+  require("sensing_radius", scenario.sensing_radius, kPositive, "m");
+  if (scenario.max_neighbors) require("max_neighbors", *scenario.max_neighbors, kAtLeastOne, "");
+  require("samples", scenario.samples, kSamples, "");
   if (scenario.samples == 1) refuse("samples", "1", "0 (exact) or >= 2");
-  check("arrival_distance", scenario.arrival_distance, kPositive, "m");
+  require("arrival_distance", scenario.arrival_distance, kPositive, "m");
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robots > kMostRobots)
     refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
