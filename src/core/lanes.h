@@ -2,13 +2,6 @@
 // Highway's vectors under the names of core/scalar.h. Included once per instruction set, after
 // hwy/foreach_target.h; kernels are templates over Pack. Nothing here is approximate, and min and
 // max return the second operand where the comparison fails: what those of x86 do by themselves.
-#if defined(AVO_CORE_LANES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef AVO_CORE_LANES_H
-#undef AVO_CORE_LANES_H
-#else
-#define AVO_CORE_LANES_H
-#endif
-
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -16,11 +9,9 @@
 
 #include "core/scalar.h"
 
-#ifdef AVO_PASS_TOGGLE
-#undef AVO_PASS_TOGGLE
-#else
-#define AVO_PASS_TOGGLE
-#endif
+// lets every kernel header in once more
+#include "core/kernel_guards.h"
+
 #undef AVO_BEGIN_KERNELS
 #undef AVO_END_KERNELS
 #define AVO_BEGIN_KERNELS \
@@ -216,5 +207,3 @@ HWY_INLINE TwoPacks max(TwoPacks x, TwoPacks y) {
 HWY_AFTER_NAMESPACE();
 
 #include "core/vec_kernel.h"
-
-#endif  // per target

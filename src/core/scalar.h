@@ -13,8 +13,8 @@
 #define AVO_KERNEL inline __attribute__((always_inline))
 
 // A kernel header, *_kernel.h, is compiled once per pass: first for the pack above, then once for
-// each instruction set, beginning with core/lanes.h, which flips AVO_PASS_TOGGLE. It opens the
-// namespace of the pass itself, and its guard lets it in once while the toggle stays: so a file
+// each instruction set, beginning with core/lanes.h, which forgets the guards of all kernel headers
+// (core/kernel_guards.h, written by CMake). It opens the namespace of the pass itself. So a file
 // with several passes includes the same kernel headers in each of them.
 #define AVO_BEGIN_KERNELS namespace avo::scalar {
 #define AVO_END_KERNELS }

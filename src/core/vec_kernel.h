@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plane vectors of packs, which core/scalar.h and core/lanes.h include.
-#if defined(AVO_CORE_VEC_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CORE_VEC_KERNEL_H
-#undef AVO_CORE_VEC_KERNEL_H
-#else
+#ifndef AVO_CORE_VEC_KERNEL_H
 #define AVO_CORE_VEC_KERNEL_H
-#endif
 
 #include <cstddef>
 #include <cstdint>

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eqs. (22), (23), one robot per lane: nearest_point() is the scalar instance.
-#if defined(AVO_LP_PROGRAM_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_LP_PROGRAM_KERNEL_H
-#undef AVO_LP_PROGRAM_KERNEL_H
-#else
+#ifndef AVO_LP_PROGRAM_KERNEL_H
 #define AVO_LP_PROGRAM_KERNEL_H
-#endif
 
 #include <bit>
 #include <cstddef>

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coming to rest at a goal under Eq. (7)'s control, in discrete steps.
-#if defined(AVO_SIM_GOALS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_SIM_GOALS_KERNEL_H
-#undef AVO_SIM_GOALS_KERNEL_H
-#else
+#ifndef AVO_SIM_GOALS_KERNEL_H
 #define AVO_SIM_GOALS_KERNEL_H
-#endif
 
 #include "core/scalar.h"
 #include "sim/goals.h"

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernels over the columns of a tile.
-#if defined(AVO_SIM_MOVING_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_SIM_MOVING_KERNEL_H
-#undef AVO_SIM_MOVING_KERNEL_H
-#else
+#ifndef AVO_SIM_MOVING_KERNEL_H
 #define AVO_SIM_MOVING_KERNEL_H
-#endif
 
 #include <cstddef>
 #include <cstdint>
