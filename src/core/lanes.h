@@ -85,7 +85,7 @@ HWY_INLINE Pack<double> lookup(const double* table, Pack<double> a) {
       lanes, table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
 }
 
-/// Of numbers whose sum is exact.
+/// The sum of all lanes, of numbers whose sum is exact.
 template <typename T>
 HWY_INLINE T sum_of(Pack<T> a) {
   return hn::GetLane(hn::SumOfLanes(hn::ScalableTag<T>(), a.raw));

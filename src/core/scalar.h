@@ -9,7 +9,7 @@
 
 #include "avo/vec.h"
 
-// Of all that kernels are made of: what is not inlined costs more than what it does.
+// Every part of a kernel carries it: a call would cost more than what it does.
 #define AVO_KERNEL inline __attribute__((always_inline))
 
 // A kernel header, *_kernel.h, is compiled once per pass: first for the pack above, then once for
@@ -20,7 +20,7 @@
 #define AVO_END_KERNELS }
 
 namespace avo {
-/// Of doubles, as many as any vector has.
+/// As many doubles as any vector has.
 inline constexpr std::array<double, 8> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
 }  // namespace avo
 

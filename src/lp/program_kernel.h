@@ -50,7 +50,7 @@ AVO_KERNEL Real largest_violation(const Planes<Real, Row>& planes, Vec<Real> u) 
   return largest;
 }
 
-/// Of the half-planes as given, by the point as returned.
+/// How far the point, as it is returned, lies outside the half-planes as given.
 template <typename Real, typename Row>
 AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real, Row>& planes,
                                    Vec<Real> relative, Vec<Real> point) {

@@ -28,11 +28,6 @@ struct HalfPlaneKernels {
 namespace avo {
 namespace {
 
-template <typename T>
-void grow(std::vector<T>& column, std::size_t size) {
-  if (column.size() < size) column.resize(size);
-}
-
 // Equal centers, and what the general search of the horn is for.
 void solve_rest(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                 PlaneColumns& planes) {

@@ -31,9 +31,6 @@ double time_to_speed(const Robot& robot) {
 scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
-Vec2 plain(const scalar::Vec<Real>& a) {
-  return {a.x.value, a.y.value};
-}
 
 // Whether it has been beside others for so long, and so near its goal, that it stays there.
 bool has_settled(const Robot& robot, const Detour& detour, double arrival_distance) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <string>
 
 #include "avo/planner.h"
 
@@ -28,7 +29,7 @@ const char* name_of(Choice choice) {
   return number < kNames<Choice>.size() ? kNames<Choice>[number] : "unknown";
 }
 
-/// Throws Error naming the first option out of range.
-void validate(const PlannerOptions& options);
+/// Throws Error naming the first option out of range, with the prefix.
+void validate(const PlannerOptions& options, const std::string& prefix);
 
 }  // namespace avo

@@ -4,7 +4,7 @@
 
 namespace avo {
 struct MovingKernels {
-  void (*choose_ways)(const GoalLaw&, const MovingColumns&, RobotColumns&);
+  void (*choose_ways)(const StepResponse&, const MovingColumns&, RobotColumns&);
   std::uint64_t (*advance)(const StepResponse&, MovingColumns&, RobotColumns&);
 };
 }  // namespace avo
@@ -15,8 +15,19 @@ struct MovingKernels {
 #include "core/kernel_passes.h"
 
 namespace avo {
-void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots) {
-  kKernels->choose_ways(law, moving, robots);
+
+Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
+                        const StepResponse& step) {
+  using Real = scalar::Pack<double>;
+  const scalar::Traveller<Real> traveller{
+      scalar::constant<Real>(position), scalar::constant<Real>(velocity),
+      scalar::constant<Real>(goal),     robot.preferred_speed,
+      robot.max_acceleration,           robot.max_speed};
+  return plain(scalar::preferred_velocity(traveller, scalar::way_of(traveller, step), step));
+}
+
+void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots) {
+  kKernels->choose_ways(step, moving, robots);
 }
 
 std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots) {

@@ -14,7 +14,6 @@
 #include "core/ranges.h"
 #include "planner/arrival.h"
 #include "planner/options.h"
-#include "sim/saved_settings.h"
 #include "sim/saved_state.h"
 
 namespace avo {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/ranges.h"
-#include "sim/saved_settings.h"
 #include "sim/saved_state.h"
 #include "sim/world.h"
 

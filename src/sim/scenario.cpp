@@ -8,6 +8,7 @@
 
 #include "avo/response.h"
 #include "core/ranges.h"
+#include "planner/options.h"
 
 namespace avo {
 namespace {
@@ -45,32 +46,14 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
 }
 
-void check_times(const Scenario& scenario) {
+void check_duration(const Scenario& scenario) {
   const double dt = scenario.time_step;
-  require("time_step", dt, kPositive, "s");
   require("duration", scenario.duration, kPositive, "s");
-  if (scenario.control_time) require("control_time", *scenario.control_time, kPositive, "s");
-  if (scenario.time_horizon) require("time_horizon", *scenario.time_horizon, kPositive, "s");
-  const PlannerOptions options = planner_options(scenario);
   if (scenario.duration < dt)
     refuse("duration", text(scenario.duration), ">= time_step = " + text(dt) + " s");
   if (scenario.duration / dt > static_cast<double>(kMostSteps))
     refuse("duration", text(scenario.duration),
            "at most " + std::to_string(kMostSteps) + " steps of " + text(dt) + " s");
-  if (dt > options.time_horizon)
-    refuse("time_step", text(dt), "<= time_horizon = " + text(options.time_horizon) + " s");
-  // A held acceleration (v' - v)/δ leaves the fraction q = 1 - Δt/δ of the error: q < 0 overshoots.
-  const bool held = !adopts_at_once(scenario.method) && scenario.motion == Motion::held;
-  if (held && dt > options.control_time)
-    refuse("time_step", text(dt),
-           "<= control_time = " + text(options.control_time) + " s where motion is held");
-  if (adopts_at_once(scenario.method)) return;
-  if (options.control_time < kShortestControl)
-    refuse("control_time", text(options.control_time), ">= " + text(kShortestControl) + " s");
-  if (!held && dt > kMostControlTimes * options.control_time)
-    refuse("control_time", text(options.control_time),
-           ">= time_step / " + text(kMostControlTimes) + " = " + text(dt / kMostControlTimes) +
-               " s where motion is exponential");
 }
 
 // Braking lasts for so many steps only as can be looked at one by one.
@@ -90,36 +73,30 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   }
 }
 
-void check_certificate(const Scenario& scenario) {
-  const PlannerOptions options = planner_options(scenario);
+void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (scenario.robots[i].car && options.motion != Motion::held)
       refuse(std::string(Place{"robots", i, "car"}), "a car-like robot",
              "none with a certificate where motion is exponential");
   }
-  if (scenario.method != Method::avo)
-    refuse("certificate", to_string(options.certificate),
-           std::string("none with method ") + to_string(scenario.method));
   check_braking(scenario, options);
 }
 
 }  // namespace
 
 void validate(const Scenario& scenario) {
-  check_times(scenario);
+  const PlannerOptions options = planner_options(scenario);
+  validate(options, "");
+  check_duration(scenario);
   require("sensing_radius", scenario.sensing_radius, kPositive, "m");
-  if (scenario.max_neighbors) require("max_neighbors", *scenario.max_neighbors, kAtLeastOne, "");
-  require("samples", scenario.samples, kSamples, "");
-  if (scenario.samples == 1) refuse("samples", "1", "0 (exact) or >= 2");
-  require("arrival_distance", scenario.arrival_distance, kPositive, "m");
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robots > kMostRobots)
     refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
-  check_certificate(scenario);
+  check_certificate(scenario, options);
 }
 
 PlannerOptions planner_options(const Scenario& scenario) {

@@ -11,7 +11,7 @@
 namespace avo {
 namespace {
 
-// Of any robot and what it may decide on.
+// How many steps any robot may brake for, from what it may decide on.
 std::size_t most_braking_steps(const World& world) {
   if (!world.all_matter()) return 0;
   constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
@@ -72,7 +72,7 @@ Robot World::robot(std::size_t slot) const {
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Robot robot{p,
               v,
-              preferred_velocity(p, v, robot_traits, goal, goal_law(planner)),
+              preferred_velocity(p, v, robot_traits, goal, response),
               robot_traits.radius,
               robot_traits.max_acceleration,
               robot_traits.max_speed,
