@@ -183,18 +183,10 @@ HWY_INLINE std::size_t store_chosen(TwoMasks chosen, TwoPacks x, double* to) {
 
 // Both of these return the second where the comparison fails, as x86 has them.
 HWY_INLINE Pack<double> min(Pack<double> a, Pack<double> b) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-  return Pack<double>(hn::Min(a.raw, b.raw));
-#else
-  return select(a < b, a, b);
-#endif
+  return HWY_ARCH_X86 ? Pack<double>(hn::Min(a.raw, b.raw)) : select(a < b, a, b);
 }
 HWY_INLINE Pack<double> max(Pack<double> a, Pack<double> b) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-  return Pack<double>(hn::Max(a.raw, b.raw));
-#else
-  return select(a > b, a, b);
-#endif
+  return HWY_ARCH_X86 ? Pack<double>(hn::Max(a.raw, b.raw)) : select(a > b, a, b);
 }
 HWY_INLINE TwoPacks min(TwoPacks x, TwoPacks y) {
   return {min(x.a, y.a), min(x.b, y.b)};

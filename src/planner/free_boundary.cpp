@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "obstacles/closest_approach.h"
-
 namespace avo {
 namespace {
 
@@ -200,8 +198,9 @@ double clearance(const Limit& limit, Vec2 v_new) {
 
 bool violates(const Limit& limit, Vec2 v_new) {
   if (limit.kind != Limit::Kind::obstacle) return clearance(limit, v_new) < 0.0;
-  return comes_within(limit.obstacle, v_new - limit.v_new_B,
-                      limit.obstacle.pair.radius - 0.5 * limit.slack);
+  Obstacle allowed = limit.obstacle;
+  allowed.pair.radius -= 0.5 * limit.slack;
+  return contains(allowed, v_new - limit.v_new_B);
 }
 
 double steepness(const Limit& limit) {

@@ -11,7 +11,7 @@ namespace avo {
 
 /// What the values of an enum are called in scene files, in their order.
 template <typename Choice>
-inline constexpr std::array<const char*, 0> kNames;
+inline constexpr std::array<const char*, 0> kNames{};
 template <>
 inline constexpr std::array kNames<Method>{"avo", "avo_paper", "velocity_obstacle", "orca"};
 template <>

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "avo/version.h"
 #include "core/hash.h"
@@ -41,39 +42,43 @@ void put_word(std::uint64_t word, std::byte* to) {
   for (std::size_t k = 0; k < kWord; ++k) to[k] = static_cast<std::byte>(word >> (8 * k) & 0xff);
 }
 
-std::uint64_t checksum(std::span<const std::uint64_t> words) {
+std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0;
-  for (const std::uint64_t word : words) hash = mixed(hash, word);
+  for (std::size_t k = 0; k < bytes.size() / kWord; ++k) hash = mixed(hash, word_at(bytes, k));
   return hash;
 }
 
 // Writes values behind `written`, or takes them off the front of `unread`.
+template <bool kReads>
 struct Archive {
-  bool reads = false;
-  std::vector<std::uint64_t> written;
-  std::span<const std::uint64_t> unread;
+  std::vector<std::byte> written = {};
+  std::span<const std::byte> unread = {};
 
   void word(std::uint64_t& value) {
-    if (!reads) return written.push_back(value);
-    if (unread.empty()) refuse("an end", "more");
-    value = unread.front();
-    unread = unread.subspan(1);
+    if constexpr (kReads) {
+      if (unread.empty()) refuse("an end", "more");
+      value = word_at(unread, 0);
+      unread = unread.subspan(kWord);
+    } else {
+      written.resize(written.size() + kWord);
+      put_word(value, &written[written.size() - kWord]);
+    }
   }
   /// Makes room for as many entries as there are, of so many words each.
   template <typename Entry>
   void size(std::vector<Entry>& list, std::size_t words) {
     std::uint64_t count = list.size();
     word(count);
-    const std::uint64_t most = unread.size() / words;
-    if (reads && count > most)
+    const std::uint64_t most = unread.size() / (words * kWord);
+    if (kReads && count > most)
       refuse(std::to_string(count) + " entries", "at most " + std::to_string(most));
     list.resize(static_cast<std::size_t>(count));
   }
 };
 
-template <typename Value>
+template <bool kReads, typename Value>
 requires std::is_arithmetic_v<Value>
-void describe(Archive& archive, Value& value) {
+void describe(Archive<kReads>& archive, Value& value) {
   if constexpr (std::is_floating_point_v<Value>) {
     auto word = std::bit_cast<std::uint64_t>(value);
     archive.word(word);
@@ -87,9 +92,9 @@ void describe(Archive& archive, Value& value) {
   }
 }
 
-template <typename Choice>
+template <bool kReads, typename Choice>
 requires std::is_enum_v<Choice>
-void describe(Archive& archive, Choice& choice) {
+void describe(Archive<kReads>& archive, Choice& choice) {
   auto number = static_cast<std::underlying_type_t<Choice>>(choice);
   describe(archive, number);
   if (number >= kNames<Choice>.size()) refuse("an unknown choice", "a known one");
@@ -97,10 +102,11 @@ void describe(Archive& archive, Choice& choice) {
 }
 
 // Eight letters a word.
-void describe(Archive& archive, std::string& text) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, std::string& text) {
   std::uint64_t count = text.size();
   archive.word(count);
-  if (archive.reads && count > archive.unread.size() * kWord)
+  if (kReads && count > archive.unread.size())
     refuse("a text of " + std::to_string(count) + " bytes", "shorter");
   text.resize(static_cast<std::size_t>(count));
   for (std::size_t first = 0; first < text.size(); first += kWord) {
@@ -115,12 +121,13 @@ void describe(Archive& archive, std::string& text) {
   }
 }
 
-void describe(Archive& archive, Vec2& value) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, Vec2& value) {
   describe(archive, value.x), describe(archive, value.y);
 }
 
-template <typename Value>
-void describe(Archive& archive, std::optional<Value>& optional) {
+template <bool kReads, typename Value>
+void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
   bool is_set = optional.has_value();
   Value value = optional.value_or(Value{});
   describe(archive, is_set);
@@ -128,12 +135,14 @@ void describe(Archive& archive, std::optional<Value>& optional) {
   if (is_set) optional = value;
 }
 
-void describe(Archive& archive, MovingObstacle& setup, ObstacleState& state) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
 }
 
-void describe(Archive& archive, RobotSetup& setup, RobotState& state) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
   describe(archive, setup.preferred_speed);
@@ -146,7 +155,8 @@ void describe(Archive& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, state.detour.angle), describe(archive, state.detour.yielded);
 }
 
-void describe(Archive& archive, SavedState& state) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedState& state) {
   std::string version = kVersion;
   describe(archive, version);
   if (version != kVersion) {
@@ -211,37 +221,37 @@ void check_states(const SavedState& state) {
 
 std::vector<std::byte> to_bytes(SavedState state) {
   constexpr std::size_t kSettings = 64;  // words, about
-  Archive archive;
-  std::vector<std::uint64_t>& words = archive.written;
-  words.reserve(kSettings + kRobotWords * state.robots.size() +
-                kObstacleWords * state.obstacles.size());
-  words.assign({kMark, 0});
+  Archive<false> archive;
+  std::vector<std::byte>& bytes = archive.written;
+  bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
+                         kObstacleWords * state.obstacles.size()));
+  std::uint64_t mark = kMark, size = 0;
+  archive.word(mark), archive.word(size);
   describe(archive, state);
-  words[1] = (words.size() + 1) * kWord;
-  words.push_back(checksum(words));
-  std::vector<std::byte> bytes(words.size() * kWord);
-  for (std::size_t k = 0; k < words.size(); ++k) put_word(words[k], &bytes[k * kWord]);
-  return bytes;
+  put_word(bytes.size() + kWord, &bytes[kWord]);
+  std::uint64_t sum = checksum(bytes);
+  archive.word(sum);
+  return std::move(bytes);
 }
 
 SavedState from_bytes(std::span<const std::byte> bytes) {
   if (bytes.size() < kFewestWords * kWord) {
     refuse(std::to_string(bytes.size()) + " bytes", "whole");
   }
-  std::vector<std::uint64_t> words(bytes.size() / kWord);
-  for (std::size_t k = 0; k < words.size(); ++k) words[k] = word_at(bytes, k);
-  if (words[0] != kMark) refuse("something else", "bytes of Simulation::save()");
-  if (words[1] != bytes.size() || bytes.size() % kWord != 0) {
+  if (word_at(bytes, 0) != kMark) refuse("something else", "bytes of Simulation::save()");
+  if (word_at(bytes, 1) != bytes.size() || bytes.size() % kWord != 0) {
     refuse(std::to_string(bytes.size()) + " bytes",
-           "the " + std::to_string(words[1]) + " that were saved");
+           "the " + std::to_string(word_at(bytes, 1)) + " that were saved");
   }
-  const auto checked = std::span(words).first(words.size() - 1);
-  if (checksum(checked) != words.back()) refuse("bytes that have changed", "those that were saved");
-  Archive archive{true, {}, checked.subspan(2)};
+  const std::span<const std::byte> checked = bytes.first(bytes.size() - kWord);
+  if (checksum(checked) != word_at(bytes, bytes.size() / kWord - 1)) {
+    refuse("bytes that have changed", "those that were saved");
+  }
+  Archive<true> archive{{}, checked.subspan(2 * kWord)};
   SavedState state;
   describe(archive, state);
   if (!archive.unread.empty()) {
-    refuse(std::to_string(archive.unread.size() * kWord) + " more bytes", "no more");
+    refuse(std::to_string(archive.unread.size()) + " more bytes", "no more");
   }
   check_setups(state.scene);
   check_states(state);
