@@ -89,14 +89,13 @@ std::size_t Fleet::find(RobotId robot) const {
 
 RobotSetup Fleet::setup(std::size_t slot) const {
   const RobotTraits& robot_traits = traits[slot];
-  RobotSetup setup{position[slot],
-                   velocity[slot],
-                   goal[slot],
-                   robot_traits.radius,
-                   robot_traits.max_speed,
-                   robot_traits.max_acceleration,
-                   robot_traits.preferred_speed,
-                   {}};
+  RobotSetup setup{.position = position[slot],
+                   .velocity = velocity[slot],
+                   .goal = goal[slot],
+                   .radius = robot_traits.radius,
+                   .max_speed = robot_traits.max_speed,
+                   .max_acceleration = robot_traits.max_acceleration,
+                   .preferred_speed = robot_traits.preferred_speed};
   if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
   return setup;
 }
