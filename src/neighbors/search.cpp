@@ -34,7 +34,8 @@ static constexpr KernelTable<SearchKernels> kKernels = AVO_KERNEL_TABLE(kKernels
 void SearchScratch::grow(std::size_t size) {
   size = std::max(size, order.size() + order.size() / 2);
   distance_squared.resize(size);
-  for (std::vector<std::uint32_t>* column : {&place, &rank, &order}) column->resize(size);
+  place.resize(size);
+  order.resize(size);
 }
 
 std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch) {

@@ -49,8 +49,8 @@ struct NeighborQuery {
   double guess = 0.0;  ///< m, where to look first; only the time depends on it
 };
 
-/// The candidates of one search, [first, first + candidates) among those of all. Those whose rank
-/// is below `count` are found: it is their number in canonical order.
+/// The candidates of one search, [first, first + candidates) among those of all; the first `count`
+/// of SearchScratch::order there are found.
 struct Found {
   std::size_t first = 0, candidates = 0, count = 0;
 };
@@ -63,8 +63,7 @@ struct SearchScratch {
   std::size_t used = 0;                 // of the following columns, one entry a candidate
   std::vector<float> distance_squared;  // m², narrowed
   std::vector<std::uint32_t> place;     // in the order of the cells
-  std::vector<std::uint32_t> rank;      // see Found
-  std::vector<std::uint32_t> order;     // while they are sorted
+  std::vector<std::uint32_t> order;     // the same places, in canonical order in the end
   std::vector<NeighborHit> hits;        // of UniformGrid::list()
 
   /// Room for so many queries with so many candidates in all, and what it takes to find them.

@@ -28,25 +28,38 @@ struct Collected {
   std::size_t end, near;
 };
 
-/// Appends those of the points at [first, first + kTogether) that lie before `last` and the limit
-/// admits. kThinned: the limit is that of somebody found.
-template <bool kThinned, typename Real>
-AVO_KERNEL void append_candidates(const NeighborQuery& query, const PlacedPoints& points,
-                                  const HitLimit& limit, std::size_t first, std::size_t last,
-                                  SearchScratch& scratch, Collected& collected) {
-  const Real x(query.position.x), y(query.position.y), self(query.self);
-  const Real nearest(limit.distance_squared), lowest(limit.index);
-  const Real near(squared(query.near));
+/// What the points are compared with, in all lanes.
+template <typename Real>
+struct Bounds {
+  Real x, y, self;       // m, m, index
+  Real nearest, lowest;  // HitLimit
+  Real near;             // m²
+
+  AVO_KERNEL Bounds(const NeighborQuery& query, const HitLimit& limit)
+      : x(query.position.x),
+        y(query.position.y),
+        self(query.self),
+        nearest(limit.distance_squared),
+        lowest(limit.index),
+        near(squared(query.near)) {}
+};
+
+/// Appends those of the points at [first, first + kTogether) that lie before `last` and within the
+/// bounds.
+template <typename Real>
+AVO_KERNEL void append_candidates(const Bounds<Real>& bounds, const PlacedPoints& points,
+                                  std::size_t first, std::size_t last, SearchScratch& scratch,
+                                  Collected& collected) {
   Real distances[kTogether<Real> / Real::kLanes];
   std::uint32_t chosen = 0, near_ones = 0;
   for (std::size_t i = 0; i < kTogether<Real>; i += Real::kLanes) {
     const std::size_t k = first + i;
-    const Real dx = Real::load(points.x + k) - x, dy = Real::load(points.y + k) - y;
+    const Real dx = Real::load(points.x + k) - bounds.x, dy = Real::load(points.y + k) - bounds.y;
     const Real distance = dx * dx + dy * dy, index = Real::load(points.index + k);
-    auto lanes = (distance <= nearest) & (index != self);
-    if constexpr (kThinned) lanes = lanes & ((distance < nearest) | (index < lowest));
-    chosen |= bits(lanes) << i;
-    if (query.near >= 0.0) near_ones |= bits(distance <= near) << i;
+    chosen |= bits((distance <= bounds.nearest) & (index != bounds.self) &
+                   ((distance < bounds.nearest) | (index < bounds.lowest)))
+              << i;
+    near_ones |= bits(distance <= bounds.near) << i;
     distances[i / Real::kLanes] = distance;
   }
   if (last - first < kTogether<Real>) chosen &= (1U << (last - first)) - 1U;
@@ -62,29 +75,25 @@ AVO_KERNEL Collected collect(const NeighborQuery& query, double radius, const Pl
                              std::size_t begin, SearchScratch& scratch) {
   const CellRange range = cells_within(query.position, radius, points.cells);
   HitLimit limit{radius * radius};
+  Bounds<Real> bounds(query, limit);
   Collected hits{begin, 0};
   std::size_t many = more_than(query.most, kManyHits);
-  bool thinned = false;
-  const auto look = [&](std::size_t first_slot, std::size_t last_slot) {
-    const std::size_t last = points.begin[last_slot];
-    for (std::size_t place = points.begin[first_slot]; place < last; place += kTogether<Real>) {
-      scratch.reserve(hits.end + kTogether<Real>);
-      if (thinned) {
-        append_candidates<true, Real>(query, points, limit, place, last, scratch, hits);
-      } else {
-        append_candidates<false, Real>(query, points, limit, place, last, scratch, hits);
-      }
-      if (hits.end - begin < many) continue;
-      hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
-      thinned = true;
-      many = 2 * (hits.end - begin) + kManyHits;
-    }
-  };
   for (std::int64_t row = range.first_row; row <= range.last_row; ++row) {
-    const std::size_t first = points.cells.slot(range.first_column, row);
-    const std::size_t last = first + range.columns;
-    look(first, std::min(last, points.cells.table()));
-    if (last > points.cells.table()) look(0, last - points.cells.table());
+    std::size_t slot = points.cells.slot(range.first_column, row), columns = range.columns;
+    while (columns > 0) {  // twice where the row goes on at the beginning of the table
+      const std::size_t run = std::min(columns, points.cells.table() - slot);
+      const std::size_t last = points.begin[slot + run];
+      for (std::size_t place = points.begin[slot]; place < last; place += kTogether<Real>) {
+        scratch.reserve(hits.end + kTogether<Real>);
+        append_candidates(bounds, points, place, last, scratch, hits);
+        if (hits.end - begin < many) continue;
+        hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
+        bounds = Bounds<Real>(query, limit);
+        many = 2 * (hits.end - begin) + kManyHits;
+      }
+      columns -= run;
+      slot = 0;
+    }
   }
   if (hits.end - begin > std::max(kFewHits, more_than(query.most, kManyHits / 4))) {
     hits.end = keep_nearest(query, points, begin, hits.end, limit, scratch);
@@ -121,20 +130,27 @@ AVO_KERNEL bool rank_candidates(const typename Real::Number* distances, std::siz
   return sum_of(sum) == static_cast<Number>(all);
 }
 
-/// In single precision where that tells all apart, in double where that does, by sorting elsewhere.
+/// Puts the candidates in order: by distances in single precision where these tell all apart, in
+/// double precision where those do, and by sorting elsewhere.
 template <typename Real, typename Narrow>
-AVO_KERNEL void rank_found(const NeighborQuery& query, const Found& hits,
-                           const PlacedPoints& points, SearchScratch& scratch) {
+AVO_KERNEL void put_in_order(const NeighborQuery& query, const Found& hits,
+                             const PlacedPoints& points, SearchScratch& scratch) {
   const std::size_t count = hits.candidates;
-  std::uint32_t* const ranks = scratch.rank.data() + hits.first;
-  if (count > kFewHits) return rank_by_sorting(query, hits, points, scratch);
-  if (rank_candidates<Narrow>(scratch.distance_squared.data() + hits.first, count, ranks)) return;
-  alignas(64) double exact[kFewHits + kSparePoints];
-  for (std::size_t k = 0; k < count; ++k) {
-    exact[k] = exact_distance_squared(query, points, scratch, hits.first + k);
+  if (count > kFewHits) return sort_candidates(query, hits, points, scratch);
+  std::uint32_t ranks[kFewHits + kSparePoints];
+  if (!rank_candidates<Narrow>(scratch.distance_squared.data() + hits.first, count, ranks)) {
+    alignas(64) double exact[kFewHits + kSparePoints];
+    for (std::size_t k = 0; k < count; ++k) {
+      exact[k] = exact_distance_squared(query, points, scratch, hits.first + k);
+    }
+    std::fill_n(exact + count, kSparePoints, std::numeric_limits<double>::infinity());
+    if (!rank_candidates<Real>(exact, count, ranks)) {
+      return sort_candidates(query, hits, points, scratch);
+    }
   }
-  std::fill_n(exact + count, kSparePoints, std::numeric_limits<double>::infinity());
-  if (!rank_candidates<Real>(exact, count, ranks)) rank_by_sorting(query, hits, points, scratch);
+  const std::uint32_t* const place = scratch.place.data() + hits.first;
+  std::uint32_t* const order = scratch.order.data() + hits.first;
+  for (std::size_t k = 0; k < count; ++k) order[ranks[k]] = place[k];
 }
 
 /// Returns how many queries were answered. Each step is made for all of them before the next one:
@@ -162,7 +178,7 @@ std::size_t find_candidates(const PlacedPoints& points, std::size_t enough,
     scratch.used = collected.end + kSparePoints;
   }
   for (std::size_t i = 0; i < answered; ++i) {
-    rank_found<Real, Narrow>(scratch.queries[i], scratch.found[i], points, scratch);
+    put_in_order<Real, Narrow>(scratch.queries[i], scratch.found[i], points, scratch);
   }
   return answered;
 }

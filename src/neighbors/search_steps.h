@@ -93,13 +93,13 @@ inline std::size_t keep_nearest(const NeighborQuery& query, const PlacedPoints& 
   return first;
 }
 
-inline void rank_by_sorting(const NeighborQuery& query, const Found& hits,
+inline void sort_candidates(const NeighborQuery& query, const Found& hits,
                             const PlacedPoints& points, SearchScratch& scratch) {
   const auto first = scratch.order.begin() + static_cast<std::ptrdiff_t>(hits.first);
   const auto end = first + static_cast<std::ptrdiff_t>(hits.candidates);
   std::iota(first, end, static_cast<std::uint32_t>(hits.first));
   std::sort(first, end, nearer(query, points, scratch));
-  for (auto k = first; k != end; ++k) scratch.rank[*k] = static_cast<std::uint32_t>(k - first);
+  for (auto k = first; k != end; ++k) *k = scratch.place[*k];
 }
 
 struct SearchKernels {

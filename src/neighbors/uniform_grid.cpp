@@ -87,12 +87,11 @@ std::span<const NeighborHit> UniformGrid::gather(Vec2 position, int self, std::s
 
 std::span<const NeighborHit> UniformGrid::list(std::size_t query, SearchScratch& scratch) const {
   const Found& hits = scratch.found[query];
-  scratch.hits.resize(hits.count);
-  for (std::size_t k = hits.first; k < hits.first + hits.candidates; ++k) {
-    if (scratch.rank[k] >= hits.count) continue;
-    const std::uint32_t place = scratch.place[k];
-    scratch.hits[scratch.rank[k]] = {
-        norm_squared(position(place) - scratch.queries[query].position), index(place), place};
+  scratch.hits.clear();
+  for (std::size_t k = hits.first; k < hits.first + hits.count; ++k) {
+    const std::uint32_t place = scratch.order[k];
+    const Vec2 p = position(place) - scratch.queries[query].position;
+    scratch.hits.push_back({norm_squared(p), index(place), place});
   }
   return scratch.hits;
 }

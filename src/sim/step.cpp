@@ -2,7 +2,6 @@
 // The sensing-acting cycle of a fleet (paper §IV-D): all robots decide from the same snapshot, each
 // alone, and move.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -120,21 +119,18 @@ double near_range(const World& world, std::size_t slot) {
 }
 
 // In canonical order, behind the others.
-void append(const World& world, const Found& hits, const SearchScratch& search,
+void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& search,
             NeighborColumns& to) {
-  const Snapshot& snapshot = world.snapshot;
   to.reserve(to.count + hits.count);
-  for (std::size_t k = hits.first; k < hits.first + hits.candidates; ++k) {
-    const std::uint32_t place = search.place[k];
+  for (std::size_t k = hits.first; k < hits.first + hits.count; ++k, ++to.count) {
+    const std::uint32_t place = search.order[k];
     const Vec2 p = snapshot.grid.position(place);
     const Sensed& sensed = snapshot.sensed[place];
-    // who is not found is overwritten by the next robot's neighbors
-    const std::size_t i = to.count + std::min<std::size_t>(search.rank[k], hits.count);
-    to.x[i] = p.x, to.y[i] = p.y;
-    to.v_x[i] = sensed.velocity.x, to.v_y[i] = sensed.velocity.y;
-    to.radius[i] = sensed.radius, to.max_acceleration[i] = sensed.max_acceleration;
+    to.x[to.count] = p.x, to.y[to.count] = p.y;
+    to.v_x[to.count] = sensed.velocity.x, to.v_y[to.count] = sensed.velocity.y;
+    to.radius[to.count] = sensed.radius;
+    to.max_acceleration[to.count] = sensed.max_acceleration;
   }
-  to.count += hits.count;
 }
 
 // The same among moving obstacles: robots first where distances are equal.
@@ -163,17 +159,13 @@ void append_with_obstacles(const World& world, Vec2 position, std::size_t query,
   }
 }
 
-// m, within which are the nearest, or all if those are fewer. Distances are as large as their bits,
-// which can be masked: whose rank is low cannot be foreseen.
-float reach_of_nearest(const Found& hits, std::size_t nearest, const SearchScratch& search) {
+// m, within which are the nearest, or all if those are fewer.
+float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
+                       const Snapshot& snapshot, const SearchScratch& search) {
   if (hits.candidates < nearest) return std::numeric_limits<float>::infinity();
-  std::uint32_t farthest = 0;
-  for (std::size_t k = hits.first; k < hits.first + hits.candidates; ++k) {
-    const std::uint32_t counts = 0U - static_cast<std::uint32_t>(search.rank[k] < nearest);
-    farthest =
-        std::max(farthest, std::bit_cast<std::uint32_t>(search.distance_squared[k]) & counts);
-  }
-  return std::sqrt(std::bit_cast<float>(farthest));
+  if (nearest == 0) return 0.0F;
+  const std::uint32_t farthest = search.order[hits.first + nearest - 1];
+  return static_cast<float>(norm(snapshot.grid.position(farthest) - position));
 }
 
 // Fills the tile's neighbors: all that can matter within the sensing radius. Returns how many
@@ -181,23 +173,27 @@ float reach_of_nearest(const Found& hits, std::size_t nearest, const SearchScrat
 std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   constexpr double kMargin = 1.125;  // for having moved since
   Fleet& fleet = world.fleet;
+  const Snapshot& snapshot = world.snapshot;
+  const std::size_t nearest = world.most_nearest();
   worker.queries.clear();
   for (const std::uint32_t slot : slots) {
-    worker.queries.push_back({fleet.position[slot], fleet.rank[slot], world.most_nearest(),
-                              near_range(world, slot), world.settings.sensing_radius,
-                              kMargin * static_cast<double>(fleet.nearest[slot])});
+    worker.queries.push_back({.position = fleet.position[slot],
+                              .self = fleet.rank[slot],
+                              .most = nearest,
+                              .near = near_range(world, slot),
+                              .far = world.settings.sensing_radius,
+                              .guess = kMargin * static_cast<double>(fleet.nearest[slot])});
   }
-  const std::size_t robots =
-      world.snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
+  const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
     const std::size_t first = worker.tile.neighbors.count;
     if (world.obstacles.setup.empty()) {
-      append(world, worker.search.found[i], worker.search, worker.tile.neighbors);
+      append(snapshot, worker.search.found[i], worker.search, worker.tile.neighbors);
     } else {
       append_with_obstacles(world, fleet.position[slots[i]], i, worker);
     }
-    fleet.nearest[slots[i]] =
-        reach_of_nearest(worker.search.found[i], world.most_nearest(), worker.search);
+    fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.found[i],
+                                               nearest, snapshot, worker.search);
     const NeighborColumns& neighbors = worker.tile.neighbors;
     worker.tile.robots.neighbors.push_back({&neighbors, first, neighbors.count - first});
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
