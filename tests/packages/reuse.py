@@ -31,8 +31,11 @@ def parts(words, working, build):
 
 def made_before(build, folder, command):
     """The file in BUILD, or None."""
+    database = pathlib.Path(build) / "compile_commands.json"
+    if not database.exists():  # where this project is a part of another one
+        return None
     wanted = parts(command, os.getcwd(), folder)[1]
-    for entry in json.loads((pathlib.Path(build) / "compile_commands.json").read_text()):
+    for entry in json.loads(database.read_text()):
         if entry["file"].replace(build + "/", "BUILD/") == wanted[-1]:
             output, rest = parts(shlex.split(entry["command"]), entry["directory"], build)
             if rest == wanted and os.path.exists(output):
