@@ -37,7 +37,7 @@ struct Scene {
 
 std::vector<Scene> scenes(const Planner& planner) {
   std::uint64_t state = 2011;
-  const GoalLaw law = goal_law(planner);
+  const StepResponse step = step_response(planner);
   std::vector<Scene> all(kRobots);
   for (Scene& scene : all) {
     Robot& robot = scene.robot;
@@ -46,7 +46,7 @@ std::vector<Scene> scenes(const Planner& planner) {
     scene.plan.new_velocity = in_ring(state, 0.0, 1.5);
     const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
     robot.preferred_velocity =
-        preferred_velocity(robot.position, robot.velocity, traits, scene.goal, law);
+        preferred_velocity(robot.position, robot.velocity, traits, scene.goal, step);
     for (std::size_t k = 0; k < kNeighbors; ++k) {
       scene.neighbors.push_back({in_ring(state, 1.0, 7.0), in_ring(state, 0.0, 1.5), 0.5, 1.0, {}});
     }
@@ -104,9 +104,9 @@ BENCHMARK(motion_of_tile);
 
 void ways_of_tile(benchmark::State& state) {
   const Planner planner({});
-  const GoalLaw law = goal_law(planner);
+  const StepResponse step = step_response(planner);
   run_tiles(state, planner, [&](MovedTile& tile) {
-    choose_ways(law, tile.moving, tile.robots);
+    choose_ways(step, tile.moving, tile.robots);
     return tile.robots.preferred_x[0];
   });
 }
@@ -114,11 +114,11 @@ BENCHMARK(ways_of_tile);
 
 void towards_goal(benchmark::State& state) {
   const Planner planner({});
-  const GoalLaw law = goal_law(planner);
+  const StepResponse step = step_response(planner);
   run(state, planner, [&](const Scene& scene) {
     const Robot& robot = scene.robot;
     const RobotTraits traits{robot.radius, robot.max_speed, robot.max_acceleration, 1.5};
-    return preferred_velocity(robot.position, robot.velocity, traits, scene.goal, law);
+    return preferred_velocity(robot.position, robot.velocity, traits, scene.goal, step);
   });
 }
 BENCHMARK(towards_goal);

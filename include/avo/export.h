@@ -4,7 +4,7 @@
 
 #if defined(__GNUC__)
 #define AVO_API __attribute__((visibility("default")))
-/// Of a class that is public: a member that is not.
+/// A member that is hidden, of a class that is public.
 #define AVO_LOCAL __attribute__((visibility("hidden")))
 #else
 #define AVO_API

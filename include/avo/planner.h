@@ -73,7 +73,7 @@ struct PlannerOptions {
 AVO_API PlannerOptions default_options(Method method);
 
 enum class PlanStatus : std::uint8_t {
-  /// Of method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
+  /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
   optimal,        ///< v' lies in CA_A: no collision before τ if all do likewise (Definition 4)
   least_unsafe,   ///< CA_A is empty: v' violates it by as little as the limits allow
   candidate,      ///< the certificate refused that choice and admitted another one near it

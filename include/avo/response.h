@@ -13,7 +13,7 @@ class AVO_API Response {
   /// g = t: v' is adopted at once (velocity obstacle, ORCA).
   static Response velocity() { return Response(Kind::velocity, 0.0); }
   /// g = t^2 / 2: w is an acceleration that is held (acceleration obstacle).
-  static Response acceleration() { return Response(Kind::acceleration, 0.0); }
+  static Response acceleration() { return Response(Kind::acceleration, 1.0); }
   /// g = t + δ (e^{-t/δ} - 1): proportional control with δ = control_time > 0 (s), Eqs. (7)-(9).
   static Response proportional(double control_time) {
     return Response(Kind::proportional, control_time);
@@ -30,13 +30,13 @@ class AVO_API Response {
   /// True where w is an acceleration, false where it is a change of velocity.
   bool is_acceleration() const { return kind_ == Kind::acceleration; }
   /// [δ] s; 0 where there is none.
-  double control_time() const { return control_time_; }
+  double control_time() const { return is_acceleration() ? 0.0 : control_time_; }
 
  private:
   enum class Kind { velocity, acceleration, proportional, held };
   Response(Kind kind, double control_time) : kind_(kind), control_time_(control_time) {}
   Kind kind_;
-  double control_time_;
+  double control_time_;  // s; of an acceleration 1: it is held as (v' - v)/δ is
 };
 
 }  // namespace avo

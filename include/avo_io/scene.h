@@ -31,7 +31,7 @@ struct BuiltinScene {
   std::string description;  ///< one line
   std::string yaml;         ///< its text
 };
-/// By name, ascending.
+/// All built-in scenes, by ascending name.
 AVO_API const std::vector<BuiltinScene>& builtin_scenes();
 
 /// JSON Schema (draft 2020-12) of scene files.

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A candidate against constraints, as many at once as Pack has lanes: docs/certificate.md, "Braking
 // trajectories".
-#if defined(AVO_CERTIFICATE_ADMISSION_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CERTIFICATE_ADMISSION_KERNEL_H
-#undef AVO_CERTIFICATE_ADMISSION_KERNEL_H
-#else
+#ifndef AVO_CERTIFICATE_ADMISSION_KERNEL_H
 #define AVO_CERTIFICATE_ADMISSION_KERNEL_H
-#endif
 
 #include <cstddef>
 #include <limits>

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Straight full braking in steps, in closed form, for as many intervals at once as Pack has lanes:
 // docs/certificate.md, "One step and braking".
-#if defined(AVO_CERTIFICATE_BRAKING_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CERTIFICATE_BRAKING_KERNEL_H
-#undef AVO_CERTIFICATE_BRAKING_KERNEL_H
-#else
+#ifndef AVO_CERTIFICATE_BRAKING_KERNEL_H
 #define AVO_CERTIFICATE_BRAKING_KERNEL_H
-#endif
 
 #include "certificate/braking_path.h"
 #include "core/scalar.h"

@@ -48,7 +48,7 @@ Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {
   const auto plan = scalar::plan_to(scalar::constant<Real>(robot.velocity),
                                     scalar::constant<Real>(next_velocity), law);
   const auto& [v_new, a] = plan;
-  return {.new_velocity = {v_new.x.value, v_new.y.value}, .acceleration = {a.x.value, a.y.value}};
+  return {.new_velocity = plain(v_new), .acceleration = plain(a)};
 }
 
 CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law) {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The constraints of one pair, for as many intervals at once as Pack has lanes:
 // docs/certificate.md, "Braking trajectories" and "What can refuse nothing".
-#if defined(AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
-#undef AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
-#else
+#ifndef AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
 #define AVO_CERTIFICATE_CONSTRAINTS_KERNEL_H
-#endif
 
 #include <algorithm>
 #include <array>

@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate's kernels for every instruction set: this file is compiled once for each by
-// hwy/foreach_target.h, and the fittest is chosen at run time.
+// The certificate's kernels for every instruction set; the fittest is chosen at run time.
 #include "certificate/kernels.h"
 
-#include "core/kernel_table.h"
+#define AVO_KERNEL_HEADER "certificate/admission_kernel.h"
+#define AVO_KERNEL_HEADER_2 "certificate/near_kernel.h"
+#define AVO_KERNEL_STRUCT CertificateKernels
+#define AVO_KERNEL_FUNCTIONS                                                 \
+  find_near<Pack<double>>, admit_next<Pack<double>>, fill_own<Pack<double>>, \
+      append_constraints<Pack<double>>, keeps<Pack<double>>
+#include "core/kernel_passes.h"
 
-#ifdef AVO_HIGHWAY
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "certificate/kernels.cpp"
-#include <hwy/foreach_target.h>
-#if HWY_TARGET & AVO_TARGETS
-// clang-format off
-#include "core/lanes.h"  // begins the pass
-// clang-format on
-#include "certificate/admission_kernel.h"
-#include "certificate/near_kernel.h"
-
-AVO_BEGIN_KERNELS
-constexpr CertificateKernels kKernels{find_near<Pack<double>>, admit_next<Pack<double>>,
-                                      fill_own<Pack<double>>, append_constraints<Pack<double>>,
-                                      keeps<Pack<double>>};
-AVO_END_KERNELS
-#endif
-#endif
-
-#if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
-namespace scalar {
-constexpr CertificateKernels kKernels{find_near<Pack<double>>, admit_next<Pack<double>>,
-                                      fill_own<Pack<double>>, append_constraints<Pack<double>>,
-                                      keeps<Pack<double>>};
-}  // namespace scalar
-
-static constexpr KernelTable<CertificateKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
-
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near) {
   kKernels->find_near(robots, whom, law, near);
 }
@@ -58,4 +35,3 @@ bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bo
 }
 
 }  // namespace avo
-#endif

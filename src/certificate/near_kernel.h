@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who is near enough to be braked for: docs/certificate.md, "What can refuse nothing".
-#if defined(AVO_CERTIFICATE_NEAR_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CERTIFICATE_NEAR_KERNEL_H
-#undef AVO_CERTIFICATE_NEAR_KERNEL_H
-#else
+#ifndef AVO_CERTIFICATE_NEAR_KERNEL_H
 #define AVO_CERTIFICATE_NEAR_KERNEL_H
-#endif
 
 #include <bit>
 #include <cstddef>

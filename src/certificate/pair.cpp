@@ -15,10 +15,6 @@ BrakingProfile plain(const scalar::PackProfile<Real>& profile) {
   return {profile.speed.value, profile.decrement.value, profile.full_steps.value};
 }
 
-Vec2 plain(const scalar::Vec<Real>& a) {
-  return {a.x.value, a.y.value};
-}
-
 Braking plain(const scalar::PackBraking<Real>& braking) {
   return {plain(braking.profile), plain(braking.direction), braking.length.value,
           braking.reach.value, braking.intervals.value};

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs that may have to brake for each other, as many at once as Pack has lanes:
 // docs/certificate.md, "What can refuse nothing" and "Cars".
-#if defined(AVO_CERTIFICATE_PAIR_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CERTIFICATE_PAIR_KERNEL_H
-#undef AVO_CERTIFICATE_PAIR_KERNEL_H
-#else
+#ifndef AVO_CERTIFICATE_PAIR_KERNEL_H
 #define AVO_CERTIFICATE_PAIR_KERNEL_H
-#endif
 
 #include <array>
 #include <limits>

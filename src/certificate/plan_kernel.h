@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decision that leads to a next velocity, as many at once as Pack has lanes: Eq. (7).
-#if defined(AVO_CERTIFICATE_PLAN_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CERTIFICATE_PLAN_KERNEL_H
-#undef AVO_CERTIFICATE_PLAN_KERNEL_H
-#else
+#ifndef AVO_CERTIFICATE_PLAN_KERNEL_H
 #define AVO_CERTIFICATE_PLAN_KERNEL_H
-#endif
 
 #include "certificate/braking_path.h"
 #include "core/scalar.h"

@@ -23,7 +23,7 @@ using judge::Mover;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Of max_speed (of 1 m/s where there is none): a robot is at rest up to here.
+// A robot is at rest up to this part of max_speed (of 1 m/s where there is none).
 constexpr double kAtRest = 1e-9;
 constexpr std::size_t kMostPairs = 10'000'000;
 
@@ -80,8 +80,6 @@ struct Check::State {
   void meet(std::size_t first, std::size_t second);
   void meet_robots(const Mover& a, const Mover& b);
   void meet_obstacle(const Mover& robot, const Mover& obstacle);
-  void judge_contact(const Mover& robot, const Mover& obstacle, const judge::RelativePath& path,
-                     double limit, double amount);
   double overlap_distance(const Mover& a, const Mover& b) const {
     return (a.radius + b.radius) * (1.0 - options.relative_tolerance) - a.error - b.error;
   }
@@ -100,9 +98,9 @@ void Check::State::require_sound(double time, std::span<const CheckedState> rows
   for (const CheckedState& row : rows) {
     const auto count = static_cast<std::int64_t>(robots.size());
     if (row.robot < lowest || row.robot >= count)
-      throw Error("robot: found " + std::to_string(row.robot) + ", must be " +
-                  std::to_string(lowest) + " to " + std::to_string(count - 1) +
-                  ", each once and ascending");
+      refuse("robot", std::to_string(row.robot),
+             std::to_string(lowest) + " to " + std::to_string(count - 1) +
+                 ", each once and ascending");
     lowest = row.robot + 1;
     judge::require_sound(row);
   }
@@ -192,19 +190,14 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
   note(report.overlaps, overlap);
 }
 
+// A robot that moves at all in a step rests at single instants of it only: it is enough to know
+// the first and the last instant of the contact.
 void Check::State::meet_obstacle(const Mover& robot, const Mover& obstacle) {
   const judge::RelativePath path = judge::relative_path(robot, obstacle, duration);
   const double limit = overlap_distance(robot, obstacle);
   if (judge::lower_bound(path) > limit) return;
-  const judge::Instant nearest = judge::nearest_instant(path);
-  if (nearest.distance < limit)
-    judge_contact(robot, obstacle, path, limit, limit - nearest.distance);
-}
-
-// A robot that moves at all in a step rests at single instants of it only: it is enough to know
-// the first and the last instant of the contact.
-void Check::State::judge_contact(const Mover& robot, const Mover& obstacle,
-                                 const judge::RelativePath& path, double limit, double amount) {
+  const double nearest = judge::nearest_instant(path).distance;
+  if (!(nearest < limit)) return;
   const std::uint64_t pair = key(robot.index, obstacle.index);
   insert(contacts, pair);
   const double first = judge::first_below(path, limit).value_or(0.0);
@@ -214,7 +207,7 @@ void Check::State::judge_contact(const Mover& robot, const Mover& obstacle,
   if (!(judge::speed_bound(robot, first, last, duration) > at_rest)) return;
   insert(moving_contacts, pair);
   note(report.obstacle_contacts_moving,
-       {instant(robot, obstacle, first), robot.index, obstacle.index, amount});
+       {instant(robot, obstacle, first), robot.index, obstacle.index, limit - nearest});
 }
 
 void Check::State::meet(std::size_t first, std::size_t second) {

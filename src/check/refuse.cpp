@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "avo/error.h"
 #include "core/ranges.h"
 
 namespace avo::judge {
@@ -12,21 +11,6 @@ namespace {
 
 // Speeds and accelerations of a step stay finite.
 constexpr double kShortestStep = 1e-12;  // s
-
-void require(const std::string& name, double value, const Range& range, const char* unit) {
-  if (range.contains(value)) return;
-  std::string allowed = "<= " + text(range.max);
-  if (!std::isfinite(value))
-    allowed = "a finite number";
-  else if (range.below(value))
-    allowed = (range.open_min ? "> " : ">= ") + text(range.min);
-  throw Error(name + ": found " + text(value) + ", must be " + allowed + unit);
-}
-
-void require(const std::string& name, Vec2 value, const char* unit) {
-  require(name + ".0", value.x, kAnyValue, unit);
-  require(name + ".1", value.y, kAnyValue, unit);
-}
 
 // Infinity: no limit.
 void require_limit(const std::string& name, double value, const char* unit) {
@@ -36,32 +20,32 @@ void require_limit(const std::string& name, double value, const char* unit) {
 }  // namespace
 
 void require_sound(const std::string& place, const CheckedRobot& robot) {
-  require(place + ".radius", robot.radius, kPositive, " m");
-  require_limit(place + ".max_acceleration", robot.max_acceleration, " m/s^2");
-  require_limit(place + ".max_speed", robot.max_speed, " m/s");
-  require(place + ".interpolation_error", robot.interpolation_error, kNotNegative, " m");
-  if (robot.goal) require(place + ".goal", *robot.goal, " m");
+  require(place + ".radius", robot.radius, kPositive, "m");
+  require_limit(place + ".max_acceleration", robot.max_acceleration, "m/s^2");
+  require_limit(place + ".max_speed", robot.max_speed, "m/s");
+  require(place + ".interpolation_error", robot.interpolation_error, kNotNegative, "m");
+  if (robot.goal) require(place + ".goal", *robot.goal, "m");
 }
 
 void require_sound(const std::string& place, const CheckedObstacle& obstacle) {
-  require(place + ".position", obstacle.position, " m");
-  require(place + ".velocity", obstacle.velocity, " m/s");
-  require(place + ".acceleration", obstacle.acceleration, " m/s^2");
-  require(place + ".radius", obstacle.radius, kPositive, " m");
+  require(place + ".position", obstacle.position, "m");
+  require(place + ".velocity", obstacle.velocity, "m/s");
+  require(place + ".acceleration", obstacle.acceleration, "m/s^2");
+  require(place + ".radius", obstacle.radius, kPositive, "m");
 }
 
 void require_sound(const CheckOptions& options) {
   const double tolerance = options.relative_tolerance;
   if (!(tolerance >= 0.0 && tolerance < 1.0))
-    throw Error("relative_tolerance: found " + text(tolerance) + ", must be >= 0 and < 1");
-  require("arrival_distance", options.arrival_distance, kPositive, " m");
+    refuse("relative_tolerance", text(tolerance), ">= 0 and < 1");
+  require("arrival_distance", options.arrival_distance, kPositive, "m");
 }
 
 void require_time(double time, std::optional<double> before) {
-  require("time", time, kAnyValue, " s");
+  require("time", time, kAnyValue, "s");
   if (before && !(time - *before >= kShortestStep))
-    throw Error("time: found " + text(time) + " s, must be at least " + text(kShortestStep) +
-                " s after the time before, " + text(*before) + " s");
+    refuse("time", text(time) + " s",
+           "at least " + text(kShortestStep) + " s after the time before, " + text(*before) + " s");
 }
 
 // The common case without a string: every row of a recording passes here.
@@ -69,8 +53,8 @@ void require_sound(const CheckedState& row) {
   const auto good = [](Vec2 v) { return kAnyValue.contains(v.x) && kAnyValue.contains(v.y); };
   if (good(row.position) && good(row.velocity)) return;
   const std::string place = "robot " + std::to_string(row.robot);
-  require(place + ": position", row.position, " m");
-  require(place + ": velocity", row.velocity, " m/s");
+  require(place + ": position", row.position, "m");
+  require(place + ": velocity", row.velocity, "m/s");
 }
 
 }  // namespace avo::judge

@@ -14,7 +14,7 @@
 namespace avo::judge {
 namespace {
 
-// Of the largest distance: what a distance may be wrong by. Rounding makes up a sixth of it.
+// A distance may be wrong by this part of the largest one. Rounding makes up a sixth of it.
 constexpr double kResolution = 0x1p-45;
 
 using Quintic = std::array<double, 6>;

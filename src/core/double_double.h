@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums of two doubles, 106 bits: what functions of core/elementary.h need between their steps.
-// Of + - × ÷ alone, without fused operations. Nothing may overflow; below 2^-960 products lose
-// their second part.
+// They are made of + - × ÷ alone, without fused operations. Nothing may overflow; below 2^-960
+// products lose their second part.
 #pragma once
 
 namespace avo {

@@ -2,13 +2,6 @@
 // Highway's vectors under the names of core/scalar.h. Included once per instruction set, after
 // hwy/foreach_target.h; kernels are templates over Pack. Nothing here is approximate, and min and
 // max return the second operand where the comparison fails: what those of x86 do by themselves.
-#if defined(AVO_CORE_LANES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef AVO_CORE_LANES_H
-#undef AVO_CORE_LANES_H
-#else
-#define AVO_CORE_LANES_H
-#endif
-
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -16,11 +9,9 @@
 
 #include "core/scalar.h"
 
-#ifdef AVO_PASS_TOGGLE
-#undef AVO_PASS_TOGGLE
-#else
-#define AVO_PASS_TOGGLE
-#endif
+// lets every kernel header in once more
+#include "core/kernel_guards.h"
+
 #undef AVO_BEGIN_KERNELS
 #undef AVO_END_KERNELS
 #define AVO_BEGIN_KERNELS \
@@ -94,7 +85,7 @@ HWY_INLINE Pack<double> lookup(const double* table, Pack<double> a) {
       lanes, table, hn::Xor(hn::BitCast(whole, hn::Add(a.raw, shift)), hn::BitCast(whole, shift))));
 }
 
-/// Of numbers whose sum is exact.
+/// The sum of all lanes, of numbers whose sum is exact.
 template <typename T>
 HWY_INLINE T sum_of(Pack<T> a) {
   return hn::GetLane(hn::SumOfLanes(hn::ScalableTag<T>(), a.raw));
@@ -192,18 +183,10 @@ HWY_INLINE std::size_t store_chosen(TwoMasks chosen, TwoPacks x, double* to) {
 
 // Both of these return the second where the comparison fails, as x86 has them.
 HWY_INLINE Pack<double> min(Pack<double> a, Pack<double> b) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-  return Pack<double>(hn::Min(a.raw, b.raw));
-#else
-  return select(a < b, a, b);
-#endif
+  return HWY_ARCH_X86 ? Pack<double>(hn::Min(a.raw, b.raw)) : select(a < b, a, b);
 }
 HWY_INLINE Pack<double> max(Pack<double> a, Pack<double> b) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-  return Pack<double>(hn::Max(a.raw, b.raw));
-#else
-  return select(a > b, a, b);
-#endif
+  return HWY_ARCH_X86 ? Pack<double>(hn::Max(a.raw, b.raw)) : select(a > b, a, b);
 }
 HWY_INLINE TwoPacks min(TwoPacks x, TwoPacks y) {
   return {min(x.a, y.a), min(x.b, y.b)};
@@ -216,5 +199,3 @@ HWY_INLINE TwoPacks max(TwoPacks x, TwoPacks y) {
 HWY_AFTER_NAMESPACE();
 
 #include "core/vec_kernel.h"
-
-#endif  // per target

@@ -6,6 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
+
+#include "avo/error.h"
+#include "avo/vec.h"
 
 namespace avo {
 
@@ -48,5 +52,28 @@ inline constexpr std::int64_t kMostRobots = 1'000'000;
 inline constexpr std::int64_t kMostSteps = 100'000'000;
 /// With a certificate: braking from max_speed is looked at step by step.
 inline constexpr std::int64_t kMostBrakingSteps = 65'000;
+
+[[noreturn]] inline void refuse(const std::string& name, const std::string& given,
+                                const std::string& allowed) {
+  throw Error(name + ": found " + given + ", must be " + allowed);
+}
+
+/// Throws Error unless the range contains the value. The name, anything that a string can be made
+/// of, is spelled out only then.
+template <typename Name>
+void require(const Name& name, double value, const Range& range, std::string_view unit) {
+  if (range.contains(value)) return;
+  if (!std::isfinite(value)) refuse(std::string(name), text(value), "a finite number");
+  std::string allowed = range.below(value) ? (range.open_min ? "> " : ">= ") + text(range.min)
+                                           : "<= " + text(range.max);
+  if (!unit.empty()) allowed.append(" ").append(unit);
+  refuse(std::string(name), text(value), allowed);
+}
+template <typename Name>
+void require(const Name& name, Vec2 value, std::string_view unit) {
+  if (kAnyValue.contains(value.x) && kAnyValue.contains(value.y)) return;
+  require(std::string(name) + ".0", value.x, kAnyValue, unit);
+  require(std::string(name) + ".1", value.y, kAnyValue, unit);
+}
 
 }  // namespace avo

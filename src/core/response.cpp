@@ -19,43 +19,20 @@ double proportional_gain(double u) {
 }  // namespace
 
 double Response::gain(double t) const {
-  switch (kind_) {
-    case Kind::velocity:
-      return t;
-    case Kind::acceleration:
-      return 0.5 * t * t;
-    case Kind::held:
-      return 0.5 * t * (t / control_time_);
-    case Kind::proportional:
-      break;
-  }
-  return control_time_ * proportional_gain(t / control_time_);
+  if (kind_ == Kind::velocity) return t;
+  const double u = t / control_time_;
+  return kind_ == Kind::proportional ? control_time_ * proportional_gain(u) : 0.5 * t * u;
 }
 
 double Response::rate(double t) const {
-  switch (kind_) {
-    case Kind::velocity:
-      return 1.0;
-    case Kind::acceleration:
-      return t;
-    case Kind::held:
-      return t / control_time_;
-    case Kind::proportional:
-      break;
-  }
-  return -elementary::expm1(-t / control_time_);
+  if (kind_ == Kind::velocity) return 1.0;
+  const double u = t / control_time_;
+  return kind_ == Kind::proportional ? -elementary::expm1(-u) : u;
 }
 
 double Response::lag(double t) const {
-  switch (kind_) {
-    case Kind::velocity:
-      return 0.0;
-    case Kind::acceleration:
-    case Kind::held:
-      return 0.5 * t;
-    case Kind::proportional:
-      break;
-  }
+  if (kind_ == Kind::velocity) return 0.0;
+  if (kind_ != Kind::proportional) return 0.5 * t;
   return t > 0.0 ? t - gain(t) / rate(t) : 0.0;
 }
 

@@ -9,18 +9,18 @@
 
 #include "avo/vec.h"
 
-// Of all that kernels are made of: what is not inlined costs more than what it does.
+// Every part of a kernel carries it: a call would cost more than what it does.
 #define AVO_KERNEL inline __attribute__((always_inline))
 
 // A kernel header, *_kernel.h, is compiled once per pass: first for the pack above, then once for
-// each instruction set, beginning with core/lanes.h, which flips AVO_PASS_TOGGLE. It opens the
-// namespace of the pass itself, and its guard lets it in once while the toggle stays: so a file
+// each instruction set, beginning with core/lanes.h, which forgets the guards of all kernel headers
+// (core/kernel_guards.h, written by CMake). It opens the namespace of the pass itself. So a file
 // with several passes includes the same kernel headers in each of them.
 #define AVO_BEGIN_KERNELS namespace avo::scalar {
 #define AVO_END_KERNELS }
 
 namespace avo {
-/// Of doubles, as many as any vector has.
+/// As many doubles as any vector has.
 inline constexpr std::array<double, 8> kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
 }  // namespace avo
 
@@ -79,6 +79,9 @@ struct Pack {
     return pack;
   }
 };
+
+/// One number has nothing to wait beside, see core/lanes.h.
+using TwoPacks = Pack<double>;
 
 template <typename T>
 T sum_of(Pack<T> a) {

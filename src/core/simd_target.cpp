@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "avo/error.h"
 #include "core/kernel_table.h"
@@ -92,18 +93,12 @@ const char* simd_target() {
   return kNames[current()];
 }
 
-std::span<const char* const> simd_targets() {
-  static const auto list = [] {
-    struct {
-      std::array<const char*, kSimdTargets> names{};
-      std::size_t count = 0;
-    } here;
-    for (std::size_t target = 0; target < kSimdTargets; ++target) {
-      if (is_here(target)) here.names[here.count++] = kNames[target];
-    }
-    return here;
-  }();
-  return {list.names.data(), list.count};
+std::vector<const char*> simd_targets() {
+  std::vector<const char*> names;
+  for (std::size_t target = 0; target < kSimdTargets; ++target) {
+    if (is_here(target)) names.push_back(kNames[target]);
+  }
+  return names;
 }
 
 bool use_simd_target(std::string_view name) {

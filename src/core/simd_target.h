@@ -3,8 +3,8 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
+#include <vector>
 
 #include "avo/simd.h"
 
@@ -18,7 +18,7 @@ inline constexpr std::size_t kSimdTargets = 5;
 SimdTarget current_simd_target();
 
 /// Names of those of this machine and build, best first; "scalar" is always the last.
-std::span<const char* const> simd_targets();
+std::vector<const char*> simd_targets();
 
 /// False and no change if there is none of that name here. Not while a kernel runs.
 bool use_simd_target(std::string_view name);

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane vectors of packs, which core/scalar.h and core/lanes.h include.
-#if defined(AVO_CORE_VEC_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_CORE_VEC_KERNEL_H
-#undef AVO_CORE_VEC_KERNEL_H
-#else
+// Plane vectors (the paper's p, v and w) of packs, which core/scalar.h and core/lanes.h include.
+#ifndef AVO_CORE_VEC_KERNEL_H
 #define AVO_CORE_VEC_KERNEL_H
-#endif
 
 #include <cstddef>
 #include <cstdint>
@@ -40,6 +36,12 @@ AVO_KERNEL Real lane_numbers() {
 template <typename Real>
 AVO_KERNEL Vec<Real> constant(Vec2 a) {
   return {Real(a.x), Real(a.y)};
+}
+
+/// The vector of a pack of one.
+template <typename Real>
+AVO_KERNEL Vec2 plain(Vec<Real> a) {
+  return {a.x.value, a.y.value};
 }
 
 /// Stores of `values`, narrowed, those whose bits are set side by side, and beside them their

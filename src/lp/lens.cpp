@@ -13,8 +13,7 @@ using Real = Lens::Real;
 using LensVec = scalar::Vec<Real>;
 
 Vec2 absolute(const Lens& lens, LensVec relative) {
-  const LensVec u = lens.scaled.origin + relative;
-  return Vec2{u.x.value, u.y.value} / lens.scale;
+  return plain(lens.scaled.origin + relative) / lens.scale;
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // of lens_kernel.h, for numbers of any size.
 #pragma once
 #include "avo/geometry.h"
-#include "lp/kernels.h"
+#include "lp/lens_kernel.h"
 
 namespace avo {
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The intersection of two closed discs in closed form: what the limits on acceleration and speed
-// leave a robot to choose from (paper §IV-D), one robot per lane. In coordinates relative to the
-// center of the smaller disc numbers are as small as the set, and nothing cancels where the discs
-// lie far from the origin. Nothing invalid is computed, not even in a lane that does not ask.
-#if defined(AVO_LP_LENS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_LP_LENS_KERNEL_H
-#undef AVO_LP_LENS_KERNEL_H
-#else
+// leave a robot to choose from (paper §IV-D, Eqs. (21), (22)), one robot per lane. In coordinates
+// relative to the center of the smaller disc numbers are as small as the set, and nothing cancels
+// where the discs lie far from the origin. Nothing invalid is computed, not even in a lane that
+// does not ask.
+#ifndef AVO_LP_LENS_KERNEL_H
 #define AVO_LP_LENS_KERNEL_H
-#endif
 
 #include "core/scalar.h"
 #include "lp/constants.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lp/kernels.h"
 #include "lp/lens.h"
+#include "lp/program_kernel.h"
 
 namespace avo {
 namespace {
@@ -30,8 +30,7 @@ void fill(ProgramGroup<1>& group, const Disc& acceleration, double top_speed, Ve
 
 ProgramResult nearest_to_speed_disc(const Disc& acceleration, double top_speed) {
   const Lens lens = make_lens(acceleration, top_speed);
-  const scalar::Vec<Real> towards = lens.scaled.larger_center / lens.scaled.distance;
-  const Vec2 way{towards.x.value, towards.y.value};
+  const Vec2 way = plain(lens.scaled.larger_center / lens.scaled.distance);
   ProgramResult result;
   result.point =
       acceleration.center + acceleration.radius * (lens.scaled.speed_is_larger.bit ? way : -way);
@@ -40,7 +39,7 @@ ProgramResult nearest_to_speed_disc(const Disc& acceleration, double top_speed) 
   return result;
 }
 
-// Of the half-planes as given. It is not 0 even where scaling the point back has made it so, among
+// The largest violation of the half-planes as given. It is not 0 even where scaling the point back has made it so, among
 // denormal numbers.
 double violation_at(std::span<const HalfPlane> planes, Vec2 u, double scaled_back) {
   double largest = 0.0;

@@ -2,12 +2,8 @@
 // Eq. (23) in the plane, one robot per lane: one half-plane after the other, one line at a time.
 // Each lane takes the half-plane that it violates most, until the last one has done: the best point
 // then lies on its boundary, and only those taken before limit it there.
-#if defined(AVO_LP_PLANAR_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_LP_PLANAR_KERNEL_H
-#undef AVO_LP_PLANAR_KERNEL_H
-#else
+#ifndef AVO_LP_PLANAR_KERNEL_H
 #define AVO_LP_PLANAR_KERNEL_H
-#endif
 
 #include <cstddef>
 #include <limits>

@@ -28,8 +28,9 @@ struct ProgramRow {
   Lanes relative;  // the offset, from Lens::origin
 };
 
-/// Of `count` half-planes by all lanes of a pack, in the plane and then on the way to the least
-/// unsafe point: some lanes begin with the second when others have done with the first.
+/// How many of `count` half-planes all lanes of a pack take at most, in the plane and then on the
+/// way to the least unsafe point: some lanes begin with the second when others have done with the
+/// first.
 constexpr std::size_t most_taken(std::size_t count) {
   return 2 * count + 2;
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eqs. (22), (23), one robot per lane: nearest_point() is the scalar instance.
-#if defined(AVO_LP_PROGRAM_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_LP_PROGRAM_KERNEL_H
-#undef AVO_LP_PROGRAM_KERNEL_H
-#else
+#ifndef AVO_LP_PROGRAM_KERNEL_H
 #define AVO_LP_PROGRAM_KERNEL_H
-#endif
 
 #include <bit>
 #include <cstddef>
@@ -54,7 +50,7 @@ AVO_KERNEL Real largest_violation(const Planes<Real, Row>& planes, Vec<Real> u) 
   return largest;
 }
 
-/// Of the half-planes as given, by the point as returned.
+/// How far the point, as it is returned, lies outside the half-planes as given.
 template <typename Real, typename Row>
 AVO_KERNEL Real reported_violation(const Lens<Real>& lens, const Planes<Real, Row>& planes,
                                    Vec<Real> relative, Vec<Real> point) {

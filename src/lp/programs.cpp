@@ -1,39 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs in lanes, for every instruction set: this file is compiled once for each by
-// hwy/foreach_target.h, and the fittest is chosen at run time.
+// Programs in lanes, for every instruction set; the fittest is chosen at run time.
 #include "lp/programs.h"
 
 #include <algorithm>
 #include <bit>
 
-#include "core/kernel_table.h"
-#include "lp/kernels.h"
-
-#ifdef AVO_HIGHWAY
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "lp/programs.cpp"
-#include <hwy/foreach_target.h>
-#if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"  // begins the pass
-#include "lp/program_kernel.h"
-
-AVO_BEGIN_KERNELS
-constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>};
-AVO_END_KERNELS
-#endif
-#endif
-
-#if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
-namespace scalar {
-constexpr ProgramKernels kKernels{planar::solve_programs<Pack<double>>};
-}  // namespace scalar
+struct ProgramKernels {
+  void (*solve)(Programs&, ProgramRow<kProgramLanes>*, bool);
+};
+}  // namespace avo
+
+#define AVO_KERNEL_HEADER "lp/program_kernel.h"
+#define AVO_KERNEL_STRUCT ProgramKernels
+#define AVO_KERNEL_FUNCTIONS planar::solve_programs<Pack<double>>
+#include "core/kernel_passes.h"
+
+namespace avo {
 namespace {
 
 using Group = ProgramGroup<kProgramLanes>;
 using Row = ProgramRow<kProgramLanes>;
-
-constexpr KernelTable<ProgramKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
 
 std::size_t most_rows(const Programs& programs) {
   std::size_t most = 0;
@@ -156,4 +143,3 @@ void nearest_points(ProgramBatch& batch) {
 }
 
 }  // namespace avo
-#endif

@@ -3,6 +3,7 @@
 #include "avo/metrics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -32,23 +33,10 @@ struct Body {
   StepPath path;
 };
 
-std::int64_t& count_of(Decisions& decisions, PlanStatus status) {
-  switch (status) {
-    case PlanStatus::optimal:
-      return decisions.optimal;
-    case PlanStatus::least_unsafe:
-      return decisions.least_unsafe;
-    case PlanStatus::candidate:
-      return decisions.candidate;
-    case PlanStatus::braking:
-      return decisions.braking;
-    case PlanStatus::overlapping:
-      return decisions.overlapping;
-    case PlanStatus::invalid_input:
-      break;
-  }
-  return decisions.invalid_input;
-}
+// In the order of PlanStatus.
+constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
+                             &Decisions::candidate,   &Decisions::braking,
+                             &Decisions::overlapping, &Decisions::invalid_input};
 
 }  // namespace
 
@@ -91,24 +79,19 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
   robots.clear();
   std::size_t j = 0;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    while (j < last.id.size() && last.id[j].value < fleet.id[i].value) ++j;
-    if (j == last.id.size() || !(last.id[j] == fleet.id[i])) continue;
+    while (j < last.robots.size() && last.robots[j].id.value < fleet.id[i].value) ++j;
+    if (j == last.robots.size() || !(last.robots[j].id == fleet.id[i])) continue;
     Body body;
     body.name = fleet.id[i].value;
     body.radius = fleet.setup[i].radius;
-    body.position = last.position[j];
-    body.velocity = last.velocity[j];
+    body.position = last.robots[j].position;
+    body.velocity = last.robots[j].velocity;
     body.w = fleet.plan[i].new_velocity - body.velocity;
-    body.exact = !fleet.setup[i].car;
-    if (!started) {
-      body.exact = false;
-      body.path.control.fill(body.position);
-      robots.push_back(body);
-      continue;
-    }
+    body.exact = started && !fleet.setup[i].car;
     const Vec2 start = at_once && body.exact ? fleet.velocity[i] : body.velocity;
     body.path = hermite_path(body.position, start, fleet.position[i], fleet.velocity[i],
                              settings.time_step);
+    if (!started) body.path.control.fill(body.position);
     robots.push_back(body);
   }
 }
@@ -116,12 +99,12 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
 void Metrics::State::collect_obstacles(const Simulation& simulation) {
   const ObstacleView now = simulation.obstacles();
   obstacles.clear();
-  for (std::size_t k = 0; k < now.setup.size() && k < last.obstacle_position.size(); ++k) {
+  for (std::size_t k = 0; k < now.setup.size() && k < last.obstacles.size(); ++k) {
     Body body;
     body.name = k;
     body.radius = now.setup[k].radius;
-    body.position = last.obstacle_position[k];
-    body.velocity = last.obstacle_velocity[k];
+    body.position = last.obstacles[k].position;
+    body.velocity = last.obstacles[k].velocity;
     body.exact = started && now.setup[k].acceleration == Vec2{};
     body.path = hermite_path(body.position, body.velocity, now.position[k], now.velocity[k],
                              settings.time_step);
@@ -216,7 +199,7 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
     }
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
-    ++count_of(summary.decisions, fleet.plan[i].status);
+    ++(summary.decisions.*kCounts[static_cast<std::size_t>(fleet.plan[i].status)]);
   }
 }
 
@@ -270,9 +253,9 @@ RunSummary Metrics::summary() const {
   if (summary.arrived > 0 && summary.arrived == summary.robots) summary.last_arrival = last;
   summary.collision_pairs = static_cast<std::int64_t>(state_->collided.size());
   summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
-  for (std::size_t i = 0; i < state_->last.id.size(); ++i) {
+  for (std::size_t i = 0; i < state_->last.robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
-    if (state_->arrival.at(state_->last.id[i].value)) continue;
+    if (state_->arrival.at(state_->last.robots[i].id.value)) continue;
     summary.not_arrived.push_back(state_->last.describe(i));
   }
   std::vector<double> times = state_->step_milliseconds;

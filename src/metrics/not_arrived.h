@@ -8,15 +8,21 @@
 
 namespace avo {
 
-/// Columns of a fleet as last seen, and of the moving obstacles then.
+/// A fleet as last seen, by ascending id, and the moving obstacles then.
 struct LastSeen {
-  std::vector<RobotId> id;
-  std::vector<Vec2> position, velocity, goal;
-  std::vector<double> radius;
-  std::vector<PlanStatus> status;
-  std::vector<double> detour;  // rad
-  std::vector<Vec2> obstacle_position, obstacle_velocity;
-  std::vector<double> obstacle_radius;
+  struct Robot {
+    RobotId id;
+    Vec2 position, velocity, goal;
+    double radius;
+    PlanStatus status;
+    double detour;  // rad
+  };
+  struct Obstacle {
+    Vec2 position, velocity;
+    double radius;
+  };
+  std::vector<Robot> robots;
+  std::vector<Obstacle> obstacles;
 
   void look_at(const Simulation& simulation);
   [[nodiscard]] NotArrived describe(std::size_t robot) const;

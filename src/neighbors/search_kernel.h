@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lanes of a search (ARCHITECTURE.md, "One step").
-#if defined(AVO_NEIGHBORS_SEARCH_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_NEIGHBORS_SEARCH_KERNEL_H
-#undef AVO_NEIGHBORS_SEARCH_KERNEL_H
-#else
+#ifndef AVO_NEIGHBORS_SEARCH_KERNEL_H
 #define AVO_NEIGHBORS_SEARCH_KERNEL_H
-#endif
 
 #include <algorithm>
 #include <bit>

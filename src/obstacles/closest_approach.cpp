@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Membership in an obstacle: the exact closest approach by branch and bound on time (Eqs. 4, 10).
-#include "obstacles/closest_approach.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "avo/velocity_obstacle.h"
 
 namespace avo {
 namespace {
@@ -192,13 +192,10 @@ ClosestApproach closest_approach(const Obstacle& obstacle, Vec2 u) {
   return search(obstacle, u, std::numeric_limits<double>::infinity());
 }
 
-bool comes_within(const Obstacle& obstacle, Vec2 u, double distance) {
-  return search(obstacle, u, distance).distance < distance;
-}
-
-// Eqs. (4), (10). A distance below r at an end of the window is one inside it as well.
+// Eqs. (4), (10), decided as soon as it is plain. A distance below r at an end of the window is one
+// inside it as well.
 bool contains(const Obstacle& obstacle, Vec2 u) {
-  return comes_within(obstacle, u, obstacle.pair.radius);
+  return search(obstacle, u, obstacle.pair.radius).distance < obstacle.pair.radius;
 }
 
 }  // namespace avo

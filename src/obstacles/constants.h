@@ -5,7 +5,7 @@
 
 namespace avo {
 
-// Of Newton's iterations; bisection alone would end by then.
+// The most iterations of Newton's method; bisection alone would end by then.
 constexpr int kMaxIterations = 64;
 // How often a horn's near side may cross the circle |w| = R: once, which is nearly always known
 // beforehand, or so often, when it has to be followed.
@@ -18,7 +18,8 @@ constexpr int kMaxStrides = 48;
 // many again).
 constexpr double kFlat = 0.1;   // of l²
 constexpr double kWide = 0.25;  // of the time, and of R
-// Of the last two steps' product, relative, which leaves about its square: a use of second order.
+// The product of the last two steps may be so large, relative, which leaves an error of about its
+// square: every use is of second order in the time.
 constexpr double kTimeTolerance = 1e-4;
 // The same where the near side may have cusps near by.
 constexpr double kCloseTolerance = 1e-8;
@@ -28,7 +29,7 @@ constexpr double kConvexTolerance = 1e-8;
 constexpr double kTiniest = 1e-150;
 // |sin| of an angle that may be one of rounding.
 constexpr double kTie = 1e-9;
-// Of r: nearer than this, what is left is of the order of rounding.
+// A part of r: nearer than this, what is left is of the order of rounding.
 constexpr double kContact = 1e-9;
 // m/s; slower is at rest.
 constexpr double kSlowest = 1e-100;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs that overlap already: outside the paper, whose guarantee starts from a free pair. Lemma 10
 // of docs/half_plane.md.
-#if defined(AVO_OBSTACLES_CONTACT_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_CONTACT_KERNEL_H
-#undef AVO_OBSTACLES_CONTACT_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_CONTACT_KERNEL_H
 #define AVO_OBSTACLES_CONTACT_KERNEL_H
-#endif
 
 #include "avo/horizon.h"
 #include "core/scalar.h"

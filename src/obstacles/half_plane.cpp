@@ -3,33 +3,47 @@
 // half_planes.cpp equals bit for bit, and the rare cases that kernels leave to it.
 #include "avo/half_plane.h"
 
-#include "obstacles/contact.h"
+#include <algorithm>
+
 #include "obstacles/horn.h"
-#include "obstacles/kernels.h"
 
 namespace avo {
 namespace {
 
 using Real = scalar::Pack<double>;
 
-struct Found {
-  scalar::Plane<Real> plane;
-  bool free = false;
-};
-
-Found horn(const scalar::Local<Real>& local, const Horizon& horizon) {
-  const ResponseTable table = horizon.table();
-  scalar::HornPlane<Real> solved = scalar::horn<Look::once>(local, horizon.end(), table);
-  if (!solved.settled.bit) solved = scalar::horn<Look::often>(local, horizon.end(), table);
-  if (!solved.settled.bit) solved = searched_horn(local, horizon);
-  return {solved.plane, solved.free.bit};
+// The line that takes an overlapping pair apart: outside the paper, whose guarantee starts from a
+// free pair. n = p/|p| over the shortest window in [Δt, τ] at whose end the pair can be apart, see
+// contact_kernel.h. If even τ is too short, h = reach, and excess says by how much more. Equal
+// centers separate along the relative velocity; at rest they have no direction (coincident).
+RelativeHalfPlane separate(const Pair& pair, double reach, const Horizon& horizon) {
+  const double d = norm(pair.position);
+  const bool equal_centers = !(d > kTiniest);
+  const Vec2 along = equal_centers ? pair.velocity : pair.position;
+  const double length = norm(along);
+  if (!(length > kTiniest)) return {PairState::coincident, {}};
+  const double per_length = 1.0 / length;
+  const double depth = pair.radius - (equal_centers ? 0.0 : d);
+  const double h =
+      scalar::separating<Real>(depth, dot(along, pair.velocity) * per_length, reach, horizon).value;
+  return {
+      PairState::overlapping, {per_length * along, std::min(h, reach)}, std::max(0.0, h - reach)};
 }
 
-Found local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon) {
+using Solved = scalar::HornPlane<Real>;
+
+Solved horn(const scalar::Local<Real>& local, const Horizon& horizon) {
+  const ResponseTable table = horizon.table();
+  Solved solved = scalar::horn<Look::once>(local, horizon.end(), table);
+  if (!solved.settled.bit) solved = scalar::horn<Look::often>(local, horizon.end(), table);
+  return solved.settled.bit ? solved : searched_horn(local, horizon);
+}
+
+Solved local_half_plane(const scalar::Frame<Real>& frame, const Horizon& horizon) {
   const scalar::Tip<Real> tip = scalar::tip(frame.local, horizon.end());
-  if (tip.nearest.bit) return {tip.plane, tip.plane.h.value <= -frame.local.R.value};
+  if (tip.nearest.bit) return {tip.plane, {true}, tip.plane.h <= -frame.local.R};
   if (!frame.on_collision_course.bit) return horn(frame.local, horizon);
-  return {scalar::convex(frame.local, horizon.table())};
+  return {scalar::convex(frame.local, horizon.table()), {true}, {false}};
 }
 
 scalar::Frame<Real> frame_of(const Pair& pair, double reach, const Horizon& horizon) {
@@ -37,10 +51,10 @@ scalar::Frame<Real> frame_of(const Pair& pair, double reach, const Horizon& hori
   return scalar::frame_of<Real>({p.x, p.y}, {v.x, v.y}, pair.radius, reach, horizon.end());
 }
 
-RelativeHalfPlane turned_back(const Found& solved, const scalar::Frame<Real>& frame, double reach) {
-  if (solved.free) return {};
-  const scalar::Vec<Real> n = frame.turned_back(solved.plane.n);
-  const Vec2 normal{n.x.value, n.y.value};
+RelativeHalfPlane turned_back(const Solved& solved, const scalar::Frame<Real>& frame,
+                              double reach) {
+  if (solved.free.bit) return {};
+  const Vec2 normal = plain(frame.turned_back(solved.plane.n));
   const double h = solved.plane.h.value;
   if (h > reach) return {PairState::unavoidable, {normal, reach}, h - reach};
   return {PairState::constrained, {normal, h}};
@@ -58,8 +72,7 @@ RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& hori
 RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,
                                       const Horizon& horizon) noexcept {
   const scalar::Frame<Real> frame = frame_of(pair, reach, horizon);
-  const scalar::HornPlane<Real> solved = searched_horn(frame.local, horizon);
-  return turned_back({solved.plane, solved.free.bit}, frame, reach);
+  return turned_back(searched_horn(frame.local, horizon), frame, reach);
 }
 
 }  // namespace avo

@@ -2,12 +2,8 @@
 // The paper's half-plane H, Eqs. (15), (16), in closed form (§IV-B): the unit normal n of least
 // support of hull(D(0, R) ∩ AVO), with that support as offset, for as many pairs as Pack has lanes.
 // Lemmas 1 to 3 of docs/half_plane.md, which has the figure and the symbols.
-#if defined(AVO_OBSTACLES_HALF_PLANE_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_HALF_PLANE_KERNEL_H
-#undef AVO_OBSTACLES_HALF_PLANE_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_HALF_PLANE_KERNEL_H
 #define AVO_OBSTACLES_HALF_PLANE_KERNEL_H
-#endif
 
 #include <limits>
 

@@ -1,45 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// half_planes() for every instruction set: this file is compiled once for each by
-// hwy/foreach_target.h, and the fittest is chosen at run time.
+// half_planes() for every instruction set; the fittest is chosen at run time.
 #include "obstacles/half_planes.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "core/kernel_table.h"
-#include "obstacles/horn.h"
-#include "obstacles/kernels.h"
-
-#ifdef AVO_HIGHWAY
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "obstacles/half_planes.cpp"
-#include <hwy/foreach_target.h>
-#if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"  // begins the pass
 #include "obstacles/half_planes_kernel.h"
-#include "obstacles/shares_kernel.h"
+#include "obstacles/horn.h"
 
-AVO_BEGIN_KERNELS
-constexpr HalfPlaneKernels kKernels{solve<Pack<double>, TwoPacks>, relate<Pack<double>>,
-                                    share_out<Pack<double>>};
-AVO_END_KERNELS
-#endif
-#endif
-
-#if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
-namespace scalar {
-constexpr HalfPlaneKernels kKernels{solve<Pack<double>, Pack<double>>, relate<Pack<double>>,
-                                    share_out<Pack<double>>};
-}  // namespace scalar
+struct HalfPlaneKernels {
+  void (*solve)(const PairColumns&, const Horizon&, HalfPlaneWorkspace&, PlaneColumns&);
+  void (*relate)(const RobotColumns&, const NeighborColumns&, std::span<const std::size_t>, double,
+                 PairColumns&, std::vector<double>&);
+  void (*share_out)(const RobotColumns&, std::span<const std::size_t>, std::span<const double>,
+                    double, std::span<const double>, const PlaneColumns&, SharedPlanes&);
+};
+}  // namespace avo
+
+#define AVO_KERNEL_HEADER "obstacles/half_planes_kernel.h"
+#define AVO_KERNEL_HEADER_2 "obstacles/shares_kernel.h"
+#define AVO_KERNEL_STRUCT HalfPlaneKernels
+#define AVO_KERNEL_FUNCTIONS \
+  solve<Pack<double>, TwoPacks>, relate<Pack<double>>, share_out<Pack<double>>
+#include "core/kernel_passes.h"
+
+namespace avo {
 namespace {
-
-constexpr KernelTable<HalfPlaneKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
-
-template <typename T>
-void grow(std::vector<T>& column, std::size_t size) {
-  if (column.size() < size) column.resize(size);
-}
 
 // Equal centers, and what the general search of the horn is for.
 void solve_rest(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
@@ -107,4 +94,3 @@ void share_out(const RobotColumns& robots, std::span<const std::size_t> pair_end
 }
 
 }  // namespace avo
-#endif

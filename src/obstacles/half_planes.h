@@ -15,7 +15,12 @@ namespace avo {
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kSparePairs = 16;
 
-/// Of eight pairs, those whose bits are set free and the others constrained.
+template <typename T>
+void grow(std::vector<T>& column, std::size_t size) {
+  if (column.size() < size) column.resize(size);
+}
+
+/// The states of eight pairs: those whose bits are set are free, the others constrained.
 inline constexpr auto kFreeOrNot = [] {
   std::array<std::array<PairState, 8>, 256> states{};
   for (std::size_t lanes = 0; lanes < 256; ++lanes) {

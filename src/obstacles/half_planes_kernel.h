@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many pairs: what can be told at once is told at once, the rest waits in a queue for its case, so
 // that all lanes work on the same one. docs/half_plane.md, "The order of the cases".
-#if defined(AVO_OBSTACLES_HALF_PLANES_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_HALF_PLANES_KERNEL_H
-#undef AVO_OBSTACLES_HALF_PLANES_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_HALF_PLANES_KERNEL_H
 #define AVO_OBSTACLES_HALF_PLANES_KERNEL_H
-#endif
 
 #include <algorithm>
 #include <array>

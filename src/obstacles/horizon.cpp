@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "avo/response.h"
-#include "obstacles/kernels.h"
+#include "obstacles/response_kernel.h"
 
 namespace avo {
 namespace {

@@ -2,7 +2,7 @@
 // The general search for the half-plane in the horn case, and where half_planes() asks for it.
 #pragma once
 #include "avo/half_plane.h"
-#include "obstacles/kernels.h"
+#include "obstacles/half_planes_kernel.h"
 
 namespace avo {
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The horn case of a close pass: its near side may come into reach, leave it around its cusps, and
 // come back. Lemma 9 of docs/half_plane.md.
-#if defined(AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H
-#undef AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H
 #define AVO_OBSTACLES_HORN_FOLLOW_KERNEL_H
-#endif
 
 #include <array>
 #include <cstddef>

@@ -2,12 +2,8 @@
 // The horn case: where its near side crosses the circle |w| = R once at most, the half-plane from
 // that corner of the hull and those of the disc of τ; and where it does so up to three times.
 // Lemma 8 of docs/half_plane.md.
-#if defined(AVO_OBSTACLES_HORN_HULL_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_HORN_HULL_KERNEL_H
-#undef AVO_OBSTACLES_HORN_HULL_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_HORN_HULL_KERNEL_H
 #define AVO_OBSTACLES_HORN_HULL_KERNEL_H
-#endif
 
 #include <array>
 #include <cstddef>

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The horn case: its near side, and whether that crosses the circle |w| = R once at most, as it
 // nearly always does. Lemmas 4 to 7 of docs/half_plane.md.
-#if defined(AVO_OBSTACLES_HORN_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_HORN_KERNEL_H
-#undef AVO_OBSTACLES_HORN_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_HORN_KERNEL_H
 #define AVO_OBSTACLES_HORN_KERNEL_H
-#endif
 
 #include "obstacles/half_plane_kernel.h"
 

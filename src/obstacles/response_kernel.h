@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eq. (9)'s gain from a table: between nodes the response continues as
 // g(t_k + h) = g(t_k) + h g'(t_k) + e^{-t_k/δ} g(h), a sum without cancellation.
-#if defined(AVO_OBSTACLES_RESPONSE_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_RESPONSE_KERNEL_H
-#undef AVO_OBSTACLES_RESPONSE_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_RESPONSE_KERNEL_H
 #define AVO_OBSTACLES_RESPONSE_KERNEL_H
-#endif
 
 #include "avo/horizon.h"
 #include "core/scalar.h"

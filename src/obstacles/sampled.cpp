@@ -6,7 +6,6 @@
 
 #include "avo/half_plane.h"
 #include "avo/velocity_obstacle.h"
-#include "obstacles/contact.h"
 
 namespace avo {
 namespace {
@@ -152,7 +151,7 @@ HalfPlane least_support(const Polygon& hull, double reach, Vec2 p) {
 RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, const Horizon& horizon,
                                      int samples) {
   const double distance = norm(pair.position);
-  if (distance < pair.radius || !(distance > 0.0)) return separate(pair, reach, horizon);
+  if (distance < pair.radius || !(distance > 0.0)) return half_plane(pair, reach, horizon);
   const Obstacle obstacle{pair, Response::proportional(horizon.control_time()), horizon.end().time};
   const Vec2 p = pair.position;
   Polygon points;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eqs. (2), (3), (17)-(20) for many robots. What lanes write beyond a robot's last pair is the next
 // robot's to write.
-#if defined(AVO_OBSTACLES_SHARES_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_OBSTACLES_SHARES_KERNEL_H
-#undef AVO_OBSTACLES_SHARES_KERNEL_H
-#else
+#ifndef AVO_OBSTACLES_SHARES_KERNEL_H
 #define AVO_OBSTACLES_SHARES_KERNEL_H
-#endif
 
 #include <algorithm>
 #include <cstddef>

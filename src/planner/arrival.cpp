@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/arrival_kernels.h"
+#include "planner/arrival_kernel.h"
 
 namespace avo {
 namespace {
@@ -30,9 +30,6 @@ double time_to_speed(const Robot& robot) {
 
 scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
-}
-Vec2 plain(const scalar::Vec<Real>& a) {
-  return {a.x.value, a.y.value};
 }
 
 // Whether it has been beside others for so long, and so near its goal, that it stays there.

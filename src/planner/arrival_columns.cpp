@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// What robots do by themselves for every instruction set: this file is compiled once for each by
-// hwy/foreach_target.h, and the fittest is chosen at run time.
+// What robots do by themselves for every instruction set; the fittest is chosen at run time.
 #include "planner/arrival_columns.h"
 
-#include "core/kernel_table.h"
-#include "planner/arrival_kernels.h"
-
-#ifdef AVO_HIGHWAY
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "planner/arrival_columns.cpp"
-#include <hwy/foreach_target.h>
-#if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"  // begins the pass
-#include "planner/arrival_kernel.h"
-
-AVO_BEGIN_KERNELS
-constexpr ArrivalKernels kKernels{look_around<Pack<double>>, keep_right<Pack<double>>,
-                                  decide_freely<Pack<double>>};
-AVO_END_KERNELS
-#endif
-#endif
-
-#if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
-namespace scalar {
-constexpr ArrivalKernels kKernels{look_around<Pack<double>>, keep_right<Pack<double>>,
-                                  decide_freely<Pack<double>>};
-}  // namespace scalar
+struct ArrivalKernels {
+  void (*look_around)(const RobotColumns&, ArrivalColumns&);
+  void (*keep_right)(const RobotColumns&, ArrivalColumns&);
+  void (*decide_freely)(const StepLaw&, const RobotColumns&, ArrivalColumns&);
+};
+}  // namespace avo
 
-static constexpr KernelTable<ArrivalKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
+#define AVO_KERNEL_HEADER "planner/arrival_kernel.h"
+#define AVO_KERNEL_STRUCT ArrivalKernels
+#define AVO_KERNEL_FUNCTIONS \
+  look_around<Pack<double>>, keep_right<Pack<double>>, decide_freely<Pack<double>>
+#include "core/kernel_passes.h"
 
+namespace avo {
 void look_around(const RobotColumns& robots, ArrivalColumns& columns) {
   kKernels->look_around(robots, columns);
 }
@@ -52,4 +39,3 @@ void ArrivalColumns::reserve(std::size_t robots) {
 }
 
 }  // namespace avo
-#endif

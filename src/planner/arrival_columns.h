@@ -10,7 +10,7 @@
 
 namespace avo {
 
-/// By robot. Scratch memory; allocates only while it grows.
+/// One entry a robot. Scratch memory; allocates only while it grows.
 struct ArrivalColumns {
   using Column = std::vector<double>;
   Column range, ahead, push_x, push_y;  // m; by look_around(), see Traffic

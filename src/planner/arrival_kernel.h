@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rules for arriving (docs/arrival.md), as many neighbors or robots at once as Pack has lanes.
-#if defined(AVO_PLANNER_ARRIVAL_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_PLANNER_ARRIVAL_KERNEL_H
-#undef AVO_PLANNER_ARRIVAL_KERNEL_H
-#else
+#ifndef AVO_PLANNER_ARRIVAL_KERNEL_H
 #define AVO_PLANNER_ARRIVAL_KERNEL_H
-#endif
 
 #include <algorithm>
 #include <bit>

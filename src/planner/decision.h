@@ -61,7 +61,7 @@ struct Wished {
   }
 };
 
-/// Of a choice of the program's that is kept.
+/// The status of a choice that the program made and that is kept.
 inline PlanStatus status_of(bool overlapping, double violation) {
   if (overlapping) return PlanStatus::overlapping;
   return violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "obstacles/closest_approach.h"
-
 namespace avo {
 namespace {
 
@@ -117,27 +115,24 @@ std::array<Window, 2> tangent_windows(const Obstacle& obstacle, double first) {
   return {before, Window{std::max(first, time_of(lag_out)), last}};
 }
 
-// Collects the points of one curve and the pieces between them.
+// Collects the points of one curve after the other and the pieces between them.
 struct Sampler {
-  std::span<const Limit> limits;
-  std::vector<Curve>& curves;
-  std::vector<CurvePoint>& points;
-  std::vector<Piece>& pieces;
+  PassiveWorkspace& to;
+  std::size_t first = 0;  // point of the curve
 
   void begin(const Curve& curve) {
-    curves.push_back(curve);
-    fresh = true;
+    to.curves.push_back(curve);
+    first = to.points.size();
   }
   void add(double parameter) {
-    points.push_back(point_at(curves.back(), limits, parameter));
-    const int last = static_cast<int>(points.size()) - 1;
-    if (!fresh) pieces.push_back({static_cast<int>(curves.size()) - 1, last - 1, last, 0.0});
-    fresh = false;
+    to.points.push_back(point_at(to.curves.back(), to.limits, parameter));
+    const int last = static_cast<int>(to.points.size()) - 1;
+    if (to.points.size() - first < 2) return;
+    to.pieces.push_back({static_cast<int>(to.curves.size()) - 1, last - 1, last, 0.0});
   }
   void add_parts(int count) {
     for (int k = 0; k <= count; ++k) add(static_cast<double>(k) / count);
   }
-  bool fresh = true;
 };
 
 void sample_obstacle(int k, const Limit& limit, double reach, Sampler& sampler) {
@@ -203,8 +198,9 @@ double clearance(const Limit& limit, Vec2 v_new) {
 
 bool violates(const Limit& limit, Vec2 v_new) {
   if (limit.kind != Limit::Kind::obstacle) return clearance(limit, v_new) < 0.0;
-  return comes_within(limit.obstacle, v_new - limit.v_new_B,
-                      limit.obstacle.pair.radius - 0.5 * limit.slack);
+  Obstacle allowed = limit.obstacle;
+  allowed.pair.radius -= 0.5 * limit.slack;
+  return contains(allowed, v_new - limit.v_new_B);
 }
 
 double steepness(const Limit& limit) {
@@ -278,11 +274,10 @@ void append_limit(const Disc& disc, std::vector<Limit>& limits) {
   limits.push_back(limit);
 }
 
-void append_boundary(int k, std::span<const Limit> limits, const Disc& acceleration,
-                     const Disc& speed, std::vector<Curve>& curves, std::vector<CurvePoint>& points,
-                     std::vector<Piece>& pieces) {
-  Sampler sampler{limits, curves, points, pieces};
-  const Limit& limit = limits[static_cast<std::size_t>(k)];
+void append_boundary(int k, const Disc& acceleration, const Disc& speed,
+                     PassiveWorkspace& workspace) {
+  Sampler sampler{workspace};
+  const Limit& limit = workspace.limits[static_cast<std::size_t>(k)];
   switch (limit.kind) {
     case Limit::Kind::obstacle:
       sample_obstacle(k, limit,

@@ -79,9 +79,16 @@ void append_limit(const PassiveObstacle& mover, const Disc& acceleration, const 
 /// Appends a disc that v'_A must stay in; nothing if its radius is infinite.
 void append_limit(const Disc& disc, std::vector<Limit>& limits);
 
-/// The boundary of limits[k] as far as the discs reach, cut into points.
-void append_boundary(int k, std::span<const Limit> limits, const Disc& acceleration,
-                     const Disc& speed, std::vector<Curve>& curves, std::vector<CurvePoint>& points,
-                     std::vector<Piece>& pieces);
+/// The limits of one decision and their boundaries. Scratch memory; allocates only while it grows.
+struct PassiveWorkspace {
+  std::vector<Limit> limits;
+  std::vector<Curve> curves;
+  std::vector<CurvePoint> points;
+  std::vector<Piece> pieces;
+};
+
+/// The boundary of limit k as far as the discs reach, cut into points.
+void append_boundary(int k, const Disc& acceleration, const Disc& speed,
+                     PassiveWorkspace& workspace);
 
 }  // namespace avo

@@ -4,88 +4,52 @@
 
 #include <string>
 
-#include "avo/error.h"
 #include "core/ranges.h"
 
 namespace avo {
 namespace {
 
-[[noreturn]] void refuse(const char* name, const std::string& given, const std::string& allowed) {
-  throw Error(std::string("PlannerOptions.") + name + ": found " + given + ", must be " + allowed);
-}
-
-void require_positive(double value, const char* name, const char* allowed = "> 0 s") {
-  if (kPositive.contains(value)) return;
-  refuse(name, text(value), value > kLargest ? "<= " + text(kLargest) : allowed);
-}
-
-void validate_control(const PlannerOptions& options) {
+// Motion has to be able to follow the response within a step.
+void validate_control(const PlannerOptions& options, const std::string& prefix) {
+  const double dt = options.time_step, delta = options.control_time;
   const bool held = options.motion == Motion::held;
-  if (held && options.time_step > options.control_time) {
-    refuse("time_step", text(options.time_step), "<= control_time where motion is held");
-  }
-  if (options.control_time < kShortestControl) {
-    refuse("control_time", text(options.control_time), ">= " + text(kShortestControl) + " s");
-  }
-  if (!held && options.time_step > kMostControlTimes * options.control_time) {
-    refuse("control_time", text(options.control_time),
-           ">= time_step / " + text(kMostControlTimes) + " where motion is exponential");
-  }
+  // A held acceleration (v' - v)/δ leaves the fraction q = 1 - Δt/δ of the error: q < 0 overshoots.
+  if (held && dt > delta)
+    refuse(prefix + "time_step", text(dt),
+           "<= control_time = " + text(delta) + " s where motion is held");
+  if (delta < kShortestControl)
+    refuse(prefix + "control_time", text(delta), ">= " + text(kShortestControl) + " s");
+  if (!held && dt > kMostControlTimes * delta)
+    refuse(prefix + "control_time", text(delta),
+           ">= time_step / " + text(kMostControlTimes) + " = " + text(dt / kMostControlTimes) +
+               " s where motion is exponential");
 }
 
-void validate_sensing_error(const PlannerOptions& options) {
-  const auto require = [](double value, const char* name, const char* unit) {
-    if (kNotNegative.contains(value)) return;
-    refuse(name, text(value), value > kLargest ? "<= " + text(kLargest) : unit);
-  };
-  require(options.sensing_error.position, "sensing_error.position", ">= 0 m");
-  require(options.sensing_error.velocity, "sensing_error.velocity", ">= 0 m/s");
-  if (options.sensing_error != SensingError{} &&
-      options.certificate != Certificate::braking_trajectories) {
-    refuse("sensing_error", "one",
-           std::string("none with certificate ") + to_string(options.certificate));
-  }
-}
-
-void validate_certificate(const PlannerOptions& options) {
-  if (options.certificate != Certificate::none && options.method != Method::avo) {
-    refuse("certificate", to_string(options.certificate),
+void validate_certificate(const PlannerOptions& options, const std::string& prefix) {
+  if (options.certificate != Certificate::none && options.method != Method::avo)
+    refuse(prefix + "certificate", to_string(options.certificate),
            std::string("none with method ") + to_string(options.method));
-  }
-  require_positive(options.arrival_distance, "arrival_distance", "> 0 m");
-  validate_sensing_error(options);
+  const SensingError& error = options.sensing_error;
+  require(prefix + "sensing_error.position", error.position, kNotNegative, "m");
+  require(prefix + "sensing_error.velocity", error.velocity, kNotNegative, "m/s");
+  if (error != SensingError{} && options.certificate != Certificate::braking_trajectories)
+    refuse(prefix + "sensing_error", "one",
+           std::string("none with certificate ") + to_string(options.certificate));
 }
 
 }  // namespace
 
 const char* to_string(Method method) {
-  switch (method) {
-    case Method::avo:
-      return "avo";
-    case Method::avo_paper:
-      return "avo_paper";
-    case Method::velocity_obstacle:
-      return "velocity_obstacle";
-    case Method::orca:
-      return "orca";
-  }
-  return "unknown";
+  return name_of(method);
 }
-
 const char* to_string(Certificate certificate) {
-  switch (certificate) {
-    case Certificate::none:
-      return "none";
-    case Certificate::stopping_capsules:
-      return "stopping_capsules";
-    case Certificate::braking_trajectories:
-      return "braking_trajectories";
-  }
-  return "unknown";
+  return name_of(certificate);
 }
-
 const char* to_string(Motion motion) {
-  return motion == Motion::held ? "held" : "exponential";
+  return name_of(motion);
+}
+const char* to_string(PlanStatus status) {
+  return name_of(status);
 }
 
 PlannerOptions default_options(Method method) {
@@ -98,21 +62,20 @@ PlannerOptions default_options(Method method) {
   return options;
 }
 
-void validate(const PlannerOptions& options) {
-  require_positive(options.control_time, "control_time");
-  require_positive(options.time_horizon, "time_horizon");
-  require_positive(options.time_step, "time_step");
-  if (options.time_step > options.time_horizon) {
-    refuse("time_step", text(options.time_step), "<= time_horizon");
-  }
-  if (!adopts_at_once(options.method)) validate_control(options);
-  if (!kSamples.contains(options.samples) || options.samples == 1) {
-    refuse("samples", std::to_string(options.samples), "0 (exact) or 2 to 1000");
-  }
-  if (options.max_neighbors && *options.max_neighbors < 1) {
-    refuse("max_neighbors", std::to_string(*options.max_neighbors), ">= 1");
-  }
-  validate_certificate(options);
+void validate(const PlannerOptions& options, const std::string& prefix) {
+  require(prefix + "time_step", options.time_step, kPositive, "s");
+  require(prefix + "control_time", options.control_time, kPositive, "s");
+  require(prefix + "time_horizon", options.time_horizon, kPositive, "s");
+  if (options.time_step > options.time_horizon)
+    refuse(prefix + "time_step", text(options.time_step),
+           "<= time_horizon = " + text(options.time_horizon) + " s");
+  if (!adopts_at_once(options.method)) validate_control(options, prefix);
+  if (options.max_neighbors)
+    require(prefix + "max_neighbors", *options.max_neighbors, kAtLeastOne, "");
+  require(prefix + "samples", options.samples, kSamples, "");
+  if (options.samples == 1) refuse(prefix + "samples", "1", "0 (exact) or >= 2");
+  require(prefix + "arrival_distance", options.arrival_distance, kPositive, "m");
+  validate_certificate(options, prefix);
 }
 
 }  // namespace avo

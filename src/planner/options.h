@@ -1,11 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a planner can be asked to do.
 #pragma once
+#include <array>
+#include <cstddef>
+#include <string>
+
 #include "avo/planner.h"
 
 namespace avo {
 
-/// Throws Error naming the first option out of range.
-void validate(const PlannerOptions& options);
+/// What the values of an enum are called in scene files, in their order.
+template <typename Choice>
+inline constexpr std::array<const char*, 0> kNames{};
+template <>
+inline constexpr std::array kNames<Method>{"avo", "avo_paper", "velocity_obstacle", "orca"};
+template <>
+inline constexpr std::array kNames<Certificate>{"none", "stopping_capsules",
+                                                "braking_trajectories"};
+template <>
+inline constexpr std::array kNames<Motion>{"held", "exponential"};
+template <>
+inline constexpr std::array kNames<PlanStatus>{"optimal", "least_unsafe", "candidate",
+                                               "braking", "overlapping",  "invalid_input"};
+
+template <typename Choice>
+const char* name_of(Choice choice) {
+  const auto number = static_cast<std::size_t>(choice);
+  return number < kNames<Choice>.size() ? kNames<Choice>[number] : "unknown";
+}
+
+/// Throws Error naming the first option out of range, with the prefix.
+void validate(const PlannerOptions& options, const std::string& prefix);
 
 }  // namespace avo

@@ -248,10 +248,7 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
                                      PassiveWorkspace& workspace) {
   const Lens lens = make_lens(acceleration, speed.radius);
   if (lens.empty) return {{}, lens.gap, PassiveState::discs_disjoint};
-  std::vector<Limit>& limits = workspace.limits;
-  std::vector<Curve>& curves = workspace.curves;
-  std::vector<CurvePoint>& points = workspace.points;
-  std::vector<Piece>& pieces = workspace.pieces;
+  auto& [limits, curves, points, pieces] = workspace;
   limits.clear();
   curves.clear();
   points.clear();
@@ -268,9 +265,11 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
   append_limit(acceleration, limits);
   append_limit(speed, limits);
   for (std::size_t k = 0; k < limits.size(); ++k) {
-    append_boundary(static_cast<int>(k), limits, acceleration, speed, curves, points, pieces);
+    append_boundary(static_cast<int>(k), acceleration, speed, workspace);
   }
-  const auto point = [&](int k) -> CurvePoint& { return points[static_cast<std::size_t>(k)]; };
+  const auto point = [&workspace](int k) -> CurvePoint& {
+    return workspace.points[static_cast<std::size_t>(k)];
+  };
   for (Piece& piece : pieces) {
     piece.bound = piece_bound(point(piece.first).position, point(piece.second).position, preferred);
   }

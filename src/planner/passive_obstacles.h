@@ -19,14 +19,6 @@ struct PassiveChoice {
   PassiveState state = PassiveState::free;
 };
 
-/// Scratch memory; allocates only while it grows.
-struct PassiveWorkspace {
-  std::vector<Limit> limits;
-  std::vector<Curve> curves;
-  std::vector<CurvePoint> points;
-  std::vector<Piece> pieces;
-};
-
 /// Eqs. (13), (14): v'_A nearest to `preferred` in both discs and outside the union of
 /// AVO ⊕ {v'_B}. acceleration.radius may be infinite, speed.center is 0. Candidates are
 /// `preferred`, its projections on the boundaries (the circles too) and the ends of their free

@@ -14,7 +14,6 @@
 #include "lp/lens.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
-#include "planner/braking.h"
 #include "planner/certify.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
@@ -28,6 +27,7 @@ namespace {
 
 // Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
 constexpr double kSmallest = 1e-60;
+constexpr std::size_t kMostConstraints = 8192;  // for more, memory grows when it is needed
 
 // 1 or 0, to be joined without a branch: nearly all are.
 int is_known(double value) {
@@ -48,6 +48,17 @@ bool can_brake(const Robot& robot) {
 
 bool can_drive(const CarSetup& car) {
   return (is_known(car.heading) & is_size(car.wheelbase)) != 0;
+}
+
+// v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
+// -v, Eq. (7); |v' - v| <= δ a_max always, |v'| <= v_max unless that is farther than δ a_max away.
+// rate: the part of v' - v that one step turns into velocity.
+Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noexcept {
+  const double speed = norm(robot.velocity);
+  if (!(speed > 0.0)) return {};
+  const double limit = control_time * robot.max_acceleration;
+  const double change = std::min({speed / rate, limit, std::max(speed + robot.max_speed, 0.0)});
+  return ((speed - change) / speed) * robot.velocity;
 }
 
 }  // namespace
@@ -89,33 +100,10 @@ bool can_follow(const Robot& robot, const PlannerOptions& options) {
   return !robot.car || options.certificate == Certificate::none || options.motion == Motion::held;
 }
 
-const char* to_string(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::optimal:
-      return "optimal";
-    case PlanStatus::least_unsafe:
-      return "least_unsafe";
-    case PlanStatus::candidate:
-      return "candidate";
-    case PlanStatus::braking:
-      return "braking";
-    case PlanStatus::overlapping:
-      return "overlapping";
-    case PlanStatus::invalid_input:
-      return "invalid_input";
-  }
-  return "unknown";
-}
-
 PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
 PlanWorkspace::~PlanWorkspace() = default;
 PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
 PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
-
-namespace {
-
-constexpr std::size_t kMostConstraints = 8192;  // of more, memory grows when it is needed
-}  // namespace
 
 void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t braking_steps) {
   rows.reserve(program_rows(neighbors));
@@ -137,7 +125,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
 }
 
 Planner::Planner(const PlannerOptions& options) : options_(options) {
-  validate(options);
+  validate(options, "PlannerOptions.");
   horizon_ = std::make_shared<const Horizon>(options.control_time, options.time_horizon,
                                              options.time_step);
 }
@@ -171,19 +159,13 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   for (const std::uint32_t k :
        list_nearest(options_, robot, neighbors, PlanWorkspace::Scratch::of(workspace))) {
-    const Neighbor& neighbor = neighbors[k];
-    const RelativeHalfPlane relative = relative_half_plane(options_, *horizon_, robot, neighbor);
-    if (relative.state == PairState::free) continue;
-    if (relative.state == PairState::overlapping || relative.state == PairState::coincident) {
-      half_planes.overlapping = true;
-    }
-    if (relative.state == PairState::coincident) continue;
-
-    const NeighborPlane own = share_of(options_, robot, neighbor, static_cast<int>(k), relative);
-    if (own.excess <= 0.0 && lens_support_min(own.plane.normal, allowed) >= own.plane.offset) {
+    const auto own = own_half_plane(options_, *horizon_, robot, neighbors[k], static_cast<int>(k),
+                                    half_planes.overlapping);
+    if (!own) continue;
+    if (own->excess <= 0.0 && lens_support_min(own->plane.normal, allowed) >= own->plane.offset) {
       continue;
     }
-    half_planes.planes.push_back(own);
+    half_planes.planes.push_back(*own);
   }
 }
 

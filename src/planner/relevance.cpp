@@ -16,7 +16,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-9;  // of a sum of lengths, generously
 
-// Of a robot as fast as it may be: the reach grows with the speed.
+// How a robot brakes that is as fast as it may be: the reach grows with the speed.
 Braking fastest(const Planner& planner, const Robot& robot) {
   return braking_of({(1.0 + kSpeedRounding) * robot.max_speed, 0.0}, robot.max_acceleration,
                     certificate_law(planner).step);

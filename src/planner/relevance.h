@@ -17,10 +17,10 @@ struct Peers {
   double least_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
   double most_acceleration = 0.0;                                       ///< m/s^2
 };
-/// Of the robot only radius and limits count.
+/// Adds a robot, of which only radius and limits count.
 void include(Peers& peers, const Planner& planner, const Robot& robot);
 
-/// By the speed that a robot has: see relevant_range().
+/// A range that grows with the speed that a robot has, see relevant_range().
 struct RelevantRange {
   double least = 0.0;             ///< m, whatever the speed
   std::array<double, 3> reach{};  ///< m, s, s²/m: a polynomial of the speed

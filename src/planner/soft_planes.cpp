@@ -11,11 +11,6 @@
 namespace avo {
 namespace {
 
-template <typename T>
-void grow(std::vector<T>& column, std::size_t size) {
-  if (column.size() < size) column.resize(size);
-}
-
 // Returns the number of pairs.
 std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robots,
                         SoftPlanes& soft) {
@@ -120,43 +115,8 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   if (tile.neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
 
-// ORCA's half-planes, and those of the paper's samples.
-void collect_others(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
-                    SoftPlanes& soft) {
-  soft.planes.clear();
-  soft.excess.clear();
-  soft.exceeding = false;
-  soft.first.assign(1, 0);
-  soft.overlapping.clear();
-  for (std::size_t i = 0; i < tile.robots.count; ++i) {
-    const Robot robot = tile.robots.robot(i);
-    const Neighbors& neighbors = tile.robots.neighbors[i];
-    soft.overlapping.push_back(0);
-    const std::size_t count = planned_with(options, neighbors.size());
-    for (std::size_t k = 0; k < count; ++k) {
-      const Neighbor neighbor = neighbors[k];
-      const RelativeHalfPlane relative = relative_half_plane(options, horizon, robot, neighbor);
-      if (relative.state == PairState::free) continue;
-      if (relative.state == PairState::overlapping || relative.state == PairState::coincident) {
-        soft.overlapping.back() = 1;
-        if (relative.state == PairState::coincident) continue;
-      }
-      const NeighborPlane own = share_of(options, robot, neighbor, static_cast<int>(k), relative);
-      soft.planes.push_back(own.plane);
-      soft.excess.push_back(own.excess);
-      soft.exceeding |= own.excess > 0.0;
-    }
-    soft.first.push_back(soft.planes.size());
-  }
-}
-
-}  // namespace
-
-Pair relative(const Robot& robot, const Neighbor& neighbor) {
-  return {robot.position - neighbor.position, robot.velocity - neighbor.velocity,
-          robot.radius + neighbor.radius};
-}
-
+// [R] m/s, what both can do: δ (a_A + a_B); a mover that does not decide does what it is seen to
+// do.
 double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
   const double other = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration
                                                               : norm(neighbor.acceleration);
@@ -174,6 +134,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                              : half_plane(pair, reach, horizon);
 }
 
+// A's half-plane in v' of the relative one.
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative) {
   const double alpha = neighbor.behavior == Behavior::decides
@@ -185,6 +146,49 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
   }
   // near contact it has no bound; finite all the same
   return {index, plane, std::min(alpha * relative.excess, std::numeric_limits<double>::max())};
+}
+
+// ORCA's half-planes, and those of the paper's samples.
+void collect_others(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                    SoftPlanes& soft) {
+  soft.planes.clear();
+  soft.excess.clear();
+  soft.exceeding = false;
+  soft.first.assign(1, 0);
+  soft.overlapping.clear();
+  for (std::size_t i = 0; i < tile.robots.count; ++i) {
+    const Robot robot = tile.robots.robot(i);
+    const Neighbors& neighbors = tile.robots.neighbors[i];
+    const std::size_t count = planned_with(options, neighbors.size());
+    bool overlapping = false;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto own =
+          own_half_plane(options, horizon, robot, neighbors[k], static_cast<int>(k), overlapping);
+      if (!own) continue;
+      soft.planes.push_back(own->plane);
+      soft.excess.push_back(own->excess);
+      soft.exceeding |= own->excess > 0.0;
+    }
+    soft.overlapping.push_back(overlapping ? 1 : 0);
+    soft.first.push_back(soft.planes.size());
+  }
+}
+
+}  // namespace
+
+Pair relative(const Robot& robot, const Neighbor& neighbor) {
+  return {robot.position - neighbor.position, robot.velocity - neighbor.velocity,
+          robot.radius + neighbor.radius};
+}
+
+std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const Horizon& horizon,
+                                            const Robot& robot, const Neighbor& neighbor, int index,
+                                            bool& overlapping) {
+  const RelativeHalfPlane plane = relative_half_plane(options, horizon, robot, neighbor);
+  const bool coincident = plane.state == PairState::coincident;
+  if (coincident || plane.state == PairState::overlapping) overlapping = true;
+  if (coincident || plane.state == PairState::free) return {};
+  return share_of(options, robot, neighbor, index, plane);
 }
 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {

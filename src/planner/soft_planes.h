@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,21 +41,16 @@ struct SoftPlanes {
 /// The pair as Eqs. (2), (3) see it: p_AB, v_AB, r_AB.
 Pair relative(const Robot& robot, const Neighbor& neighbor);
 
-/// [R] m/s, what both can do: δ (a_A + a_B); a mover that does not decide does what it is seen to
-/// do.
-double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor);
-
-/// One by one.
-RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
-                                      const Robot& robot, const Neighbor& neighbor);
-
-/// A's half-plane in v' of the relative one.
-NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
-                       int index, const RelativeHalfPlane& relative);
+/// A's half-plane against one neighbor, by itself; none where nothing within reach collides, or no
+/// direction can be told. Sets `overlapping` where the two are in contact already.
+std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const Horizon& horizon,
+                                            const Robot& robot, const Neighbor& neighbor, int index,
+                                            bool& overlapping);
 
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 
-/// Of what either limit holds by itself nothing is kept: such a plane cannot cut.
+/// Collects the half-planes of all robots of the tile. One that either limit alone keeps to is left
+/// out: it cannot cut.
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft);
 

@@ -19,8 +19,21 @@ struct Tile {
   std::vector<std::uint32_t> slot;  ///< what whoever fills the tile calls each robot
   bool trusted = true;  ///< the robots and their neighbors are known to be finite and in range
 
-  void clear();
-  void reserve(std::size_t most_robots, std::size_t most_neighbors);
+  void clear() {
+    robots.clear();
+    neighbors.clear();
+    detour.clear();
+    plan.clear();
+    slot.clear();
+    trusted = true;
+  }
+  void reserve(std::size_t most_robots, std::size_t most_neighbors) {
+    robots.reserve(most_robots);
+    neighbors.reserve(most_neighbors);
+    detour.reserve(most_robots);
+    plan.reserve(most_robots);
+    slot.reserve(most_robots);
+  }
 };
 
 }  // namespace avo

@@ -7,11 +7,16 @@
 namespace avo {
 StepResponse step_response(const Planner& planner) {
   const PlannerOptions& options = planner.options();
-  const double rate = planner.step_rate();
+  const double rate = planner.step_rate(), lag = planner.step_lag();
   // a step from v to v_1 moves by s v + (Δt - s) v_1, and v_1 = v + rate w
-  const double gain = (options.time_step - planner.step_lag()) * rate;
+  const double gain = (options.time_step - lag) * rate;
   const bool at_once = adopts_at_once(options.method);
-  return {options.time_step, rate, gain, at_once ? options.time_step : options.control_time};
+  return {.method = options.method,
+          .time_step = options.time_step,
+          .rate = rate,
+          .lag = lag,
+          .gain = gain,
+          .control_time = at_once ? options.time_step : options.control_time};
 }
 
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response) {
@@ -20,8 +25,8 @@ MotionStep advance(const MotionState& state, const Plan& plan, const StepRespons
   const scalar::Moved<Real> next = scalar::moved(in_lane(state.position), in_lane(state.velocity),
                                                  in_lane(plan.new_velocity), response);
   MotionStep step;
-  step.next.position = {next.position.x.value, next.position.y.value};
-  step.next.velocity = {next.velocity.x.value, next.velocity.y.value};
+  step.next.position = plain(next.position);
+  step.next.velocity = plain(next.velocity);
   step.acceleration = next.acceleration.value;
   return step;
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion of robots that can accelerate in any direction, Eqs. (7)-(9).
-#if defined(AVO_ROBOTS_HOLONOMIC_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_ROBOTS_HOLONOMIC_KERNEL_H
-#undef AVO_ROBOTS_HOLONOMIC_KERNEL_H
-#else
+#ifndef AVO_ROBOTS_HOLONOMIC_KERNEL_H
 #define AVO_ROBOTS_HOLONOMIC_KERNEL_H
-#endif
 
 #include "core/scalar.h"
 #include "robots/motion.h"

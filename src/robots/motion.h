@@ -22,8 +22,10 @@ struct MotionStep {
 
 /// What one step of a given motion turns w = v' - v into: v + rate w, p + Δt v + gain w.
 struct StepResponse {
+  Method method;
   double time_step;     // [Δt] s
-  double rate;          // of the velocity
+  double rate;          // of the velocity, see Planner::step_rate()
+  double lag;           // s, see Planner::step_lag()
   double gain;          // s, of the position
   double control_time;  // s: |a| = |w| / control_time at the start of the step, its largest value
 };

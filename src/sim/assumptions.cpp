@@ -9,8 +9,8 @@
 #include <limits>
 #include <span>
 
-#include "core/elementary.h"
 #include "neighbors/uniform_grid.h"
+#include "sim/fleet.h"
 
 namespace avo {
 namespace {
@@ -31,12 +31,6 @@ struct Starts {
   CertificateConstraints constraints = {};
   std::vector<BrokenStart> broken = {};
 };
-
-// Of a car only the length counts, see CarSetup.
-Vec2 start_velocity(const RobotSetup& robot) {
-  if (!robot.car) return robot.velocity;
-  return norm(robot.velocity) * elementary::direction(robot.car->heading);
-}
 
 double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
   const double speed = norm(robot.velocity);

@@ -31,6 +31,11 @@ RobotTraits traits_of(const RobotSetup& setup) {
           setup.car ? setup.car->wheelbase : 0.0};
 }
 
+Vec2 start_velocity(const RobotSetup& setup) {
+  if (!setup.car) return setup.velocity;
+  return norm(setup.velocity) * elementary::direction(setup.car->heading);
+}
+
 template <typename Action>
 void Fleet::for_each_column(const Action& action) {
   action(id), action(rank), action(traits), action(range), action(nearest), action(goal),
@@ -45,13 +50,6 @@ void Fleet::reserve(std::size_t count) {
 }
 
 void Fleet::add(RobotId robot, const RobotSetup& setup) {
-  // a car's velocity points along its heading
-  Vec2 v = setup.velocity;
-  double angle = 0.0;
-  if (setup.car) {
-    angle = setup.car->heading;
-    v = norm(v) * elementary::direction(angle);
-  }
   const std::size_t slot = size();
   // all that may throw, before anything changes
   bool full = slot_of.capacity() == slot;
@@ -63,9 +61,9 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   traits[slot] = traits_of(setup);
   goal[slot] = setup.goal;
   position[slot] = setup.position;
-  velocity[slot] = v;
+  velocity[slot] = start_velocity(setup);
   nearest[slot] = std::numeric_limits<float>::infinity();
-  heading[slot] = angle;
+  heading[slot] = setup.car ? setup.car->heading : 0.0;
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
@@ -91,14 +89,13 @@ std::size_t Fleet::find(RobotId robot) const {
 
 RobotSetup Fleet::setup(std::size_t slot) const {
   const RobotTraits& robot_traits = traits[slot];
-  RobotSetup setup{position[slot],
-                   velocity[slot],
-                   goal[slot],
-                   robot_traits.radius,
-                   robot_traits.max_speed,
-                   robot_traits.max_acceleration,
-                   robot_traits.preferred_speed,
-                   {}};
+  RobotSetup setup{.position = position[slot],
+                   .velocity = velocity[slot],
+                   .goal = goal[slot],
+                   .radius = robot_traits.radius,
+                   .max_speed = robot_traits.max_speed,
+                   .max_acceleration = robot_traits.max_acceleration,
+                   .preferred_speed = robot_traits.preferred_speed};
   if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
   return setup;
 }

@@ -20,6 +20,8 @@ struct RobotTraits {
   double wheelbase = 0.0;         // m, 0: not a car
 };
 RobotTraits traits_of(const RobotSetup& setup);
+/// m/s; that of a car points along its heading.
+Vec2 start_velocity(const RobotSetup& setup);
 
 /// Columns by slot: robots that are near each other lie near each other once the fleet has been
 /// put in order. Ids ascend by rank.

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coming to rest at a goal under Eq. (7)'s control, in discrete steps.
-#if defined(AVO_SIM_GOALS_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_SIM_GOALS_KERNEL_H
-#undef AVO_SIM_GOALS_KERNEL_H
-#else
+#ifndef AVO_SIM_GOALS_KERNEL_H
 #define AVO_SIM_GOALS_KERNEL_H
-#endif
 
 #include "core/scalar.h"
-#include "sim/goals.h"
+#include "robots/motion.h"
 
 AVO_BEGIN_KERNELS
 
@@ -57,7 +53,7 @@ AVO_KERNEL Vec<Real> limited(Vec<Real> a, Real length) {
 }
 
 template <typename Real>
-AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const GoalLaw& law) {
+AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const StepResponse& step) {
   const Vec<Real> way = robot.goal - robot.position;
   Way<Real> result;
   result.distance = norm(way);
@@ -65,16 +61,16 @@ AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const GoalLaw& law) {
   result.direction =
       select(is_away, way / select(is_away, result.distance, Real(1.0)), constant<Real>({}));
   result.along = dot(robot.velocity, result.direction);
-  result.left = result.distance - Real(law.lag) * result.along;
+  result.left = result.distance - Real(step.lag) * result.along;
   return result;
 }
 
 /// Method avo approaches v' as fast as it can, so v' needs no lead.
 template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
-                              const GoalLaw& law) {
-  const Real speed = robot.preferred_speed, time_step(law.time_step);
-  const Real u = Real(law.rate) * Real(law.control_time) * robot.max_acceleration;
+                              const StepResponse& step) {
+  const Real speed = robot.preferred_speed, time_step(step.time_step);
+  const Real u = Real(step.rate) * Real(step.control_time) * robot.max_acceleration;
   const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below
   const Real around = Real(0x1p-45) * ((abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y)));
@@ -88,9 +84,10 @@ AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way
 
 /// The paper's method approaches v' with the lag of Eq. (7).
 template <typename Real>
-AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way, const GoalLaw& law) {
-  const Real top = robot.preferred_speed, time_step(law.time_step), rate(law.rate);
-  const Real control_time(law.control_time), reach = control_time * robot.max_acceleration;
+AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way,
+                          const StepResponse& step) {
+  const Real top = robot.preferred_speed, time_step(step.time_step), rate(step.rate);
+  const Real control_time(step.control_time), reach = control_time * robot.max_acceleration;
   // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
   const Real change = min(robot.max_speed, reach);
   const Vec<Real> at_speed = top * way.direction;
@@ -110,10 +107,10 @@ AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way, co
 /// See preferred_velocity().
 template <typename Real>
 AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const Way<Real>& way,
-                                        const GoalLaw& law) {
-  if (law.method == Method::avo) return approach(robot, way, law);
-  if (law.method == Method::avo_paper) return lead(robot, way, law);
-  return min(way.distance / Real(law.time_step), robot.preferred_speed) * way.direction;
+                                        const StepResponse& step) {
+  if (step.method == Method::avo) return approach(robot, way, step);
+  if (step.method == Method::avo_paper) return lead(robot, way, step);
+  return min(way.distance / Real(step.time_step), robot.preferred_speed) * way.direction;
 }
 
 AVO_END_KERNELS

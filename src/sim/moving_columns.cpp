@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways and motion in lanes, for every instruction set: this file is compiled once for each by
-// hwy/foreach_target.h, and the fittest is chosen at run time.
+// Ways and motion in lanes, for every instruction set; the fittest is chosen at run time.
 #include "sim/moving_columns.h"
 
-#include "core/kernel_table.h"
-#include "planner/relevance.h"
-#include "sim/moving_kernel.h"
-
-#ifdef AVO_HIGHWAY
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sim/moving_columns.cpp"
-#include <hwy/foreach_target.h>
-#if HWY_TARGET & AVO_TARGETS
-#include "core/lanes.h"  // begins the pass
-#include "sim/moving_kernel.h"
-
-AVO_BEGIN_KERNELS
-constexpr MovingKernels kKernels{choose_ways<Pack<double>>, advance<Pack<double>>};
-AVO_END_KERNELS
-#endif
-#endif
-
-#if !defined(AVO_HIGHWAY) || HWY_ONCE
 namespace avo {
-namespace scalar {
-constexpr MovingKernels kKernels{choose_ways<Pack<double>>, advance<Pack<double>>};
-}  // namespace scalar
+struct MovingKernels {
+  void (*choose_ways)(const StepResponse&, const MovingColumns&, RobotColumns&);
+  std::uint64_t (*advance)(const StepResponse&, MovingColumns&, RobotColumns&);
+};
+}  // namespace avo
 
-static constexpr KernelTable<MovingKernels> kKernels = AVO_KERNEL_TABLE(kKernels);
+#define AVO_KERNEL_HEADER "sim/moving_kernel.h"
+#define AVO_KERNEL_STRUCT MovingKernels
+#define AVO_KERNEL_FUNCTIONS choose_ways<Pack<double>>, advance<Pack<double>>
+#include "core/kernel_passes.h"
 
-void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots) {
-  kKernels->choose_ways(law, moving, robots);
+namespace avo {
+
+Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
+                        const StepResponse& step) {
+  using Real = scalar::Pack<double>;
+  const scalar::Traveller<Real> traveller{
+      scalar::constant<Real>(position), scalar::constant<Real>(velocity),
+      scalar::constant<Real>(goal),     robot.preferred_speed,
+      robot.max_acceleration,           robot.max_speed};
+  return plain(scalar::preferred_velocity(traveller, scalar::way_of(traveller, step), step));
+}
+
+void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots) {
+  kKernels->choose_ways(step, moving, robots);
 }
 
 std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots) {
@@ -38,4 +35,3 @@ std::uint64_t advance(const StepResponse& response, MovingColumns& moving, Robot
 }
 
 }  // namespace avo
-#endif

@@ -7,7 +7,7 @@
 
 #include "core/robot_columns.h"
 #include "robots/motion.h"
-#include "sim/goals.h"
+#include "sim/fleet.h"
 
 namespace avo {
 
@@ -15,7 +15,7 @@ namespace avo {
 /// bits.
 inline constexpr std::size_t kTileRobots = 64;
 
-/// By robot, beside RobotColumns: what a simulation alone knows.
+/// One entry a robot, beside RobotColumns: what a simulation alone knows.
 struct alignas(64) MovingColumns {
   using Column = std::array<double, kTileRobots>;
   Column goal_x{}, goal_y{}, preferred_speed{};  // m, m/s
@@ -23,15 +23,18 @@ struct alignas(64) MovingColumns {
   Column acceleration{};                         // m/s^2, see MotionStep; by advance()
 };
 
+/// [v_A^pref] m/s: towards the goal at preferred_speed (the paper's), until the distance left is
+/// the one that braking needs; then the v' whose next speed is the highest that still stops at the
+/// goal. Without other robots it comes to rest on the goal, does not overshoot and does not
+/// oscillate, at any δ: v' leads the velocity by the lag of the controller, so near the goal it
+/// points away from it.
+Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
+                        const StepResponse& step);
+
 /// preferred_velocity() of all, and how far they are from their goals.
-void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots);
+void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots);
 
 /// advance() of all, from v' on. Bit k is set where robot k then exceeds its max_speed.
 std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots);
-
-struct MovingKernels {
-  void (*choose_ways)(const GoalLaw&, const MovingColumns&, RobotColumns&);
-  std::uint64_t (*advance)(const StepResponse&, MovingColumns&, RobotColumns&);
-};
 
 }  // namespace avo

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels over the columns of a tile.
-#if defined(AVO_SIM_MOVING_KERNEL_H) == defined(AVO_PASS_TOGGLE)
-#ifdef AVO_SIM_MOVING_KERNEL_H
-#undef AVO_SIM_MOVING_KERNEL_H
-#else
+// Kernels over the columns of a tile: the preferred velocities of Eqs. (14), (23), and the motion
+// of Eqs. (7)-(9).
+#ifndef AVO_SIM_MOVING_KERNEL_H
 #define AVO_SIM_MOVING_KERNEL_H
-#endif
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +14,7 @@
 AVO_BEGIN_KERNELS
 
 template <typename Real>
-void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& robots) {
+void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots) {
   static_assert(kTileRobots % Real::kLanes == 0);
   for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
     const auto load = [k](const auto& column) { return Real::load(&column[k]); };
@@ -27,9 +24,9 @@ void choose_ways(const GoalLaw& law, const MovingColumns& moving, RobotColumns& 
                                 load(moving.preferred_speed),
                                 load(robots.max_acceleration),
                                 load(robots.max_speed)};
-    const Way<Real> way = way_of(robot, law);
+    const Way<Real> way = way_of(robot, step);
     way.distance.store(&robots.distance_to_goal[k]);
-    const Vec<Real> v = preferred_velocity(robot, way, law);
+    const Vec<Real> v = preferred_velocity(robot, way, step);
     v.x.store(&robots.preferred_x[k]), v.y.store(&robots.preferred_y[k]);
   }
 }

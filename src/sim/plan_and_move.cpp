@@ -29,7 +29,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     tile.plan.push_back(&fleet.plan[slot]);
     tile.slot.push_back(slot);
   }
-  choose_ways(goal_law(world.planner), worker.moving, robots);
+  choose_ways(world.response, worker.moving, robots);
 }
 
 void count(const World& world, Worker& worker) {

@@ -10,12 +10,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "avo/error.h"
 #include "avo/version.h"
 #include "core/hash.h"
 #include "core/ranges.h"
 #include "planner/arrival.h"
-#include "sim/saved_settings.h"
+#include "planner/options.h"
 #include "sim/saved_state.h"
 
 namespace avo {
@@ -28,7 +27,7 @@ constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
 
 [[noreturn]] void refuse(const std::string& given, const std::string& allowed) {
-  throw Error("saved state: found " + given + ", must be " + allowed);
+  avo::refuse("saved state", given, allowed);
 }
 
 std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t index) {
@@ -49,140 +48,101 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return hash;
 }
 
-class Writer {
- public:
-  explicit Writer(std::size_t words) { bytes_.reserve(words * kWord); }
+// Writes values behind `written`, or takes them off the front of `unread`.
+template <bool kReads>
+struct Archive {
+  std::vector<std::byte> written = {};
+  std::span<const std::byte> unread = {};
 
-  template <typename Value>
-  void number(Value value) {
-    if constexpr (std::is_floating_point_v<Value>) {
-      put(std::bit_cast<std::uint64_t>(value));
+  void word(std::uint64_t& value) {
+    if constexpr (kReads) {
+      if (unread.empty()) refuse("an end", "more");
+      value = word_at(unread, 0);
+      unread = unread.subspan(kWord);
     } else {
-      put(static_cast<std::uint64_t>(value));
+      written.resize(written.size() + kWord);
+      put_word(value, &written[written.size() - kWord]);
     }
-  }
-  void text(const std::string& letters) {
-    number(letters.size());
-    const std::size_t end = bytes_.size();
-    bytes_.resize(end + (letters.size() + kWord - 1) / kWord * kWord);
-    std::transform(letters.begin(), letters.end(),
-                   bytes_.begin() + static_cast<std::ptrdiff_t>(end),
-                   [](char letter) { return static_cast<std::byte>(letter); });
-  }
-  template <typename Entry>
-  void size(const std::vector<Entry>& list, std::size_t) {
-    number(list.size());
-  }
-  std::vector<std::byte> finish() {
-    put_word(bytes_.size() + kWord, &bytes_[kWord]);
-    put(checksum(bytes_));
-    return std::move(bytes_);
-  }
-
- private:
-  void put(std::uint64_t word) {
-    bytes_.resize(bytes_.size() + kWord);
-    put_word(word, &bytes_[bytes_.size() - kWord]);
-  }
-  std::vector<std::byte> bytes_;
-};
-
-class Reader {
- public:
-  explicit Reader(std::span<const std::byte> words) : left_(words) {}
-
-  template <typename Value>
-  void number(Value& value) {
-    const std::uint64_t word = next();
-    if constexpr (std::is_floating_point_v<Value>) {
-      value = std::bit_cast<double>(word);
-    } else {
-      value = static_cast<Value>(word);
-      if (static_cast<std::uint64_t>(value) != word) {
-        refuse("the number " + std::to_string(word), "one that its type has");
-      }
-    }
-  }
-  void text(std::string& letters) {
-    const std::uint64_t count = next();
-    if (count > left_.size()) refuse("a text of " + std::to_string(count) + " bytes", "shorter");
-    const auto size = static_cast<std::size_t>(count);
-    letters.resize(size);
-    std::transform(left_.begin(), left_.begin() + static_cast<std::ptrdiff_t>(size),
-                   letters.begin(), [](std::byte letter) { return static_cast<char>(letter); });
-    left_ = left_.subspan((size + kWord - 1) / kWord * kWord);
   }
   /// Makes room for as many entries as there are, of so many words each.
   template <typename Entry>
   void size(std::vector<Entry>& list, std::size_t words) {
-    const std::uint64_t count = next(), most = left_.size() / (words * kWord);
-    if (count > most) refuse(std::to_string(count) + " entries", "at most " + std::to_string(most));
+    std::uint64_t count = list.size();
+    word(count);
+    const std::uint64_t most = unread.size() / (words * kWord);
+    if (kReads && count > most)
+      refuse(std::to_string(count) + " entries", "at most " + std::to_string(most));
     list.resize(static_cast<std::size_t>(count));
   }
-  void finish() const {
-    if (!left_.empty()) refuse(std::to_string(left_.size()) + " more bytes", "no more");
-  }
-
- private:
-  std::uint64_t next() {
-    if (left_.empty()) refuse("an end", "more");
-    const std::uint64_t word = word_at(left_, 0);
-    left_ = left_.subspan(kWord);
-    return word;
-  }
-  std::span<const std::byte> left_;
 };
 
-template <typename Archive, typename Number>
-requires std::is_arithmetic_v<Number>
-void describe(Archive& archive, Number& value) {
-  archive.number(value);
+template <bool kReads, typename Value>
+requires std::is_arithmetic_v<Value>
+void describe(Archive<kReads>& archive, Value& value) {
+  if constexpr (std::is_floating_point_v<Value>) {
+    auto word = std::bit_cast<std::uint64_t>(value);
+    archive.word(word);
+    value = std::bit_cast<Value>(word);
+  } else {
+    auto word = static_cast<std::uint64_t>(value);
+    archive.word(word);
+    value = static_cast<Value>(word);
+    if (static_cast<std::uint64_t>(value) != word)
+      refuse("the number " + std::to_string(word), "one that its type has");
+  }
 }
 
-constexpr Method last(Method) {
-  return Method::orca;
-}
-constexpr Certificate last(Certificate) {
-  return Certificate::braking_trajectories;
-}
-constexpr Motion last(Motion) {
-  return Motion::exponential;
-}
-
-template <typename Archive, typename Choice>
+template <bool kReads, typename Choice>
 requires std::is_enum_v<Choice>
-void describe(Archive& archive, Choice& choice) {
-  archive.number(choice);
-  if (choice > last(choice)) refuse("an unknown choice", "a known one");
+void describe(Archive<kReads>& archive, Choice& choice) {
+  auto number = static_cast<std::underlying_type_t<Choice>>(choice);
+  describe(archive, number);
+  if (number >= kNames<Choice>.size()) refuse("an unknown choice", "a known one");
+  choice = static_cast<Choice>(number);
 }
 
-template <typename Archive>
-void describe(Archive& archive, std::string& text) {
-  archive.text(text);
+// Eight letters a word.
+template <bool kReads>
+void describe(Archive<kReads>& archive, std::string& text) {
+  std::uint64_t count = text.size();
+  archive.word(count);
+  if (kReads && count > archive.unread.size())
+    refuse("a text of " + std::to_string(count) + " bytes", "shorter");
+  text.resize(static_cast<std::size_t>(count));
+  for (std::size_t first = 0; first < text.size(); first += kWord) {
+    const std::span<char> letters =
+        std::span(text).subspan(first, std::min(kWord, text.size() - first));
+    std::uint64_t word = 0;
+    for (std::size_t k = 0; k < letters.size(); ++k)
+      word |= std::uint64_t{static_cast<unsigned char>(letters[k])} << (8 * k);
+    archive.word(word);
+    for (std::size_t k = 0; k < letters.size(); ++k)
+      letters[k] = static_cast<char>(word >> (8 * k) & 0xff);
+  }
 }
 
-template <typename Archive>
-void describe(Archive& archive, Vec2& value) {
-  archive.number(value.x), archive.number(value.y);
+template <bool kReads>
+void describe(Archive<kReads>& archive, Vec2& value) {
+  describe(archive, value.x), describe(archive, value.y);
 }
 
-template <typename Archive, typename Value>
-void describe(Archive& archive, std::optional<Value>& optional) {
+template <bool kReads, typename Value>
+void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
   bool is_set = optional.has_value();
   Value value = optional.value_or(Value{});
-  archive.number(is_set);
+  describe(archive, is_set);
   describe(archive, value);
   if (is_set) optional = value;
 }
 
-template <typename Archive>
-void describe(Archive& archive, MovingObstacle& setup, ObstacleState& state) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
 }
 
-template <typename Archive>
-void describe(Archive& archive, RobotSetup& setup, RobotState& state) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
   describe(archive, setup.preferred_speed);
@@ -195,8 +155,8 @@ void describe(Archive& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, state.detour.angle), describe(archive, state.detour.yielded);
 }
 
-template <typename Archive>
-void describe(Archive& archive, SavedState& state) {
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedState& state) {
   std::string version = kVersion;
   describe(archive, version);
   if (version != kVersion) {
@@ -261,11 +221,17 @@ void check_states(const SavedState& state) {
 
 std::vector<std::byte> to_bytes(SavedState state) {
   constexpr std::size_t kSettings = 64;  // words, about
-  Writer writer(kSettings + kRobotWords * state.robots.size() +
-                kObstacleWords * state.obstacles.size());
-  writer.number(kMark), writer.number(std::uint64_t{0});
-  describe(writer, state);
-  return writer.finish();
+  Archive<false> archive;
+  std::vector<std::byte>& bytes = archive.written;
+  bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
+                         kObstacleWords * state.obstacles.size()));
+  std::uint64_t mark = kMark, size = 0;
+  archive.word(mark), archive.word(size);
+  describe(archive, state);
+  put_word(bytes.size() + kWord, &bytes[kWord]);
+  std::uint64_t sum = checksum(bytes);
+  archive.word(sum);
+  return std::move(bytes);
 }
 
 SavedState from_bytes(std::span<const std::byte> bytes) {
@@ -281,10 +247,12 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   if (checksum(checked) != word_at(bytes, bytes.size() / kWord - 1)) {
     refuse("bytes that have changed", "those that were saved");
   }
-  Reader reader(checked.subspan(2 * kWord));
+  Archive<true> archive{{}, checked.subspan(2 * kWord)};
   SavedState state;
-  describe(reader, state);
-  reader.finish();
+  describe(archive, state);
+  if (!archive.unread.empty()) {
+    refuse(std::to_string(archive.unread.size()) + " more bytes", "no more");
+  }
   check_setups(state.scene);
   check_states(state);
   return state;

@@ -35,6 +35,33 @@ struct SavedState {
   std::vector<ObstacleState> obstacles;  // likewise
 };
 
+/// visit(key, member) for all that a scene has besides robots and obstacles.
+template <typename Visit>
+void for_each_setting(const Visit& visit) {
+  visit("name", &Scenario::name);
+  visit("time_step", &Scenario::time_step);
+  visit("duration", &Scenario::duration);
+  visit("control_time", &Scenario::control_time);
+  visit("time_horizon", &Scenario::time_horizon);
+  visit("sensing_radius", &Scenario::sensing_radius);
+  visit("max_neighbors", &Scenario::max_neighbors);
+  visit("method", &Scenario::method);
+  visit("certificate", &Scenario::certificate);
+  visit("motion", &Scenario::motion);
+  visit("samples", &Scenario::samples);
+  visit("arrival_distance", &Scenario::arrival_distance);
+  visit("seed", &Scenario::seed);
+}
+
+/// visit(key, member) for all that a moving obstacle's setup has.
+template <typename Visit>
+void for_each_obstacle_value(const Visit& visit) {
+  visit("position", &MovingObstacle::position);
+  visit("velocity", &MovingObstacle::velocity);
+  visit("acceleration", &MovingObstacle::acceleration);
+  visit("radius", &MovingObstacle::radius);
+}
+
 std::vector<std::byte> to_bytes(SavedState state);
 /// Throws Error on all that to_bytes() did not make; reads no size that it has not checked.
 SavedState from_bytes(std::span<const std::byte> bytes);

@@ -7,9 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "avo/error.h"
 #include "core/ranges.h"
-#include "sim/saved_settings.h"
 #include "sim/saved_state.h"
 #include "sim/world.h"
 
@@ -41,8 +39,8 @@ void require_same_scene(const Scenario& saved, const World& world) {
   for_each_setting([&](const char* key, auto member) {
     const auto &theirs = saved.*member, &ours = world.settings.*member;
     if (theirs == ours) return;
-    throw Error(std::string("saved state: ") + key + ": found " + shown(theirs) + ", must be " +
-                shown(ours) + " as in this simulation");
+    refuse(std::string("saved state: ") + key, shown(theirs),
+           shown(ours) + " as in this simulation");
   });
   const auto same = [](const MovingObstacle& a, const MovingObstacle& b) {
     bool all = true;
@@ -51,7 +49,7 @@ void require_same_scene(const Scenario& saved, const World& world) {
   };
   const std::vector<MovingObstacle>&theirs = saved.moving_obstacles, &ours = world.obstacles.setup;
   if (std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same)) return;
-  throw Error("saved state: moving_obstacles: found others, must be those of this simulation");
+  refuse("saved state: moving_obstacles", "others", "those of this simulation");
 }
 
 Fleet fleet_of(const SavedState& state) {

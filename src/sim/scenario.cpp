@@ -6,100 +6,54 @@
 #include <cstddef>
 #include <string_view>
 
-#include "avo/error.h"
 #include "avo/response.h"
 #include "core/ranges.h"
+#include "planner/options.h"
 
 namespace avo {
 namespace {
 
-[[noreturn]] void refuse(const std::string& field, const std::string& given,
-                         const std::string& allowed) {
-  throw Error(field + ": found " + given + ", must be " + allowed);
-}
-
-/// A value's place; spelled out only where the value is refused.
+// A value's place in a list of the scene.
 struct Place {
-  std::string_view list;  ///< empty for the scene itself
+  std::string_view list;
   std::size_t index;
   std::string_view field;
+
+  explicit operator std::string() const {
+    return std::string(list) + "." + std::to_string(index) + "." + std::string(field);
+  }
 };
-
-std::string name_of(const Place& place) {
-  std::string field(place.field);
-  if (place.list.empty()) return field;
-  return std::string(place.list) + "." + std::to_string(place.index) + "." + field;
-}
-
-void check(const Place& place, double value, const Range& range, std::string_view unit,
-           std::string_view component = "") {
-  if (range.contains(value)) return;
-  const std::string field = name_of(place) + std::string(component);
-  const std::string suffix = unit.empty() ? "" : std::string(" ").append(unit);
-  if (!std::isfinite(value)) refuse(field, text(value), "a finite number");
-  if (range.below(value))
-    refuse(field, text(value),
-           std::string(range.open_min ? "> " : ">= ") + text(range.min) + suffix);
-  refuse(field, text(value), "<= " + text(range.max) + suffix);
-}
-
-void check(const Place& place, Vec2 value, std::string_view unit) {
-  check(place, value.x, kAnyValue, unit, ".0");
-  check(place, value.y, kAnyValue, unit, ".1");
-}
-
-void check(std::string_view field, double value, const Range& range, std::string_view unit) {
-  check(Place{"", 0, field}, value, range, unit);
-}
 
 void check_robot(std::size_t i, const RobotSetup& robot) {
   const std::string_view list = "robots";
-  check({list, i, "position"}, robot.position, "m");
-  check({list, i, "velocity"}, robot.velocity, "m/s");
-  check({list, i, "goal"}, robot.goal, "m");
-  check({list, i, "radius"}, robot.radius, kPositive, "m");
-  check({list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
-  check({list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
-  check({list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
+  require(Place{list, i, "position"}, robot.position, "m");
+  require(Place{list, i, "velocity"}, robot.velocity, "m/s");
+  require(Place{list, i, "goal"}, robot.goal, "m");
+  require(Place{list, i, "radius"}, robot.radius, kPositive, "m");
+  require(Place{list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
+  require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
+  require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
   if (!robot.car) return;
-  check({list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
-  check({list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
+  require(Place{list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
+  require(Place{list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   const std::string_view list = "moving_obstacles";
-  check({list, k, "position"}, obstacle.position, "m");
-  check({list, k, "velocity"}, obstacle.velocity, "m/s");
-  check({list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
-  check({list, k, "radius"}, obstacle.radius, kPositive, "m");
+  require(Place{list, k, "position"}, obstacle.position, "m");
+  require(Place{list, k, "velocity"}, obstacle.velocity, "m/s");
+  require(Place{list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
+  require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
 }
 
-void check_times(const Scenario& scenario) {
+void check_duration(const Scenario& scenario) {
   const double dt = scenario.time_step;
-  check("time_step", dt, kPositive, "s");
-  check("duration", scenario.duration, kPositive, "s");
-  if (scenario.control_time) check("control_time", *scenario.control_time, kPositive, "s");
-  if (scenario.time_horizon) check("time_horizon", *scenario.time_horizon, kPositive, "s");
-  const PlannerOptions options = planner_options(scenario);
+  require("duration", scenario.duration, kPositive, "s");
   if (scenario.duration < dt)
     refuse("duration", text(scenario.duration), ">= time_step = " + text(dt) + " s");
   if (scenario.duration / dt > static_cast<double>(kMostSteps))
     refuse("duration", text(scenario.duration),
            "at most " + std::to_string(kMostSteps) + " steps of " + text(dt) + " s");
-  if (dt > options.time_horizon)
-    refuse("time_step", text(dt), "<= time_horizon = " + text(options.time_horizon) + " s");
-  // A held acceleration (v' - v)/δ leaves the fraction q = 1 - Δt/δ of the error: q < 0 overshoots.
-  const bool held = !adopts_at_once(scenario.method) && scenario.motion == Motion::held;
-  if (held && dt > options.control_time)
-    refuse("time_step", text(dt),
-           "<= control_time = " + text(options.control_time) + " s where motion is held");
-  if (adopts_at_once(scenario.method)) return;
-  if (options.control_time < kShortestControl)
-    refuse("control_time", text(options.control_time), ">= " + text(kShortestControl) + " s");
-  if (!held && dt > kMostControlTimes * options.control_time)
-    refuse("control_time", text(options.control_time),
-           ">= time_step / " + text(kMostControlTimes) + " = " + text(dt / kMostControlTimes) +
-               " s where motion is exponential");
 }
 
 // Braking lasts for so many steps only as can be looked at one by one.
@@ -113,42 +67,36 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
     if (robot.max_speed <= longest * robot.max_acceleration) continue;
-    refuse(name_of(Place{"robots", i, "max_speed"}), text(robot.max_speed),
+    refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
            "<= " + text(longest * robot.max_acceleration) + " m/s, " +
                std::to_string(kMostBrakingSteps) + " steps of braking, with a certificate");
   }
 }
 
-void check_certificate(const Scenario& scenario) {
-  const PlannerOptions options = planner_options(scenario);
+void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (scenario.robots[i].car && options.motion != Motion::held)
-      refuse(name_of(Place{"robots", i, "car"}), "a car-like robot",
+      refuse(std::string(Place{"robots", i, "car"}), "a car-like robot",
              "none with a certificate where motion is exponential");
   }
-  if (scenario.method != Method::avo)
-    refuse("certificate", to_string(options.certificate),
-           std::string("none with method ") + to_string(scenario.method));
   check_braking(scenario, options);
 }
 
 }  // namespace
 
 void validate(const Scenario& scenario) {
-  check_times(scenario);
-  check("sensing_radius", scenario.sensing_radius, kPositive, "m");
-  if (scenario.max_neighbors) check("max_neighbors", *scenario.max_neighbors, kAtLeastOne, "");
-  check("samples", scenario.samples, kSamples, "");
-  if (scenario.samples == 1) refuse("samples", "1", "0 (exact) or >= 2");
-  check("arrival_distance", scenario.arrival_distance, kPositive, "m");
+  const PlannerOptions options = planner_options(scenario);
+  validate(options, "");
+  check_duration(scenario);
+  require("sensing_radius", scenario.sensing_radius, kPositive, "m");
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robots > kMostRobots)
     refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
-  check_certificate(scenario);
+  check_certificate(scenario, options);
 }
 
 PlannerOptions planner_options(const Scenario& scenario) {

@@ -94,25 +94,6 @@ double scene_top_speed(const Scenario& scenario) {
   return top;
 }
 
-// The scene with no robot faster than a limit.
-class LimitedScene {
- public:
-  LimitedScene(const Scenario& scenario, const CertificateLaw& law)
-      : scenario_(scenario), limited_(scenario), law_(law) {}
-
-  bool is_seen(double limit) {
-    for (std::size_t i = 0; i < scenario_.robots.size(); ++i) {
-      limited_.robots[i].max_speed = std::min(scenario_.robots[i].max_speed, limit);
-    }
-    return suffices(scenario_.sensing_radius, need(limited_, law_));
-  }
-
- private:
-  const Scenario& scenario_;
-  Scenario limited_;
-  const CertificateLaw& law_;
-};
-
 }  // namespace
 
 CertificateLaw certificate_law(const Scenario& scenario) {
@@ -138,16 +119,22 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario) {
 double admissible_speed(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
   if (law.kind == Certificate::none) return kInfinity;
-  LimitedScene scene(scenario, law);
+  Scenario limited = scenario;
+  const auto is_seen = [&](double limit) {  // with no robot faster than the limit
+    for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+      limited.robots[i].max_speed = std::min(scenario.robots[i].max_speed, limit);
+    }
+    return suffices(scenario.sensing_radius, need(limited, law));
+  };
   const double top = scene_top_speed(scenario);
-  if (scene.is_seen(top)) return kInfinity;
+  if (is_seen(top)) return kInfinity;
   const double least = std::numeric_limits<double>::min();
-  if (!scene.is_seen(least)) return 0.0;
+  if (!is_seen(least)) return 0.0;
   // positive doubles are in the order of their bits
   auto seen = std::bit_cast<std::uint64_t>(least), unseen = std::bit_cast<std::uint64_t>(top);
   while (unseen - seen > 1) {
     const std::uint64_t middle = seen + (unseen - seen) / 2;
-    (scene.is_seen(std::bit_cast<double>(middle)) ? seen : unseen) = middle;
+    (is_seen(std::bit_cast<double>(middle)) ? seen : unseen) = middle;
   }
   return std::bit_cast<double>(seen);
 }

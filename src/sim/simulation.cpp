@@ -10,6 +10,7 @@
 
 #include "avo/assumptions.h"
 #include "avo/error.h"
+#include "core/ranges.h"
 #include "core/thread_pool.h"
 #include "planner/decision.h"
 #include "sim/saved_state.h"
@@ -78,8 +79,7 @@ std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
 std::unique_ptr<Executor> thread_pool(int threads) {
   constexpr int kMost = static_cast<int>(kMostWorkers);
   if (threads < 0 || threads > kMost) {
-    throw Error("threads: found " + std::to_string(threads) + ", must be 0 (all there are) to " +
-                std::to_string(kMost));
+    refuse("threads", std::to_string(threads), "0 (all there are) to " + std::to_string(kMost));
   }
   return std::make_unique<ThreadPool>(threads > 0 ? static_cast<std::size_t>(threads)
                                                   : std::min(usable_processors(), kMostWorkers));

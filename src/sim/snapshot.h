@@ -10,7 +10,7 @@
 
 namespace avo {
 
-/// Of one robot, besides its position.
+/// What is sensed of one robot, besides its position.
 struct Sensed {
   Vec2 velocity;                  // m/s
   double radius = 0.0;            // m

@@ -11,7 +11,7 @@
 namespace avo {
 namespace {
 
-// Of any robot and what it may decide on.
+// How many steps any robot may brake for, from what it may decide on.
 std::size_t most_braking_steps(const World& world) {
   if (!world.all_matter()) return 0;
   constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
@@ -70,14 +70,13 @@ bool World::is_fast(std::size_t slot) const {
 Robot World::robot(std::size_t slot) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
-  Robot robot{p,
-              v,
-              preferred_velocity(p, v, robot_traits, goal, goal_law(planner)),
-              robot_traits.radius,
-              robot_traits.max_acceleration,
-              robot_traits.max_speed,
-              norm(goal - p),
-              {}};
+  Robot robot{.position = p,
+              .velocity = v,
+              .preferred_velocity = preferred_velocity(p, v, robot_traits, goal, response),
+              .radius = robot_traits.radius,
+              .max_acceleration = robot_traits.max_acceleration,
+              .max_speed = robot_traits.max_speed,
+              .distance_to_goal = norm(goal - p)};
   if (robot_traits.wheelbase > 0.0)
     robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
   return robot;

@@ -6,8 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "obstacles/closest_approach.h"
-
 namespace avo {
 namespace {
 
@@ -132,10 +130,11 @@ TEST(ClosestApproach, contact_that_parts_is_not_contained) {
   EXPECT_TRUE(contains(obstacle, {-0.5, 0.0}));
 }
 
-TEST(ClosestApproach, comes_within_agrees_with_the_distance) {
-  const Obstacle obstacle{{{-4.0, 1.0}, {0.0, 0.0}, 1.0}, Response::velocity(), 10.0};
-  EXPECT_TRUE(comes_within(obstacle, {2.0, 0.0}, 1.001));
-  EXPECT_FALSE(comes_within(obstacle, {2.0, 0.0}, 0.999));
+TEST(ClosestApproach, contains_agrees_with_the_distance) {
+  Obstacle obstacle{{{-4.0, 1.0}, {0.0, 0.0}, 1.001}, Response::velocity(), 10.0};
+  EXPECT_TRUE(contains(obstacle, {2.0, 0.0}));
+  obstacle.pair.radius = 0.999;
+  EXPECT_FALSE(contains(obstacle, {2.0, 0.0}));
 }
 
 TEST(TangentPoints, are_left_then_right_seen_from_the_origin) {

@@ -104,14 +104,14 @@ void for_random_tiles(const Check& check) {
 TEST_F(Moving, ways_are_those_of_each_robot) {
   std::size_t at_speed = 0, all = 0;
   for_random_tiles([&](const Planner& planner, const std::vector<Mover>& movers, Random&) {
-    const GoalLaw law = goal_law(planner);
+    const StepResponse step = step_response(planner);
     Moved columns = columns_of(movers);
-    choose_ways(law, columns.moving, columns.robots);
+    choose_ways(step, columns.moving, columns.robots);
     for (std::size_t k = 0; k < movers.size(); ++k) {
       const auto& [p, v, goal, traits] = movers[k];
       const Vec2 found{columns.robots.preferred_x[k], columns.robots.preferred_y[k]};
       ASSERT_TRUE(same(columns.robots.distance_to_goal[k], norm(goal - p)));
-      ASSERT_TRUE(same(found, preferred_velocity(p, v, traits, goal, law)));
+      ASSERT_TRUE(same(found, preferred_velocity(p, v, traits, goal, step)));
       const Vec2 straight = (traits.preferred_speed / norm(goal - p)) * (goal - p);
       at_speed += norm(found - straight) < 1e-12 * traits.preferred_speed ? 1 : 0, ++all;
     }
