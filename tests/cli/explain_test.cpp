@@ -13,7 +13,7 @@
 namespace avo_test {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using Strings = std::vector<std::string>;
 
 const std::string kPaper = "method=avo_paper";

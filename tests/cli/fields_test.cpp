@@ -264,7 +264,7 @@ TEST(Fields, comments_bom_crlf_and_markers_do_no_harm) {
 }
 
 TEST(Fields, schema_has_every_field_with_range_and_default) {
-  const auto schema = nlohmann::json::parse(avo_io::scenario_schema());
+  const auto schema = nlohmann::ordered_json::parse(avo_io::scenario_schema());
   EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
   EXPECT_EQ(schema["additionalProperties"], false);
   EXPECT_EQ(schema["properties"].size(), avo_io::fields<Scenario>().size());
@@ -275,9 +275,9 @@ TEST(Fields, schema_has_every_field_with_range_and_default) {
   EXPECT_EQ(schema["properties"]["precision"]["default"], "double");
   EXPECT_EQ(schema["properties"]["version"]["const"], 1);
   EXPECT_FALSE(schema["properties"]["duration"].contains("default"));
-  EXPECT_EQ(schema["required"], nlohmann::json({"version"}));
+  EXPECT_EQ(schema["required"], nlohmann::ordered_json({"version"}));
   const auto& robot = schema["$defs"]["robot"];
-  EXPECT_EQ(robot["required"], nlohmann::json({"position", "goal"}));
+  EXPECT_EQ(robot["required"], nlohmann::ordered_json({"position", "goal"}));
   EXPECT_EQ(robot["additionalProperties"], false);
   for (const auto& field : avo_io::fields<avo::RobotSetup>()) {
     const auto& property = robot["properties"][std::string(field.key)];
@@ -285,7 +285,7 @@ TEST(Fields, schema_has_every_field_with_range_and_default) {
   }
   EXPECT_EQ(robot["properties"]["goal"]["minItems"], 2);
   EXPECT_EQ(schema["$defs"]["group"]["properties"]["goals"]["oneOf"][0]["enum"],
-            nlohmann::json({"antipodal", "permutation"}));
+            nlohmann::ordered_json({"antipodal", "permutation"}));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(Verbs, scenes_are_listed_and_printed) {
   EXPECT_EQ(list.exit_code, 0);
   const std::vector<std::string> lines = lines_of(list.out);
   ASSERT_EQ(lines.size(), avo_io::builtin_scenes().size());
-  const auto json = nlohmann::json::parse(run_avo({"scenes", "--json"}).out);
+  const auto json = nlohmann::ordered_json::parse(run_avo({"scenes", "--json"}).out);
   const std::vector<std::string> names{"cars-100",        "circle-N",        "crossing-streams",
                                        "moving-obstacle", "permutation-100", "positions-exchange",
                                        "swap-blocks",     "uniform-N"};
@@ -73,7 +73,7 @@ TEST(Verbs, schema_is_json) {
   const ProcessResult result = run_avo({"schema"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.out, avo_io::scenario_schema());
-  EXPECT_EQ(nlohmann::json::parse(result.out)["type"], "object");
+  EXPECT_EQ(nlohmann::ordered_json::parse(result.out)["type"], "object");
 }
 
 TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {

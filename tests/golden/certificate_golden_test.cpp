@@ -16,7 +16,7 @@
 namespace avo {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 json cases(const std::string& name) {
   std::ifstream file(std::string(AVO_TEST_DATA) + "/" + name);

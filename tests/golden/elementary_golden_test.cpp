@@ -15,7 +15,7 @@
 namespace avo {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 struct Case {
   std::vector<double> arguments;

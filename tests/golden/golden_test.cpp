@@ -14,7 +14,7 @@
 namespace avo {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 constexpr double kTolerance = 1e-6;
 

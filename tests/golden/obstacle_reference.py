@@ -99,7 +99,7 @@ def disc(case):
     return {"centre": center, "radius": radius, "tangents": tangents}
 
 
-def closest_approach(case, samples=4000):
+def closest_approach(case, samples=1000):
     v_new, tau = case["v_new"], case["tau"]
 
     p, v, change, delta = case["p"], case["v"], v_new - case["v"], case["delta"]

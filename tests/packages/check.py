@@ -3,17 +3,19 @@
 """Builds and runs users' programs with this library as a package.
 
 usage: check.py static BUILD      the finished build BUILD, installed and moved to another folder
-       check.py shared            a build with BUILD_SHARED_LIBS=ON, from scratch, likewise
-       check.py parent            a project that adds the sources, with a shared library
-       check.py libcxx            the same with a static one, by clang and libc++
+       check.py shared BUILD      a build with BUILD_SHARED_LIBS=ON, likewise
+       check.py parent BUILD      a project that adds the sources, with a shared library
+       check.py libcxx BUILD      the same with a static one, by clang and libc++, from scratch
 
-In an installed tree: by find_package and by pkg-config, each with avo and avo_io, and a plug-in
+Shared and parent have the settings of BUILD and take its objects where they would be compiled by the
+same command (reuse.py). In an installed tree: by find_package and by pkg-config, each with avo and avo_io, and a plug-in
 that is loaded at run time; the command line, if the build has one; of a shared library also what it
 exports. Options: --folder FOLDER, for what is made (it is emptied); --compiler, --flags.
 """
 import argparse
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -43,6 +45,14 @@ def expect(condition, message):
 def configure(arguments, source, build, *options):
     run("cmake", "-G", "Ninja", "-S", source, "-B", build,
         f"-DCMAKE_CXX_COMPILER={arguments.compiler}", f"-DCMAKE_CXX_FLAGS={arguments.flags}", *options)
+
+
+def settings_of(build, folder):
+    """Options of a build in FOLDER with the settings and, where they fit, the objects of BUILD."""
+    cache = (build / "CMakeCache.txt").read_text()
+    values = re.findall(r"^((?:CMAKE_BUILD_TYPE|CMAKE_CXX_FLAGS\w*|AVO_SIMD|AVO_WERROR):.*)$", cache, re.M)
+    launcher = f"{sys.executable};-S;{HERE / 'reuse.py'};{build.absolute()};{folder}"
+    return [f"-D{value}" for value in values] + [f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}"]
 
 
 def build_all(build, *targets):
@@ -102,18 +112,17 @@ def check_static(arguments):
 
 def check_shared(arguments):
     build = arguments.folder / "build"
-    configure(arguments, ROOT, build, *QUICK, "-DBUILD_SHARED_LIBS=ON", "-DAVO_TESTS=OFF",
-              "-DAVO_BENCH=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
+    configure(arguments, ROOT, build, *settings_of(arguments.build, build), "-DBUILD_SHARED_LIBS=ON",
+              "-DAVO_TESTS=OFF", "-DAVO_BENCH=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
     build_all(build, "avo", "avo_io", "avo_cli")  # what is installed
     prefix = install_and_move(build, arguments.folder)
     shutil.rmtree(build)  # nothing may come from there
     check_installed(arguments, prefix)
 
 
-def check_parent(arguments, *options, shared=True):
+def check_added(arguments, *options):
     build, prefix = arguments.folder / "build", arguments.folder / "installed"
-    configure(arguments, HERE / "parent", build, *QUICK, f"-DAVO_SOURCE={ROOT}",
-              f"-DBUILD_SHARED_LIBS={'ON' if shared else 'OFF'}", *options)
+    configure(arguments, HERE / "parent", build, f"-DAVO_SOURCE={ROOT}", *options)
     build_all(build)
     print("add_subdirectory:", run(build / "core"), end="")
     tests = run("ctest", "--test-dir", build, "-N")
@@ -123,16 +132,21 @@ def check_parent(arguments, *options, shared=True):
     expect(files == ["bin/core"], f"not only its own file is installed: {files}")
 
 
+def check_parent(arguments):
+    added = arguments.folder / "build" / "avo"
+    check_added(arguments, *settings_of(arguments.build, added), "-DBUILD_SHARED_LIBS=ON")
+
+
 def check_libcxx(arguments):
     arguments.compiler, arguments.flags = "clang++", "-stdlib=libc++"
     # each source has to include what it uses
-    check_parent(arguments, "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON", shared=False)
+    check_added(arguments, *QUICK, "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("kind", choices=["static", "shared", "parent", "libcxx"])
-    parser.add_argument("build", nargs="?", type=pathlib.Path)
+    parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "packages")
     parser.add_argument("--compiler", default="c++")
     parser.add_argument("--flags", default="")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON for tests, whose code is made once, in json.cpp.
+// JSON for tests, with keys in the order of the text; its code is made once, in json.cpp.
 #pragma once
 #include <nlohmann/json.hpp>
 
-extern template class nlohmann::basic_json<>;
 extern template class nlohmann::basic_json<nlohmann::ordered_map>;

@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""A compiler launcher that copies what the same command has made in a finished build.
+
+usage: reuse.py BUILD FOLDER COMMAND...
+
+BUILD is finished, FOLDER is where the same sources are built now. The same is a command that differs
+in nothing but these two folders, in where it writes, and in the definition that CMake adds for a
+shared library. Any other command is run.
+"""
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import sys
+
+
+def parts(words, working, build):
+    """What is written, and all else that the outcome depends on."""
+    output, rest, words = None, [], iter(words)
+    for word in words:
+        if word == "-o":
+            output = os.path.join(working, next(words))
+        elif word in ("-MT", "-MF"):
+            next(words)
+        elif word != "-MD" and not (word.startswith("-D") and word.endswith("_EXPORTS")):
+            rest.append(word.replace(build + "/", "BUILD/"))
+    return output, rest
+
+
+def made_before(build, folder, command):
+    """The file in BUILD, or None."""
+    database = pathlib.Path(build) / "compile_commands.json"
+    if not database.exists():  # where this project is a part of another one
+        return None
+    wanted = parts(command, os.getcwd(), folder)[1]
+    for entry in json.loads(database.read_text()):
+        if entry["file"].replace(build + "/", "BUILD/") == wanted[-1]:
+            output, rest = parts(shlex.split(entry["command"]), entry["directory"], build)
+            if rest == wanted and os.path.exists(output):
+                return output
+    return None
+
+
+def main():
+    build, folder, *command = sys.argv[1:]
+    before = made_before(build, folder, command)
+    if before is None:
+        os.execvp(command[0], command)
+    shutil.copyfile(before, parts(command, os.getcwd(), folder)[0])
+
+
+if __name__ == "__main__":
+    main()
