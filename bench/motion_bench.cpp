@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planner/arrival.h"
-#include "planner/arrival_columns.h"
+#include "planner/decision_columns.h"
 #include "sim/moving_columns.h"
 
 namespace avo {
@@ -127,7 +127,7 @@ void wish_among_ten(benchmark::State& state) {
   const Planner planner({});
   NeighborColumns seen;
   RobotColumns robots;
-  ArrivalColumns columns;
+  DecisionColumns columns;
   robots.reserve(1);
   columns.reserve(1);
   run(state, planner, [&](const Scene& scene) {

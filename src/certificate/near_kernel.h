@@ -143,6 +143,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
   const NeighborColumns& columns = *neighbors.columns;
   const BrakingColumns& own = pairs.own;
   const bool exact = law.sensing_error == SensingError{};
+  const Real range_squared(neighbors.range * neighbors.range);
   const BrakingPoint<Real> self{constant<Real>(robots.position(i)),
                                 constant<Real>(robots.velocity(i)),
                                 {own.direction_x[i], own.direction_y[i]},
@@ -170,11 +171,13 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     movers = movers | (counted & !decides);
     if (whom == Whom::movers) continue;
     auto near = counted & decides & !are_far(bound, self, other);
-    if (!any(near)) continue;
-    near = near & !are_clear(bound, self, other, law);
-    if (!any(near)) continue;
-    push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
-    if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
+    if (any(near)) near = near & !are_clear(bound, self, other, law);
+    if (any(near)) {
+      push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
+      if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
+    }
+    const Vec<Real> p = self.position - other.position;
+    if (any(dot(p, p) > range_squared)) break;
   }
   return any(movers);
 }

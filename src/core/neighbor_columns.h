@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,10 +56,12 @@ struct NeighborColumns {
   void grow(std::size_t size);
 };
 
-/// Those of one robot: neighbors [first, first + count) of the columns.
+/// Those of one robot: neighbors [first, first + count) of the columns. Where the range is not
+/// infinite they are by distance, and of those farther away only the half-planes matter.
 struct Neighbors {
   const NeighborColumns* columns = nullptr;
   std::size_t first = 0, count = 0;
+  double range = std::numeric_limits<double>::infinity();  // m
 
   std::size_t size() const { return count; }
   Neighbor operator[](std::size_t k) const { return (*columns)[first + k]; }

@@ -10,8 +10,8 @@
 
 #include "certificate/plan_kernel.h"
 #include "planner/arrival.h"
-#include "planner/arrival_columns.h"
 #include "planner/certified.h"
+#include "planner/decision_columns.h"
 
 AVO_BEGIN_KERNELS
 
@@ -47,6 +47,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
   const double slow = kSlow * robots.max_speed[i];
   const Real zero(0.0), one(1.0), per_range(1.0 / range);
   const Real range_squared(range * range), slow_squared(slow * slow);
+  const Real most_squared(neighbors.range * neighbors.range);
   const Vec<Real> p = constant<Real>(robots.position(i)), v = constant<Real>(robots.velocity(i));
   const Vec<Real> way{robots.preferred_x[i], robots.preferred_y[i]};
   Traffic traffic;
@@ -59,13 +60,14 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const Vec<Real> towards = Vec<Real>{load(columns.x), load(columns.y)} - p;
     const Vec<Real> velocity{load(columns.v_x), load(columns.v_y)};
     const Real squared = dot(towards, towards);
+    const bool last = k + Real::kLanes >= neighbors.count || any(squared > most_squared);
     const auto closing = dot(towards, velocity - v) < zero;
     const auto rests = dot(velocity, velocity) < slow_squared;
     const auto near = (squared < range_squared) & (dot(towards, way) > zero);
     const Real weight = one - per_range * sqrt(squared);
     // eight at a time in the same order: no number of lanes has a say, nor zeros at the end
     select(counted & near & (closing | rests), weight, zero).store(weights + k % 8);
-    if ((k + Real::kLanes) % 8 == 0 || k + Real::kLanes >= neighbors.count) {
+    if ((k + Real::kLanes) % 8 == 0 || last) {
       traffic.ahead += ((weights[0] + weights[4]) + (weights[2] + weights[6])) +
                        ((weights[1] + weights[5]) + (weights[3] + weights[7]));
       if (Real::kLanes < 8) std::fill_n(weights, 8, 0.0);
@@ -78,12 +80,13 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
       traffic.push = traffic.push + push_of(robots.robot(i), neighbors[k + lane]);
     }
+    if (last) break;
   }
   return traffic;
 }
 
 template <typename Real>
-void look_around(const RobotColumns& robots, ArrivalColumns& columns) {
+void look_around(const RobotColumns& robots, DecisionColumns& columns) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     traffic_range(load(robots.max_speed), load(robots.max_acceleration), load(robots.radius))
@@ -97,7 +100,7 @@ void look_around(const RobotColumns& robots, ArrivalColumns& columns) {
 }
 
 template <typename Real>
-void keep_right(const RobotColumns& robots, ArrivalColumns& columns) {
+void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const Vec<Real> way{load(robots.preferred_x), load(robots.preferred_y)};
@@ -129,7 +132,7 @@ AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real decreme
 }
 
 template <typename Real>
-void decide_freely(const StepLaw& law, const RobotColumns& robots, ArrivalColumns& columns) {
+void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColumns& columns) {
   const auto within = [](Vec<Real> a, Real radius) {
     const Real rounding(kLimitRounding);
     return dot(a, a) <= rounding * radius * radius;

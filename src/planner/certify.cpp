@@ -114,11 +114,10 @@ Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColum
                           certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
-  const double violation = wished.violation();
-  return plan_under(
-      law, robot, choice.next_velocity,
-      status_of(choice.chosen, violation, certified.constraints.invariant, wished.overlapping),
-      violation);
+  return plan_under(law, robot, choice.next_velocity,
+                    status_of(choice.chosen, wished.violation, certified.constraints.invariant,
+                              wished.overlapping),
+                    wished.violation);
 }
 
 Plan certify_among_movers(const Planner& planner, const Robot& robot,

@@ -48,17 +48,10 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
 /// What the paper's program made of a wish.
 struct Wished {
   std::span<const HalfPlane> half_planes;
-  std::span<const double> excess;  ///< of each, see NeighborPlane
-  Vec2 wish;                       ///< m/s
-  ProgramResult result;            ///< Eq. (23)
-  Vec2 next, unhindered;           ///< m/s, as far as one step leads to result and to the wish
-  bool overlapping = false;        ///< with whom it does not matter
-
-  /// m/s, and by how much a neighbor with which everything within reach collides asks for more.
-  double violation() const {
-    return std::max(result.violation,
-                    excess.empty() ? 0.0 : *std::max_element(excess.begin(), excess.end()));
-  }
+  Vec2 wish;                 ///< m/s
+  Vec2 next, unhindered;     ///< m/s, as far as one step leads to Eq. (23)'s choice and to the wish
+  double violation = 0.0;    ///< m/s
+  bool overlapping = false;  ///< with whom it does not matter
 };
 
 /// The status of a choice that the program made and that is kept.

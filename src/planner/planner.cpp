@@ -118,9 +118,7 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
   scratch.order.reserve(neighbors);
   scratch.ordered.reserve(neighbors);
   scratch.alone.reserve(1, neighbors);
-  scratch.wishes.reserve(1);
-  scratch.arrival.reserve(1);
-  scratch.results.reserve(1);
+  scratch.decisions.reserve(1);
   avo::reserve(1, neighbors, scratch.soft);
 }
 

@@ -8,8 +8,8 @@
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 #include "lp/programs.h"
-#include "planner/arrival_columns.h"
 #include "planner/certified.h"
+#include "planner/decision_columns.h"
 #include "planner/passive_obstacles.h"
 #include "planner/together.h"
 
@@ -19,9 +19,7 @@ struct PlanWorkspace::Scratch {
   static Scratch& of(PlanWorkspace& workspace) { return *workspace.scratch_; }
 
   SoftPlanes soft;
-  std::vector<Vec2> wishes;
-  ArrivalColumns arrival;  // of method avo
-  std::vector<ProgramResult> results;
+  DecisionColumns decisions;
   ProgramBatch programs;
   ProgramRows rows;
   std::vector<PassiveObstacle> obstacles;

@@ -17,14 +17,13 @@ namespace {
 
 // The program's choice, with what no program sees: a neighbor with which everything within reach
 // collides leaves CA_A empty.
-double worst_violation(const SoftPlanes& soft, std::size_t i, const ProgramResult& result) {
+double worst_violation(const SoftPlanes& soft, std::size_t i, Vec2 target, double worst) {
   const std::span<const HalfPlane> planes = soft.of(i);
   const std::span<const double> excess = soft.excess_of(i);
-  double worst = result.violation;
   if (!soft.exceeding) return worst;
   for (std::size_t k = 0; k < planes.size(); ++k) {
     if (excess[k] > 0.0) {
-      worst = std::max(worst, excess[k] + std::max(0.0, violation(planes[k], result.point)));
+      worst = std::max(worst, excess[k] + std::max(0.0, violation(planes[k], target)));
     }
   }
   return worst;
@@ -40,11 +39,12 @@ ProgramResult solve_program(const Planner& planner, const Robot& robot,
 void solve_programs(const Planner& planner, const RobotColumns& robots,
                     PlanWorkspace::Scratch& scratch) {
   const SoftPlanes& soft = scratch.soft;
+  DecisionColumns& decisions = scratch.decisions;
   const auto solve = [&](std::size_t i) {
-    return solve_program(planner, robots.robot(i), soft.of(i), scratch.wishes[i], scratch.rows);
+    decisions.take(
+        i, solve_program(planner, robots.robot(i), soft.of(i), decisions.wish(i), scratch.rows));
   };
-  scratch.results.clear();
-  if (robots.count == 1) return scratch.results.push_back(solve(0));
+  if (robots.count == 1) return solve(0);
   ProgramBatch& batch = scratch.programs;
   batch.clear();
   const bool unlimited = adopts_at_once(planner.options().method);
@@ -53,45 +53,37 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
     const Disc acceleration =
         unlimited ? Disc{{}, std::numeric_limits<double>::infinity()}
                   : Disc{robots.velocity(i), control_time * robots.max_acceleration[i]};
-    batch.add(acceleration, robots.max_speed[i], scratch.wishes[i], soft.of(i));
+    batch.add(acceleration, robots.max_speed[i], decisions.wish(i), soft.of(i));
   }
   nearest_points(batch);
   for (std::size_t i = 0; i < robots.count; ++i) {
     if (!batch.settled(i)) {
-      scratch.results.push_back(solve(i));
+      solve(i);
       continue;
     }
-    ProgramResult result;
-    result.point = batch.point(i);
-    result.violation = batch.violation(i);
-    if (result.violation > 0.0) result.state = ProgramState::least_unsafe;
-    scratch.results.push_back(result);
+    const double violation = batch.violation(i);
+    decisions.take(i, {batch.point(i), violation,
+                       violation > 0.0 ? ProgramState::least_unsafe : ProgramState::optimal});
   }
 }
 
-// What each robot wishes for, in columns as well where it is of method avo.
-void make_wishes(const PlannerOptions& options, const Tile& tile, PlanWorkspace::Scratch& scratch) {
+// What each robot wishes for.
+void make_wishes(const PlannerOptions& options, const Tile& tile, DecisionColumns& decisions) {
   const RobotColumns& robots = tile.robots;
-  scratch.wishes.clear();
+  decisions.reserve(robots.count);
   if (options.method != Method::avo) {
-    for (std::size_t i = 0; i < robots.count; ++i) {
-      scratch.wishes.push_back({robots.preferred_x[i], robots.preferred_y[i]});
-    }
+    std::copy_n(robots.preferred_x.begin(), robots.count, decisions.wish_x.begin());
+    std::copy_n(robots.preferred_y.begin(), robots.count, decisions.wish_y.begin());
     return;
   }
-  ArrivalColumns& arrival = scratch.arrival;
-  arrival.reserve(robots.count);
-  look_around(robots, arrival);
-  keep_right(robots, arrival);
+  look_around(robots, decisions);
+  keep_right(robots, decisions);
   for (std::size_t i = 0; i < robots.count; ++i) {
-    Vec2 wish{arrival.wish_x[i], arrival.wish_y[i]};
-    const Vec2 push{arrival.push_x[i], arrival.push_y[i]};
+    const Vec2 push{decisions.push_x[i], decisions.push_y[i]};
     Detour& detour = *tile.detour[i];
-    if (push != Vec2{} || detour.yielded != 0.0) {
-      wish = wish_of(robots.robot(i), wish, push, options, detour);
-      arrival.wish_x[i] = wish.x, arrival.wish_y[i] = wish.y;
-    }
-    scratch.wishes.push_back(wish);
+    if (push == Vec2{} && detour.yielded == 0.0) continue;
+    const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), push, options, detour);
+    decisions.wish_x[i] = wish.x, decisions.wish_y[i] = wish.y;
   }
 }
 
@@ -106,54 +98,60 @@ bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs&
   return tile.robots.wheelbase[i] == 0.0 && tile.detour[i]->angle == 0.0;
 }
 
+// m/s: the program's, and by how much a neighbor with which everything within reach collides asks
+// for more.
+double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
+  if (!soft.exceeding) return violation;
+  for (const double excess : soft.excess_of(i)) violation = std::max(violation, excess);
+  return violation;
+}
+
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
 void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch) {
   const CertificateLaw law = certificate_law(planner);
   const RobotColumns& robots = tile.robots;
-  find_near(robots, law, scratch.certified.constraints);
-  ArrivalColumns& arrival = scratch.arrival;
-  for (std::size_t i = 0; i < robots.count; ++i) {
-    arrival.target_x[i] = scratch.results[i].point.x;
-    arrival.target_y[i] = scratch.results[i].point.y;
-  }
-  decide_freely(law.step, robots, arrival);
-  NearPairs& near = scratch.certified.constraints.near;
-  if (law.kind == Certificate::braking_trajectories) {
-    admit_next(robots, arrival.next_x, arrival.next_y, law.step, near);
-  }
   const SoftPlanes& soft = scratch.soft;
+  DecisionColumns& decisions = scratch.decisions;
+  NearPairs& near = scratch.certified.constraints.near;
+  find_near(robots, law, scratch.certified.constraints);
+  decide_freely(law.step, robots, decisions);
+  if (law.kind == Certificate::braking_trajectories) {
+    admit_next(robots, decisions.next_x, decisions.next_y, law.step, near);
+  }
   for (std::size_t i = 0; i < robots.count; ++i) {
-    const Wished wished{soft.of(i),
-                        soft.excess_of(i),
-                        scratch.wishes[i],
-                        scratch.results[i],
-                        {arrival.next_x[i], arrival.next_y[i]},
-                        {arrival.unhindered_x[i], arrival.unhindered_y[i]},
-                        soft.overlapping[i] != 0};
     Plan& plan = *tile.plan[i];
-    if (arrival.is_free[i] == 0.0 || !is_unhindered(law, tile, near, i)) {
-      plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
+    const bool overlapping = soft.overlapping[i] != 0;
+    const double violation = most_violation(soft, i, decisions.violation[i]);
+    if (decisions.is_free[i] != 0.0 && is_unhindered(law, tile, near, i)) {
+      plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
+      plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
+      plan.violation = violation;
+      plan.status = status_of(overlapping, violation);
       continue;
     }
-    plan.new_velocity = {arrival.new_x[i], arrival.new_y[i]};
-    plan.acceleration = {arrival.a_x[i], arrival.a_y[i]};
-    plan.violation = soft.exceeding ? wished.violation() : wished.result.violation;
-    plan.status = status_of(wished.overlapping, plan.violation);
+    const Wished wished{soft.of(i),
+                        decisions.wish(i),
+                        {decisions.next_x[i], decisions.next_y[i]},
+                        {decisions.unhindered_x[i], decisions.unhindered_y[i]},
+                        violation,
+                        overlapping};
+    plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
   }
 }
 
 // The plans of the other methods.
 void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scratch) {
+  const DecisionColumns& decisions = scratch.decisions;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
-    const ProgramResult& result = scratch.results[i];
     Plan& plan = *tile.plan[i];
-    if (result.state == ProgramState::discs_disjoint) {
-      plan = brake(planner, tile.robots.robot(i), PlanStatus::braking, result.violation);
+    if (decisions.state[i] == ProgramState::discs_disjoint) {
+      plan = brake(planner, tile.robots.robot(i), PlanStatus::braking, decisions.violation[i]);
       continue;
     }
-    const double worst = worst_violation(scratch.soft, i, result);
+    const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
+    const double worst = worst_violation(scratch.soft, i, target, decisions.violation[i]);
     const PlanStatus status = status_of(scratch.soft.overlapping[i] != 0, worst);
-    plan = plan_of(planner.options(), tile.robots.velocity(i), result.point, status, worst);
+    plan = plan_of(planner.options(), tile.robots.velocity(i), target, status, worst);
   }
 }
 
@@ -200,7 +198,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   set_apart(planner, tile, scratch);
   collect_soft_planes(options, planner.horizon(), tile, scratch.soft);
   clock.lap(Stage::half_planes);
-  make_wishes(options, tile, scratch);
+  make_wishes(options, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   clock.lap(Stage::program);
@@ -221,9 +219,7 @@ void reserve_together(std::size_t robots, std::size_t planes_each, std::size_t p
                       PlanWorkspace::Scratch& scratch) {
   scratch.reserve_choice(neighbors_each, braking_steps);
   scratch.certified.constraints.near.reserve(robots, std::min(neighbors, kMostNear));
-  scratch.wishes.reserve(robots);
-  scratch.arrival.reserve(robots);
-  scratch.results.reserve(robots);
+  scratch.decisions.reserve(robots);
   scratch.rows.reserve(program_rows(planes_each));
   if (robots > 1) scratch.programs.reserve(robots, planes_each, planes);
   reserve(robots, planes, scratch.soft);

@@ -118,6 +118,12 @@ double near_range(const World& world, std::size_t slot) {
   return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
 
+// m, see Neighbors.
+double range_of(const NeighborQuery& query) {
+  const bool is_less = query.near >= 0.0 && query.near < query.far;
+  return is_less ? query.near : std::numeric_limits<double>::infinity();
+}
+
 // In canonical order, behind the others.
 void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& search,
             NeighborColumns& to) {
@@ -195,7 +201,8 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.found[i],
                                                nearest, snapshot, worker.search);
     const NeighborColumns& neighbors = worker.tile.neighbors;
-    worker.tile.robots.neighbors.push_back({&neighbors, first, neighbors.count - first});
+    worker.tile.robots.neighbors.push_back(
+        {&neighbors, first, neighbors.count - first, range_of(worker.queries[i])});
     worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
     if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }

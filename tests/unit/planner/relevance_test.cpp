@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "core/stage_clock.h"
+#include "planner/scratch.h"
+#include "support/half_plane_batches.h"
 #include "unit/planner/crowds.h"
 
 namespace avo {
@@ -129,8 +132,27 @@ Decision decide(const Planner& planner, const Robot& robot, const std::vector<Ne
   return decision;
 }
 
+// Those farther away are sensed, but of them only the first is looked at, where one is at a time.
+Decision decide_within(const Planner& planner, const Robot& robot,
+                       const std::vector<Neighbor>& neighbors, double range, const Detour& detour) {
+  const test::OnTarget target("scalar");
+  PlanWorkspace workspace;
+  StageClock clock;
+  Decision decision{{}, detour};
+  Tile tile;
+  tile.reserve(1, neighbors.size());
+  Neighbors sensed = in_columns(neighbors, tile.neighbors);
+  sensed.range = range;
+  tile.robots.add(robot, sensed);
+  tile.detour.push_back(&decision.detour);
+  tile.plan.push_back(&decision.plan);
+  tile.slot.push_back(0);
+  plan_together(planner, tile, PlanWorkspace::Scratch::of(workspace), clock);
+  return decision;
+}
+
 struct Counts {
-  int dropped = 0, changed_by_a_cut = 0;
+  int dropped = 0, changed_by_a_cut = 0, changed_by_looking_less_far = 0;
 };
 
 Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
@@ -147,6 +169,9 @@ Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
     const std::vector<Neighbor> kept = relevant(crowd, range);
     EXPECT_EQ(decide(planner, crowd.robot, kept, detour), all) << crowd << "\nrange " << range;
     counts.dropped += kept.size() < crowd.neighbors.size() ? 1 : 0;
+    EXPECT_EQ(decide_within(planner, crowd.robot, crowd.neighbors, range, detour), all) << crowd;
+    const Decision near = decide_within(planner, crowd.robot, crowd.neighbors, 0.3 * range, detour);
+    counts.changed_by_looking_less_far += near == all ? 0 : 1;
     const Decision cut = decide(planner, crowd.robot, relevant(crowd, 0.6 * range), detour);
     counts.changed_by_a_cut += cut == all ? 0 : 1;
   }
@@ -160,6 +185,7 @@ TEST(Relevance, the_far_change_no_bit) {
       const Counts counts = compare(certificate, motion, 11);
       EXPECT_GT(counts.dropped, 1000);
       EXPECT_GT(counts.changed_by_a_cut, 20);  // the range is not generous beyond measure
+      EXPECT_GT(counts.changed_by_looking_less_far, 20);
     }
   }
 }

@@ -7,32 +7,40 @@
 
 #include "certificate/braking_path.h"
 #include "core/robot_columns.h"
+#include "lp/linear_program.h"
 
 namespace avo {
 
 /// One entry a robot. Scratch memory; allocates only while it grows.
-struct ArrivalColumns {
+struct DecisionColumns {
   using Column = std::vector<double>;
   Column range, ahead, push_x, push_y;  // m; by look_around(), see Traffic
   Column wish_x, wish_y;                // m/s, by keep_right(), and then by wish_of()
-  Column target_x, target_y;            // m/s, what Eq. (23) made of the wish
+  // [v'], m/s: what Eq. (23) made of the wish, by how much it misses CA_A, and how
+  Column target_x, target_y, violation;
+  std::vector<ProgramState> state;
   // by decide_freely(), [v_1] m/s: target and wish as far as one step leads to them
   Column next_x, next_y, unhindered_x, unhindered_y;
   Column new_x, new_y, a_x, a_y;  // m/s, m/s², likewise: the decision for it
   Column is_free;                 // likewise: 1 where neither limits nor being blocked object, or 0
 
   void reserve(std::size_t robots);
+  void take(std::size_t i, const ProgramResult& result) {
+    target_x[i] = result.point.x, target_y[i] = result.point.y;
+    violation[i] = result.violation, state[i] = result.state;
+  }
+  [[nodiscard]] Vec2 wish(std::size_t i) const { return {wish_x[i], wish_y[i]}; }
 };
 
 /// What each sees of its traffic.
-void look_around(const RobotColumns& robots, ArrivalColumns& columns);
+void look_around(const RobotColumns& robots, DecisionColumns& columns);
 
 /// The preferred velocity turned to the right by how congested the way ahead is; as it is on the
 /// last of the way to the goal.
-void keep_right(const RobotColumns& robots, ArrivalColumns& columns);
+void keep_right(const RobotColumns& robots, DecisionColumns& columns);
 
 /// From a wish, and the target that the program has made of it, to the plan of one to whom no
 /// certificate objects.
-void decide_freely(const StepLaw& law, const RobotColumns& robots, ArrivalColumns& columns);
+void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColumns& columns);
 
 }  // namespace avo

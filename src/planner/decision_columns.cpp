@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What robots do by themselves for every instruction set; the fittest is chosen at run time.
+#include "planner/decision_columns.h"
+
+#include <algorithm>
+
+namespace avo {
+struct ArrivalKernels {
+  void (*look_around)(const RobotColumns&, DecisionColumns&);
+  void (*keep_right)(const RobotColumns&, DecisionColumns&);
+  void (*decide_freely)(const StepLaw&, const RobotColumns&, DecisionColumns&);
+};
+}  // namespace avo
+
+#define AVO_KERNEL_HEADER "planner/arrival_kernel.h"
+#define AVO_KERNEL_STRUCT ArrivalKernels
+#define AVO_KERNEL_FUNCTIONS \
+  look_around<Pack<double>>, keep_right<Pack<double>>, decide_freely<Pack<double>>
+#include "core/kernel_passes.h"
+
+namespace avo {
+void look_around(const RobotColumns& robots, DecisionColumns& columns) {
+  kKernels->look_around(robots, columns);
+}
+
+void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
+  kKernels->keep_right(robots, columns);
+}
+
+void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColumns& columns) {
+  kKernels->decide_freely(law, robots, columns);
+}
+
+void DecisionColumns::reserve(std::size_t robots) {
+  state.resize(std::max(state.size(), robots));
+  if (is_free.size() >= robots + kSpareNeighbors) return;  // the last to grow
+  for (Column* column :
+       {&range, &ahead, &push_x, &push_y, &wish_x, &wish_y, &target_x, &target_y, &violation,
+        &next_x, &next_y, &unhindered_x, &unhindered_y, &new_x, &new_y, &a_x, &a_y, &is_free}) {
+    column->resize(robots + kSpareNeighbors, 1.0);
+  }
+}
+
+}  // namespace avo
