@@ -21,6 +21,7 @@ struct Wall {
 struct Chain {
   std::vector<Vec2> points = {};  ///< m, at least one
   bool closed = false;
+  friend bool operator==(const Chain&, const Chain&) = default;
 };
 
 /// Where a robot may not start, though no wall is near.
@@ -35,6 +36,7 @@ struct StaticObstacle {
   std::vector<Chain> chains = {};
   double radius = 0.0;  ///< m, >= 0, of all its walls: that of a disc, or half of a thickness
   Fill fill = Fill::none;
+  friend bool operator==(const StaticObstacle&, const StaticObstacle&) = default;
 };
 
 /// The walls of all chains, in their order; a chain of one point is a disc.

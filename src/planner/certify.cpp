@@ -90,9 +90,11 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   return choice;
 }
 
-PlanStatus status_of(Chosen chosen, double violation, const Invariant& invariant,
+PlanStatus status_of(Chosen chosen, double violation, const CertificateConstraints& constraints,
                      bool overlapping) {
-  if (overlapping || invariant.broken >= 0 || invariant.touched) return PlanStatus::overlapping;
+  const Invariant& invariant = constraints.invariant;
+  if (overlapping || invariant.broken >= 0 || invariant.touched || constraints.walls.broken)
+    return PlanStatus::overlapping;
   if (chosen == Chosen::backup) return PlanStatus::braking;
   return chosen == Chosen::candidate ? PlanStatus::candidate : avo::status_of(false, violation);
 }
@@ -114,15 +116,16 @@ Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColum
                           certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
-  return plan_under(law, robot, choice.next_velocity,
-                    status_of(choice.chosen, wished.violation, certified.constraints.invariant,
-                              wished.overlapping),
-                    wished.violation);
+  return plan_under(
+      law, robot, choice.next_velocity,
+      status_of(choice.chosen, wished.violation, certified.constraints, wished.overlapping),
+      wished.violation);
 }
 
 Plan certify_among_movers(const Planner& planner, const Robot& robot,
-                          std::span<const Neighbor> neighbors, const PassiveChoice& target,
-                          bool overlapping, PlanWorkspace::Scratch& scratch) {
+                          std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                          const PassiveChoice& target, bool overlapping,
+                          PlanWorkspace::Scratch& scratch) {
   CertifiedWorkspace& certified = scratch.certified;
   const CertificateLaw law = certificate_law(planner);
   std::vector<Neighbor>& movers = scratch.movers;
@@ -131,14 +134,13 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
     if (mover.behavior == Behavior::decides) mover.acceleration = {};
     mover.behavior = Behavior::moves_on;
   }
-  collect_constraints(robot, movers, law, certified.constraints);
+  collect_constraints(robot, movers, law, certified.constraints, walls);
   const Vec2 wanted = approach(robot.velocity, target.velocity,
                                braking_decrement(robot.max_acceleration, law.step));
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  return plan_under(
-      law, robot, choice.next_velocity,
-      status_of(choice.chosen, target.violation, certified.constraints.invariant, overlapping),
-      target.violation);
+  return plan_under(law, robot, choice.next_velocity,
+                    status_of(choice.chosen, target.violation, certified.constraints, overlapping),
+                    target.violation);
 }
 
 }  // namespace avo

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "avo/planner.h"
+#include "avo/wall.h"
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 
@@ -13,6 +14,7 @@ namespace avo {
 /// Whether every number is finite and in range.
 bool is_valid(const Robot& robot);
 bool is_valid(const Neighbor& neighbor);
+bool is_valid(const Wall& wall);
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors);
 bool all_valid(const Robot& robot, const Neighbors& neighbors);
 
@@ -77,6 +79,7 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
 
 /// Planner::plan_among_obstacles().
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
-                            std::span<const Neighbor> obstacles, PlanWorkspace::Scratch& scratch);
+                            std::span<const Neighbor> obstacles, std::span<const Wall> walls,
+                            PlanWorkspace::Scratch& scratch);
 
 }  // namespace avo

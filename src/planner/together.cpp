@@ -106,6 +106,18 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   return violation;
 }
 
+// With no certificate there is nothing that they demand.
+void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
+                 const CertificateLaw& law, WallConstraints& walls) {
+  const std::span<const Wall> near = tile.walls_of(i);
+  if (near.empty() || law.kind == Certificate::none) {
+    walls.near.clear();
+    walls.broken = walls.must_brake = false;
+  } else {
+    begin_walls(robots.robot(i), near, law.step, walls);
+  }
+}
+
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
 void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch) {
   const CertificateLaw law = certificate_law(planner);
@@ -122,7 +134,9 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
     Plan& plan = *tile.plan[i];
     const bool overlapping = soft.overlapping[i] != 0;
     const double violation = most_violation(soft, i, decisions.violation[i]);
-    if (decisions.is_free[i] != 0.0 && is_unhindered(law, tile, near, i)) {
+    WallConstraints& walls = scratch.certified.constraints.walls;
+    begin_walls(robots, tile, i, law, walls);
+    if (decisions.is_free[i] != 0.0 && is_unhindered(law, tile, near, i) && walls.near.empty()) {
       plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
       plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
       plan.violation = violation;
@@ -170,7 +184,8 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const bool has_movers = tile.neighbors.has_movers || options.method == Method::velocity_obstacle;
   if (!has_movers || !is_among_movers(options, neighbors)) return false;
   list(neighbors, scratch.listed);
-  *tile.plan[i] = decide_among_obstacles(planner, robots.robot(i), scratch.listed, scratch);
+  *tile.plan[i] =
+      decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i), scratch);
   *tile.detour[i] = {};
   return true;
 }
@@ -187,6 +202,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
     std::swap(tile.detour[i], tile.detour[last]);
     std::swap(tile.plan[i], tile.plan[last]);
     std::swap(tile.slot[i], tile.slot[last]);
+    if (!tile.walls.empty()) std::swap(tile.walls[i], tile.walls[last]);
   }
 }
 
