@@ -186,8 +186,10 @@ TEST(Walls, those_out_of_reach_change_no_bit) {
     const std::vector<Wall> walls = random_walls(random, 20.0, robot.radius);
     robot.position = free_place(random, walls, 20.0, robot.radius + 1e-3);
     robot.preferred_velocity = robot.max_speed * random.direction();
+    robot.velocity = random.uniform(0.0, 1.0) * robot.preferred_velocity;
+    const double speed = norm(robot.velocity);
     const double reach =
-        robot.radius + wall_reach(0.0, robot.max_speed, robot.max_acceleration, law.step);
+        robot.radius + wall_reach(speed, robot.max_speed, robot.max_acceleration, law.step);
     std::vector<Wall> near;
     for (const Wall& wall : walls) {
       if (gap_to(robot.position, wall) <= reach * (1.0 + 1e-9)) near.push_back(wall);
