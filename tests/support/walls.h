@@ -22,7 +22,8 @@ inline double gap_to(Vec2 p, const Wall& wall) {
   const long double squared = dx * dx + dy * dy;
   const long double part =
       squared > 0 ? std::clamp((px * dx + py * dy) / squared, 0.0L, 1.0L) : 0.0L;
-  return static_cast<double>(std::hypot(px - part * dx, py - part * dy)) - wall.radius;
+  const long double x = px - part * dx, y = py - part * dy;
+  return static_cast<double>(std::sqrt(x * x + y * y)) - wall.radius;
 }
 
 /// Least gap within one step, m: exact where motion is held (the distance to each end and to the
@@ -46,35 +47,38 @@ inline double least_gap(const TrueStep& step, const Wall& wall, const PlannerOpt
       least = std::min(least, gap(t));
     return least;
   }
-  constexpr int kSamples = 32;
+  constexpr int kSamples = 16;
   int nearest = 0;
   for (int k = 0; k <= kSamples; ++k) {
     if (gap(h * k / kSamples) < gap(h * nearest / kSamples)) nearest = k;
   }
   double low = h * std::max(nearest - 1, 0) / kSamples;
   double high = h * std::min(nearest + 1, kSamples) / kSamples;
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 30; ++i) {
     const double third = (high - low) / 3.0;
-    (gap(low + third) < gap(high - third) ? high : low) =
-        gap(low + third) < gap(high - third) ? high - third : low + third;
+    if (gap(low + third) < gap(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
   }
   return std::min(least, gap(0.5 * (low + high)));
-}
-
-inline double least_gap(const TrueStep& step, const std::vector<Wall>& walls,
-                        const PlannerOptions& options) {
-  const double way = options.time_step * std::max(norm(step.velocity), norm(step.next_velocity));
-  double least = std::numeric_limits<double>::infinity();
-  for (const Wall& wall : walls) {
-    const double now = gap_to(step.position, wall);
-    if (now - way < least) least = std::min(least, least_gap(step, wall, options));
-  }
-  return least;
 }
 
 inline double gap_to_all(Vec2 p, const std::vector<Wall>& walls) {
   double least = std::numeric_limits<double>::infinity();
   for (const Wall& wall : walls) least = std::min(least, gap_to(p, wall));
+  return least;
+}
+
+inline double least_gap(const TrueStep& step, const std::vector<Wall>& walls,
+                        const PlannerOptions& options) {
+  const double way = options.time_step * std::max(norm(step.velocity), norm(step.next_velocity));
+  double least = gap_to_all(step.position, walls);
+  for (const Wall& wall : walls) {
+    if (gap_to(step.position, wall) - way < least)
+      least = std::min(least, least_gap(step, wall, options));
+  }
   return least;
 }
 

@@ -64,21 +64,23 @@ double deepest_overlap(const WallRule& rule) {
     const std::vector<Wall> walls = random_walls(random, 8.0, robot.radius);
     robot.position = free_place(random, walls, 8.0, robot.radius + 1e-6);
     Vec2 direction = random.direction();
+    bool overlaps = false;  // then nothing is promised any more: it brakes
     for (int k = 0; k < 100; ++k) {
       if (random.below(6) == 0) direction = random.direction();
       const Vec2 backup = braked(robot.velocity, u), pushed = robot.velocity + u * direction;
       const double speed = norm(pushed);
       const Vec2 wish = speed > robot.max_speed ? (robot.max_speed / speed) * pushed : pushed;
       Vec2 next = backup;
-      for (double part = 1.0; k < 90 && part > 1e-3; part *= 0.7) {
+      for (double part = 1.0; k < 90 && !overlaps && part > 1e-3; part *= 0.7) {
         const Vec2 candidate = backup + part * (wish - backup);
         if (!admits(rule, robot, candidate, walls)) continue;
         next = candidate;
         break;
       }
       const TrueStep step{robot.position, robot.velocity, next};
-      least = std::min(least, least_gap(step, walls, options) - robot.radius);
-      if (least < -1e-3) break;  // what comes after is no longer promised
+      const double gap = least_gap(step, walls, options) - robot.radius;
+      least = std::min(least, gap);
+      overlaps = overlaps || gap < -kRounding;
       robot.position = step.at(kTimeStep, options);
       robot.velocity = next;
     }
