@@ -33,7 +33,7 @@ struct Decision {
   const Robot& robot;
   CertificateLaw law;
   Disc acceleration;  // of v'
-  std::span<const HalfPlane> half_planes;
+  std::span<const HalfPlane> half_planes, walls;
   CertifiedWorkspace& certified;
 
   double decrement() const { return braking_decrement(robot.max_acceleration, law.step); }
@@ -80,7 +80,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = turned_right(wish, detour.angle);
     const Vec2 unhindered = approach(robot.velocity, turned, decision.decrement());
-    choice = choose_by_program(decision, {}, turned);
+    choice = choose_by_program(decision, decision.walls, turned);
     if (is_way_blocked(decision, choice, unhindered, turned)) turn_off(detour, robot, time_step);
     if (choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
   } else if (detour.angle > 0.0) {
@@ -112,8 +112,8 @@ Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocit
 Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
              std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour) {
   const Robot robot = robots.robot(i);
-  const Decision decision{robot, law, planner.acceleration_disc(robot), wished.half_planes,
-                          certified};
+  const Decision decision{
+      robot, law, planner.acceleration_disc(robot), wished.half_planes, wished.walls, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
   return plan_under(

@@ -50,7 +50,8 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
 /// What the paper's program made of a wish.
 struct Wished {
   std::span<const HalfPlane> half_planes;
-  Vec2 wish;                 ///< m/s
+  std::span<const HalfPlane> walls;  ///< those of them that walls ask for
+  Vec2 wish;                         ///< m/s
   Vec2 next, unhindered;     ///< m/s, as far as one step leads to Eq. (23)'s choice and to the wish
   double violation = 0.0;    ///< m/s
   bool overlapping = false;  ///< with whom it does not matter

@@ -122,6 +122,8 @@ void PlanWorkspace::Scratch::reserve_walls(std::size_t walls) {
   const std::size_t cuts = certified.hard.capacity() + kMostCuts * walls;
   certified.hard.reserve(cuts);
   certified.rows.reserve(program_rows(cuts));
+  wall_planes.reserve(rows.capacity() + walls);
+  rows.reserve(rows.capacity() + program_rows(walls));
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {

@@ -22,6 +22,7 @@ struct PlanWorkspace::Scratch {
   DecisionColumns decisions;
   ProgramBatch programs;
   ProgramRows rows;
+  std::vector<HalfPlane> wall_planes;  // of one robot, its other ones behind them
   std::vector<PassiveObstacle> obstacles;
   // of the neighbors given: numbers, and themselves sorted by distance
   std::vector<std::uint32_t> order;

@@ -88,7 +88,6 @@ TEST(Walls, no_push_touches_one) {
       EXPECT_LT(outcome.least, 1e-9) << "nobody came near";
       EXPECT_GT(outcome.steps, 10000);
       EXPECT_LT(outcome.braked, outcome.steps / 2);
-      RecordProperty("least gap", std::to_string(outcome.least));
     }
   }
 }

@@ -166,6 +166,52 @@ TEST(WalledFleets, bad_obstacles_are_refused) {
   EXPECT_THROW(simulation.add_robot(scene.robots[0]), Error);
 }
 
+TEST(WallStarts, those_too_near_or_too_fast_are_told) {
+  Scenario scene;
+  scene.obstacles = {piece({{-50.0, 0.0}, {50.0, 0.0}}), piece({{0.0, 30.0}, {0.0, 30.0}, 1.0})};
+  const auto start = [](Vec2 position, Vec2 velocity) {
+    RobotSetup setup = robot_at(position, position);
+    setup.velocity = velocity;
+    return setup;
+  };
+  scene.robots = {start({0.0, 0.5 + 1e-9}, {}), start({5.0, 1.5}, {0.0, -1.6}),
+                  start({10.0, 2.0}, {1.6, 0.0}), start({20.0, -0.3}, {}), start({0.0, 31.4}, {})};
+  const BrokenAssumptions broken = broken_assumptions(scene);
+  ASSERT_EQ(broken.beside_count, 3);
+  EXPECT_FALSE(broken.none());
+  EXPECT_EQ(broken.beside[0].robot, 1);
+  EXPECT_DOUBLE_EQ(broken.beside[0].distance, 1.5);
+  EXPECT_NEAR(broken.beside[0].kept, 1.5 - 1.6 * 1.6 / 2.0, 0.01);
+  EXPECT_EQ(broken.beside[1].robot, 3);
+  EXPECT_DOUBLE_EQ(broken.beside[1].distance, 0.3);
+  EXPECT_NEAR(broken.beside[1].required, 0.5, 1e-9);
+  EXPECT_GT(broken.beside[1].required, 0.5);
+  EXPECT_EQ(broken.beside[2].robot, 4);
+  EXPECT_EQ(broken.beside[2].obstacle, 1);
+}
+
+TEST(WallStarts, solids_and_bounds_have_an_inside) {
+  const auto square = [](double low, double high) {
+    return Chain{{{low, low}, {high, low}, {high, high}, {low, high}}, true};
+  };
+  Scenario scene;
+  scene.obstacles = {{{square(-20.0, 20.0)}, 0.0, Fill::bounds},
+                     {{square(-10.0, 10.0), square(-5.0, 5.0)}, 0.0, Fill::solid}};
+  const auto misplaced = [&scene](Vec2 p) {
+    scene.robots = {robot_at(p, p)};
+    const BrokenAssumptions broken = broken_assumptions(scene);
+    EXPECT_EQ(broken.beside_count, 0);
+    return broken.misplaced_count == 0 ? -1 : broken.misplaced.front().obstacle;
+  };
+  EXPECT_EQ(misplaced({15.0, 0.0}), -1);
+  EXPECT_EQ(misplaced({25.0, 0.0}), 0);
+  EXPECT_EQ(misplaced({7.0, 1.0}), 1);
+  EXPECT_EQ(misplaced({7.0, -7.0}), 1);
+  EXPECT_EQ(misplaced({1.0, 1.0}), -1) << "a hole of it";
+  scene.obstacles[1].fill = Fill::none;
+  EXPECT_EQ(misplaced({7.0, 1.0}), -1);
+}
+
 TEST(WallGrid, lists_all_walls_within_their_reach) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
