@@ -109,6 +109,7 @@ class AVO_API Simulation {
     std::vector<int> source;    ///< index into fleet(), or -1 - k for moving obstacle k
     Detour detour = {};         ///< what it remembers
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
+    std::vector<Wall> walls = {};  ///< all that matter to it, and more
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;

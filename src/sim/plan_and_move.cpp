@@ -29,6 +29,11 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     tile.plan.push_back(&fleet.plan[slot]);
     tile.slot.push_back(slot);
   }
+  if (!world.statics.walls.empty()) {
+    for (const std::uint32_t slot : slots) {
+      tile.walls.push_back(world.statics.grid.near(fleet.position[slot]));
+    }
+  }
   choose_ways(world.response, worker.moving, robots);
 }
 

@@ -24,6 +24,7 @@ constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
+constexpr std::size_t kStaticWords = 3, kChainWords = 2, kPointWords = 2;  // at least
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
 
 [[noreturn]] void refuse(const std::string& given, const std::string& allowed) {
@@ -142,6 +143,20 @@ void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& st
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, StaticObstacle& obstacle) {
+  auto fill = static_cast<std::uint8_t>(obstacle.fill);
+  describe(archive, obstacle.radius), describe(archive, fill);
+  if (fill > static_cast<std::uint8_t>(Fill::bounds)) refuse("an unknown fill", "a known one");
+  obstacle.fill = static_cast<Fill>(fill);
+  archive.size(obstacle.chains, kChainWords);
+  for (Chain& chain : obstacle.chains) {
+    describe(archive, chain.closed);
+    archive.size(chain.points, kPointWords);
+    for (Vec2& point : chain.points) describe(archive, point);
+  }
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
@@ -173,6 +188,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     describe(archive, scene.moving_obstacles[k], state.obstacles[k]);
   }
+  archive.size(scene.obstacles, kStaticWords);
+  for (StaticObstacle& obstacle : scene.obstacles) describe(archive, obstacle);
   archive.size(scene.robots, kRobotWords);
   state.robots.resize(scene.robots.size());
   for (std::size_t k = 0; k < state.robots.size(); ++k) {

@@ -51,6 +51,7 @@ void for_each_setting(const Visit& visit) {
   visit("samples", &Scenario::samples);
   visit("arrival_distance", &Scenario::arrival_distance);
   visit("seed", &Scenario::seed);
+  visit("navigation", &Scenario::navigation);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.

@@ -48,8 +48,10 @@ void require_same_scene(const Scenario& saved, const World& world) {
     return all;
   };
   const std::vector<MovingObstacle>&theirs = saved.moving_obstacles, &ours = world.obstacles.setup;
-  if (std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same)) return;
-  refuse("saved state: moving_obstacles", "others", "those of this simulation");
+  if (!std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same))
+    refuse("saved state: moving_obstacles", "others", "those of this simulation");
+  if (saved.obstacles != world.statics.obstacles)
+    refuse("saved state: obstacles", "others", "those of this simulation");
 }
 
 Fleet fleet_of(const SavedState& state) {
@@ -83,6 +85,7 @@ SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
   SavedState state{world.settings, world.steps, world.next_id, {}, {}};
   state.scene.moving_obstacles = world.obstacles.setup;
+  state.scene.obstacles = world.statics.obstacles;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
     state.obstacles.push_back({world.obstacles.position[k], world.obstacles.velocity[k]});
   }

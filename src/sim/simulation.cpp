@@ -23,6 +23,8 @@ namespace {
 void check(const World& world, const RobotSetup& setup, RobotId robot) {
   Scenario scene = world.settings;
   scene.robots = {setup};
+  // what a robot needs beside any of them
+  if (!world.statics.obstacles.empty()) scene.obstacles = {world.statics.obstacles.front()};
   try {
     validate(scene);
   } catch (const Error& error) {
@@ -195,7 +197,7 @@ std::uint64_t Simulation::state_hash() const {
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const State& state = *state_;
   const std::uint32_t slot = state.fleet.slot_of[robot];
-  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], false};
+  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], false, {}};
   for (const NeighborHit& hit : all_hits(state, slot)) {
     if (!state.all_matter() && seen.source.size() == state.most_nearest()) break;
     const auto k = static_cast<std::size_t>(hit.index);
@@ -204,6 +206,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
                                          : state.fleet.sensed(state.fleet.slot_of[k]));
     seen.source.push_back(is_obstacle ? -1 - hit.index : hit.index);
   }
+  const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
+  seen.walls.assign(walls.begin(), walls.end());
   seen.among_movers = is_among_movers(state.planner.options(), seen.neighbors);
   return seen;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "planner/certify.h"
 #include "planner/scratch.h"
 
 namespace avo {
@@ -54,7 +55,38 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
+  statics.obstacles.swap(settings.obstacles);
+  statics.walls = walls_of(statics.obstacles);
+  find_walls(*this);
   for (Worker& worker : workers) reserve(*this, worker);
+}
+
+void find_walls(World& world) {
+  StaticWorld& statics = world.statics;
+  if (statics.walls.empty() || world.planner.options().method != Method::avo) return;
+  const StepLaw law = certificate_law(world.planner).step;
+  const Fleet& fleet = world.fleet;
+  WallRounding most;
+  double reach = 0.0;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    const auto& [radius, max_speed, max_acceleration, preferred, wheelbase] = fleet.traits[slot];
+    const double speed = std::max(max_speed, norm(fleet.velocity[slot]));
+    const WallRounding rounding = wall_rounding(radius, max_speed, max_acceleration, law);
+    most = {std::max(most.steps, rounding.steps), std::max(most.lengths, rounding.lengths)};
+    reach = std::max(reach, radius + wall_reach(speed, max_speed, max_acceleration, law));
+  }
+  if (reach <= statics.reach && most.steps <= statics.rounding.steps &&
+      most.lengths <= statics.rounding.lengths)
+    return;
+  statics.reach = reach, statics.rounding = most;
+  std::vector<double> within;
+  for (const Wall& wall : statics.walls) {
+    within.push_back((reach + wall.radius + wall_margin(wall, most)) * (1.0 + 0x1p-20));
+  }
+  statics.grid.build(statics.walls, within);
+  for (Worker& worker : world.workers) {
+    PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(statics.grid.most());
+  }
 }
 
 std::size_t World::most_nearest() const {
