@@ -27,7 +27,9 @@ const Strings kSummaryKeys{"scene",
                            "first_collision_time",
                            "collision_pairs",
                            "obstacle_collisions",
+                           "collision_obstacles",
                            "min_clearance",
+                           "min_obstacle_clearance",
                            "max_acceleration",
                            "acceleration_excess",
                            "max_speed",
@@ -118,6 +120,8 @@ TEST(Run, summary_has_all_keys_and_the_numbers_of_the_library) {
   EXPECT_TRUE(json["first_collision_time"].is_null());
   EXPECT_EQ(json["collision_pairs"], 0);
   EXPECT_EQ(json["obstacle_collisions"], 0);
+  EXPECT_EQ(json["collision_obstacles"], 0);
+  EXPECT_TRUE(json["min_obstacle_clearance"].is_null());
   EXPECT_EQ(json["min_clearance"], *expected.min_clearance);
   EXPECT_EQ(json["max_acceleration"], expected.max_acceleration);
   EXPECT_EQ(json["max_speed"], expected.max_speed);
