@@ -108,10 +108,10 @@ const std::vector<Bad> kEntries{
           "13: obstacles.0.disc: found the unknown key \"centre\", allowed are center, radius; did "
           "you mean \"center\"?"),
     entry("as_word", "{wkt: \"POLYGON ((0 0, 1 0, 1 1, 0 0))\", as: bound}",
-          "52: obstacles.0.as: found \"bound\", must be one of solid, bounds; did you mean "
+          "49: obstacles.0.as: found \"bound\", must be one of solid, bounds; did you mean "
           "\"bounds\"?"),
     entry("bounds_of_lines", "{wkt: \"LINESTRING (0 0, 1 0)\", as: bounds}",
-          "43: obstacles.0.as: found bounds without a polygon, must have one, nobody may start "
+          "40: obstacles.0.as: found bounds without a polygon, must have one, nobody may start "
           "outside of it"),
     entry("wkt_list", "{wkt: [0, 0]}",
           "11: obstacles.0.wkt: found a list, must be a text such as LINESTRING (0 0, 1 0)"),
@@ -210,8 +210,8 @@ const std::vector<Bad> kRosMaps{
     ros("empty", "", "",
         "m.yaml:1:1: found nothing, must be a map with keys image, resolution, origin, "
         "occupied_thresh, free_thresh, negate, mode"),
-    ros("misspelled", kRos + "mood: raw\n", "",
-        "m.yaml:7:1: found the unknown key \"mood\", allowed are image, resolution, origin, "
+    ros("misspelled", kRos + "mde: raw\n", "",
+        "m.yaml:7:1: found the unknown key \"mde\", allowed are image, resolution, origin, "
         "occupied_thresh, free_thresh, negate, mode; did you mean \"mode\"?"),
     ros("raw", kRos + "mode: raw\n", "",
         "m.yaml:7:7: mode: found \"raw\", must be one of trinary, scale"),
@@ -231,7 +231,7 @@ const std::vector<Bad> kRosMaps{
     pgm("png", "\x89PNG\r\n", "1:1: found \"\\x89P\", must be a portable graymap, P2 or P5"),
     pgm("no_image", "", "1:1: found the end, must be a portable graymap, P2 or P5"),
     pgm("huge", "P5\n1000000000 1000000000\n255\nabc",
-        "3:8: found 3 values, must be 1000000000 x 1000000000"),
+        "4:4: found 3 values, must be 1000000000 x 1000000000"),
     pgm("huge_plain", "P2\n1000000000 1000000000\n255\n1 2 3",
         "4:6: found 3 values, must be 1000000000 x 1000000000"),
     pgm("truncated", "P5 2 2 255\nabc", "2:4: found 3 values, must be 2 x 2"),
@@ -257,14 +257,14 @@ const std::vector<Bad> kScens{
     scen("length", "version 1\n0\ta.map\t3\t2\t0\t0\t1\t1\tnan\n",
          "a.scen:2:21: found \"nan\", the optimal length must be a number"),
     scen("too_few_rows", "version 1\n" + kRow,
-         "s.yaml:5:36: robots_from.number: found 2, must be <= 1, the rows of DIR/a.scen",
+         "s.yaml:5:37: robots_from.number: found 2, must be <= 1, the rows of DIR/a.scen",
          "{scen: a.scen, number: 2}"),
     scen("starts_overlap", "version 1\n" + kRow + "0\ta.map\t3\t2\t1\t0\t1\t1\t1\n",
          "a.scen:3:1: found the start of robots.2, 1 m from that of robots.1, must be at least 1.2 "
          "m",
          "{scen: a.scen, number: 2, radius: 0.6}"),
     scen("unknown_key", "",
-         "s.yaml:5:30: robots_from: found the unknown key \"numbr\", allowed "
+         "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
          "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, car; "
          "did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),

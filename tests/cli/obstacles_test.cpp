@@ -138,8 +138,7 @@ TEST(Obstacles, a_map_becomes_the_contours_of_its_free_cells) {
 }
 
 TEST(Obstacles, a_map_with_a_hole_has_two_contours) {
-  write_file(path_of("hole.map"),
-             "type octile\nheight 4\nwidth 4\nmap\n....\n.@@.\n....\n....\n");
+  write_file(path_of("hole.map"), "type octile\nheight 4\nwidth 4\nmap\n....\n.@@.\n....\n....\n");
   const StaticObstacle map = only("{map: hole.map}");
   ASSERT_EQ(map.chains.size(), 2U);
   expect_chain(map.chains[0], {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, true);
@@ -255,14 +254,14 @@ TEST(Obstacles, validate_counts_walls) {
       << result.out;
 }
 
-TEST(Obstacles, an_output_that_is_a_map_of_the_scene_is_refused) {
-  write_file(path_of("arena.map"), kMap);
-  write_file(path_of("s.yaml"), kHead + "  - {map: arena.map, cell: 200}\n");
-  const ProcessResult result =
-      run_avo({"run", path_of("s.yaml"), "--record", path_of("arena.map")});
+TEST(Obstacles, an_output_that_is_a_file_of_the_scene_is_refused) {
+  write_file(path_of("arena"), kMap);
+  write_file(path_of("s.yaml"), kHead + "  - {map: arena, cell: 200}\n");
+  const ProcessResult result = run_avo({"run", path_of("s.yaml"), "--record", path_of("arena")});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("found to be one file, must differ"), std::string::npos) << result.err;
-  EXPECT_EQ(read_file(path_of("arena.map")), kMap);
+  EXPECT_EQ(result.err, "avo: the scene's " + path_of("arena") + " and --record " +
+                            path_of("arena") + ": found to be one file, must differ\n");
+  EXPECT_EQ(read_file(path_of("arena")), kMap);
 }
 
 TEST(Obstacles, the_schema_knows_every_form) {
