@@ -53,6 +53,13 @@ StaticObstacle filled(const Place& place, std::vector<avo::Chain> chains, Fill a
 /// Outside of a map counts as blocked: its free cells are bounds.
 StaticObstacle obstacle_of(const Place& place, std::string_view key, const std::string& name,
                            const OccupancyGrid& grid) {
+  const auto width = static_cast<double>(grid.width), height = static_cast<double>(grid.height);
+  for (const avo::Vec2 corner : {grid.point(0.0, 0.0), grid.point(width, 0.0),
+                                 grid.point(0.0, height), grid.point(width, height)})
+    if (!avo::kAnyValue.contains(corner.x) || !avo::kAnyValue.contains(corner.y))
+      place.reader.fail(place.value(key), path_to(place.path, key),
+                        fmt::format("a corner at [{:g}, {:g}]", corner.x, corner.y),
+                        fmt::format("must be within {:g} m of [0, 0]", avo::kLargest));
   auto chains = contours(grid, kMostWalls);
   if (!chains)
     place.reader.fail(place.value(key), path_to(place.path, key),

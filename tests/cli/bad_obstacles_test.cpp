@@ -200,6 +200,12 @@ const std::vector<Bad> kMaps{
     map("too_many_rows", kMap + "...\n", "7:1: found \"...\", must end after 2 rows, the height"),
     map("unknown_cell", "type octile\nheight 1\nwidth 3\nmap\n.#.\n",
         "5:2: found \"#\", must be one of . G S (free), @ O T W (blocked)"),
+    {"beyond_all",
+     "obstacles:\n  - {map: a.map, cell: 1e12}\n",
+     "DIR/s.yaml:5:11: obstacles.0.map: found a corner at [3e+12, 0], must be within 1e+12 m of "
+     "[0, "
+     "0]",
+     {{"a.map", kMap}}},
     {"nothing_free",
      "obstacles:\n  - {map: a.map}\n",
      "DIR/s.yaml:5:11: obstacles.0.map: found no free cell in DIR/a.map, must have at least one",
