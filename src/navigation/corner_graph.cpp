@@ -23,7 +23,8 @@ double widest_of(std::span<const Wall> walls) {
 }  // namespace
 
 CornerGraph corner_graph(std::span<const Wall> walls, double radius) {
-  CornerGraph graph{radius, WallGrid(walls, corner_reach(radius, widest_of(walls))), {}, {}, {}, {}};
+  CornerGraph graph{
+      radius, ClearanceGrid(walls, corner_reach(radius, widest_of(walls))), {}, {}, {}, {}};
   const std::vector<Corner> points = corners(graph.grid, radius);
   const std::size_t count = points.size();
   struct Pair {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "avo/wall.h"
-#include "navigation/wall_grid.h"
+#include "navigation/clearance_grid.h"
 
 namespace avo {
 
@@ -21,7 +21,7 @@ struct CornerGraph {
     double length = 0.0;  // m
   };
   double radius = 0.0;  // m, of the robots whose ways it holds
-  WallGrid grid;
+  ClearanceGrid grid;
   std::vector<Vec2> points;
   std::vector<double> room;          // m, that its edges keep from walls, >= radius
   std::vector<std::uint32_t> first;  // of each point's edges; one more than points

@@ -30,7 +30,7 @@ struct Arc {
 
 class CornerFinder {
  public:
-  CornerFinder(const WallGrid& grid, double radius) : grid_(grid), radius_(radius) {}
+  CornerFinder(const ClearanceGrid& grid, double radius) : grid_(grid), radius_(radius) {}
 
   std::vector<Corner> find() {
     const std::span<const Wall> walls = grid_.walls();
@@ -119,24 +119,23 @@ class CornerFinder {
 
   // The middle of each gap between this end and another wall, and the places before and behind.
   void add_in_gaps(std::size_t wall, Vec2 end) {
-    const double own = grid_.walls()[wall].radius;
+    const double own = grid_.walls()[wall].radius, rounding = kRounding * radius_;
     const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
     grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& other = grid_.walls()[k];
       const Vec2 nearest = nearest_on({other.a, other.b}, end);
       const double between = norm(end - nearest), gap = between - own - other.radius;
-      if (k == wall || gap < 2.0 * (1.0 - kRounding) * radius_ || gap > widest) return true;
+      if (k == wall || gap < 2.0 * (radius_ - rounding) || gap > widest) return true;
       const Vec2 across = (end - nearest) / between;
       const Vec2 middle = nearest + (other.radius + 0.5 * gap) * across;
-      add_in_gap(middle);
+      if (grid_.clearance(middle) < 0.5 * gap - rounding) return true;  // some wall is in the gap
       const Vec2 along = (radius_ + kSpareRoom) * perpendicular(across);
-      add_in_gap(middle + along);
-      add_in_gap(middle - along);
+      for (const Vec2 point : {middle, middle + along, middle - along}) add_in_gap(point);
       return true;
     });
   }
 
-  const WallGrid& grid_;
+  const ClearanceGrid& grid_;
   double radius_;
   std::vector<Corner> corners_;
   std::unordered_set<std::uint64_t> taken_;
@@ -148,7 +147,7 @@ double corner_reach(double radius, double widest_wall) {
   return kWidestGap * (1.0 + kStretch) * (radius + kSpareRoom) + widest_wall;
 }
 
-std::vector<Corner> corners(const WallGrid& grid, double radius) {
+std::vector<Corner> corners(const ClearanceGrid& grid, double radius) {
   return CornerFinder(grid, radius).find();
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "navigation/wall_grid.h"
+#include "navigation/clearance_grid.h"
 
 namespace avo {
 
@@ -16,7 +16,7 @@ struct Corner {
 
 /// Points around all ends of walls where convex corners stick out, and in gaps that are hardly
 /// wider than a robot of that radius.
-std::vector<Corner> corners(const WallGrid& grid, double radius);
+std::vector<Corner> corners(const ClearanceGrid& grid, double radius);
 
 /// m, from which the grid has to tell walls for corners().
 double corner_reach(double radius, double widest_wall);

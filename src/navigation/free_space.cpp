@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "navigation/wall_grid.h"
+#include "navigation/clearance_grid.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -30,7 +30,7 @@ FreeSpace::FreeSpace(std::span<const Wall> walls, double radius)
     : walls_(walls.begin(), walls.end()) {
   double widest = 0.0;
   for (const Wall& wall : walls_) widest = std::max(widest, wall.radius);
-  const WallGrid grid(walls, 2.0 * radius + widest);
+  const ClearanceGrid grid(walls, 2.0 * radius + widest);
   // walls between which the disc does not pass
   const auto for_each_link = [&](std::uint32_t from, std::vector<std::uint32_t>& last_from,
                                  const auto& visit) {

@@ -92,9 +92,8 @@ std::uint32_t better_around(const Lookout& lookout, std::uint32_t target) {
 }
 
 std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool looks_around) {
-  const bool known = target == PathMap::kGoal ||
-                     (target < lookout.map.next.size() &&
-                      lookout.map.next[target] != PathMap::kNothing);
+  const bool known = target == PathMap::kGoal || (target < lookout.map.next.size() &&
+                                                  lookout.map.next[target] != PathMap::kNothing);
   if (known && target != PathMap::kGoal) {
     const std::uint32_t next = lookout.map.next[target];
     const double left = norm(lookout.graph.points[target] - lookout.p);
@@ -144,9 +143,9 @@ PathMap path_map(const CornerGraph& graph, Vec2 goal) {
 Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
              bool looks_around) {
   // half of what corners keep, so that a robot slightly off its way still sees them
-  const double room = std::clamp(graph.grid.clearance(p) - kRounding * graph.radius,
-                                 (1.0 - 2.0 * kRounding) * graph.radius,
-                                 graph.radius + 0.5 * kSpareRoom);
+  const double room =
+      std::clamp(graph.grid.clearance(p) - kRounding * graph.radius,
+                 (1.0 - 2.0 * kRounding) * graph.radius, graph.radius + 0.5 * kSpareRoom);
   const Lookout lookout{graph, map, p, room};
   Leg leg{p, target_from(lookout, target, looks_around)};
   if (leg.target == PathMap::kNothing) return leg;

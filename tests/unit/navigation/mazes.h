@@ -45,8 +45,8 @@ inline std::vector<Wall> maze(int side, double cell, std::uint64_t seed) {
       trail.pop_back();
       continue;
     }
-    const auto pick = static_cast<std::size_t>(
-        random.uniform(0.0, 0.999999) * static_cast<double>(ways.size()));
+    const auto pick =
+        static_cast<std::size_t>(random.uniform(0.0, 0.999999) * static_cast<double>(ways.size()));
     const int way = ways[pick];
     const std::size_t there = way == 0   ? here + 1
                               : way == 1 ? here - 1
@@ -81,8 +81,8 @@ inline std::vector<Wall> maze(int side, double cell, std::uint64_t seed) {
 /// Two rooms of 10 x 10 m with a door of that width between them.
 inline std::vector<Wall> two_rooms(double door) {
   const double low = 5.0 - 0.5 * door, high = 5.0 + 0.5 * door;
-  return {{{0, 0}, {20, 0}, 0},     {{20, 10}, {20, 0}, 0},  {{0, 10}, {20, 10}, 0},
-          {{0, 0}, {0, 10}, 0},     {{10, 0}, {10, low}, 0}, {{10, 10}, {10, high}, 0}};
+  return {{{0, 0}, {20, 0}, 0}, {{20, 10}, {20, 0}, 0},  {{0, 10}, {20, 10}, 0},
+          {{0, 0}, {0, 10}, 0}, {{10, 0}, {10, low}, 0}, {{10, 10}, {10, high}, 0}};
 }
 
 }  // namespace avo::test

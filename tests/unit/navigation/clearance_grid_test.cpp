@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grid tells what looking at every wall tells.
-#include "navigation/wall_grid.h"
+#include "navigation/clearance_grid.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 namespace avo {
 namespace {
 
-TEST(WallGrid, TellsWhatEveryWallTells) {
+TEST(ClearanceGrid, TellsWhatEveryWallTells) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::vector<Wall> walls = test::random_walls(40, 20.0, seed);
-    const WallGrid grid(walls, 1.0);
+    const ClearanceGrid grid(walls, 1.0);
     test::Random random(seed + 100);
     int clear = 0;
     for (int k = 0; k < 2000; ++k) {
@@ -39,8 +39,8 @@ TEST(WallGrid, TellsWhatEveryWallTells) {
   }
 }
 
-TEST(WallGrid, HasNoWallsWhereThereAreNone) {
-  const WallGrid grid({}, 1.0);
+TEST(ClearanceGrid, HasNoWallsWhereThereAreNone) {
+  const ClearanceGrid grid({}, 1.0);
   EXPECT_EQ(grid.clearance({3, 4}), 1.0);
   EXPECT_TRUE(grid.is_clear({0, 0}, {100, 100}, 1.0));
 }

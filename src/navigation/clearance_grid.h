@@ -11,9 +11,9 @@
 namespace avo {
 
 /// A uniform grid in which each cell lists the walls that come within `reach` of it.
-class WallGrid {
+class ClearanceGrid {
  public:
-  WallGrid(std::span<const Wall> walls, double reach);
+  ClearanceGrid(std::span<const Wall> walls, double reach);
 
   [[nodiscard]] std::span<const Wall> walls() const { return walls_; }
   /// m, how far walls are told from.
@@ -41,14 +41,14 @@ class WallGrid {
   std::vector<Wall> walls_;
   double reach_ = 0.0;
   Vec2 origin_ = {};
-  double cell_ = 1.0;                      // m
-  std::int64_t columns_ = 0, rows_ = 0;    // none without walls
-  std::vector<std::uint32_t> first_;       // of each cell, in numbers_
-  std::vector<std::uint32_t> numbers_;     // of walls
+  double cell_ = 1.0;                    // m
+  std::int64_t columns_ = 0, rows_ = 0;  // none without walls
+  std::vector<std::uint32_t> first_;     // of each cell, in numbers_
+  std::vector<std::uint32_t> numbers_;   // of walls
 };
 
 template <typename Holds>
-bool WallGrid::all_near(Vec2 p, Vec2 q, const Holds& holds) const {
+bool ClearanceGrid::all_near(Vec2 p, Vec2 q, const Holds& holds) const {
   if (rows_ == 0) return true;
   const double low = p.y < q.y ? p.y : q.y, high = p.y < q.y ? q.y : p.y;
   const std::int64_t last_row = row_of(high) < rows_ - 1 ? row_of(high) : rows_ - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "navigation/wall_grid.h"
+#include "navigation/clearance_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
 
 }  // namespace
 
-WallGrid::WallGrid(std::span<const Wall> walls, double reach)
+ClearanceGrid::ClearanceGrid(std::span<const Wall> walls, double reach)
     : walls_(walls.begin(), walls.end()), reach_(reach) {
   if (walls_.empty()) return;
   Vec2 low = walls_[0].a, high = low;
@@ -50,8 +50,8 @@ WallGrid::WallGrid(std::span<const Wall> walls, double reach)
   }
   const Vec2 size = high - low;
   const double cells = 4.0 * static_cast<double>(walls_.size()) + 64.0;
-  cell_ = std::max({reach_, std::sqrt(size.x * size.y / cells),
-                    std::max(size.x, size.y) / kMostColumns});
+  cell_ = std::max(
+      {reach_, std::sqrt(size.x * size.y / cells), std::max(size.x, size.y) / kMostColumns});
   origin_ = low;
   columns_ = static_cast<std::int64_t>(size.x / cell_) + 1;
   rows_ = static_cast<std::int64_t>(size.y / cell_) + 1;
@@ -63,14 +63,13 @@ WallGrid::WallGrid(std::span<const Wall> walls, double reach)
   numbers_.resize(first_.back());
   std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
   for (std::size_t k = 0; k < walls_.size(); ++k) {
-    for_each_cell(walls_[k], [&](std::size_t cell) {
-      numbers_[end[cell]++] = static_cast<std::uint32_t>(k);
-    });
+    for_each_cell(walls_[k],
+                  [&](std::size_t cell) { numbers_[end[cell]++] = static_cast<std::uint32_t>(k); });
   }
 }
 
 template <typename Visit>
-void WallGrid::for_each_cell(const Wall& wall, const Visit& visit) const {
+void ClearanceGrid::for_each_cell(const Wall& wall, const Visit& visit) const {
   const double around = reach_ + wall.radius;
   const auto cell_of = [this](double length, std::int64_t count) {
     return std::clamp(static_cast<std::int64_t>(std::floor(length / cell_)), std::int64_t{0},
@@ -84,20 +83,20 @@ void WallGrid::for_each_cell(const Wall& wall, const Visit& visit) const {
   const double farthest = kHalfDiagonal * cell_ + around + kSlack * cell_;
   for (; row <= top; ++row) {
     for (std::int64_t column = left; column <= right; ++column) {
-      const Vec2 middle = origin_ + cell_ * Vec2{static_cast<double>(column) + 0.5,
-                                                 static_cast<double>(row) + 0.5};
+      const Vec2 middle =
+          origin_ + cell_ * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
       if (distance(middle, {wall.a, wall.b}) <= farthest)
         visit(static_cast<std::size_t>(row * columns_ + column));
     }
   }
 }
 
-std::int64_t WallGrid::row_of(double y) const {
+std::int64_t ClearanceGrid::row_of(double y) const {
   const double row = std::floor((y - origin_.y) / cell_);
   return static_cast<std::int64_t>(std::clamp(row, -1.0, static_cast<double>(rows_)));
 }
 
-WallGrid::Columns WallGrid::columns_of(Vec2 p, Vec2 q, std::int64_t row) const {
+ClearanceGrid::Columns ClearanceGrid::columns_of(Vec2 p, Vec2 q, std::int64_t row) const {
   const Vec2 lower = p.y < q.y ? p : q, upper = p.y < q.y ? q : p;
   const double height = upper.y - lower.y;
   double from = std::min(p.x, q.x), to = std::max(p.x, q.x);
@@ -116,7 +115,7 @@ WallGrid::Columns WallGrid::columns_of(Vec2 p, Vec2 q, std::int64_t row) const {
           std::min(static_cast<std::int64_t>(column_of(to + kSlack * cell_)), columns_ - 1)};
 }
 
-double WallGrid::clearance(Vec2 p) const {
+double ClearanceGrid::clearance(Vec2 p) const {
   double least = reach_;
   all_near(p, p, [&](std::size_t k) {
     const Wall& wall = walls_[k];
@@ -126,7 +125,7 @@ double WallGrid::clearance(Vec2 p) const {
   return least;
 }
 
-bool WallGrid::is_clear(Vec2 p, Vec2 q, double room) const {
+bool ClearanceGrid::is_clear(Vec2 p, Vec2 q, double room) const {
   return all_near(p, q, [&](std::size_t k) {
     const Wall& wall = walls_[k];
     return !comes_nearer({p, q}, wall, room + wall.radius);
