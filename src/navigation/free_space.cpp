@@ -27,7 +27,7 @@ std::int32_t crossing(Vec2 a, Vec2 b, Vec2 p) {
 }  // namespace
 
 FreeSpace::FreeSpace(std::span<const Wall> walls, double radius)
-    : walls_(walls.begin(), walls.end()) {
+    : walls_(walls.begin(), walls.end()), radius_(radius) {
   double widest = 0.0;
   for (const Wall& wall : walls_) widest = std::max(widest, wall.radius);
   const ClearanceGrid grid(walls, 2.0 * radius + widest);
@@ -67,6 +67,12 @@ FreeSpace::FreeSpace(std::span<const Wall> walls, double radius)
       });
     }
   }
+}
+
+bool FreeSpace::is_free(Vec2 p) const {
+  return std::all_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
+    return distance(p, line_of(wall)) - wall.radius >= radius_;
+  });
 }
 
 std::int32_t FreeSpace::crossings(const Link& link, Vec2 p) const {

@@ -15,6 +15,9 @@ class FreeSpace {
  public:
   FreeSpace(std::span<const Wall> walls, double radius);
 
+  /// Whether the center may be there.
+  [[nodiscard]] bool is_free(Vec2 p) const;
+
   /// Equal for two places of the free space exactly if the disc gets from one to the other: how
   /// often each ring of walls runs around it, of the rings that do.
   struct Winding {
@@ -34,6 +37,7 @@ class FreeSpace {
   [[nodiscard]] std::int32_t crossings(const Link& link, Vec2 p) const;
 
   std::vector<Wall> walls_;
+  double radius_ = 0.0;
   std::vector<Link> tree_;   // each `to` comes once and later than it is a `from`
   std::vector<Link> rings_;  // each closes one ring with the tree
 };

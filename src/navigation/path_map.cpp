@@ -47,7 +47,8 @@ struct Lookout {
   const CornerGraph& graph;
   const PathMap& map;
   Vec2 p;
-  double room = 0.0;  // m, that its way keeps where it has it
+  double room;  // m, that its way keeps where it has it
+  LegScratch& scratch;
 
   double length_by(std::uint32_t target) const {
     if (target == PathMap::kGoal) return map.is_free ? norm(map.goal - p) : kInfinity;
@@ -61,7 +62,9 @@ struct Lookout {
 
 std::uint32_t nearest_in_view(const Lookout& lookout) {
   const PathMap& map = lookout.map;
-  std::vector<std::pair<double, std::uint32_t>> targets;
+  std::vector<std::pair<double, std::uint32_t>>& targets = lookout.scratch.targets;
+  targets.clear();
+  targets.reserve(map.length.size() + 1);
   for (std::uint32_t k = 0; k < map.length.size(); ++k) {
     if (map.length[k] < kInfinity) targets.push_back({lookout.length_by(k), k});
   }
@@ -141,12 +144,12 @@ PathMap path_map(const CornerGraph& graph, Vec2 goal) {
 }
 
 Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
-             bool looks_around) {
+             bool looks_around, LegScratch& scratch) {
   // half of what corners keep, so that a robot slightly off its way still sees them
   const double room =
       std::clamp(graph.grid.clearance(p) - kRounding * graph.radius,
                  (1.0 - 2.0 * kRounding) * graph.radius, graph.radius + 0.5 * kSpareRoom);
-  const Lookout lookout{graph, map, p, room};
+  const Lookout lookout{graph, map, p, room, scratch};
   Leg leg{p, target_from(lookout, target, looks_around)};
   if (leg.target == PathMap::kNothing) return leg;
   leg.aim = point_of(graph, map, leg.target);

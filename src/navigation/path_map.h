@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "navigation/corner_graph.h"
@@ -33,10 +34,15 @@ struct Leg {
   [[nodiscard]] bool is_last() const { return target == PathMap::kGoal; }
 };
 
+/// Memory to look around with; reuse it and nothing is allocated once it has grown.
+struct LegScratch {
+  std::vector<std::pair<double, std::uint32_t>> targets;
+};
+
 /// From p on: to the target remembered or the one after it while they are in view; with
 /// `looks_around`, or where that fails, to whatever in view is on the shortest way.
 Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
-             bool looks_around);
+             bool looks_around, LegScratch& scratch);
 
 /// m/s, from which the turns ahead can be made; none for the goal, where the last leg ends.
 double speed_limit(const Leg& leg, double max_acceleration);

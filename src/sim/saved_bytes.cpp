@@ -178,6 +178,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     describe(archive, scene.robots[k], state.robots[k]);
   }
+  archive.size(state.targets, 1);
+  for (std::uint32_t& target : state.targets) describe(archive, target);
 }
 
 // As many robots at a time as a scene may have: more of them may have been added to a simulation.

@@ -16,6 +16,7 @@
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
 #include "sim/snapshot.h"
+#include "sim/ways.h"
 
 namespace avo {
 
@@ -30,6 +31,7 @@ struct alignas(128) Worker {
   MovingColumns moving;
   std::vector<NeighborQuery> queries;
   SearchScratch search, obstacles;
+  LegScratch legs;
   bool fast = false;  // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
@@ -43,6 +45,7 @@ struct World {
   StepResponse response;
   Fleet fleet;
   ObstacleColumns obstacles;
+  Ways ways;
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
 

@@ -16,6 +16,12 @@ namespace {
 
 constexpr double kRadius = 0.5;
 
+Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
+             bool looks_around) {
+  LegScratch scratch;
+  return next_leg(graph, map, p, target, looks_around, scratch);
+}
+
 double room_of(const std::vector<Wall>& walls, Vec2 p, Vec2 q) {
   double least = 1e9;
   for (const Wall& wall : walls)
@@ -73,7 +79,7 @@ TEST(PathMap, IsAsShortAsBruteForce) {
       };
       const Vec2 from = place(), to = place();
       const PathMap map = path_map(graph, to);
-      const Leg leg = next_leg(graph, map, from, PathMap::kNothing, false);
+      const Leg leg = leg_from(graph, map, from, PathMap::kNothing, false);
       const double reference = brute_force(walls, from, to, kRadius + kSpareRoom);
       const double shortest = brute_force(walls, from, to, kRadius);
       if (reference >= 1e9) continue;
@@ -94,7 +100,7 @@ double followed(const std::vector<Wall>& walls, const CornerGraph& graph, const 
   double length = 0.0;
   std::uint32_t target = PathMap::kNothing;
   for (int k = 0; k < 10000; ++k) {
-    const Leg leg = next_leg(graph, map, p, target, k % 10 == 0);
+    const Leg leg = leg_from(graph, map, p, target, k % 10 == 0);
     if (leg.target == PathMap::kNothing) return -1.0;
     target = leg.target;
     const Vec2 way = leg.aim - p;
@@ -114,7 +120,7 @@ TEST(PathMap, LeadsThroughMazes) {
     const PathMap map = path_map(graph, {28.5, 28.5});
     for (int k = 0; k < 99; k += 7) {
       const Vec2 from{1.5 + 3.0 * (k % 10), 1.5 + 3.0 * (k / 10)};
-      const double planned = next_leg(graph, map, from, PathMap::kNothing, false).length;
+      const double planned = leg_from(graph, map, from, PathMap::kNothing, false).length;
       const double length = followed(walls, graph, map, from, kRadius - 1e-6);
       EXPECT_GT(length, 0.0) << seed << ' ' << k;
       EXPECT_LT(length, 1.01 * planned);
@@ -133,7 +139,7 @@ TEST(PathMap, LeadsThroughNarrowDoors) {
   }
   const CornerGraph graph = corner_graph(test::two_rooms(2.0 * kRadius - 1e-3), kRadius);
   const PathMap map = path_map(graph, {17, 8});
-  EXPECT_EQ(next_leg(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
+  EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
 }
 
 // What the map calls a way is one, and no place that a fair door leads to lacks one.
@@ -148,7 +154,7 @@ TEST(PathMap, HasAWayOnlyWhereThereIsOne) {
       const Vec2 from{random.uniform(0.0, 10.0), random.uniform(0.0, 10.0)};
       const Vec2 to{random.uniform(0.0, 10.0), random.uniform(0.0, 10.0)};
       if (room_of(walls, from, from) < 0.4 || room_of(walls, to, to) < 0.4) continue;
-      const Leg leg = next_leg(graph, path_map(graph, to), from, PathMap::kNothing, false);
+      const Leg leg = leg_from(graph, path_map(graph, to), from, PathMap::kNothing, false);
       const bool has_way = leg.target != PathMap::kNothing;
       const bool connected = space.are_connected(from, to);
       EXPECT_TRUE(!has_way || connected) << seed;
@@ -166,7 +172,7 @@ TEST(PathMap, AGoalNearerThanTheRadiusToAWallHasNoWay) {
   EXPECT_FALSE(path_map(graph, {10.0 - kRadius + 1e-9, 2.0}).is_free);
   EXPECT_TRUE(path_map(graph, {10.0 - kRadius, 2.0}).is_free);
   const PathMap map = path_map(graph, {9.6, 2.0});
-  EXPECT_EQ(next_leg(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
+  EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
 }
 
 TEST(PathMap, LoosePiecesAreTheWallsThatTheyMakeUp) {
@@ -181,8 +187,8 @@ TEST(PathMap, LoosePiecesAreTheWallsThatTheyMakeUp) {
   EXPECT_EQ(graph.points.size(), loose.points.size());
   const Vec2 goal{5, 2}, from{8, -3};
   const double length =
-      next_leg(graph, path_map(graph, goal), from, PathMap::kNothing, false).length;
-  EXPECT_NEAR(next_leg(loose, path_map(loose, goal), from, PathMap::kNothing, false).length, length,
+      leg_from(graph, path_map(graph, goal), from, PathMap::kNothing, false).length;
+  EXPECT_NEAR(leg_from(loose, path_map(loose, goal), from, PathMap::kNothing, false).length, length,
               1e-6);
 }
 
@@ -191,14 +197,14 @@ TEST(PathMap, SpeedFallsBeforeTurns) {
   const CornerGraph graph = corner_graph(std::vector<Wall>{{{0, 0}, {0, 50}, 0}}, kRadius);
   const PathMap map = path_map(graph, {0.6, 40});
   const Vec2 from{-0.6, 40};
-  const Leg leg = next_leg(graph, map, from, PathMap::kNothing, false);
+  const Leg leg = leg_from(graph, map, from, PathMap::kNothing, false);
   ASSERT_FALSE(leg.is_last());
   const double distance = norm(leg.aim - from);
   EXPECT_NEAR(leg.turn, 0.5, 0.02);  // 30 degrees at each corner but the first and last
   const double turning = 2.0 * 0.3 * kRadius / (leg.turn * leg.turn);
   EXPECT_LE(speed_limit(leg, 2.0), std::sqrt(2.0 * (turning + 1.6 * distance)) + 1e-9);
   EXPECT_GT(speed_limit(leg, 2.0), std::sqrt(2.0 * 1.6 * distance));
-  const Leg last = next_leg(graph, map, {0.6, 39}, PathMap::kNothing, false);
+  const Leg last = leg_from(graph, map, {0.6, 39}, PathMap::kNothing, false);
   EXPECT_TRUE(last.is_last());
   EXPECT_EQ(speed_limit(last, 2.0), std::numeric_limits<double>::infinity());
 }
