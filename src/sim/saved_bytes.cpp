@@ -166,6 +166,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   }
   Scenario& scene = state.scene;
   for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
+  archive.size(state.targets, 1);
+  for (std::uint32_t& target : state.targets) describe(archive, target);
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);
@@ -178,8 +180,6 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     describe(archive, scene.robots[k], state.robots[k]);
   }
-  archive.size(state.targets, 1);
-  for (std::uint32_t& target : state.targets) describe(archive, target);
 }
 
 // As many robots at a time as a scene may have: more of them may have been added to a simulation.
