@@ -97,7 +97,12 @@ class AVO_API Simulation {
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] double time() const;  ///< s, steps() * time_step
   [[nodiscard]] std::int64_t steps() const;
-  [[nodiscard]] bool all_at_goal() const;  ///< all within arrival_distance now
+  /// All are within arrival_distance now, and no wall lies between any robot and its goal.
+  [[nodiscard]] bool all_at_goal() const;
+  /// Robots that could not get to their goals when these were set, even alone: walls leave no way
+  /// that is wide enough, or the goal is nearer to a wall than the radius. With navigation they
+  /// stay where they are. By ascending id.
+  [[nodiscard]] std::vector<RobotId> unreachable() const;
   /// Equal for equal states, bit by bit: the determinism contract, testable by anyone.
   [[nodiscard]] std::uint64_t state_hash() const;
 

@@ -181,6 +181,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   }
   Scenario& scene = state.scene;
   for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
+  archive.size(state.targets, 1);
+  for (std::uint32_t& target : state.targets) describe(archive, target);
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);

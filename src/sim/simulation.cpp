@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "avo/assumptions.h"
 #include "avo/error.h"
@@ -126,7 +127,14 @@ RobotId Simulation::add_robot(const RobotSetup& setup) {
   const RobotId robot{state_->next_id};
   check(*state_, setup, robot);
   check_sensing(*state_, setup, robot);
+  Ways& ways = state_->ways;
+  Travel travel;
+  if (!ways.empty()) {
+    travel = ways.plan(setup.radius, setup.position, setup.goal);
+    ways.travels.reserve(ways.travels.size() + 1);
+  }
   state_->fleet.add(robot, setup);
+  if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
   ++state_->next_id;
   state_->changed = true;
   state_->is_mirrored = false;
@@ -134,7 +142,10 @@ RobotId Simulation::add_robot(const RobotSetup& setup) {
 }
 
 void Simulation::remove_robot(RobotId robot) {
-  state_->fleet.remove(state_->fleet.find(robot));
+  const std::size_t slot = state_->fleet.find(robot);
+  std::vector<Travel>& travels = state_->ways.travels;
+  if (!travels.empty()) travels.erase(travels.begin() + state_->fleet.rank[slot]);
+  state_->fleet.remove(slot);
   state_->changed = true;
   state_->is_mirrored = false;
 }
@@ -145,6 +156,11 @@ void Simulation::set_goal(RobotId robot, Vec2 goal) {
   setup.position = setup.velocity = {};  // wherever it has got to
   setup.goal = goal;
   check(*state_, setup, robot);
+  Ways& ways = state_->ways;
+  if (!ways.empty()) {
+    ways.travels[static_cast<std::size_t>(state_->fleet.rank[slot])] =
+        ways.plan(setup.radius, state_->fleet.position[slot], goal);
+  }
   state_->fleet.goal[slot] = goal;
   state_->is_mirrored = false;
 }
@@ -186,8 +202,19 @@ bool Simulation::all_at_goal() const {
   const Fleet& f = state_->fleet;
   for (std::size_t i = 0; i < f.size(); ++i) {
     if (!(norm(f.goal[i] - f.position[i]) <= state_->settings.arrival_distance)) return false;
+    if (!state_->ways.is_in_sight(f.position[i], f.goal[i])) return false;
   }
   return true;
+}
+
+std::vector<RobotId> Simulation::unreachable() const {
+  std::vector<RobotId> robots;
+  const std::vector<Travel>& travels = state_->ways.travels;
+  for (std::size_t rank = 0; rank < travels.size(); ++rank) {
+    if (travels[rank].target == Travel::kUnreachable)
+      robots.push_back(state_->fleet.id[state_->fleet.slot_of[rank]]);
+  }
+  return robots;
 }
 
 std::uint64_t Simulation::state_hash() const {

@@ -42,12 +42,22 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
+// Where the robot would head for now; it remembers nothing of this.
+Heading heading_of(const World& world, std::size_t slot) {
+  const Fleet& fleet = world.fleet;
+  Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
+  LegScratch scratch;
+  return follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
+                looks_around(fleet.id[slot], world.steps), scratch);
+}
+
 }  // namespace
 
 World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
     : settings(scenario),
       planner(planner_options(scenario)),
       response(step_response(planner)),
+      ways(scenario),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.reserve(scenario.robots.size());
@@ -58,6 +68,7 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
   statics.obstacles.swap(settings.obstacles);
   statics.walls = walls_of(statics.obstacles);
   find_walls(*this);
+  if (!ways.empty()) ways.travels = travels_of(ways, fleet);
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
@@ -102,13 +113,17 @@ bool World::is_fast(std::size_t slot) const {
 Robot World::robot(std::size_t slot) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
+  Heading heading{goal, robot_traits.preferred_speed};
+  if (!ways.empty()) heading = heading_of(*this, slot);
+  RobotTraits traits = robot_traits;
+  traits.preferred_speed = heading.preferred_speed;
   Robot robot{.position = p,
               .velocity = v,
-              .preferred_velocity = preferred_velocity(p, v, robot_traits, goal, response),
+              .preferred_velocity = preferred_velocity(p, v, traits, heading.goal, response),
               .radius = robot_traits.radius,
               .max_acceleration = robot_traits.max_acceleration,
               .max_speed = robot_traits.max_speed,
-              .distance_to_goal = norm(goal - p)};
+              .distance_to_goal = norm(heading.goal - p)};
   if (robot_traits.wheelbase > 0.0)
     robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
   return robot;

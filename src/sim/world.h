@@ -17,6 +17,7 @@
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
 #include "sim/snapshot.h"
+#include "sim/ways.h"
 #include "walls/wall_grid.h"
 
 namespace avo {
@@ -32,6 +33,7 @@ struct alignas(128) Worker {
   MovingColumns moving;
   std::vector<NeighborQuery> queries;
   SearchScratch search, obstacles;
+  LegScratch legs;
   bool fast = false;  // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
@@ -56,6 +58,7 @@ struct World {
   Fleet fleet;
   ObstacleColumns obstacles;
   StaticWorld statics;
+  Ways ways;
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
 
