@@ -167,10 +167,10 @@ class AVO_API Planner {
   /// unchanged where this throws. Without one it decides as for the first time. One that is not
   /// finite, or out of range, counts as none.
   /// walls: what does not move, near the robot; a certificate keeps clear of it. The robot needs
-  /// all whose surface is within r + s |v| + (Δt - s) S + l(S) of its position, and a billionth
-  /// more for rounding: S = min(|v| + u, v_max), u is what one step of braking takes off, l is the
-  /// stopping length. Others change no bit. A wall that is not finite is invalid_input. Without a
-  /// certificate walls do not count.
+  /// all whose surface is within r + S Δt + l(S) of its position, and a billionth more for
+  /// rounding: S = min(|v| + u, v_max), u is what one step of braking takes off, l is the stopping
+  /// length. Others change no bit. A wall that is not finite is invalid_input. Method avo alone
+  /// looks at walls. Without a certificate they only slow its target.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Wall> walls = {}) const;

@@ -132,8 +132,7 @@ std::optional<HalfPlane> cut_of(const NearWall& wall, const WallConstraints& wal
 double wall_reach(double speed, double max_speed, double max_acceleration, const StepLaw& law) {
   const double u = braking_decrement(max_acceleration, law);
   const double top_speed = std::max(std::min(speed + u, max_speed), speed);
-  return law.lag * speed + (law.time_step - law.lag) * top_speed +
-         stopping_length(top_speed, u, law);
+  return law.time_step * top_speed + stopping_length(top_speed, u, law);
 }
 
 WallRounding wall_rounding(double radius, double max_speed, double max_acceleration,

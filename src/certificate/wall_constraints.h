@@ -32,8 +32,8 @@ struct WallConstraints {
   bool must_brake = false;     ///< and takes the center across one: nothing but braking is admitted
 };
 
-/// m: how far from its center a robot gets with any candidate, if it stops then: s |v| + (Δt - s) S
-/// + l(S), where S is the largest speed that it can have after this step.
+/// m: S Δt + l(S), S the largest speed that it can have after this step. No candidate leads a robot
+/// farther from its center, and no farther wall can ask it to slow down.
 double wall_reach(double speed, double max_speed, double max_acceleration, const StepLaw& law);
 
 /// What the margins of a robot beside all walls have in common.

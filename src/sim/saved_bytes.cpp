@@ -181,6 +181,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   }
   Scenario& scene = state.scene;
   for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
+  archive.size(scene.obstacles, kStaticWords);
+  for (StaticObstacle& obstacle : scene.obstacles) describe(archive, obstacle);
   archive.size(state.targets, 1);
   for (std::uint32_t& target : state.targets) describe(archive, target);
   describe(archive, state.steps), describe(archive, state.next_id);
@@ -190,8 +192,6 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     describe(archive, scene.moving_obstacles[k], state.obstacles[k]);
   }
-  archive.size(scene.obstacles, kStaticWords);
-  for (StaticObstacle& obstacle : scene.obstacles) describe(archive, obstacle);
   archive.size(scene.robots, kRobotWords);
   state.robots.resize(scene.robots.size());
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
