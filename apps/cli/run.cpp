@@ -99,7 +99,8 @@ std::string collisions(const avo::RunSummary& results) {
   std::string text = fmt::format("{} pairs of robots", results.collision_pairs);
   if (results.first_collision_time)
     text += fmt::format(", the first at {:.1f} s", *results.first_collision_time);
-  return text + fmt::format("; {} with moving obstacles", results.obstacle_collisions);
+  return text + fmt::format("; {} with moving obstacles; {} robots with obstacles",
+                            results.obstacle_collisions, results.collision_obstacles);
 }
 
 std::string decisions(const avo::RunSummary& results) {
@@ -155,6 +156,8 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   line("arrived", arrivals(results));
   line("collisions", collisions(results));
   line("least clearance", number(results.min_clearance, "m"));
+  if (results.min_obstacle_clearance)
+    line("  from obstacles", number(results.min_obstacle_clearance, "m"));
   line("largest", fmt::format("acceleration {:.6g} m/s^2, speed {:.6g} m/s",
                               results.max_acceleration, results.max_speed));
   if (results.acceleration_excess > 0.0)
