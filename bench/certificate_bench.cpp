@@ -56,15 +56,15 @@ CertificateLaw law() {
 // Scenes whose invariant holds, and whose wish is admitted or not.
 std::vector<Scene> scenes(Traffic traffic, bool admitted) {
   std::uint64_t state = 2025;
-  std::vector<Scene> found;
+  std::vector<Scene> scenes;
   CertificateConstraints constraints;
-  while (found.size() < 1024) {  // so many that no branch can be learned
+  while (scenes.size() < 1024) {  // so many that no branch can be learned
     Scene scene = random_scene(state, traffic);
     collect_constraints(scene.robot, scene.neighbors, law(), constraints);
     if (constraints.invariant.broken >= 0) continue;
-    if (admits(scene.robot, scene.wanted, law(), constraints) == admitted) found.push_back(scene);
+    if (admits(scene.robot, scene.wanted, law(), constraints) == admitted) scenes.push_back(scene);
   }
-  return found;
+  return scenes;
 }
 
 void constraints_of_ten(benchmark::State& state) {

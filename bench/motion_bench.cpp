@@ -54,13 +54,13 @@ std::vector<Scene> scenes(const Planner& planner) {
   return all;
 }
 
-// What each(scene) takes, of one scene after the other.
-template <typename Each>
-void run(benchmark::State& state, const Planner& planner, Each each) {
+// What action(scene) takes, of one scene after the other.
+template <typename Action>
+void run(benchmark::State& state, const Planner& planner, Action action) {
   const std::vector<Scene> all = scenes(planner);
   std::size_t k = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(each(all[k]));
+    benchmark::DoNotOptimize(action(all[k]));
     k = (k + 1) % kRobots;
   }
 }
@@ -70,9 +70,9 @@ struct MovedTile {
   MovingColumns moving;
 };
 
-// Of a tile of robots, each() of one after the other; a whole tile is one iteration.
-template <typename Each>
-void run_tiles(benchmark::State& state, const Planner& planner, Each each) {
+// Of a tile of robots, action() of one after the other; a whole tile is one iteration.
+template <typename Action>
+void run_tiles(benchmark::State& state, const Planner& planner, Action action) {
   const std::vector<Scene> all = scenes(planner);
   std::vector<MovedTile> tiles(kRobots / kTileRobots);
   for (std::size_t i = 0; i < kRobots; ++i) {
@@ -88,7 +88,7 @@ void run_tiles(benchmark::State& state, const Planner& planner, Each each) {
   MovedTile tile;
   for (auto _ : state) {
     tile = tiles[k];
-    benchmark::DoNotOptimize(each(tile));
+    benchmark::DoNotOptimize(action(tile));
     k = (k + 1) % tiles.size();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kTileRobots));

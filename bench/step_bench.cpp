@@ -94,9 +94,9 @@ double quantile(const std::vector<double>& sorted, double part) {
 void crossing_of_circle(benchmark::State& state) {
   const Scenario scene = circle(static_cast<int>(state.range(0)), method_of(state.range(1)));
   const double straight = 2.0 * norm(scene.robots[0].goal) / scene.robots[0].preferred_speed;
-  std::vector<double> wall, cpu;  // ms
+  std::vector<double> elapsed, cpu;  // ms
   for (auto _ : state) {
-    wall.clear();
+    elapsed.clear();
     cpu.clear();
     Simulation simulation(scene, 1);
     while (!simulation.all_at_goal() && simulation.time() < 1.5 * straight) {
@@ -106,13 +106,13 @@ void crossing_of_circle(benchmark::State& state) {
       cpu.push_back(1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC);
       const std::chrono::duration<double, std::milli> taken =
           std::chrono::steady_clock::now() - start;
-      wall.push_back(taken.count());
+      elapsed.push_back(taken.count());
     }
   }
-  std::sort(wall.begin(), wall.end());
+  std::sort(elapsed.begin(), elapsed.end());
   std::sort(cpu.begin(), cpu.end());
-  state.counters["steps"] = static_cast<double>(wall.size());
-  state.counters["median_ms"] = quantile(wall, 0.5);
+  state.counters["steps"] = static_cast<double>(elapsed.size());
+  state.counters["median_ms"] = quantile(elapsed, 0.5);
   state.counters["median_cpu_ms"] = quantile(cpu, 0.5);
   state.counters["p95_cpu_ms"] = quantile(cpu, 0.95);
   state.counters["max_cpu_ms"] = cpu.back();

@@ -28,7 +28,7 @@ OUTER = {
     "figures": {"avo", "figures"},
     "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures"},
 }
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
+INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+AVO_KERNEL_HEADER\w*)\s+"([^"]+)"', re.M)
 
 
 def includes(path):

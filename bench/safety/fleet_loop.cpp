@@ -53,11 +53,11 @@ FleetLoop::FleetLoop(const Scene& scene, std::uint64_t seed, const PlannerOption
     const auto ticks = static_cast<std::size_t>(acting_.ticks);
     next_decision_.push_back(acting_.phases ? static_cast<std::int64_t>(random_.below(ticks)) : 0);
   }
-  for (const MovingObstacle& each : scene.scenario.moving_obstacles) {
-    obstacles_.push_back({.position = each.position,
-                          .velocity = each.velocity,
-                          .radius = each.radius,
-                          .acceleration = each.acceleration,
+  for (const MovingObstacle& obstacle : scene.scenario.moving_obstacles) {
+    obstacles_.push_back({.position = obstacle.position,
+                          .velocity = obstacle.velocity,
+                          .radius = obstacle.radius,
+                          .acceleration = obstacle.acceleration,
                           .behavior = Behavior::moves_on});
   }
   before_ = robots_;

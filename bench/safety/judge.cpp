@@ -31,8 +31,9 @@ Check make_check(const Scenario& scenario) {
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
-  for (const MovingObstacle& each : scenario.moving_obstacles) {
-    obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles) {
+    obstacles.push_back(
+        {obstacle.position, obstacle.velocity, obstacle.acceleration, obstacle.radius});
   }
   return Check(std::move(robots), std::move(obstacles));
 }

@@ -29,8 +29,8 @@ constexpr Names<Motion, 2> kMotions{{{"held", Motion::held}, {"exponential", Mot
 
 template <class T, std::size_t N>
 std::string_view name_of(T value, const Names<T, N>& names) {
-  for (const auto& [name, each] : names) {
-    if (each == value) return name;
+  for (const auto& [name, known] : names) {
+    if (known == value) return name;
   }
   return "unknown";
 }

@@ -54,9 +54,9 @@ void Recording::add(const Simulation& simulation) {
 
 void Recording::add(double time, std::span<const CheckedState> rows) {
   char row[256];
-  for (const CheckedState& each : rows) {
-    const Vec2 p = each.position, v = each.velocity;
-    std::snprintf(row, sizeof row, "%.17g,%" PRId64 ",%.17g,%.17g,%.17g,%.17g\n", time, each.robot,
+  for (const CheckedState& state : rows) {
+    const Vec2 p = state.position, v = state.velocity;
+    std::snprintf(row, sizeof row, "%.17g,%" PRId64 ",%.17g,%.17g,%.17g,%.17g\n", time, state.robot,
                   p.x, p.y, v.x, v.y);
     output_.write(row);
   }

@@ -154,15 +154,15 @@ void add_sensing(std::vector<Family>& all) {
                         {"crush", "40 robots sent to one point", crush_of_40}};
   std::vector<Case> all_cases = cases();
   for (Case& fault : faults_on_board()) all_cases.push_back(std::move(fault));
-  for (const Case& each : all_cases) {
-    const bool shaped = !(each.sensing.error == SensingError{});
+  for (const Case& chosen : all_cases) {
+    const bool shaped = !(chosen.sensing.error == SensingError{});
     for (const Kind& kind : kinds) {
-      all.push_back({each.name + "-" + kind.name, each.what + ": " + kind.what,
-                     shaped ? each.scenes * kErrorShapes : each.scenes, true,
-                     [each, make = kind.make](std::uint64_t seed) {
-                       const Sensing& sensing = each.sensing;
+      all.push_back({chosen.name + "-" + kind.name, chosen.what + ": " + kind.what,
+                     shaped ? chosen.scenes * kErrorShapes : chosen.scenes, true,
+                     [chosen, make = kind.make](std::uint64_t seed) {
+                       const Sensing& sensing = chosen.sensing;
                        Scene scene = make(seed);
-                       scene.acting = each.acting;
+                       scene.acting = chosen.acting;
                        scene.sensing = sensing;
                        scene.sensing->shape = static_cast<ErrorShape>(seed % kErrorShapes);
                        if (sensing.delayed && sensing.promised) {

@@ -38,7 +38,7 @@ class JsonObject {
 template <class Range, class Text>
 std::string json_array(const Range& range, Text text) {
   std::string json;
-  for (const auto& each : range) json += (json.empty() ? "" : ", ") + text(each);
+  for (const auto& value : range) json += (json.empty() ? "" : ", ") + text(value);
   return "[" + json + "]";
 }
 

@@ -42,3 +42,9 @@ static constexpr auto kKernels = [] {
   return table;
 }();
 }  // namespace avo
+
+// what is included from here on belongs to none of these passes
+#undef AVO_KERNEL_HEADER
+#undef AVO_KERNEL_HEADER_2
+#undef AVO_KERNEL_STRUCT
+#undef AVO_KERNEL_FUNCTIONS

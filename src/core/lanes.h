@@ -9,7 +9,7 @@
 
 #include "core/scalar.h"
 
-// lets every kernel header in once more
+// this lets every kernel header in once more
 #include "core/kernel_guards.h"
 
 #undef AVO_BEGIN_KERNELS

@@ -57,7 +57,8 @@ struct NeighborColumns {
 };
 
 /// Those of one robot: neighbors [first, first + count) of the columns. Where the range is not
-/// infinite they are by distance, and of those farther away only the half-planes matter.
+/// infinite they are in the order of their distances, and those beyond it all decide and matter to
+/// half-planes only.
 struct Neighbors {
   const NeighborColumns* columns = nullptr;
   std::size_t first = 0, count = 0;

@@ -16,7 +16,8 @@
 namespace avo {
 namespace {
 
-// The bits of the gate. Counters of openings may wrap around: who slept through all of them sleeps on.
+// The bits of the gate. Counters of openings may wrap around: who slept through all of them sleeps
+// on.
 constexpr std::uint32_t kInside = (1U << 16U) - 1, kOpen = 1U << 16U, kOpening = 1U << 17U;
 constexpr std::uint32_t kStop = 0xffffffff;
 

@@ -21,7 +21,7 @@ void SearchScratch::grow(std::size_t size) {
 
 std::size_t search_within(const PlacedPoints& points, std::size_t enough, SearchScratch& scratch) {
   scratch.used = 0;
-  scratch.found.resize(scratch.queries.size());
+  scratch.results.resize(scratch.queries.size());
   return kKernels->find_candidates(points, enough, scratch);
 }
 

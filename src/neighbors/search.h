@@ -58,7 +58,7 @@ struct Found {
 /// Of searches that are made together. Allocates only while it grows.
 struct SearchScratch {
   std::vector<NeighborQuery> queries;
-  std::vector<Found> found;  // of each
+  std::vector<Found> results;  // of each
 
   std::size_t used = 0;                 // of the following columns, one entry a candidate
   std::vector<float> distance_squared;  // m², narrowed
@@ -70,7 +70,7 @@ struct SearchScratch {
   void reserve(std::size_t most_queries, std::size_t candidates) {
     constexpr std::size_t kInTransit = 256;
     queries.reserve(most_queries);
-    found.reserve(most_queries);
+    results.reserve(most_queries);
     hits.reserve(candidates);
     reserve(candidates + most_queries * kSparePoints + kInTransit);
   }

@@ -166,15 +166,15 @@ std::size_t find_candidates(const PlacedPoints& points, std::size_t enough,
       collected = collect<Real>(query, radius, points, first, scratch);
     }
     const std::size_t candidates = collected.end - first;
-    scratch.found[answered] = {first, candidates,
-                               std::max(std::min(candidates, query.most), collected.near)};
+    scratch.results[answered] = {first, candidates,
+                                 std::max(std::min(candidates, query.most), collected.near)};
     scratch.reserve(collected.end);
     std::fill_n(scratch.distance_squared.data() + collected.end, kSparePoints,
                 std::numeric_limits<float>::infinity());
     scratch.used = collected.end + kSparePoints;
   }
   for (std::size_t i = 0; i < answered; ++i) {
-    put_in_order<Real, Narrow>(scratch.queries[i], scratch.found[i], points, scratch);
+    put_in_order<Real, Narrow>(scratch.queries[i], scratch.results[i], points, scratch);
   }
   return answered;
 }

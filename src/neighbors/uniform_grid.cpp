@@ -65,7 +65,7 @@ std::size_t UniformGrid::find(std::span<const NeighborQuery> queries, std::size_
                               SearchScratch& scratch) const {
   scratch.queries.assign(queries.begin(), queries.end());
   if (sort_.order.empty()) {
-    scratch.found.assign(queries.size(), {});
+    scratch.results.assign(queries.size(), {});
     return queries.size();
   }
   for (NeighborQuery& query : scratch.queries) {
@@ -86,7 +86,7 @@ std::span<const NeighborHit> UniformGrid::gather(Vec2 position, int self, std::s
 }
 
 std::span<const NeighborHit> UniformGrid::list(std::size_t query, SearchScratch& scratch) const {
-  const Found& hits = scratch.found[query];
+  const Found& hits = scratch.results[query];
   scratch.hits.clear();
   for (std::size_t k = hits.first; k < hits.first + hits.count; ++k) {
     const std::uint32_t place = scratch.order[k];

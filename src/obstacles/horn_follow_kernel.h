@@ -117,8 +117,8 @@ template <typename Real>
 struct Crossings {
   using Mask = decltype(Real() < Real());
   std::array<Bracket<Real>, kMostCrossings> between;
-  std::array<Mask, kMostCrossings> found;
-  Mask all;  // there are no others
+  std::array<Mask, kMostCrossings> present;
+  Mask complete;  // there are no others
 };
 
 // Strides along the near side, halved where |b| may turn at R.
@@ -147,8 +147,8 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
     const auto moves = active & (!doubt), now_inside = to.length <= R;
     const auto enters = moves & now_inside & (!inside), leaves = moves & inside & (!now_inside);
     const std::array<Lanes, kMostCrossings> crosses{
-        enters & (!result.found[0]), leaves & (!result.found[1]), enters & result.found[1]};
-    lost = lost | (leaves & result.found[1]);
+        enters & (!result.present[0]), leaves & (!result.present[1]), enters & result.present[1]};
+    lost = lost | (leaves & result.present[1]);
     const Real fallen = select(enters | leaves, from.length - to.length, one);
     const Real guess = from.time + (next - from.time) * ((from.length - R) / fallen);
     for (std::size_t k = 0; k < kMostCrossings; ++k) {
@@ -156,14 +156,14 @@ AVO_KERNEL Crossings<Real> follow(const Horn<Real>& horn, const Passage<Real>& p
       between.low = select(crosses[k], from.time, between.low);
       between.high = select(crosses[k], next, between.high);
       between.guess = select(crosses[k], guess, between.guess);
-      result.found[k] = result.found[k] | crosses[k];
+      result.present[k] = result.present[k] | crosses[k];
     }
     inside = (inside & (!moves)) | (moves & now_inside);
     move(moves, to, from);
     last = next;
     active = active & (!lost);
   }
-  result.all = passage.ordinary & (!(active | lost));
+  result.complete = passage.ordinary & (!(active | lost));
   return result;
 }
 

@@ -149,23 +149,23 @@ template <typename Real>
 AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
                                          const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
-  const Crossings<Real> all = follow(shape, passage(shape, horizon_end, table), table);
+  const Crossings<Real> crossings = follow(shape, passage(shape, horizon_end, table), table);
   auto hull = hull_of<kMostCrossings>(shape, constant<Real>(horizon_end), horizon_end);
-  hull.has_crossing = all.found;
-  auto regular = all.all;
+  hull.has_crossing = crossings.present;
+  auto regular = crossings.complete;
   for (std::size_t k = 0; k < kMostCrossings; ++k) {
-    const auto wanted = all.found[k] & all.all;
+    const auto wanted = crossings.present[k] & crossings.complete;
     hull.crossing[k] = hull.center;
     if (!any(wanted)) continue;
-    const Crossing<Real> cross = crossing(shape, all.between[k], table, wanted);
+    const Crossing<Real> cross = crossing(shape, crossings.between[k], table, wanted);
     const TwoPoints<Real> ends = circle_points(shape, at(table, cross.time));
     const auto on_near_end = cross.tangential >= Real(0.0);
     hull.crossing[k] = select(on_near_end, ends.near, ends.far);
-    if (k == 0) regular = regular & (on_near_end | (!all.found[k]));
+    if (k == 0) regular = regular & (on_near_end | (!crossings.present[k]));
   }
   HornPlane<Real> result;
   result.plane = least_support(hull);
-  result.free = !(hull.disc_in_reach | all.found[0]);
+  result.free = !(hull.disc_in_reach | crossings.present[0]);
   const Real infinity = Real(std::numeric_limits<double>::infinity());
   result.settled = regular & (result.free | (result.plane.h < infinity));
   return result;

@@ -9,19 +9,21 @@
 
 namespace avo {
 
-/// What the values of an enum are called in scene files, in their order.
+/// What the values of an enum are called in scene files, in their order. Hidden by itself: the
+/// instances of public enums would be exported.
 template <typename Choice>
-inline constexpr std::array<const char*, 0> kNames{};
+AVO_LOCAL inline constexpr std::array<const char*, 0> kNames{};
 template <>
-inline constexpr std::array kNames<Method>{"avo", "avo_paper", "velocity_obstacle", "orca"};
+AVO_LOCAL inline constexpr std::array kNames<Method>{"avo", "avo_paper", "velocity_obstacle",
+                                                     "orca"};
 template <>
-inline constexpr std::array kNames<Certificate>{"none", "stopping_capsules",
-                                                "braking_trajectories"};
+AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "stopping_capsules",
+                                                          "braking_trajectories"};
 template <>
-inline constexpr std::array kNames<Motion>{"held", "exponential"};
+AVO_LOCAL inline constexpr std::array kNames<Motion>{"held", "exponential"};
 template <>
-inline constexpr std::array kNames<PlanStatus>{"optimal", "least_unsafe", "candidate",
-                                               "braking", "overlapping",  "invalid_input"};
+AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
+    "optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"};
 
 template <typename Choice>
 const char* name_of(Choice choice) {

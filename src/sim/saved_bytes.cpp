@@ -56,7 +56,7 @@ struct Archive {
 
   void word(std::uint64_t& value) {
     if constexpr (kReads) {
-      if (unread.empty()) refuse("an end", "more");
+      if (unread.empty()) refuse("the end of the bytes", "more of them");
       value = word_at(unread, 0);
       unread = unread.subspan(kWord);
     } else {
@@ -132,7 +132,7 @@ void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
   Value value = optional.value_or(Value{});
   describe(archive, is_set);
   describe(archive, value);
-  if (is_set) optional = value;
+  if constexpr (kReads) optional = is_set ? std::optional(value) : std::nullopt;
 }
 
 template <bool kReads>

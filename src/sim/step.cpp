@@ -194,11 +194,11 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   for (std::size_t i = 0; i < robots; ++i) {
     const std::size_t first = worker.tile.neighbors.count;
     if (world.obstacles.setup.empty()) {
-      append(snapshot, worker.search.found[i], worker.search, worker.tile.neighbors);
+      append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
     } else {
       append_with_obstacles(world, fleet.position[slots[i]], i, worker);
     }
-    fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.found[i],
+    fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.results[i],
                                                nearest, snapshot, worker.search);
     const NeighborColumns& neighbors = worker.tile.neighbors;
     worker.tile.robots.neighbors.push_back(

@@ -8,11 +8,13 @@ BUILD is finished, FOLDER is where the same sources are built now. The same is a
 in nothing but these two folders, in where it writes, and in the definition that CMake adds for a
 shared library. Any other command is run.
 """
+import filecmp
 import json
 import os
 import pathlib
 import shlex
 import shutil
+import subprocess
 import sys
 
 
@@ -29,6 +31,24 @@ def parts(words, working, build):
     return output, rest
 
 
+def is_current(output, entry, build, folder):
+    """Made after all that it is made from, of which the generated headers are the same in FOLDER."""
+    made = os.path.getmtime(output)
+    known = subprocess.run(["ninja", "-C", build, "-t", "deps", os.path.relpath(output, build)],
+                           capture_output=True, text=True, check=True).stdout
+    for line in known.splitlines()[1:]:
+        source = pathlib.Path(entry["directory"], line.strip())
+        if not line.strip():
+            continue
+        if os.path.getmtime(source) > made:
+            return False
+        if build in str(source) and source.suffix == ".h" and "cmake_pch" not in source.name:
+            own = pathlib.Path(str(source).replace(build + "/", folder + "/"))
+            if not own.exists() or not filecmp.cmp(source, own, shallow=False):
+                return False
+    return True
+
+
 def made_before(build, folder, command):
     """The file in BUILD, or None."""
     database = pathlib.Path(build) / "compile_commands.json"
@@ -38,7 +58,7 @@ def made_before(build, folder, command):
     for entry in json.loads(database.read_text()):
         if entry["file"].replace(build + "/", "BUILD/") == wanted[-1]:
             output, rest = parts(shlex.split(entry["command"]), entry["directory"], build)
-            if rest == wanted and os.path.exists(output):
+            if rest == wanted and os.path.exists(output) and is_current(output, entry, build, folder):
                 return output
     return None
 

@@ -48,7 +48,7 @@ Real sampled_least(const RelativePath& path) {
 
 double size_of(const RelativePath& path) {
   double size = 0.0;
-  for (const Vec2 each : path.control) size = std::max(size, norm(each));
+  for (const Vec2 point : path.control) size = std::max(size, norm(point));
   return size;
 }
 
@@ -64,7 +64,7 @@ void expect_nearest(const RelativePath& path) {
 
 RelativePath random_path(Random& random, double size) {
   RelativePath path;
-  for (Vec2& each : path.control) each = test::in_disc(random, size);
+  for (Vec2& point : path.control) point = test::in_disc(random, size);
   return path;
 }
 
@@ -86,7 +86,7 @@ TEST(RelativePath, nearest_where_bodies_nearly_coincide) {
     const double q = 1.0 - u;
     const Vec2 there =
         (q * q * q) * c[0] + (3 * q * q * u) * c[1] + (3 * q * u * u) * c[2] + (u * u * u) * c[3];
-    for (Vec2& each : path.control) each = each - there + miss;
+    for (Vec2& point : path.control) point = point - there + miss;
     expect_nearest(path);
     EXPECT_LE(nearest_instant(path).distance, norm(miss) + 1e-13);
   }

@@ -132,10 +132,11 @@ Decision decide(const Planner& planner, const Robot& robot, const std::vector<Ne
   return decision;
 }
 
-// Those farther away are sensed, but of them only the first is looked at, where one is at a time.
+// Those farther away are sensed, but of them only the first pack of lanes is looked at.
 Decision decide_within(const Planner& planner, const Robot& robot,
-                       const std::vector<Neighbor>& neighbors, double range, const Detour& detour) {
-  const test::OnTarget target("scalar");
+                       const std::vector<Neighbor>& neighbors, double range, const Detour& detour,
+                       const char* simd = "scalar") {
+  const test::OnTarget target(simd);
   PlanWorkspace workspace;
   StageClock clock;
   Decision decision{{}, detour};
@@ -169,7 +170,10 @@ Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
     const std::vector<Neighbor> kept = relevant(crowd, range);
     EXPECT_EQ(decide(planner, crowd.robot, kept, detour), all) << crowd << "\nrange " << range;
     counts.dropped += kept.size() < crowd.neighbors.size() ? 1 : 0;
-    EXPECT_EQ(decide_within(planner, crowd.robot, crowd.neighbors, range, detour), all) << crowd;
+    for (const auto& simd : simd_targets()) {
+      EXPECT_EQ(decide_within(planner, crowd.robot, crowd.neighbors, range, detour, simd), all)
+          << crowd << simd;
+    }
     const Decision near = decide_within(planner, crowd.robot, crowd.neighbors, 0.3 * range, detour);
     counts.changed_by_looking_less_far += near == all ? 0 : 1;
     const Decision cut = decide(planner, crowd.robot, relevant(crowd, 0.6 * range), detour);
