@@ -81,10 +81,11 @@ class AVO_API Simulation {
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
 
   /// The state and the setup as bytes, the same on every machine, 64 of state and 56 of setup
-  /// (goal, radius, limits, wheelbase) a robot. Whoever has them has an equal state_hash() and an
-  /// equal future, for any number of threads. They do not hold what only tells of the last step or
-  /// of the past: plan and applied_acceleration of fleet(), which are value-initialized until the
-  /// next step, sums of measure(), Metrics. Throws Error where a step ended in the midst.
+  /// (goal, radius, limits, wheelbase) a robot, and 8 of what it aims at where there are walls.
+  /// Whoever has them has an equal state_hash() and an equal future, for any number of threads.
+  /// They do not hold what only tells of the last step or of the past: plan and
+  /// applied_acceleration of fleet(), which are value-initialized until the next step, sums of
+  /// measure(), Metrics. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
   /// Back, or forth, to what this simulation or another one of the same settings and obstacles has
   /// saved: a rollback, which keeps the threads. Robots, goals and ids become those that

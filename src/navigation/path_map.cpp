@@ -80,32 +80,41 @@ std::uint32_t nearest_in_view(const Lookout& lookout) {
   return PathMap::kNothing;
 }
 
-// The better one of the target and those that it sees, of which the robot sees both.
-std::uint32_t better_around(const Lookout& lookout, std::uint32_t target) {
-  if (target == PathMap::kGoal) return target;
-  double least = lookout.length_by(target);
-  std::uint32_t best = target;
-  for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) {
-    const double length = lookout.length_by(edge.to);
-    if (length < least && lookout.sees(edge.to)) best = edge.to, least = length;
-  }
-  if (lookout.length_by(PathMap::kGoal) < least && lookout.sees(PathMap::kGoal))
-    return PathMap::kGoal;
+// The best one in view, of those that the target sees and, where it is in view, the target itself.
+std::uint32_t best_around(const Lookout& lookout, std::uint32_t target, bool is_in_view) {
+  std::uint32_t best = is_in_view ? target : PathMap::kNothing;
+  if (target == PathMap::kGoal) return best;
+  double least = is_in_view ? lookout.length_by(target) : kInfinity;
+  const auto look = [&](std::uint32_t other) {
+    const double length = lookout.length_by(other);
+    if (length < least && lookout.sees(other)) best = other, least = length;
+  };
+  for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) look(edge.to);
+  look(PathMap::kGoal);
   return best;
 }
 
+// Whether there is a way from the target on; targets of other graphs may be asked for.
+bool is_known(const PathMap& map, std::uint32_t target) {
+  if (target == PathMap::kGoal) return map.is_free;
+  return target < map.next.size() && map.next[target] != PathMap::kNothing;
+}
+
+// Whether what follows the target is in view, from near the target as closely as may be.
+bool sees_next(const Lookout& lookout, std::uint32_t target) {
+  Lookout closely = lookout;
+  const double left = norm(lookout.graph.points[target] - lookout.p);
+  if (left < kPassed * lookout.graph.radius) closely.room = lookout.graph.radius;
+  return closely.sees(lookout.map.next[target]);
+}
+
 std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool looks_around) {
-  const bool known = target == PathMap::kGoal || (target < lookout.map.next.size() &&
-                                                  lookout.map.next[target] != PathMap::kNothing);
-  if (known && target != PathMap::kGoal) {
-    const std::uint32_t next = lookout.map.next[target];
-    const double left = norm(lookout.graph.points[target] - lookout.p);
-    Lookout closely = lookout;
-    if (left < kPassed * lookout.graph.radius) closely.room = lookout.graph.radius;
-    if (closely.sees(next)) return next;
-  }
-  if (!known || !lookout.sees(target)) return nearest_in_view(lookout);
-  return looks_around ? better_around(lookout, target) : target;
+  if (!is_known(lookout.map, target)) return nearest_in_view(lookout);
+  if (target != PathMap::kGoal && sees_next(lookout, target)) return lookout.map.next[target];
+  const bool is_in_view = lookout.sees(target);
+  if (is_in_view && !looks_around) return target;
+  const std::uint32_t best = best_around(lookout, target, is_in_view);
+  return best == PathMap::kNothing ? nearest_in_view(lookout) : best;
 }
 
 }  // namespace
