@@ -43,16 +43,16 @@ Robot before_the_wall() {
 }
 const Wall kWall{{1.5, -9.0}, {1.5, 9.0}};
 
+// Straight at it: on a detour a target may turn a robot while it slows down.
 TEST(SpeedPlanes, a_target_drives_at_no_wall_faster_than_braking_stops) {
   PlanWorkspace workspace;
   for (const Certificate certificate : {Certificate::none, Certificate::braking_trajectories}) {
     const Planner planner(options_with(certificate));
     const StepLaw law = law_of(planner.options()).step;
     Robot robot = before_the_wall();
-    Detour detour;
     int too_fast = 0, braking = 0;
     for (int k = 0; k < 80; ++k) {
-      const Plan plan = planner.plan(robot, {}, workspace, &detour, {&kWall, 1});
+      const Plan plan = planner.plan(robot, {}, workspace, nullptr, {&kWall, 1});
       const double speed = speed_before(1.0 - robot.position.x, robot.max_acceleration, law);
       too_fast += plan.next_velocity.x > speed + 1e-9 ? 1 : 0;
       braking += plan.status == PlanStatus::braking ? 1 : 0;
@@ -62,7 +62,9 @@ TEST(SpeedPlanes, a_target_drives_at_no_wall_faster_than_braking_stops) {
     EXPECT_EQ(too_fast, 0);
     EXPECT_EQ(braking, 0);
     EXPECT_GT(robot.position.x, 0.9);
-    EXPECT_LT(robot.position.x, 1.0);
+    // the planes reckon with a step at V; one that slows down is longer by s u
+    const double beyond = certificate == Certificate::none ? law.lag * 0.1 + 1e-9 : 0.0;
+    EXPECT_LT(robot.position.x, 1.0 + beyond);
   }
 }
 
