@@ -301,6 +301,17 @@ TEST(Metrics, min_obstacle_clearance_is_that_of_all_walls) {
   }
 }
 
+// A robot turns round before a wall within one long step, where the cubic is millimeters off.
+TEST(Metrics, static_obstacles_are_approached_by_the_equations_of_motion) {
+  Scenario scene = blind({robot_at({0, 0}, {0, 100})});
+  scene.motion = Motion::exponential;
+  scene.time_step = scene.control_time.value();
+  scene.robots[0].velocity = {0, -1};
+  scene.obstacles = {wall_between({-50, -3}, {50, -3})};
+  std::set<std::size_t> touched;
+  EXPECT_NEAR(*run(scene, 1).min_obstacle_clearance, slow_wall_clearance(scene, 1, touched), 1e-4);
+}
+
 TEST(Metrics, arrivals_are_first_times) {
   // 2.55 m and 7.55 m to go at 2 m/s, to the next step: 1.3 s and 3.8 s
   Scenario scene = blind({cruising({0, 0}, {12.55, 0}), cruising({0, 9}, {17.55, 9})});
