@@ -80,6 +80,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["not_arrived"] = Json::array();
   for (const avo::NotArrived& entry : summary.not_arrived)
     json["not_arrived"].push_back(to_json(entry));
+  json["unreachable"] = summary.unreachable;
   json["step_milliseconds_median"] = or_null(summary.step_milliseconds_median);
   json["seed"] = summary.seed;
   json["version"] = avo::kVersion;

@@ -53,6 +53,7 @@ struct RunSummary {
   std::int64_t infeasible_steps = 0;             ///< robot-steps whose set CA_A was empty
   Decisions decisions;                           ///< of all robot-steps
   std::vector<NotArrived> not_arrived;           ///< of those still there, by id; 100 at most
+  std::vector<std::uint64_t> unreachable;        ///< RobotIds, see Simulation::unreachable()
   std::optional<double> step_milliseconds_median;
   std::uint64_t seed = 0;
 };

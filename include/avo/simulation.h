@@ -98,7 +98,9 @@ class AVO_API Simulation {
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] double time() const;  ///< s, steps() * time_step
   [[nodiscard]] std::int64_t steps() const;
-  /// All are within arrival_distance now, and no wall lies between any robot and its goal.
+  /// Whether the robot (an index into fleet()) is within arrival_distance now, with no wall between
+  /// it and its goal.
+  [[nodiscard]] bool is_at_goal(std::size_t robot) const;
   [[nodiscard]] bool all_at_goal() const;
   /// Robots that could not get to their goals when these were set, even alone: walls leave no way
   /// that is wide enough, or the goal is nearer to a wall than the radius. With navigation they

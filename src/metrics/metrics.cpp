@@ -193,9 +193,10 @@ void Metrics::State::observe_arrivals(const Simulation& simulation) {
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     std::optional<double>& time = arrival[fleet.id[i].value];
     if (time) continue;
-    const double left = norm(fleet.goal[i] - fleet.position[i]);
-    if (left <= settings.arrival_distance) time = simulation.time();
+    if (simulation.is_at_goal(i)) time = simulation.time();
   }
+  summary.unreachable.clear();
+  for (const RobotId robot : simulation.unreachable()) summary.unreachable.push_back(robot.value);
 }
 
 Metrics::Metrics(const Scenario& scenario) : state_(std::make_unique<State>()) {

@@ -198,11 +198,15 @@ std::int64_t Simulation::steps() const {
   return state_->steps;
 }
 
+bool Simulation::is_at_goal(std::size_t robot) const {
+  const std::uint32_t slot = state_->fleet.slot_of[robot];
+  const Vec2 p = state_->fleet.position[slot], goal = state_->fleet.goal[slot];
+  return norm(goal - p) <= state_->settings.arrival_distance && state_->ways.is_in_sight(p, goal);
+}
+
 bool Simulation::all_at_goal() const {
-  const Fleet& f = state_->fleet;
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    if (!(norm(f.goal[i] - f.position[i]) <= state_->settings.arrival_distance)) return false;
-    if (!state_->ways.is_in_sight(f.position[i], f.goal[i])) return false;
+  for (std::size_t i = 0; i < state_->fleet.size(); ++i) {
+    if (!is_at_goal(i)) return false;
   }
   return true;
 }

@@ -21,7 +21,7 @@ struct Interval {
 
 // x of the part of the wall's segment whose y lies within [low, high], and a little more.
 Interval columns_between(const Wall& wall, double low, double high) {
-  const auto [least, most] = std::minmax(wall.a.x, wall.b.x);
+  const double least = std::min(wall.a.x, wall.b.x), most = std::max(wall.a.x, wall.b.x);
   const double rise = wall.b.y - wall.a.y;
   const auto x_at = [&](double y) {
     const double part = (y - wall.a.y) / rise;

@@ -137,6 +137,7 @@ TEST(WalledFleets, any_number_of_threads_and_a_saved_state_go_on_alike) {
 // The grid is built anew for one that reaches farther.
 TEST(WalledFleets, a_larger_and_faster_robot_may_join) {
   Scenario scene;
+  scene.navigation = false;
   scene.sensing_radius = 200.0;
   scene.obstacles = {piece({{30.0, -20.0}, {30.0, 20.0}})};
   scene.robots = {robot_at({0.0, 0.0}, {5.0, 0.0})};

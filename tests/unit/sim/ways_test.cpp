@@ -134,7 +134,8 @@ TEST(Ways, PerceiveIsWhatTheStepDecidesOn) {
   PlanWorkspace workspace;
   for (std::size_t k = 0; k < 40; ++k) {
     Simulation::Perception seen = simulation.perceive(k);
-    plans.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour));
+    plans.push_back(
+        simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour, seen.walls));
   }
   simulation.step();
   for (std::size_t k = 0; k < 40; ++k) {
