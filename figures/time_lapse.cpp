@@ -9,6 +9,7 @@
 #include <string>
 
 #include "avo/error.h"
+#include "figures/walls.h"
 
 namespace avo::figures {
 namespace {
@@ -145,6 +146,7 @@ Box covered(const Scenario& scenario, std::span<const TrajectoryFrame> frames, s
     box = empty ? part : enclosing(box, part);
     empty = false;
   };
+  if (const auto walls = covered(scenario.obstacles)) add(*walls);
   for (const RobotSetup& robot : scenario.robots) add(disc_box(robot.goal, 0.0));
   for (std::size_t k = first; k <= last; ++k) {
     for (std::size_t i = 0; i < scenario.robots.size(); ++i) {

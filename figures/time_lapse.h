@@ -31,7 +31,7 @@ std::vector<std::size_t> select_frames(const Scenario& scenario,
 /// from the middle of all, so that robots with a like way have a like color.
 std::vector<Color> robot_colors(const Scenario& scenario);
 
-/// What all robots cover from frame `first` to frame `last`, goals included.
+/// What all robots cover from frame `first` to frame `last`, goals and static obstacles included.
 Box covered(const Scenario& scenario, std::span<const TrajectoryFrame> frames, std::size_t first,
             std::size_t last);
 

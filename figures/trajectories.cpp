@@ -10,6 +10,7 @@
 #include "figures/axes.h"
 #include "figures/canvas.h"
 #include "figures/time_lapse.h"
+#include "figures/walls.h"
 
 namespace avo::figures {
 namespace {
@@ -87,6 +88,7 @@ void draw_goals(Canvas& canvas, const TimeLapse& lapse) {
 void draw_lapse(Canvas& canvas, const TimeLapse& lapse) {
   const Canvas::ClipScope scope(canvas);
   canvas.clip_to_view();
+  draw_walls(canvas, lapse.scenario.obstacles);
   draw_paths(canvas, lapse);
   const double start = lapse.frames[lapse.selected.front()].time;
   const double span = lapse.frames[lapse.selected.back()].time - start;

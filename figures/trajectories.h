@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time-lapse of a run as in the paper's Figs. 1, 7, 8 and 9: discs at regular time steps, newer
-// ones on top and darker, one hue a robot, moving obstacles gray.
+// ones on top and darker, one hue a robot, moving obstacles gray, static ones below them all.
 #pragma once
 #include <cstddef>
 #include <span>

@@ -57,8 +57,9 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
   Detour detour = perception.detour;
   const bool movers =
       perception.among_movers || planner.options().method == Method::velocity_obstacle;
-  const Plan plan = movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
-                           : planner.plan(robot, perception.neighbors, workspace, &detour);
+  const Plan plan =
+      movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
+             : planner.plan(robot, perception.neighbors, workspace, &detour, perception.walls);
   if (movers) {
     for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
       space.obstacles.push_back(obstacle_of(perception, i, planner.options()));

@@ -21,6 +21,12 @@ struct Family {
   std::vector<std::string> (*overrides)(double n);
 };
 
+std::string_view find_scene(std::string_view name) {
+  for (const EmbeddedFile& file : embedded_files())
+    if (file.is_scene && file.name == name) return file.text;
+  return {};
+}
+
 std::vector<std::string> no_overrides(double) {
   return {};
 }
@@ -39,12 +45,6 @@ std::vector<std::string> square_of(double n) {
 constexpr Family kFamilies[] = {{"circle-", "circle-100", no_overrides},
                                 {"uniform-", "uniform-1000", square_of}};
 
-std::string_view embedded(std::string_view name) {
-  for (const EmbeddedFile& file : embedded_files())
-    if (file.name == name) return file.yaml;
-  return {};
-}
-
 std::optional<BuiltinText> find_member(const Family& family, const std::string& name) {
   const std::string number = name.substr(family.stem.size());
   const bool whole = !number.empty() && number.find_first_not_of("0123456789") == number.npos;
@@ -56,7 +56,7 @@ std::optional<BuiltinText> find_member(const Family& family, const std::string& 
   std::vector<std::string> overrides = family.overrides(n);
   overrides.push_back("name=" + name);
   overrides.push_back("groups.0.number=" + number);
-  return BuiltinText{embedded(family.model), std::move(overrides)};
+  return BuiltinText{find_scene(family.model), std::move(overrides)};
 }
 
 std::string listed_name(std::string_view file) {
@@ -79,7 +79,7 @@ std::optional<BuiltinText> find_builtin(const std::string& name) {
     if (!name.starts_with(family.stem)) continue;
     if (auto member = find_member(family, name)) return member;
   }
-  const std::string_view yaml = embedded(name);
+  const std::string_view yaml = find_scene(name);
   if (yaml.empty()) return std::nullopt;
   return BuiltinText{yaml, {}};
 }
@@ -88,11 +88,19 @@ bool is_builtin_scene(const std::string& name) {
   return find_builtin(name).has_value();
 }
 
+std::string_view builtin_file(std::string_view name) {
+  for (const EmbeddedFile& file : embedded_files())
+    if (!file.is_scene && file.name == name) return file.text;
+  return {};
+}
+
 const std::vector<BuiltinScene>& builtin_scenes() {
   static const std::vector<BuiltinScene> scenes = [] {
     std::vector<BuiltinScene> result;
     for (const EmbeddedFile& file : embedded_files())
-      result.push_back({listed_name(file.name), first_comment(file.yaml), std::string(file.yaml)});
+      if (file.is_scene)
+        result.push_back(
+            {listed_name(file.name), first_comment(file.text), std::string(file.text)});
     return result;
   }();
   return scenes;

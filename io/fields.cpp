@@ -20,12 +20,13 @@ constexpr Need kOptional = Need::optional;
 constexpr std::monostate kNested;
 constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
+constexpr avo::Range kName{1.0, 200.0, false};  // bytes
 
 template <>
 const std::vector<Field<Scenario>>& fields() {
   static const std::vector<Field<Scenario>> table{
       {"version", kNested, kRequired, {1.0, 1.0, false}, "", "version of this format"},
-      {"name", &Scenario::name, kOptional, {}, "", "of the scene", "the file's name"},
+      {"name", &Scenario::name, kOptional, kName, "", "of the scene", "the file's name"},
       {"time_step", &Scenario::time_step, kOptional, kPositive, "s", "between decisions"},
       {"duration", &Scenario::duration, kOptional, kPositive, "s", "of the whole scene",
        "60 s and twice the longest straight way to a goal"},
@@ -60,7 +61,21 @@ const std::vector<Field<Scenario>>& fields() {
       {"seed", &Scenario::seed, kOptional, kSeed, "", "of random placements, goals and headings"},
       {"robots", kNested, kOptional, {}, "", "numbered 0, 1, ... in this order"},
       {"groups", kNested, kOptional, {}, "", "many like robots each, numbered after `robots`"},
+      {"robots_from",
+       kNested,
+       kOptional,
+       {},
+       "",
+       "robots of a MovingAI scenario, numbered after `robots` and before `groups`"},
       {"moving_obstacles", kNested, kOptional, {}, "", "discs that react to nobody"},
+      {"obstacles", kNested, kOptional, {}, "", "what does not move, and nobody may touch"},
+      {"navigation",
+       &Scenario::navigation,
+       kOptional,
+       {},
+       "",
+       "the preferred velocity follows a path around the obstacles",
+       "true where there are obstacles"},
   };
   return table;
 }

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "avo/geometry.h"
 #include "avo/scenario.h"
 #include "core/ranges.h"
 
@@ -65,6 +66,55 @@ struct Group {
   Goals goals;
 };
 
+/// `number` robots from the first rows of a MovingAI scenario.
+struct RobotsFrom {
+  std::string scen;  ///< file, relative to the scene's
+  int number = 0;
+  avo::RobotSetup robot;  ///< all but position and goal
+  GroupHeading heading = GroupHeading::goal;
+};
+
+struct PolylineObstacle {
+  std::vector<avo::Vec2> points;  ///< at least two
+};
+struct PolygonObstacle {
+  std::vector<avo::Vec2> points;  ///< at least three
+  bool solid = false;
+};
+struct DiscObstacle {
+  avo::Disc disc;
+};
+struct WktObstacle {
+  std::string text;
+  avo::Fill as = avo::Fill::solid;
+};
+struct WktFileObstacle {
+  std::string file;
+  avo::Fill as = avo::Fill::solid;
+};
+struct MapObstacle {
+  std::string file;
+  double cell = 1.0;
+  avo::Vec2 origin;
+};
+struct RosMapObstacle {
+  std::string file;
+};
+/// An entry of `obstacles`; the first field of each is the key that tells its kind.
+using ObstacleEntry = std::variant<PolylineObstacle, PolygonObstacle, DiscObstacle, WktObstacle,
+                                   WktFileObstacle, MapObstacle, RosMapObstacle>;
+
+enum class RosMode : std::uint8_t { trinary, scale };
+
+/// What a map.yaml of ROS says of its image.
+struct RosMap {
+  std::string image;  ///< file, relative to map.yaml
+  double resolution = 0.05;
+  double occupied_thresh = 0.65, free_thresh = 0.25;
+  int negate = 0;
+  RosMode mode = RosMode::trinary;
+};
+
 /// Which kinds of values T has. std::monostate: one with keys of its own, read by the code that
 /// knows them.
 template <class T, class... Kinds>
@@ -90,10 +140,46 @@ struct MembersOf<Group> {
   using type = MemberOf<Group, int>;
 };
 template <>
+struct MembersOf<RobotsFrom> {
+  using type = MemberOf<RobotsFrom, std::string, int>;
+};
+template <>
+struct MembersOf<PolylineObstacle> {
+  using type = MemberOf<PolylineObstacle, std::vector<avo::Vec2>>;
+};
+template <>
+struct MembersOf<PolygonObstacle> {
+  using type = MemberOf<PolygonObstacle, std::vector<avo::Vec2>, bool>;
+};
+template <>
+struct MembersOf<DiscObstacle> {
+  using type = MemberOf<DiscObstacle>;
+};
+template <>
+struct MembersOf<WktObstacle> {
+  using type = MemberOf<WktObstacle, avo::Fill>;
+};
+template <>
+struct MembersOf<WktFileObstacle> {
+  using type = MemberOf<WktFileObstacle, std::string, avo::Fill>;
+};
+template <>
+struct MembersOf<MapObstacle> {
+  using type = MemberOf<MapObstacle, std::string, double, avo::Vec2>;
+};
+template <>
+struct MembersOf<RosMapObstacle> {
+  using type = MemberOf<RosMapObstacle, std::string>;
+};
+template <>
+struct MembersOf<RosMap> {
+  using type = MemberOf<RosMap, std::string, double, int, RosMode>;
+};
+template <>
 struct MembersOf<avo::Scenario> {
-  using type =
-      MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>, std::uint64_t,
-               std::string, avo::Method, std::optional<avo::Certificate>, avo::Motion>;
+  using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
+                        std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
+                        avo::Motion, std::optional<bool>>;
 };
 template <class T>
 using Member = typename MembersOf<T>::type;
@@ -105,9 +191,9 @@ struct Field {
   std::string_view key;
   Member<T> member;
   Need need = Need::optional;
-  avo::Range range = {};               ///< of numbers; of both components of points
-  std::string_view unit;               ///< empty: none
-  std::string_view doc;                ///< one line
+  avo::Range range = {};  ///< of numbers; of both components of points; of texts, their bytes
+  std::string_view unit;  ///< empty: none
+  std::string_view doc;   ///< one line
   std::string_view default_text = "";  ///< where the default is not the struct's value
 };
 
@@ -131,6 +217,11 @@ inline constexpr std::array<std::pair<std::string_view, avo::Motion>, 2> kMotion
     {{"held", avo::Motion::held}, {"exponential", avo::Motion::exponential}}};
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
+
+inline constexpr std::array<std::pair<std::string_view, avo::Fill>, 2> kFills{
+    {{"solid", avo::Fill::solid}, {"bounds", avo::Fill::bounds}}};
+inline constexpr std::array<std::pair<std::string_view, RosMode>, 2> kRosModes{
+    {{"trinary", RosMode::trinary}, {"scale", RosMode::scale}}};
 
 /// Name and one line on each kind of placement and of goals.
 struct KindText {

@@ -75,6 +75,11 @@ void put(const Document& document, YamlNode& root, const std::vector<std::string
   *node = value;
 }
 
+/// Does the scene have robots that are not in its list?
+bool makes_robots(const YamlNode& root) {
+  return root.find("groups") != nullptr || root.find("robots_from") != nullptr;
+}
+
 }  // namespace
 
 std::vector<RobotPatch> apply_overrides(const std::vector<std::string>& overrides,
@@ -92,8 +97,7 @@ std::vector<RobotPatch> apply_overrides(const std::vector<std::string>& override
     const std::size_t count = listed != nullptr ? listed->size() : 0;
     const std::optional<std::size_t> robot =
         parts.size() > 2 && parts[0] == "robots" ? to_index(parts[1]) : std::nullopt;
-    const bool grouped = robot && *robot >= count && document.root.find("groups") != nullptr;
-    if (grouped) {
+    if (robot && *robot >= count && makes_robots(document.root)) {
       RobotPatch patch{*robot, {}};
       put(document, patch.map, {parts.begin() + 2, parts.end()}, value);
       patches.push_back(std::move(patch));

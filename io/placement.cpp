@@ -10,7 +10,7 @@
 
 #include "core/elementary.h"
 #include "free_space.h"
-#include "random.h"
+#include "wall_space.h"
 
 namespace avo_io {
 namespace {
@@ -19,10 +19,10 @@ using avo::Vec2;
 
 constexpr double kPi = 3.141592653589793;
 
-/// `number` centers, uniform in the rectangle of `space`, clear of each other and of all in it;
-/// fewer if there is no room.
+/// `number` centers, uniform in the rectangle of `space`, clear of each other, of all in it and of
+/// the walls; fewer if there is no room.
 std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, FreeSpace& space,
-                                Random& random) {
+                                const WallSpace& walls, Random& random) {
   // A disc; finds room up to about nine tenths of what is possible. That may take 2e7 tries in all
   // for a million discs, nearly all of which end in a covered cell.
   constexpr int kTries = 2000;
@@ -41,7 +41,7 @@ std::vector<Vec2> random_points(int number, Vec2 min, Vec2 max, double radius, F
       if (++tries > kTries) return points;
       space.prefetch(draw(ahead));
       center = draw(random);
-    } while (!space.is_clear(center));
+    } while (!space.is_clear(center) || !walls.is_clear(center));
     space.add({center, radius});
     points.push_back(center);
   }
@@ -95,19 +95,23 @@ Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenar
                   count + static_cast<std::size_t>(group.number));
   for (const auto& robot : scenario.robots) space.add({robot.position, robot.radius});
   for (const auto& mover : scenario.moving_obstacles) space.add({mover.position, mover.radius});
-  return {random_points(group.number, area.min, area.max, radius, space, random),
+  const WallSpace walls(scenario.obstacles, radius + area.clearance);
+  return {random_points(group.number, area.min, area.max, radius, space, walls, random),
           0.5 * (area.min + area.max)};
 }
 
-std::vector<Vec2> goals(const Group& group, const Starts& from, Random& random) {
+std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scenario& scenario,
+                        Random& random) {
   std::vector<Vec2> result = from.points;
   if (std::holds_alternative<AntipodalGoals>(group.goals)) {
     for (Vec2& p : result) p = from.center + (from.center - p);
   } else if (const auto* offset = std::get_if<OffsetGoals>(&group.goals)) {
     for (Vec2& p : result) p = p + offset->by;
   } else if (const auto* area = std::get_if<RandomGoals>(&group.goals)) {
-    FreeSpace space(area->min, area->max, group.robot.radius, area->clearance, from.points.size());
-    result = random_points(group.number, area->min, area->max, group.robot.radius, space, random);
+    const double radius = group.robot.radius;
+    FreeSpace space(area->min, area->max, radius, area->clearance, from.points.size());
+    const WallSpace walls(scenario.obstacles, radius + area->clearance);
+    result = random_points(group.number, area->min, area->max, radius, space, walls, random);
   } else {
     for (std::size_t i = result.size() - 1; i > 0; --i)  // Sattolo: one cycle through all
       std::swap(result[i], result[random.below(i)]);
@@ -137,6 +141,18 @@ Vec2 circle_point(int k, int n) {
   return point + Vec2{};  // no -0
 }
 
+void append_robot(const avo::RobotSetup& model, GroupHeading heading, Vec2 start, Vec2 goal,
+                  Random& random, avo::Scenario& scenario) {
+  avo::RobotSetup& robot = scenario.robots.emplace_back(model);
+  robot.position = start;
+  robot.goal = goal;
+  if (robot.car && heading == GroupHeading::random) robot.car->heading = random.between(-kPi, kPi);
+  if (robot.car && heading == GroupHeading::goal) {
+    const Vec2 way = goal - start;
+    robot.car->heading = avo::elementary::atan2(way.y, way.x);
+  }
+}
+
 std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario& scenario) {
   Random random(scenario.seed, stream);
   const int n = group.number;
@@ -151,20 +167,10 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
     from = starts(std::get<RandomPlacement>(group.placement), group, scenario, random);
   if (from.points.size() < static_cast<std::size_t>(n))
     return no_room("placement", from.points.size(), n);
-  const std::vector<Vec2> to = goals(group, from, random);
+  const std::vector<Vec2> to = goals(group, from, scenario, random);
   if (to.size() < from.points.size()) return no_room("goals", to.size(), n);
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    avo::RobotSetup robot = group.robot;
-    robot.position = from.points[i];
-    robot.goal = to[i];
-    if (robot.car && group.heading == GroupHeading::random)
-      robot.car->heading = random.between(-kPi, kPi);
-    if (robot.car && group.heading == GroupHeading::goal) {
-      const Vec2 way = robot.goal - robot.position;
-      robot.car->heading = avo::elementary::atan2(way.y, way.x);
-    }
-    scenario.robots.push_back(robot);
-  }
+  for (std::size_t i = 0; i < to.size(); ++i)
+    append_robot(group.robot, group.heading, from.points[i], to[i], random, scenario);
   return "";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots, obstacles and groups of a scene file, each from its map.
+// Robots, moving obstacles and groups of a scene file, each from its map.
 #include "read_parts.h"
 
 #include <algorithm>
@@ -83,25 +83,38 @@ void read_kind(const Reader& reader, const YamlNode& node, const std::string& pa
   (read_if_named(Kinds{}), ...);
 }
 
+/// The keys of T and those of its robots, all alike.
+template <class T>
+void read_alike(const Reader& reader, const YamlNode& node, const std::string& path, T& target) {
+  std::vector<std::string_view> keys = keys_of(fields<T>());
+  for (const std::string_view key : keys_of(group_robot_fields())) keys.push_back(key);
+  reader.check_keys(node, path, keys);
+  reader.read(node, path, fields<T>(), target);
+  reader.read(node, path, group_robot_fields(), target.robot);
+  if (node.find("preferred_speed") == nullptr)
+    target.robot.preferred_speed = target.robot.max_speed;
+  if (const YamlNode* car = node.find("car"))
+    read_car(reader, *car, path_to(path, "car"), target.robot.car.emplace(), &target.heading);
+}
+
 }  // namespace
 
 Group read_group(const Reader& reader, const YamlNode& node, const std::string& path) {
-  std::vector<std::string_view> keys = keys_of(fields<Group>());
-  for (const std::string_view key : keys_of(group_robot_fields())) keys.push_back(key);
-  reader.check_keys(node, path, keys);
   Group group;
-  reader.read(node, path, fields<Group>(), group);
-  reader.read(node, path, group_robot_fields(), group.robot);
-  if (node.find("preferred_speed") == nullptr) group.robot.preferred_speed = group.robot.max_speed;
+  read_alike(reader, node, path, group);
   read_kind(reader, *node.find("placement"), path_to(path, "placement"), group.placement);
   read_kind(reader, *node.find("goals"), path_to(path, "goals"), group.goals);
-  if (const YamlNode* car = node.find("car"))
-    read_car(reader, *car, path_to(path, "car"), group.robot.car.emplace(), &group.heading);
   return group;
 }
 
-void read_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
-                   avo::MovingObstacle& obstacle) {
+RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const std::string& path) {
+  RobotsFrom from;
+  read_alike(reader, node, path, from);
+  return from;
+}
+
+void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
+                          avo::MovingObstacle& obstacle) {
   const auto& table = fields<avo::MovingObstacle>();
   reader.check_keys(node, path, keys_of(table));
   reader.read(node, path, table, obstacle);

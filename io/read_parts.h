@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots, obstacles and groups of a scene file, each from its map.
+// Robots, moving obstacles and groups of a scene file, each from its map.
 #pragma once
 #include <string>
 
@@ -12,8 +12,9 @@ namespace avo_io {
 /// patch: changes a robot that there is already.
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch);
-void read_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
-                   avo::MovingObstacle& obstacle);
+void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
+                          avo::MovingObstacle& obstacle);
 Group read_group(const Reader& reader, const YamlNode& node, const std::string& path);
+RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const std::string& path);
 
 }  // namespace avo_io

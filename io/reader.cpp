@@ -128,16 +128,33 @@ avo::Vec2 Reader::point(const YamlNode& node, const std::string& path, const avo
           number(node.children[1], path_to(path, "1"), range, unit)};
 }
 
-std::string Reader::name(const YamlNode& node, const std::string& path) const {
-  constexpr std::size_t kLongest = 200;
+std::vector<avo::Vec2> Reader::points(const YamlNode& node, const std::string& path,
+                                      const avo::Range& range, std::string_view unit) const {
+  require_list(node, path);
+  std::vector<avo::Vec2> result;
+  result.reserve(node.children.size());
+  for (const YamlNode& child : node.children)
+    result.push_back(point(child, path_to(path, fmt::format("{}", result.size())), range, unit));
+  return result;
+}
+
+bool Reader::truth(const YamlNode& node, const std::string& path) const {
+  const bool bare = node.kind == YamlNode::Kind::text && !node.quoted;
+  if (!bare || (node.text != "true" && node.text != "false"))
+    fail(node, path, shown(node), "must be true or false");
+  return node.text == "true";
+}
+
+std::string Reader::name(const YamlNode& node, const std::string& path,
+                         const avo::Range& bytes) const {
   if (node.kind != YamlNode::Kind::text || node.text.empty())
     fail(node, path, shown(node), "must be a text");
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
   if (std::any_of(node.text.begin(), node.text.end(), control))
     fail(node, path, shown(node), "must have no control characters");
-  if (node.text.size() > kLongest)
+  if (static_cast<double>(node.text.size()) > bytes.max)
     fail(node, path, fmt::format("a text of {} bytes", node.text.size()),
-         fmt::format("must have at most {}", kLongest));
+         fmt::format("must have at most {}", bytes.max));
   return node.text;
 }
 
@@ -159,8 +176,9 @@ void Reader::set(std::uint64_t& value, const YamlNode& node, const Path& path,
                  const Rule& rule) const {
   value = whole_number(node, path, rule.range);
 }
-void Reader::set(std::string& value, const YamlNode& node, const Path& path, const Rule&) const {
-  value = name(node, path);
+void Reader::set(std::string& value, const YamlNode& node, const Path& path,
+                 const Rule& rule) const {
+  value = name(node, path, rule.range);
 }
 void Reader::set(avo::Vec2& value, const YamlNode& node, const Path& path, const Rule& rule) const {
   value = point(node, path, rule.range, rule.unit);
@@ -174,6 +192,24 @@ void Reader::set(std::optional<avo::Certificate>& value, const YamlNode& node, c
 }
 void Reader::set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMotions);
+}
+
+void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kFills);
+}
+void Reader::set(RosMode& value, const YamlNode& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kRosModes);
+}
+void Reader::set(bool& value, const YamlNode& node, const Path& path, const Rule&) const {
+  value = truth(node, path);
+}
+void Reader::set(std::optional<bool>& value, const YamlNode& node, const Path& path,
+                 const Rule&) const {
+  value = truth(node, path);
+}
+void Reader::set(std::vector<avo::Vec2>& value, const YamlNode& node, const Path& path,
+                 const Rule& rule) const {
+  value = points(node, path, rule.range, rule.unit);
 }
 
 void Reader::fail_choice(const YamlNode& node, const std::string& path,

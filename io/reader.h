@@ -30,6 +30,7 @@ class Reader {
 
   [[noreturn]] void fail(const YamlNode& node, const std::string& path, const std::string& given,
                          const std::string& allowed) const;
+  [[nodiscard]] const Document& document() const { return document_; }
 
   /// Refuses anything but a map, unknown keys and keys given twice.
   void check_keys(const YamlNode& map, const std::string& path,
@@ -42,7 +43,11 @@ class Reader {
                              const avo::Range& range) const;
   avo::Vec2 point(const YamlNode& node, const std::string& path, const avo::Range& range,
                   std::string_view unit) const;
-  std::string name(const YamlNode& node, const std::string& path) const;
+  std::vector<avo::Vec2> points(const YamlNode& node, const std::string& path,
+                                const avo::Range& range, std::string_view unit) const;
+  bool truth(const YamlNode& node, const std::string& path) const;
+  /// `bytes`: how many it may have.
+  std::string name(const YamlNode& node, const std::string& path, const avo::Range& bytes) const;
   template <class Names>
   auto choice(const YamlNode& node, const std::string& path, const Names& names) const {
     std::vector<std::string_view> words;
@@ -95,6 +100,13 @@ class Reader {
   void set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
   void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(RosMode& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(bool& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(std::optional<bool>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
+  void set(std::vector<avo::Vec2>& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
 
   const Document& document_;
 };

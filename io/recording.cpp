@@ -66,7 +66,9 @@ std::string to_json(const avo::RunSummary& summary) {
   json["first_collision_time"] = or_null(summary.first_collision_time);
   json["collision_pairs"] = summary.collision_pairs;
   json["obstacle_collisions"] = summary.obstacle_collisions;
+  json["collision_obstacles"] = summary.collision_obstacles;
   json["min_clearance"] = or_null(summary.min_clearance);
+  json["min_obstacle_clearance"] = or_null(summary.min_obstacle_clearance);
   json["max_acceleration"] = summary.max_acceleration;
   json["acceleration_excess"] = summary.acceleration_excess;
   json["max_speed"] = summary.max_speed;
@@ -78,6 +80,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["not_arrived"] = Json::array();
   for (const avo::NotArrived& entry : summary.not_arrived)
     json["not_arrived"].push_back(to_json(entry));
+  json["unreachable"] = summary.unreachable;
   json["step_milliseconds_median"] = or_null(summary.step_milliseconds_median);
   json["seed"] = summary.seed;
   json["version"] = avo::kVersion;

@@ -8,10 +8,8 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
-#include <vector>
 
-#include "avo_io/scene.h"
-#include "words.h"
+#include "avo_io/errors.h"
 
 namespace avo_io {
 namespace {
@@ -29,14 +27,6 @@ struct Descriptor {
   int value;
 };
 
-std::string not_found(const std::string& path) {
-  std::vector<std::string_view> names;
-  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
-  const auto meant = nearest(path, names);
-  return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
-                     joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
-}
-
 }  // namespace
 
 std::string with_errno(const std::string& name) {
@@ -45,7 +35,7 @@ std::string with_errno(const std::string& name) {
 
 std::string read_regular_file(const std::string& path) {
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (file.value < 0) throw FileError(errno == ENOENT ? not_found(path) : with_errno(path));
+  if (file.value < 0) throw FileError(with_errno(path));
   struct stat status = {};
   if (fstat(file.value, &status) != 0) throw FileError(with_errno(path));
   if (!S_ISREG(status.st_mode))
@@ -62,8 +52,8 @@ std::string read_regular_file(const std::string& path) {
     if (got == 0) return text;
     text.append(buffer, static_cast<std::size_t>(got));
   }
-  throw SceneError(fmt::format("{}:1:1: found more than {} MiB, a scene must be smaller", path,
-                               kLargest >> 20U));
+  throw SceneError(
+      fmt::format("{}:1:1: found more than {} MiB, must be smaller", path, kLargest >> 20U));
 }
 
 }  // namespace avo_io

@@ -13,8 +13,10 @@
 #include "builtin.h"
 #include "overrides.h"
 #include "placement.h"
+#include "read_obstacles.h"
 #include "read_parts.h"
 #include "regular_file.h"
+#include "words.h"
 #include "yaml_tree.h"
 
 namespace avo_io {
@@ -43,7 +45,8 @@ void check_precision(const Reader& reader, const YamlNode& root) {
 /// A tree becomes a scenario; knows which value each robot comes from.
 class SceneBuilder {
  public:
-  explicit SceneBuilder(const Document& document) : document_(document), reader_(document) {}
+  SceneBuilder(const Document& document, SceneFiles& files)
+      : document_(document), reader_(document), files_(files) {}
 
   Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name) {
     const YamlNode& root = document_.root;
@@ -54,11 +57,14 @@ class SceneBuilder {
     check_precision(reader_, root);
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
-    add_robots();
+    add_moving_obstacles();
     add_obstacles();
+    add_robots();
+    add_robots_from();
     add_groups();
     if (scenario_.robots.empty())
-      reader_.fail(root, "", "no robots", "must have at least one in robots or groups");
+      reader_.fail(root, "", "no robots",
+                   "must have at least one in robots, robots_from or groups");
     apply(patches);
     if (root.find("duration") == nullptr) set_usual_duration();
     refuse_coincident();
@@ -78,14 +84,37 @@ class SceneBuilder {
     }
   }
 
+  void add_robots_from() {
+    const YamlNode* node = document_.root.find("robots_from");
+    if (node == nullptr) return;
+    append_robots_from(reader_, *node, "robots_from", files_, maps_, scenario_);
+    origins_.resize(scenario_.robots.size(), node);
+  }
+
   void add_obstacles() {
+    const YamlNode* list = document_.root.find("obstacles");
+    if (list == nullptr) return;
+    reader_.require_list(*list, "obstacles");
+    std::size_t walls = 0;
+    for (const YamlNode& node : list->children) {
+      const std::string path = fmt::format("obstacles.{}", scenario_.obstacles.size());
+      scenario_.obstacles.push_back(read_static_obstacle(reader_, node, path, files_, maps_));
+      for (const avo::Chain& chain : scenario_.obstacles.back().chains)
+        walls += chain.points.size();
+      if (walls > kMostWalls)
+        reader_.fail(node, path, fmt::format("{} walls so far", walls),
+                     fmt::format("must be at most {}", kMostWalls));
+    }
+  }
+
+  void add_moving_obstacles() {
     const YamlNode* list = document_.root.find("moving_obstacles");
     if (list == nullptr) return;
     reader_.require_list(*list, "moving_obstacles");
     for (const YamlNode& node : list->children) {
       const std::string path =
           fmt::format("moving_obstacles.{}", scenario_.moving_obstacles.size());
-      read_obstacle(reader_, node, path, scenario_.moving_obstacles.emplace_back());
+      read_moving_obstacle(reader_, node, path, scenario_.moving_obstacles.emplace_back());
     }
   }
 
@@ -191,27 +220,55 @@ class SceneBuilder {
 
   const Document& document_;
   Reader reader_;
+  SceneFiles& files_;
+  std::vector<NamedMap> maps_;
   Scenario scenario_;
   std::vector<const YamlNode*> origins_;  // of each robot: its own map, its group's, or its patch's
 };
+
+Scenario build(std::string_view yaml, const std::string& file,
+               const std::vector<std::string>& overrides, SceneFiles& files) {
+  Document document;
+  document.root = parse_yaml(yaml, file, document);
+  const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
+  return SceneBuilder(document, files).build(patches, std::filesystem::path(file).stem().string());
+}
+
+std::string not_found(const std::string& path) {
+  std::vector<std::string_view> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
+  const auto meant = nearest(path, names);
+  return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
+                     joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
+}
 
 }  // namespace
 
 Scenario parse_scenario(std::string_view yaml, const std::string& file,
                         const std::vector<std::string>& overrides) {
-  Document document;
-  document.root = parse_yaml(yaml, file, document);
-  const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
-  return SceneBuilder(document).build(patches, std::filesystem::path(file).stem().string());
+  SceneFiles files{std::filesystem::path(file).parent_path().string()};
+  return build(yaml, file, overrides, files);
 }
 
-Scenario load_scenario(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+Scenario load_scenario(const std::string& name_or_path, const std::vector<std::string>& overrides,
+                       std::vector<std::string>* files_read) {
+  SceneFiles files{std::filesystem::path(name_or_path).parent_path().string()};
+  const auto build_and_tell = [&](std::string_view yaml, const std::vector<std::string>& all) {
+    Scenario scenario = build(yaml, name_or_path, all, files);
+    if (files_read != nullptr)
+      files_read->insert(files_read->end(), files.read.begin(), files.read.end());
+    return scenario;
+  };
   if (const std::optional<BuiltinText> builtin = find_builtin(name_or_path)) {
     std::vector<std::string> all = builtin->overrides;
     all.insert(all.end(), overrides.begin(), overrides.end());
-    return parse_scenario(builtin->yaml, name_or_path, all);
+    files.builtin = true;
+    return build_and_tell(builtin->yaml, all);
   }
-  return parse_scenario(read_regular_file(name_or_path), name_or_path, overrides);
+  std::error_code error;
+  if (std::filesystem::status(name_or_path, error).type() == std::filesystem::file_type::not_found)
+    throw FileError(not_found(name_or_path));
+  return build_and_tell(read_regular_file(name_or_path), overrides);
 }
 
 }  // namespace avo_io

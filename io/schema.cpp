@@ -71,8 +71,11 @@ ValueSchema describe(const std::optional<int>&, const avo::Range& range) {
 ValueSchema describe(std::uint64_t value, const avo::Range& range) {
   return {whole_number_schema(range), value};
 }
-ValueSchema describe(const std::string& value, const avo::Range&) {
-  return {{{"type", "string"}, {"minLength", 1}, {"maxLength", 200}}, value};
+ValueSchema describe(const std::string& value, const avo::Range& range) {
+  return {{{"type", "string"},
+           {"minLength", static_cast<std::int64_t>(range.min)},
+           {"maxLength", static_cast<std::int64_t>(range.max)}},
+          value};
 }
 ValueSchema describe(avo::Vec2 value, const avo::Range& range) {
   return {point_schema(range), Json::array({value.x, value.y})};
@@ -85,6 +88,19 @@ ValueSchema describe(avo::Motion value, const avo::Range&) {
 }
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
+}
+
+ValueSchema describe(bool value, const avo::Range&) {
+  return {{{"type", "boolean"}}, value};
+}
+ValueSchema describe(const std::optional<bool>&, const avo::Range&) {
+  return {{{"type", "boolean"}}, nullptr};
+}
+ValueSchema describe(avo::Fill value, const avo::Range&) {
+  return {names_schema(kFills), name_of(kFills, value)};
+}
+ValueSchema describe(const std::vector<avo::Vec2>&, const avo::Range& range) {
+  return {{{"type", "array"}, {"items", point_schema(range)}, {"minItems", 2}}, nullptr};
 }
 
 template <class T>
@@ -157,40 +173,68 @@ Json list_schema(const char* definition) {
   return {{"type", "array"}, {"items", {{"$ref", std::string("#/$defs/") + definition}}}};
 }
 
-Json group_schema() {
+/// The keys that many like robots share.
+Json alike_schema() {
   Json car = map_schema(fields<avo::CarSetup>());
   Json& heading = car["properties"]["heading"];
   heading = {{"description", "rad, counter-clockwise from +x; goal: towards it"},
              {"oneOf", Json::array({number_schema(avo::kAnyValue), names_schema(kHeadings)})},
              {"default", "goal"}};
+  return map_schema(group_robot_fields(), {{"car", car}});
+}
+
+Json group_schema(const Json& alike) {
   Json json = map_schema(fields<Group>(),
                          {{"placement", kinds_schema(static_cast<const Placement*>(nullptr))},
                           {"goals", kinds_schema(static_cast<const Goals*>(nullptr))}});
-  json["properties"].update(map_schema(group_robot_fields(), {{"car", car}})["properties"]);
+  json["properties"].update(alike["properties"]);
   return json;
+}
+
+Json robots_from_schema(const Json& alike) {
+  Json json = map_schema(fields<RobotsFrom>());
+  json["properties"].update(alike["properties"]);
+  json["properties"]["radius"].erase("default");
+  json["properties"]["radius"]["description"] = "of its disc (m); omitted: 0.45 cells of the map";
+  return json;
+}
+
+/// One kind: a map with the fields of one of the tables.
+template <class... Kinds>
+Json entry_schema(const std::variant<Kinds...>*) {
+  const Json nested{{"disc", map_schema(fields<avo::Disc>())}, {"wkt", {{"type", "string"}}}};
+  Json kinds = Json::array({map_schema(fields<Kinds>(), nested)...});
+  for (Json& kind : kinds)
+    if (kind["properties"].contains("polygon")) kind["properties"]["polygon"]["minItems"] = 3;
+  return {{"oneOf", kinds}};
 }
 
 }  // namespace
 
 std::string scenario_schema() {
+  const Json alike = alike_schema();
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
             {"title", "avo scene"},
-            {"description", "Robots, moving obstacles, and how they are simulated. SI units."}};
+            {"description", "Robots, obstacles, and how they are simulated. SI units."}};
   json.update(map_schema(fields<avo::Scenario>(),
                          {{"version", {{"const", 1}}},
                           {"precision", {{"const", "double"}, {"default", "double"}}},
                           {"robots", list_schema("robot")},
                           {"groups", list_schema("group")},
-                          {"moving_obstacles", list_schema("moving_obstacle")}}));
+                          {"robots_from", robots_from_schema(alike)},
+                          {"moving_obstacles", list_schema("moving_obstacle")},
+                          {"obstacles", list_schema("obstacle")}}));
   json["properties"]["samples"]["not"] = {{"const", 1}};
   json["anyOf"] = {
       {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},
       {{"required", {"groups"}}, {"properties", {{"groups", {{"minItems", 1}}}}}},
+      {{"required", {"robots_from"}}},
   };
   json["$defs"] = {{"robot", map_schema(fields<avo::RobotSetup>(),
                                         {{"car", map_schema(fields<avo::CarSetup>())}})},
-                   {"group", group_schema()},
-                   {"moving_obstacle", map_schema(fields<avo::MovingObstacle>())}};
+                   {"group", group_schema(alike)},
+                   {"moving_obstacle", map_schema(fields<avo::MovingObstacle>())},
+                   {"obstacle", entry_schema(static_cast<const ObstacleEntry*>(nullptr))}};
   return json.dump(2) + "\n";
 }
 

@@ -59,6 +59,32 @@ std::string complaint(const avo::BrokenStart& start, const avo::Scenario& scenar
       pair, start.depth, start.other >= 0 ? "both brake" : name_of(start.robot) + " brakes");
 }
 
+std::string complaint(const avo::WallStart& start, const avo::Scenario& scenario) {
+  const double own = setup_of(scenario, start.robot).radius;
+  const double wall = scenario.obstacles[static_cast<std::size_t>(start.obstacle)].radius;
+  const double margin = start.required - own - wall;
+  const avo::Vec2 p = setup_of(scenario, start.robot).position;
+  if (start.distance < start.required)
+    return fmt::format(
+        "{} starts too near obstacles.{}: found [{}, {}], {:.9g} m from it, must be >= {:.6g} + "
+        "{:.6g} m and {:.2g} m for rounding; move it away",
+        name_of(start.robot), start.obstacle, p.x, p.y, start.distance, own, wall, margin);
+  return fmt::format(
+      "{} starts too fast for obstacles.{}: found {:.6g} m left when it brakes, must be >= {:.6g} "
+      "+ "
+      "{:.6g} m; slow down, move it away, or --start-at-rest",
+      name_of(start.robot), start.obstacle, start.kept, own, wall);
+}
+
+std::string complaint(const avo::MisplacedStart& start, const avo::Scenario& scenario) {
+  const avo::Vec2 p = setup_of(scenario, start.robot).position;
+  const bool solid =
+      scenario.obstacles[static_cast<std::size_t>(start.obstacle)].fill == avo::Fill::solid;
+  return fmt::format("position of {}: found [{}, {}], must be {} obstacles.{}",
+                     name_of(start.robot), p.x, p.y,
+                     solid ? "outside of the solid" : "inside of the bounds", start.obstacle);
+}
+
 std::string complaint(const avo::FastStart& start, const avo::Scenario& scenario) {
   return fmt::format(
       "velocity of {}: found {} m/s at the start, must be <= its max_speed = {} m/s; "
@@ -86,6 +112,15 @@ std::vector<std::string> complaints(const avo::Scenario& scenario) {
   if (broken.start_count > static_cast<std::int64_t>(broken.starts.size()))
     lines.push_back(further(broken.start_count, broken.starts.size(),
                             "pairs overlap or start too fast for their distance"));
+  for (const avo::WallStart& start : broken.beside) lines.push_back(complaint(start, scenario));
+  if (broken.beside_count > static_cast<std::int64_t>(broken.beside.size()))
+    lines.push_back(further(broken.beside_count, broken.beside.size(),
+                            "robots start too near an obstacle, or too fast for it"));
+  for (const avo::MisplacedStart& start : broken.misplaced)
+    lines.push_back(complaint(start, scenario));
+  if (broken.misplaced_count > static_cast<std::int64_t>(broken.misplaced.size()))
+    lines.push_back(further(broken.misplaced_count, broken.misplaced.size(),
+                            "robots start inside of solids or out of bounds"));
   for (const avo::FastStart& start : broken.fast) lines.push_back(complaint(start, scenario));
   if (broken.fast_count > static_cast<std::int64_t>(broken.fast.size()))
     lines.push_back(fmt::format("{} further robots start faster than their max_speed",

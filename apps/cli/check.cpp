@@ -78,6 +78,19 @@ std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
   return avo_io::load_scenario(arguments.scene, arguments.overrides);
 }
 
+/// The walls of all obstacles, and the number of the obstacle of each.
+void take_walls(const avo::Scenario& scenario, avo::Check& check,
+                std::vector<std::int64_t>& obstacle_of_wall) {
+  std::vector<avo::CheckedWall> walls;
+  for (const avo::StaticObstacle& obstacle : scenario.obstacles) {
+    for (const avo::Wall& wall : avo::walls_of({&obstacle, 1})) {
+      walls.push_back({wall.a, wall.b, wall.radius});
+      obstacle_of_wall.push_back(&obstacle - scenario.obstacles.data());
+    }
+  }
+  check.set_walls(std::move(walls));
+}
+
 avo::Check check_of(const std::optional<avo::Scenario>& scenario, double tolerance) {
   avo::CheckOptions rules{.relative_tolerance = tolerance};
   if (!scenario) return avo::Check({}, {}, rules);
@@ -103,6 +116,7 @@ Judge::Judge(const CheckArguments& arguments)
   if (scenario) {
     judgement.scene = scenario->name;
     judgement.time_step = scenario->time_step;
+    take_walls(*scenario, check, judgement.obstacle_of_wall);
   } else {
     like = {*arguments.radius, *arguments.max_acceleration, *arguments.max_speed};
   }

@@ -24,13 +24,17 @@ std::int64_t number_of(const Judgement& judgement, std::int64_t index) {
   return judgement.numbers.empty() ? index : judgement.numbers[static_cast<std::size_t>(index)];
 }
 
-enum class Among { robots, obstacles };
+enum class Among { robots, moving_obstacles, walls };
 
-/// The violation by the numbers of the recording, the lower one of two robots first.
+/// The violation by the numbers of the recording and the scene, the lower one of two robots first.
 avo::CheckViolation by_number(const Judgement& judgement, avo::CheckViolation violation,
                               Among others) {
   violation.robot = number_of(judgement, violation.robot);
-  if (!violation.other || others == Among::obstacles) return violation;
+  if (!violation.other || others == Among::moving_obstacles) return violation;
+  if (others == Among::walls) {
+    violation.other = judgement.obstacle_of_wall[static_cast<std::size_t>(*violation.other)];
+    return violation;
+  }
   violation.other = number_of(judgement, *violation.other);
   if (*violation.other < violation.robot) std::swap(violation.robot, *violation.other);
   return violation;
@@ -58,8 +62,10 @@ std::string text_of(const Judgement& judgement, const avo::CheckCount& rule, con
   text += fmt::format(", the first at {:.6g} s: ", first.time);
   if (!first.other)
     text += fmt::format("robot {}", first.robot);
-  else if (others == Among::obstacles)
+  else if (others == Among::moving_obstacles)
     text += fmt::format("robot {} and moving obstacle {}", first.robot, *first.other);
+  else if (others == Among::walls)
+    text += fmt::format("robot {} and obstacle {}", first.robot, *first.other);
   else
     text += fmt::format("robots {} and {}", first.robot, *first.other);
   text += fmt::format(", by {:.3g} {}", first.amount, unit);
@@ -96,8 +102,11 @@ std::string readable(const Judgement& judgement) {
   if (judgement.scene)
     line("moving obstacles",
          text_of(judgement, report.obstacle_contacts_moving, "hit by a robot in motion", "m",
-                 Among::obstacles) +
+                 Among::moving_obstacles) +
              fmt::format("; {} hit a robot at rest", report.obstacle_contacts_at_rest));
+  if (!judgement.obstacle_of_wall.empty())
+    line("obstacles",
+         text_of(judgement, report.static_contacts, "robots touched one", "m", Among::walls));
   line("acceleration",
        text_of(judgement, report.accelerations, "robot-steps beyond the limit", "m/s^2") +
            fmt::format("; largest {:.6g} m/s^2", report.largest_acceleration));
@@ -106,6 +115,8 @@ std::string readable(const Judgement& judgement) {
   line("jumps", text_of(judgement, report.jumps, "robot-steps off their velocities", "m"));
   line("least clearance",
        report.least_clearance ? fmt::format("{:.3g} m", *report.least_clearance) : "-");
+  if (report.least_static_clearance)
+    line("  from obstacles", fmt::format("{:.3g} m", *report.least_static_clearance));
   if (report.with_goal > 0) line("arrived", arrivals(report));
   if (report.interpolation_error > 0.0)
     line("paths known to", fmt::format("{:.3g} m", report.interpolation_error));
@@ -130,12 +141,14 @@ std::string to_json(const Judgement& judgement) {
   json["to"] = report.to;
   json["overlaps"] = to_json(judgement, report.overlaps, "other");
   json["obstacle_contacts_moving"] =
-      to_json(judgement, report.obstacle_contacts_moving, "obstacle", Among::obstacles);
+      to_json(judgement, report.obstacle_contacts_moving, "obstacle", Among::moving_obstacles);
   json["obstacle_contacts_at_rest"] = report.obstacle_contacts_at_rest;
+  json["static_contacts"] = to_json(judgement, report.static_contacts, "obstacle", Among::walls);
   json["accelerations"] = to_json(judgement, report.accelerations, nullptr);
   json["speeds"] = to_json(judgement, report.speeds, nullptr);
   json["jumps"] = to_json(judgement, report.jumps, nullptr);
   json["least_clearance"] = or_null(report.least_clearance);
+  json["least_static_clearance"] = or_null(report.least_static_clearance);
   json["largest_acceleration"] = report.largest_acceleration;
   json["largest_speed"] = report.largest_speed;
   json["with_goal"] = report.with_goal;

@@ -14,8 +14,9 @@ struct Judgement {
   avo::CheckReport report;
   std::string recording;
   std::optional<std::string> scene;
-  std::optional<double> time_step;    ///< s, of the scene
-  std::vector<std::int64_t> numbers;  ///< of the robots by index; empty: their indices
+  std::optional<double> time_step;             ///< s, of the scene
+  std::vector<std::int64_t> numbers;           ///< of the robots by index; empty: their indices
+  std::vector<std::int64_t> obstacle_of_wall;  ///< number of the static obstacle
   double tolerance = 0.0;
   std::int64_t uneven_steps = 0;  ///< not time_step long
   bool require_arrival = false;

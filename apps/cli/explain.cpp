@@ -50,11 +50,11 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   decision.goal = simulation.fleet().goal[index];
   decision.method = scenario.method;
   decision.seen = simulation.perceive(index);
-  const auto& [self, neighbors, source, detour, among_movers] = decision.seen;
+  const auto& [self, neighbors, source, detour, among_movers, walls] = decision.seen;
   avo::Detour next_detour = detour;
   decision.by_half_planes = !among_movers;
   avo::PlanWorkspace workspace;
-  decision.plan = planner.plan(self, neighbors, workspace, &next_detour);
+  decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes);
   decision.certificate = planner.options().certificate;

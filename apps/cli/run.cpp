@@ -99,7 +99,8 @@ std::string collisions(const avo::RunSummary& results) {
   std::string text = fmt::format("{} pairs of robots", results.collision_pairs);
   if (results.first_collision_time)
     text += fmt::format(", the first at {:.1f} s", *results.first_collision_time);
-  return text + fmt::format("; {} with moving obstacles", results.obstacle_collisions);
+  return text + fmt::format("; {} with moving obstacles; {} robots with obstacles",
+                            results.obstacle_collisions, results.collision_obstacles);
 }
 
 std::string decisions(const avo::RunSummary& results) {
@@ -142,6 +143,21 @@ std::string not_arrived(const avo::RunSummary& results) {
   return others > 0 ? fmt::format("{}{}{} more", text, text.empty() ? "" : "; ", others) : text;
 }
 
+/// One line on robots that walls keep from their goals; nothing where there are none.
+void tell_unreachable(const avo::RunSummary& results) {
+  constexpr std::size_t kNamed = 10;
+  const std::size_t count = results.unreachable.size();
+  if (count == 0) return;
+  std::string who;
+  for (const std::uint64_t robot : std::span(results.unreachable).first(std::min(kNamed, count)))
+    who += fmt::format("{}{}", who.empty() ? "" : ", ", robot);
+  if (count > kNamed) who += fmt::format(" and {} more", count - kNamed);
+  say(fmt::format(
+      "warning: no way between the obstacles leads to the goal of robot {}; a way has to "
+      "be as wide as the robot, and a goal as far from an obstacle as its radius",
+      who));
+}
+
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {
   const auto number = [](const std::optional<double>& value, const char* unit) {
     return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
@@ -155,6 +171,8 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   line("arrived", arrivals(results));
   line("collisions", collisions(results));
   line("least clearance", number(results.min_clearance, "m"));
+  if (results.min_obstacle_clearance)
+    line("  from obstacles", number(results.min_obstacle_clearance, "m"));
   line("largest", fmt::format("acceleration {:.6g} m/s^2, speed {:.6g} m/s",
                               results.max_acceleration, results.max_speed));
   if (results.acceleration_excess > 0.0)
@@ -179,6 +197,7 @@ int run(const RunArguments& arguments) {
   Outputs outputs(arguments);
   const avo::RunSummary results = simulate(scenario, arguments.threads, outputs);
   outputs.finish(scenario, results);
+  tell_unreachable(results);
   const std::string text = readable(scenario, results);
   if (arguments.record == "-" || arguments.summary == "-")
     say(lines_of(text));

@@ -15,7 +15,11 @@ namespace avo_cli {
 
 avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs) {
   require_distinct({file_of(arguments)}, outputs);
-  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides);
+  std::vector<std::string> paths;
+  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &paths);
+  std::vector<NamedFile> inputs;
+  for (const std::string& path : paths) inputs.push_back({"the scene's", path});
+  require_distinct(inputs, outputs);
   apply_remedies(arguments, scenario);
   require_assumptions(arguments.scene, scenario);
   warn(avo::advice(scenario));
@@ -30,6 +34,10 @@ int list_scenes(const std::string& name, bool json) {
         print(scene.yaml);
         return kDone;
       }
+    if (const std::string_view text = avo_io::builtin_file(name); !text.empty()) {
+      print(text);
+      return kDone;
+    }
     throw UsageError(fmt::format("{}: found no such scene, `avo scenes` lists them",
                                  avo_io::printable(name, kLongestWord)));
   }
@@ -47,10 +55,12 @@ int list_scenes(const std::string& name, bool json) {
 
 int validate_scene(const SceneArguments& arguments) {
   const avo::Scenario scenario = load(arguments);
-  print(fmt::format("{}: valid: {} robots, {} moving obstacles, {} steps of {} s\n",
+  const std::size_t walls = avo::walls_of(scenario.obstacles).size();
+  print(fmt::format("{}: valid: {} robots, {} moving obstacles, {}{} steps of {} s\n",
                     avo_io::printable(arguments.scene), scenario.robots.size(),
-                    scenario.moving_obstacles.size(), avo::last_step(scenario, scenario.duration),
-                    scenario.time_step));
+                    scenario.moving_obstacles.size(),
+                    walls > 0 ? fmt::format("{} walls, ", walls) : "",
+                    avo::last_step(scenario, scenario.duration), scenario.time_step));
   return kDone;
 }
 

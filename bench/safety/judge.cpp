@@ -35,7 +35,13 @@ Check make_check(const Scenario& scenario) {
     obstacles.push_back(
         {obstacle.position, obstacle.velocity, obstacle.acceleration, obstacle.radius});
   }
-  return Check(std::move(robots), std::move(obstacles));
+  std::vector<CheckedWall> walls;
+  for (const Wall& wall : walls_of(scenario.obstacles)) {
+    walls.push_back({wall.a, wall.b, wall.radius});
+  }
+  Check check(robots, std::move(obstacles));
+  check.set_walls(std::move(walls));
+  return check;
 }
 
 void name_first(const char* what, const CheckCount& count, std::string& text) {
@@ -56,6 +62,7 @@ void Verdict::add(const Verdict& later) {
   overlapping_pairs += later.overlapping_pairs;
   moving_contacts += later.moving_contacts;
   resting_contacts += later.resting_contacts;
+  static_contacts += later.static_contacts;
   deepest_contact = std::max(deepest_contact, later.deepest_contact);
   acceleration_violations += later.acceleration_violations;
   speed_violations += later.speed_violations;
@@ -95,6 +102,7 @@ Verdict Judge::verdict() const {
   verdict.overlapping_pairs = report.overlaps.count;
   verdict.moving_contacts = report.obstacle_contacts_moving.count;
   verdict.resting_contacts = report.obstacle_contacts_at_rest;
+  verdict.static_contacts = report.static_contacts.count;
   verdict.deepest_contact = report.obstacle_contacts_moving.worst;
   verdict.acceleration_violations = report.accelerations.count;
   verdict.speed_violations = report.speeds.count;
@@ -103,6 +111,7 @@ Verdict Judge::verdict() const {
   name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
   name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
              verdict.violations);
+  name_first("robots that touched a wall (m)", report.static_contacts, verdict.violations);
   name_first("steps above a_max (m/s^2)", report.accelerations, verdict.violations);
   name_first("states above v_max (m/s)", report.speeds, verdict.violations);
   name_first("jumps (m)", report.jumps, verdict.violations);

@@ -16,6 +16,7 @@ struct Verdict {
   std::int64_t overlapping_pairs = 0;
   std::int64_t moving_contacts = 0;   ///< robots that touched an obstacle while they moved
   std::int64_t resting_contacts = 0;  ///< robots that an obstacle ran into while they stood
+  std::int64_t static_contacts = 0;   ///< robots that touched a static obstacle
   double deepest_contact = 0.0;       ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-states
   std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
@@ -23,8 +24,8 @@ struct Verdict {
   std::string violations;                 ///< in words, empty where there is none
 
   [[nodiscard]] bool safe() const {
-    return overlapping_pairs + moving_contacts + acceleration_violations + speed_violations +
-               jumps ==
+    return overlapping_pairs + moving_contacts + static_contacts + acceleration_violations +
+               speed_violations + jumps ==
            0;
   }
   /// What happened after it, to the same robots.

@@ -22,6 +22,21 @@ struct BrokenStart {
   double depth = 0.0;
 };
 
+/// A robot that starts too near a static obstacle, or that braking takes there.
+struct WallStart {
+  int robot = 0;
+  int obstacle = 0;       ///< index into Scenario::obstacles
+  double distance = 0.0;  ///< m, from the line of the obstacle's walls to the robot's center
+  double kept = 0.0;      ///< m, what braking leaves of it
+  double required = 0.0;  ///< m, both radii and what covers rounding
+};
+
+/// A robot that starts inside of a solid, or outside of bounds (Fill).
+struct MisplacedStart {
+  int robot = 0;
+  int obstacle = 0;  ///< index into Scenario::obstacles
+};
+
 /// A robot that starts faster than its max_speed.
 struct FastStart {
   int robot = 0;
@@ -41,15 +56,20 @@ struct BrokenAssumptions {
   static constexpr std::size_t kNamed = 3;  ///< most entries of each list, worst first
   static constexpr int kCounted = 100'000;  ///< pairs, nobody wants to know of more
 
-  std::vector<BrokenStart> starts;    ///< the deepest of them
-  std::int64_t start_count = 0;       ///< of all such pairs; at least so many if kCounted
+  std::vector<BrokenStart> starts;        ///< the deepest of them
+  std::int64_t start_count = 0;           ///< of all such pairs; at least so many if kCounted
+  std::vector<WallStart> beside;          ///< those that lack most, one obstacle a robot
+  std::int64_t beside_count = 0;          ///< of all such robots
+  std::vector<MisplacedStart> misplaced;  ///< the first of them
+  std::int64_t misplaced_count = 0;
   std::vector<FastStart> fast;        ///< those that exceed max_speed by most
   std::int64_t fast_count = 0;        ///< of all such robots
   std::optional<SensingNeed> unseen;  ///< sensing_radius is less than its range
 
   /// Nothing is broken: the certificate's promise holds for the scene.
   [[nodiscard]] bool none() const {
-    return start_count == 0 && fast_count == 0 && !unseen.has_value();
+    return start_count == 0 && beside_count == 0 && misplaced_count == 0 && fast_count == 0 &&
+           !unseen.has_value();
   }
 };
 

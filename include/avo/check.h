@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A judge of recorded motion that shares no formula with the planner: separation of every pair in
-// continuous time, limits on acceleration and speed, arrival.
+// continuous time, from walls too, limits on acceleration and speed, arrival.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -35,6 +35,13 @@ struct CheckedObstacle {
   double radius = 0.5;                                   ///< m, > 0
 };
 
+/// A static obstacle: all that is within `radius` of the segment from a to b; a disc where a == b.
+struct CheckedWall {
+  Vec2 a = {};          ///< m
+  Vec2 b = {};          ///< m
+  double radius = 0.0;  ///< m, >= 0
+};
+
 struct CheckOptions {
   double relative_tolerance = 1e-9;  ///< of the sum of radii, of a_max, of v_max; in [0, 1)
   double arrival_distance = 0.5;     ///< m, > 0
@@ -49,12 +56,12 @@ struct CheckedState {
 struct CheckViolation {
   double time = 0.0;       ///< s; of an acceleration or a jump, where its step began
   std::int64_t robot = 0;  ///< the lower number of a pair of robots
-  std::optional<std::int64_t> other = {};  ///< of a pair: the other robot, or the obstacle
+  std::optional<std::int64_t> other = {};  ///< the other robot of a pair, the obstacle, the wall
   double amount = 0.0;  ///< beyond the limit: m/s^2, m/s, m (of overlap: the most within the step)
 };
 
 struct CheckCount {
-  std::int64_t count = 0;  ///< of pairs, robot-steps or robot-rows
+  std::int64_t count = 0;  ///< of pairs, robots, robot-steps or robot-rows
   std::optional<CheckViolation> first = {};
   double worst = 0.0;  ///< largest amount
 };
@@ -70,6 +77,7 @@ struct CheckReport {
   CheckCount overlaps;                  ///< pairs of robots that ever overlapped
   CheckCount obstacle_contacts_moving;  ///< pairs: the robot moved itself while they overlapped
   std::int64_t obstacle_contacts_at_rest = 0;  ///< pairs, all others; passive safety allows these
+  CheckCount static_contacts;                  ///< robots that ever touched a wall
   CheckCount accelerations;                    ///< robot-steps with |Δv|/Δt > a_max
   CheckCount speeds;                           ///< robot-rows with |v| > v_max
   /// Robot-steps with |Δp - Δt (v_0 + v_1)/2| > a_max Δt²/2: positions that do not follow the
@@ -77,21 +85,23 @@ struct CheckReport {
   /// by a_max Δt at most, just within it.
   CheckCount jumps;
   std::optional<double> least_clearance;  ///< m, over all pairs and times; none with fewer than two
-  double largest_acceleration = 0.0;      ///< m/s^2
-  double largest_speed = 0.0;             ///< m/s
-  std::int64_t with_goal = 0;             ///< of the robots given
+  std::optional<double> least_static_clearance;  ///< m, over all robots, walls and times
+  double largest_acceleration = 0.0;             ///< m/s^2
+  double largest_speed = 0.0;                    ///< m/s
+  std::int64_t with_goal = 0;                    ///< of the robots given
   std::int64_t arrived = 0;               ///< in some row within the arrival distance of their goal
   std::int64_t at_goal_at_end = 0;        ///< in their last row
   std::optional<double> last_arrival;     ///< s; none unless all arrived
   std::vector<std::int64_t> not_arrived;  ///< ascending
 
-  /// No overlap, no contact in motion, no limit exceeded.
+  /// No overlap, no contact with walls or in motion, no limit exceeded.
   [[nodiscard]] AVO_API bool safe() const;
 };
 
 /// Feed it the rows of one time after the other. Between two rows a robot is judged on the cubic
 /// with their positions and velocities. Pairs overlap where their distance is less than
-/// (r_A + r_B)(1 - relative_tolerance) less the interpolation errors of both.
+/// (r_A + r_B)(1 - relative_tolerance) less the interpolation errors of both; a wall is touched
+/// likewise, with its radius for r_B.
 class AVO_API Check {
  public:
   /// Throws Error on values out of range.
@@ -103,6 +113,10 @@ class AVO_API Check {
 
   /// One more robot, at any time; returns its index. Throws Error on values out of range.
   std::int64_t add_robot(const CheckedRobot& robot);
+
+  /// The walls of the steps that follow, and of the rows at both their ends; none at first. A
+  /// contact names a wall by its index here. Throws Error on values out of range.
+  void set_walls(std::vector<CheckedWall> walls);
 
   /// All rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error on
   /// anything else, and on values that are not finite or beyond 1e12; nothing has changed then. A

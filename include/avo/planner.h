@@ -12,6 +12,7 @@
 #include "avo/geometry.h"
 #include "avo/horizon.h"
 #include "avo/robot.h"
+#include "avo/wall.h"
 
 namespace avo {
 
@@ -165,8 +166,14 @@ class AVO_API Planner {
   /// detour: what the robot remembers, kept by the caller from decision to decision; updated, or
   /// unchanged where this throws. Without one it decides as for the first time. One that is not
   /// finite, or out of range, counts as none.
+  /// walls: what does not move, near the robot; a certificate keeps clear of it. The robot needs
+  /// all whose surface is within r + S Δt + l(S) of its position, and a billionth more for
+  /// rounding: S = min(|v| + u, v_max), u is what one step of braking takes off, l is the stopping
+  /// length. Others change no bit. A wall that is not finite is invalid_input. Method avo alone
+  /// looks at walls. Without a certificate they only slow its target.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                          PlanWorkspace& workspace, Detour* detour = nullptr) const;
+                          PlanWorkspace& workspace, Detour* detour = nullptr,
+                          std::span<const Wall> walls = {}) const;
 
   /// One robot among movers that do not react (§III-C, Eqs. 13-14): v' outside the union of their
   /// obstacles, B's new velocity being v_B + δ a_B with the acceleration that the neighbor gives.

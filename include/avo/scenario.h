@@ -9,6 +9,7 @@
 #include "avo/export.h"
 #include "avo/planner.h"
 #include "avo/vec.h"
+#include "avo/wall.h"
 
 namespace avo {
 
@@ -47,6 +48,9 @@ struct Scenario {
   std::uint64_t seed = 1;         ///< of random placements
   std::vector<RobotSetup> robots = {};
   std::vector<MovingObstacle> moving_obstacles = {};
+  std::vector<StaticObstacle> obstacles = {};  ///< that do not move; nobody may touch them
+  /// The preferred velocity follows a path around the obstacles; unset: where there are any.
+  std::optional<bool> navigation = {};
 };
 
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be

@@ -81,10 +81,11 @@ class AVO_API Simulation {
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
 
   /// The state and the setup as bytes, the same on every machine, 64 of state and 56 of setup
-  /// (goal, radius, limits, wheelbase) a robot. Whoever has them has an equal state_hash() and an
-  /// equal future, for any number of threads. They do not hold what only tells of the last step or
-  /// of the past: plan and applied_acceleration of fleet(), which are value-initialized until the
-  /// next step, sums of measure(), Metrics. Throws Error where a step ended in the midst.
+  /// (goal, radius, limits, wheelbase) a robot, and 8 of what it aims at where there are walls.
+  /// Whoever has them has an equal state_hash() and an equal future, for any number of threads.
+  /// They do not hold what only tells of the last step or of the past: plan and
+  /// applied_acceleration of fleet(), which are value-initialized until the next step, sums of
+  /// measure(), Metrics. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
   /// Back, or forth, to what this simulation or another one of the same settings and obstacles has
   /// saved: a rollback, which keeps the threads. Robots, goals and ids become those that
@@ -97,7 +98,14 @@ class AVO_API Simulation {
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] double time() const;  ///< s, steps() * time_step
   [[nodiscard]] std::int64_t steps() const;
-  [[nodiscard]] bool all_at_goal() const;  ///< all within arrival_distance now
+  /// Whether the robot (an index into fleet()) is within arrival_distance now, with no wall between
+  /// it and its goal.
+  [[nodiscard]] bool is_at_goal(std::size_t robot) const;
+  [[nodiscard]] bool all_at_goal() const;
+  /// Robots that could not get to their goals when these were set, even alone: walls leave no way
+  /// that is wide enough, or the goal is nearer to a wall than the radius. With navigation they
+  /// stay where they are. By ascending id.
+  [[nodiscard]] std::vector<RobotId> unreachable() const;
   /// Equal for equal states, bit by bit: the determinism contract, testable by anyone.
   [[nodiscard]] std::uint64_t state_hash() const;
 
@@ -109,6 +117,7 @@ class AVO_API Simulation {
     std::vector<int> source;    ///< index into fleet(), or -1 - k for moving obstacle k
     Detour detour = {};         ///< what it remembers
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
+    std::vector<Wall> walls = {};  ///< all that matter to it, and more
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;

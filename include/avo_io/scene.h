@@ -13,12 +13,15 @@ namespace avo_io {
 
 /// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), or a
 /// file. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots
-/// that a group makes can be named as well. Throws SceneError, OverrideError or FileError; the
-/// scene returned has passed avo::validate.
+/// that a group makes can be named as well. Files that the scene names (maps, plans) are relative
+/// to its own; their paths are appended to `files_read` where it is given. Throws SceneError,
+/// OverrideError or FileError; the scene returned has passed avo::validate.
 AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
-                                    const std::vector<std::string>& overrides = {});
+                                    const std::vector<std::string>& overrides = {},
+                                    std::vector<std::string>* files_read = nullptr);
 
-/// The same from text; `file` stands in front of error messages.
+/// The same from text; `file` stands in front of error messages, and the scene's files are relative
+/// to it.
 AVO_API avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
                                      const std::vector<std::string>& overrides = {});
 
@@ -33,6 +36,9 @@ struct BuiltinScene {
 };
 /// All built-in scenes, by ascending name.
 AVO_API const std::vector<BuiltinScene>& builtin_scenes();
+
+/// The text of a file that a built-in scene names, e.g. "arena.map"; empty where there is none.
+AVO_API std::string_view builtin_file(std::string_view name);
 
 /// JSON Schema (draft 2020-12) of scene files.
 AVO_API std::string scenario_schema();

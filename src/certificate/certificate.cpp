@@ -27,11 +27,14 @@ void find_near(const RobotColumns& robots, const CertificateLaw& law,
 }
 
 void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
-                         const CertificateLaw& law, CertificateConstraints& constraints) {
+                         const CertificateLaw& law, CertificateConstraints& constraints,
+                         std::span<const Wall> walls) {
   constraints.alone.reserve(1);
   constraints.alone.clear();
   constraints.alone.add(robot, in_columns(neighbors, constraints.seen));
   find_near(constraints.alone, law, constraints);
+  begin_walls(robot, law.kind == Certificate::none ? std::span<const Wall>{} : walls, law.step,
+              constraints.walls);
   begin_constraints(robot, constraints.alone.neighbors[0], 0, law, constraints);
   collect_waiting(law.step, constraints.trajectories, constraints.invariant);
 }
@@ -62,7 +65,8 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
   if (constraints.invariant.unknown ||
       (constraints.invariant.touched && constraints.path.moving > 0))
     return false;
-  return trajectories_kept && keeps_capsules(constraints.capsules, constraints.path, law.step);
+  return trajectories_kept && keeps_capsules(constraints.capsules, constraints.path, law.step) &&
+         keeps_walls(constraints.walls, constraints.path, law.step);
 }
 
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {

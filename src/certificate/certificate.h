@@ -8,6 +8,7 @@
 #include "avo/planner.h"
 #include "certificate/braking_trajectories.h"
 #include "certificate/stopping_capsules.h"
+#include "certificate/wall_constraints.h"
 #include "core/neighbor_columns.h"
 
 namespace avo {
@@ -18,21 +19,22 @@ struct CertificateLaw {
   StepLaw step;
 };
 
-/// What the neighbors demand of a robot. Scratch memory; allocates only while it grows.
+/// What neighbors and walls demand of a robot. Scratch memory; allocates only while it grows.
 struct CertificateConstraints {
   Invariant invariant;
   TrajectoryConstraints
       trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
   std::vector<CapsuleConstraint> capsules;
-  CandidatePath path;  ///< of the last candidate asked about
-  NearPairs near;      ///< of all robots of find_near()
+  WallConstraints walls;  ///< by begin_walls()
+  CandidatePath path;     ///< of the last candidate asked about
+  NearPairs near;         ///< of all robots of find_near()
   // of a robot that is looked at by itself
   RobotColumns alone;
   NeighborColumns seen;
 
   bool demand_nothing() const {
     return trajectories.columns.count == 0 && trajectories.waiting.empty() && capsules.empty() &&
-           !invariant.unknown && !invariant.touched;
+           walls.near.empty() && !invariant.unknown && !invariant.touched;
   }
 };
 
@@ -44,13 +46,14 @@ void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
 void find_near(const RobotColumns& robots, const CertificateLaw& law,
                CertificateConstraints& constraints);
 
-/// Those of robot i of the robots that find_near() was given last; admits() collects what a
-/// candidate may be refused by.
+/// Those of the neighbors of robot i of the robots that find_near() was given last; admits()
+/// collects what a candidate may be refused by. Its walls are what begin_walls() made of them.
 void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
                        const CertificateLaw& law, CertificateConstraints& constraints);
 /// All of those of one robot, looked at by itself.
 void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors,
-                         const CertificateLaw& law, CertificateConstraints& constraints);
+                         const CertificateLaw& law, CertificateConstraints& constraints,
+                         std::span<const Wall> walls = {});
 
 /// Whether the robot may have the velocity v_1 after this step. True of backup_velocity() wherever
 /// the invariant holds, up to rounding.

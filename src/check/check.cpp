@@ -6,20 +6,22 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 
 #include "avo/error.h"
+#include "check/counts.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
+#include "check/wall_judge.h"
 #include "core/ranges.h"
 
 namespace avo {
 namespace {
 
 using judge::Mover;
+using judge::note;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -46,15 +48,6 @@ void insert(Pairs& pairs, std::uint64_t pair) {
   pairs.insert(pair);
 }
 
-// The earliest, then the lowest: whatever the order in which the pairs of a step are met.
-void note(CheckCount& rule, const CheckViolation& violation) {
-  rule.worst = std::max(rule.worst, violation.amount);
-  const auto place = [](const CheckViolation& v) {
-    return std::tuple(v.time, v.robot, v.other.value_or(-1));
-  };
-  if (!rule.first || place(violation) < place(*rule.first)) rule.first = violation;
-}
-
 }  // namespace
 
 struct Check::State {
@@ -66,6 +59,7 @@ struct Check::State {
   std::int64_t times = 0;
   double last_time = 0.0, last_arrival = 0.0;
   Pairs overlaps, contacts, moving_contacts;
+  judge::WallJudge walls;
 
   // of the present step
   double duration = 0.0;
@@ -244,6 +238,12 @@ std::int64_t Check::add_robot(const CheckedRobot& robot) {
   return index;
 }
 
+void Check::set_walls(std::vector<CheckedWall> walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    judge::require_sound("walls." + std::to_string(k), walls[k]);
+  state_->walls.set_walls(std::move(walls));
+}
+
 void Check::add(double time, std::span<const CheckedState> rows) {
   State& state = *state_;
   state.require_sound(time, rows);
@@ -252,6 +252,8 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   if (begins) state.last_time = state.report.from = time;
   state.movers.clear();
   for (const CheckedState& row : rows) state.judge_row(time, row);
+  for (const Mover& robot : state.movers)
+    state.walls.judge(robot, {state.last_time, state.duration, state.options.relative_tolerance});
   for (std::size_t k = 0; k < state.obstacles.size(); ++k)
     state.movers.push_back(judge::obstacle_mover(state.obstacles[k], static_cast<std::int64_t>(k),
                                                  state.last_time, time));
@@ -284,12 +286,13 @@ CheckReport Check::report() const {
   report.obstacle_contacts_moving.count = static_cast<std::int64_t>(state.moving_contacts.size());
   report.obstacle_contacts_at_rest =
       static_cast<std::int64_t>(state.contacts.size() - state.moving_contacts.size());
+  state.walls.write(report);
   return report;
 }
 
 bool CheckReport::safe() const {
-  return overlaps.count == 0 && obstacle_contacts_moving.count == 0 && accelerations.count == 0 &&
-         speeds.count == 0 && jumps.count == 0;
+  return overlaps.count == 0 && obstacle_contacts_moving.count == 0 && static_contacts.count == 0 &&
+         accelerations.count == 0 && speeds.count == 0 && jumps.count == 0;
 }
 
 }  // namespace avo

@@ -34,6 +34,12 @@ void require_sound(const std::string& place, const CheckedObstacle& obstacle) {
   require(place + ".radius", obstacle.radius, kPositive, "m");
 }
 
+void require_sound(const std::string& place, const CheckedWall& wall) {
+  require(place + ".a", wall.a, "m");
+  require(place + ".b", wall.b, "m");
+  require(place + ".radius", wall.radius, kNotNegative, "m");
+}
+
 void require_sound(const CheckOptions& options) {
   const double tolerance = options.relative_tolerance;
   if (!(tolerance >= 0.0 && tolerance < 1.0))

@@ -71,9 +71,10 @@ Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double
   return mover;
 }
 
-RelativePath path_of(const Mover& mover, double duration) {
-  if (mover.newcomer) return {{mover.to, mover.to, mover.to, mover.to}};
-  return cubic(mover.from, mover.from_velocity, mover.to, mover.to_velocity, duration);
+RelativePath path_of(const Mover& mover, double duration, Vec2 origin) {
+  const Vec2 to = mover.to - origin;
+  if (mover.newcomer) return {{to, to, to, to}};
+  return cubic(mover.from - origin, mover.from_velocity, to, mover.to_velocity, duration);
 }
 
 RelativePath relative_path(const Mover& a, const Mover& b, double duration) {

@@ -25,8 +25,8 @@ Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const C
 Mover newcomer(const CheckedRobot& robot, const CheckedState& now);
 Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double from, double to);
 
-/// The path of one mover, m.
-RelativePath path_of(const Mover& mover, double duration);
+/// The path of one mover, seen from a point at rest, m.
+RelativePath path_of(const Mover& mover, double duration, Vec2 origin = {});
 /// Are the two there at the end of the step only?
 inline bool end_only(const Mover& a, const Mover& b) {
   return a.newcomer || b.newcomer;

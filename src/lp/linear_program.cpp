@@ -39,8 +39,8 @@ ProgramResult nearest_to_speed_disc(const Disc& acceleration, double top_speed) 
   return result;
 }
 
-// The largest violation of the half-planes as given. It is not 0 even where scaling the point back has made it so, among
-// denormal numbers.
+// The largest violation of the half-planes as given. It is not 0 even where scaling the point back
+// has made it so, among denormal numbers.
 double violation_at(std::span<const HalfPlane> planes, Vec2 u, double scaled_back) {
   double largest = 0.0;
   for (const HalfPlane& plane : planes) largest = std::max(largest, violation(plane, u));

@@ -12,26 +12,16 @@
 #include <vector>
 
 #include "avo/velocity_obstacle.h"
+#include "metrics/body.h"
 #include "metrics/not_arrived.h"
-#include "metrics/separation.h"
+#include "metrics/wall_contacts.h"
 #include "neighbors/uniform_grid.h"
 
 namespace avo {
 namespace {
 
-constexpr double kContact = 1e-9;         // of the sum of radii: less overlap than that is rounding
 constexpr std::size_t kMostListed = 100;  // of those that have not arrived
 constexpr double kRounding = 1e-12;       // of a limit: less excess than that is rounding
-
-// A robot or a moving obstacle over one step.
-struct Body {
-  std::uint64_t name = 0;  // id of a robot, index of an obstacle
-  double radius = 0.0;
-  Vec2 position, velocity;
-  Vec2 w;             // v' - v, m/s
-  bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
-  StepPath path;
-};
 
 // In the order of PlanStatus.
 constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
@@ -42,6 +32,7 @@ constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
 
 struct Metrics::State {
   Scenario settings;
+  std::optional<Response> response;  // of robots that move by Eqs. (8), (9)
   RunSummary summary;
   std::map<std::uint64_t, std::optional<double>> arrival;  // s, of every robot that ever was
   std::set<std::pair<std::uint64_t, std::uint64_t>> collided, collided_with_obstacle;
@@ -55,6 +46,7 @@ struct Metrics::State {
   std::vector<Vec2> positions;
   SearchScratch scratch;
   UniformGrid grid;
+  WallContacts walls;
 
   void remember(const Simulation& simulation);
   void collect_robots(const Simulation& simulation);
@@ -117,12 +109,9 @@ void Metrics::State::collect_obstacles(const Simulation& simulation) {
 // of moving obstacles) and straight lines. For the arc of a car at the paper's limits it is within
 // 7e-8 m at 2 m/s, 3e-5 m at 0.1 m/s.
 double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
-  const bool exponential =
-      !adopts_at_once(settings.method) && settings.motion == Motion::exponential;
-  if (!exponential || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
+  if (!response || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
   const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};
-  const Obstacle obstacle{pair, Response::proportional(planner_options(settings).control_time),
-                          settings.time_step};
+  const Obstacle obstacle{pair, *response, settings.time_step};
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
 }
 
@@ -152,11 +141,7 @@ void Metrics::State::observe_separation() {
   double largest = 0.0, farthest = 0.0;  // radius and way of a step, m
   const auto measure = [&](const Body& body) {
     largest = std::max(largest, body.radius);
-    double way = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      way = std::max(way, 3.0 * norm(body.path.control[k + 1] - body.path.control[k]));
-    }
-    farthest = std::max(farthest, way);
+    farthest = std::max(farthest, way_of(body));
   };
   std::for_each(robots.begin(), robots.end(), measure);
   if (robots.size() > 1 && !summary.min_clearance) {
@@ -208,15 +193,20 @@ void Metrics::State::observe_arrivals(const Simulation& simulation) {
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     std::optional<double>& time = arrival[fleet.id[i].value];
     if (time) continue;
-    const double left = norm(fleet.goal[i] - fleet.position[i]);
-    if (left <= settings.arrival_distance) time = simulation.time();
+    if (simulation.is_at_goal(i)) time = simulation.time();
   }
+  summary.unreachable.clear();
+  for (const RobotId robot : simulation.unreachable()) summary.unreachable.push_back(robot.value);
 }
 
 Metrics::Metrics(const Scenario& scenario) : state_(std::make_unique<State>()) {
   state_->settings = scenario;
+  if (!adopts_at_once(scenario.method) && scenario.motion == Motion::exponential)
+    state_->response = Response::proportional(planner_options(scenario).control_time);
+  state_->walls.search = WallSearch(walls_of(scenario.obstacles));
   state_->settings.robots.clear();
   state_->settings.moving_obstacles.clear();
+  state_->settings.obstacles.clear();
   state_->summary.scene = scenario.name;
   state_->summary.seed = scenario.seed;
 }
@@ -230,6 +220,7 @@ void Metrics::observe(const Simulation& simulation) {
   state.collect_robots(simulation);
   state.collect_obstacles(simulation);
   state.observe_separation();
+  state.walls.observe(state.robots, state.response, state.settings.time_step);
   state.remember(simulation);
   state.summary.steps = simulation.steps();
   state.started = true;
@@ -253,6 +244,8 @@ RunSummary Metrics::summary() const {
   if (summary.arrived > 0 && summary.arrived == summary.robots) summary.last_arrival = last;
   summary.collision_pairs = static_cast<std::int64_t>(state_->collided.size());
   summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
+  summary.collision_obstacles = static_cast<std::int64_t>(state_->walls.touched.size());
+  summary.min_obstacle_clearance = state_->walls.least_clearance;
   for (std::size_t i = 0; i < state_->last.robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
     if (state_->arrival.at(state_->last.robots[i].id.value)) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance of two bodies in continuous time over one step, by subdivision of Bézier curves.
+// Distances in continuous time over one step: paths are halved until the hulls of their parts tell.
 #include "metrics/separation.h"
 
 #include <algorithm>
@@ -8,7 +8,8 @@
 namespace avo {
 namespace {
 
-// A piece of the relative path and the fractions of the step that it spans.
+// A piece of a path, in the hull of these points from its start to its end, and the fractions of
+// the step that it spans.
 struct Piece {
   std::array<Vec2, 4> b;
   double from, to;
@@ -28,6 +29,17 @@ std::array<Piece, 2> halves(const Piece& piece) {
       {{{b[0], b01, b012, center}, piece.from, half}, {{center, b123, b23, b[3]}, half, piece.to}}};
 }
 
+// g is convex: the path lies between its chord and its tangents.
+Piece piece_of(const ResponsePath& path, double from, double to) {
+  const double start = from * path.time_step, end = to * path.time_step;
+  const auto at = [&path](double t) {
+    return path.position + t * path.velocity + path.response.gain(t) * path.w;
+  };
+  const Vec2 first = at(start), last = at(end);
+  const Vec2 velocity = path.velocity + path.response.rate(start) * path.w;
+  return {{first, first + (end - start) * velocity, last, last}, from, to};
+}
+
 // A curve lies in the hull of its control points, so in any direction none of it is nearer to the
 // origin than they are; the direction of its middle makes the bound sharp to second order.
 double lower_bound(const Piece& piece) {
@@ -37,6 +49,69 @@ double lower_bound(const Piece& piece) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2 point : piece.b) least = std::min(least, dot(towards, point));
   return least / length;
+}
+
+// Of two bounds the better one. All the piece is as near to its chord as the points of its hull
+// are. In the direction from the segment to the chord, no point of the piece is nearer than theirs:
+// exact for a motion along the segment; but of two that nearly touch, rounding hides the direction.
+double lower_bound(const Piece& piece, const Segment& segment) {
+  const Segment chord{piece.b[0], piece.b[3]};
+  const auto [on_chord, foot, apart] = nearest_points(chord, segment);
+  const double off = std::max(distance(piece.b[1], chord), distance(piece.b[2], chord));
+  if (!(apart > off)) return 0.0;
+  const Vec2 along = segment.b - segment.a, away = on_chord - foot;
+  Vec2 direction = away / apart;
+  if (foot != segment.a && foot != segment.b) {
+    direction = perpendicular(along) / norm(along);
+    if (dot(direction, away) < 0.0) direction = -1.0 * direction;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2 point : piece.b) least = std::min(least, dot(direction, point - foot));
+  const double most =
+      std::max({0.0, dot(direction, segment.a - foot), dot(direction, segment.b - foot)});
+  return std::max(least - most, apart - off);
+}
+
+double size_of(const Piece& piece, Vec2 origin) {
+  double size = 0.0;
+  for (const Vec2 point : piece.b) size = std::max(size, norm(point - origin));
+  return size;
+}
+
+// Least distance(point) of the path, to `resolution`; bound(piece) is not above that of any of its
+// points.
+template <typename Halves, typename Distance, typename Bound>
+Separation least(const Piece& whole, const Halves& halve, const Distance& distance,
+                 const Bound& bound, double cutoff, double resolution) {
+  Separation best{distance(whole.b[0]), 0.0};
+  const double at_end = distance(whole.b[3]);
+  if (at_end < best.distance) best = {at_end, 1.0};
+  // depth first, the nearer half first; a halving leaves one piece behind, so 64 are enough
+  std::array<Piece, 64> stack;
+  std::size_t count = 0;
+  stack[count++] = whole;
+  while (count > 0) {
+    const Piece piece = stack[--count];
+    if (bound(piece) >= std::min(best.distance, cutoff) - resolution) continue;
+    if (count + 2 > stack.size()) continue;
+    const auto [left, right] = halve(piece);
+    const double at_half = distance(left.b[3]);
+    if (at_half < best.distance) best = {at_half, left.to};
+    const bool left_first = bound(left) < bound(right);
+    stack[count++] = left_first ? right : left;
+    stack[count++] = left_first ? left : right;
+  }
+  return best;
+}
+
+template <typename Halves>
+double from_segment(const Piece& whole, const Halves& halve, const Segment& segment,
+                    double cutoff) {
+  const double size = std::max(size_of(whole, segment.a), size_of(whole, segment.b));
+  return least(
+             whole, halve, [&](Vec2 point) { return distance(point, segment); },
+             [&](const Piece& piece) { return lower_bound(piece, segment); }, cutoff, 1e-13 * size)
+      .distance;
 }
 
 Piece relative_path(const StepPath& a, const StepPath& b) {
@@ -63,29 +138,21 @@ StepPath hermite_path(Vec2 position, Vec2 velocity, Vec2 next_position, Vec2 nex
 
 Separation separation(const StepPath& a, const StepPath& b, double cutoff) {
   const Piece whole = relative_path(a, b);
-  Separation best{norm(whole.b[0]), 0.0};
-  if (norm(whole.b[3]) < best.distance) best = {norm(whole.b[3]), 1.0};
-  double size = 0.0;
-  for (const Vec2 point : whole.b) size = std::max(size, norm(point));
-  const double resolution = 1e-13 * size;
+  return least(
+      whole, halves, [](Vec2 point) { return norm(point); },
+      [](const Piece& piece) { return lower_bound(piece); }, cutoff, 1e-13 * size_of(whole, {}));
+}
 
-  // depth first, the nearer half first; a halving leaves one piece behind, so 64 are enough
-  std::array<Piece, 64> stack;
-  std::size_t count = 0;
-  stack[count++] = whole;
-  while (count > 0) {
-    const Piece piece = stack[--count];
-    const double bound = lower_bound(piece);
-    if (bound >= std::min(best.distance, cutoff) - resolution) continue;
-    if (count + 2 > stack.size()) continue;
-    const auto [left, right] = halves(piece);
-    const double at_half = norm(left.b[3]);
-    if (at_half < best.distance) best = {at_half, left.to};
-    const bool left_first = lower_bound(left) < lower_bound(right);
-    stack[count++] = left_first ? right : left;
-    stack[count++] = left_first ? left : right;
-  }
-  return best;
+double separation(const StepPath& path, const Segment& segment, double cutoff) {
+  return from_segment({path.control, 0.0, 1.0}, halves, segment, cutoff);
+}
+
+double separation(const ResponsePath& path, const Segment& segment, double cutoff) {
+  const auto halve = [&path](const Piece& piece) {
+    const double half = 0.5 * (piece.from + piece.to);
+    return std::array<Piece, 2>{piece_of(path, piece.from, half), piece_of(path, half, piece.to)};
+  };
+  return from_segment(piece_of(path, 0.0, 1.0), halve, segment, cutoff);
 }
 
 double first_below(const StepPath& a, const StepPath& b, double distance, double fraction) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance of two bodies in continuous time over one step.
+// Distance of two bodies, and of a body and a wall, in continuous time over one step.
 #pragma once
 #include <array>
 
+#include "avo/response.h"
 #include "avo/vec.h"
+#include "walls/segment.h"
 
 namespace avo {
 
@@ -16,6 +18,13 @@ struct StepPath {
 StepPath hermite_path(Vec2 position, Vec2 velocity, Vec2 next_position, Vec2 next_velocity,
                       double time_step);
 
+/// A path over one step by Eqs. (8), (9): p + t v + g(t) w.
+struct ResponsePath {
+  Vec2 position, velocity, w;  // m, m/s
+  Response response;
+  double time_step;  // s
+};
+
 struct Separation {
   double distance = 0.0;  // m, smallest
   double fraction = 0.0;  // of the step, where it is smallest
@@ -24,6 +33,10 @@ struct Separation {
 /// Smallest distance between the two bodies, to 1e-12 of the paths' size. Stops early, with a
 /// distance that is still an upper bound, once it is known to exceed `cutoff`.
 Separation separation(const StepPath& a, const StepPath& b, double cutoff);
+
+/// Smallest distance from the segment, likewise.
+double separation(const StepPath& path, const Segment& segment, double cutoff);
+double separation(const ResponsePath& path, const Segment& segment, double cutoff);
 
 /// First fraction of the step at which the distance falls below `distance`, given that it does at
 /// `fraction`.

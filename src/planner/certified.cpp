@@ -45,7 +45,8 @@ bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
   return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.constraints);
 }
 
-// For every neighbor that refuses the path asked about last, the tangent of its worst constraint.
+// For every neighbor that refuses the path asked about last, the tangent of its worst constraint,
+// and for every wall that does its cut.
 void append_cuts(const Proposals& proposals) {
   const CertificateConstraints& constraints = proposals.workspace.constraints;
   const ConstraintColumns& columns = constraints.trajectories.columns;
@@ -61,6 +62,8 @@ void append_cuts(const Proposals& proposals) {
     }
     first = last;
   }
+  append_wall_cuts(constraints.walls, constraints.path, proposals.law.step,
+                   kInside * proposals.acceleration.radius, proposals.workspace.hard);
 }
 
 // Braking trajectories are not convex in v_1: the constraints that a proposal violates are added as
@@ -119,7 +122,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
                 result.point == proposals.wanted ? Chosen::wanted : Chosen::candidate};
       }
       const std::size_t before = workspace.hard.size();
-      append_cuts(proposals);  // of movers
+      append_cuts(proposals);  // of movers and walls
       if (workspace.hard.size() == before) break;
     }
   }

@@ -33,7 +33,7 @@ struct Decision {
   const Robot& robot;
   CertificateLaw law;
   Disc acceleration;  // of v'
-  std::span<const HalfPlane> half_planes;
+  std::span<const HalfPlane> half_planes, walls;
   CertifiedWorkspace& certified;
 
   double decrement() const { return braking_decrement(robot.max_acceleration, law.step); }
@@ -80,7 +80,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = turned_right(wish, detour.angle);
     const Vec2 unhindered = approach(robot.velocity, turned, decision.decrement());
-    choice = choose_by_program(decision, {}, turned);
+    choice = choose_by_program(decision, decision.walls, turned);
     if (is_way_blocked(decision, choice, unhindered, turned)) turn_off(detour, robot, time_step);
     if (choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
   } else if (detour.angle > 0.0) {
@@ -90,9 +90,11 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   return choice;
 }
 
-PlanStatus status_of(Chosen chosen, double violation, const Invariant& invariant,
+PlanStatus status_of(Chosen chosen, double violation, const CertificateConstraints& constraints,
                      bool overlapping) {
-  if (overlapping || invariant.broken >= 0 || invariant.touched) return PlanStatus::overlapping;
+  const Invariant& invariant = constraints.invariant;
+  if (overlapping || invariant.broken >= 0 || invariant.touched || constraints.walls.broken)
+    return PlanStatus::overlapping;
   if (chosen == Chosen::backup) return PlanStatus::braking;
   return chosen == Chosen::candidate ? PlanStatus::candidate : avo::status_of(false, violation);
 }
@@ -110,19 +112,20 @@ Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocit
 Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
              std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour) {
   const Robot robot = robots.robot(i);
-  const Decision decision{robot, law, planner.acceleration_disc(robot), wished.half_planes,
-                          certified};
+  const Decision decision{
+      robot, law, planner.acceleration_disc(robot), wished.half_planes, wished.walls, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
-  return plan_under(law, robot, choice.next_velocity,
-                    status_of(choice.chosen, wished.violation, certified.constraints.invariant,
-                              wished.overlapping),
-                    wished.violation);
+  return plan_under(
+      law, robot, choice.next_velocity,
+      status_of(choice.chosen, wished.violation, certified.constraints, wished.overlapping),
+      wished.violation);
 }
 
 Plan certify_among_movers(const Planner& planner, const Robot& robot,
-                          std::span<const Neighbor> neighbors, const PassiveChoice& target,
-                          bool overlapping, PlanWorkspace::Scratch& scratch) {
+                          std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                          const PassiveChoice& target, bool overlapping,
+                          PlanWorkspace::Scratch& scratch) {
   CertifiedWorkspace& certified = scratch.certified;
   const CertificateLaw law = certificate_law(planner);
   std::vector<Neighbor>& movers = scratch.movers;
@@ -131,14 +134,13 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
     if (mover.behavior == Behavior::decides) mover.acceleration = {};
     mover.behavior = Behavior::moves_on;
   }
-  collect_constraints(robot, movers, law, certified.constraints);
+  collect_constraints(robot, movers, law, certified.constraints, walls);
   const Vec2 wanted = approach(robot.velocity, target.velocity,
                                braking_decrement(robot.max_acceleration, law.step));
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  return plan_under(
-      law, robot, choice.next_velocity,
-      status_of(choice.chosen, target.violation, certified.constraints.invariant, overlapping),
-      target.violation);
+  return plan_under(law, robot, choice.next_velocity,
+                    status_of(choice.chosen, target.violation, certified.constraints, overlapping),
+                    target.violation);
 }
 
 }  // namespace avo

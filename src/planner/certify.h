@@ -17,15 +17,16 @@ CertificateLaw certificate_law(const Planner& planner);
 Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocity,
                 PlanStatus status, double violation);
 
-/// Robot i of those that find_near() was given last: nearest to what the program made of its wish,
-/// or on a detour.
+/// Robot i of those that find_near() was given last, whose walls begin_walls() knows: nearest to
+/// what the program made of its wish, or on a detour.
 Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
              std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour);
 
 /// One robot on its way to a target outside the obstacles of movers (§III-C), none of which
 /// decides, whatever it could do.
 Plan certify_among_movers(const Planner& planner, const Robot& robot,
-                          std::span<const Neighbor> neighbors, const PassiveChoice& target,
-                          bool overlapping, PlanWorkspace::Scratch& scratch);
+                          std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                          const PassiveChoice& target, bool overlapping,
+                          PlanWorkspace::Scratch& scratch);
 
 }  // namespace avo

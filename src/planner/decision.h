@@ -5,6 +5,7 @@
 #include <span>
 
 #include "avo/planner.h"
+#include "avo/wall.h"
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 
@@ -13,6 +14,7 @@ namespace avo {
 /// Whether every number is finite and in range.
 bool is_valid(const Robot& robot);
 bool is_valid(const Neighbor& neighbor);
+bool is_valid(const Wall& wall);
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors);
 bool all_valid(const Robot& robot, const Neighbors& neighbors);
 
@@ -48,7 +50,8 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
 /// What the paper's program made of a wish.
 struct Wished {
   std::span<const HalfPlane> half_planes;
-  Vec2 wish;                 ///< m/s
+  std::span<const HalfPlane> walls;  ///< those of them that walls ask for
+  Vec2 wish;                         ///< m/s
   Vec2 next, unhindered;     ///< m/s, as far as one step leads to Eq. (23)'s choice and to the wish
   double violation = 0.0;    ///< m/s
   bool overlapping = false;  ///< with whom it does not matter
@@ -77,6 +80,7 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
 
 /// Planner::plan_among_obstacles().
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
-                            std::span<const Neighbor> obstacles, PlanWorkspace::Scratch& scratch);
+                            std::span<const Neighbor> obstacles, std::span<const Wall> walls,
+                            PlanWorkspace::Scratch& scratch);
 
 }  // namespace avo

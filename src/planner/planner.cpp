@@ -83,6 +83,11 @@ bool is_valid(const Neighbor& neighbor) {
   return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able)) != 0;
 }
 
+bool is_valid(const Wall& wall) {
+  const int places = is_known(wall.a) & is_known(wall.b);
+  return (places & static_cast<int>(wall.radius >= 0.0) & is_known(wall.radius)) != 0;
+}
+
 bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
   return is_valid(robot) && std::all_of(neighbors.begin(), neighbors.end(),
                                         [](const Neighbor& n) { return is_valid(n); });
@@ -110,6 +115,15 @@ void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t b
   certified.hard.reserve(kMostCuts * neighbors);
   certified.rows.reserve(program_rows(kMostCuts * neighbors));
   reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
+}
+
+void PlanWorkspace::Scratch::reserve_walls(std::size_t walls) {
+  certified.constraints.walls.near.reserve(walls);
+  const std::size_t cuts = certified.hard.capacity() + kMostCuts * walls;
+  certified.hard.reserve(cuts);
+  certified.rows.reserve(program_rows(cuts));
+  wall_planes.reserve(rows.capacity() + walls);
+  rows.reserve(rows.capacity() + program_rows(walls));
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
@@ -190,7 +204,8 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
 }
 
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
-                            std::span<const Neighbor> given, PlanWorkspace::Scratch& scratch) {
+                            std::span<const Neighbor> given, std::span<const Wall> walls,
+                            PlanWorkspace::Scratch& scratch) {
   const PlannerOptions& options = planner.options();
   if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, options)) {
     return brake(planner, robot, PlanStatus::invalid_input, 0.0);
@@ -218,7 +233,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     return brake(planner, robot, PlanStatus::braking, choice.violation);
   }
   if (options.method == Method::avo) {
-    return certify_among_movers(planner, robot, obstacles, choice, overlapping, scratch);
+    return certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
   }
   const PlanStatus status = overlapping                          ? PlanStatus::overlapping
                             : choice.state == PassiveState::free ? PlanStatus::optimal
@@ -245,10 +260,12 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
 }  // namespace
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
-                   PlanWorkspace& workspace, Detour* detour) const {
+                   PlanWorkspace& workspace, Detour* detour, std::span<const Wall> walls) const {
   Detour next = detour != nullptr && is_sound(*detour) ? *detour : Detour{};
   Plan plan;
-  if (all_valid(robot, neighbors) && follows_heading(robot)) {
+  const bool walls_valid =
+      std::all_of(walls.begin(), walls.end(), [](const Wall& wall) { return is_valid(wall); });
+  if (all_valid(robot, neighbors) && walls_valid && follows_heading(robot)) {
     StageClock clock;
     PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
     Tile& tile = scratch.alone;
@@ -258,6 +275,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
     tile.detour.push_back(&next);
     tile.plan.push_back(&plan);
     tile.slot.push_back(0);
+    if (!walls.empty()) tile.walls.push_back(walls);
     plan_together(*this, tile, scratch, clock);
   } else {
     plan = brake(*this, robot, PlanStatus::invalid_input, 0.0);
@@ -270,7 +288,7 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
                                    PlanWorkspace& workspace) const {
   return with_next_velocity(
       *this, robot,
-      decide_among_obstacles(*this, robot, obstacles, PlanWorkspace::Scratch::of(workspace)));
+      decide_among_obstacles(*this, robot, obstacles, {}, PlanWorkspace::Scratch::of(workspace)));
 }
 
 }  // namespace avo

@@ -22,6 +22,7 @@ struct PlanWorkspace::Scratch {
   DecisionColumns decisions;
   ProgramBatch programs;
   ProgramRows rows;
+  std::vector<HalfPlane> wall_planes;  // of one robot, its other ones behind them
   std::vector<PassiveObstacle> obstacles;
   // of the neighbors given: numbers, and themselves sorted by distance
   std::vector<std::uint32_t> order;
@@ -33,6 +34,8 @@ struct PlanWorkspace::Scratch {
 
   /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);
+  /// And for so many walls besides.
+  void reserve_walls(std::size_t walls);
 };
 
 }  // namespace avo

@@ -3,9 +3,11 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "avo/planner.h"
+#include "avo/wall.h"
 #include "core/robot_columns.h"
 
 namespace avo {
@@ -13,17 +15,22 @@ namespace avo {
 /// Allocates only while it grows.
 struct Tile {
   RobotColumns robots;
-  NeighborColumns neighbors;        ///< of all the robots, each one's by distance and id
-  std::vector<Detour*> detour;      ///< of each robot; updated
-  std::vector<Plan*> plan;          ///< filled, but for next_velocity: moving the robot tells that
-  std::vector<std::uint32_t> slot;  ///< what whoever fills the tile calls each robot
+  NeighborColumns neighbors;    ///< of all the robots, each one's by distance and id
+  std::vector<Detour*> detour;  ///< of each robot; updated
+  std::vector<Plan*> plan;      ///< filled, but for next_velocity: moving the robot tells that
+  std::vector<std::span<const Wall>> walls;  ///< of each robot; none where no robot has any
+  std::vector<std::uint32_t> slot;           ///< what whoever fills the tile calls each robot
   bool trusted = true;  ///< the robots and their neighbors are known to be finite and in range
 
+  std::span<const Wall> walls_of(std::size_t i) const {
+    return walls.empty() ? std::span<const Wall>{} : walls[i];
+  }
   void clear() {
     robots.clear();
     neighbors.clear();
     detour.clear();
     plan.clear();
+    walls.clear();
     slot.clear();
     trusted = true;
   }
@@ -32,6 +39,7 @@ struct Tile {
     neighbors.reserve(most_neighbors);
     detour.reserve(most_robots);
     plan.reserve(most_robots);
+    walls.reserve(most_robots);
     slot.reserve(most_robots);
   }
 };

@@ -11,6 +11,7 @@
 #include "planner/arrival.h"
 #include "planner/certify.h"
 #include "planner/scratch.h"
+#include "planner/wall_planes.h"
 
 namespace avo {
 namespace {
@@ -67,6 +68,42 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   }
 }
 
+// The half-planes of robot i: those of its walls, so many as are returned, and those of neighbors.
+std::size_t collect_hard_and_soft(const Robot& robot, const Tile& tile, std::size_t i,
+                                  const StepLaw& law, const SoftPlanes& soft,
+                                  std::vector<HalfPlane>& planes) {
+  planes.clear();
+  append_speed_planes(robot, tile.walls_of(i), law, planes);
+  const std::size_t walls = planes.size();
+  planes.insert(planes.end(), soft.of(i).begin(), soft.of(i).end());
+  return walls;
+}
+
+// Walls are hard: where a target drives at one too fast, Eq. (23) is asked again with the walls'
+// half-planes, and where that has no solution the half-planes of neighbors yield.
+void slow_before_walls(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch) {
+  const StepLaw law = certificate_law(planner).step;
+  DecisionColumns& decisions = scratch.decisions;
+  std::vector<HalfPlane>& planes = scratch.wall_planes;
+  for (std::size_t i = 0; i < tile.robots.count; ++i) {
+    if (tile.walls_of(i).empty() || decisions.state[i] == ProgramState::discs_disjoint) continue;
+    const Robot robot = tile.robots.robot(i);
+    const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
+    const std::size_t walls = collect_hard_and_soft(robot, tile, i, law, scratch.soft, planes);
+    const std::span<const HalfPlane> hard = std::span(planes).first(walls);
+    if (std::all_of(hard.begin(), hard.end(),
+                    [&](const HalfPlane& plane) { return violation(plane, target) <= 0.0; }))
+      continue;
+    ProgramResult result = solve_program(planner, robot, planes, decisions.wish(i), scratch.rows);
+    if (result.state == ProgramState::least_unsafe) {
+      result = solve_program(planner, robot, hard, target, scratch.rows);
+      for (const HalfPlane& plane : scratch.soft.of(i))
+        result.violation = std::max(result.violation, violation(plane, result.point));
+    }
+    decisions.take(i, result);
+  }
+}
+
 // What each robot wishes for.
 void make_wishes(const PlannerOptions& options, const Tile& tile, DecisionColumns& decisions) {
   const RobotColumns& robots = tile.robots;
@@ -106,6 +143,18 @@ double most_violation(const SoftPlanes& soft, std::size_t i, double violation) {
   return violation;
 }
 
+// With no certificate there is nothing that they demand.
+void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
+                 const CertificateLaw& law, WallConstraints& walls) {
+  const std::span<const Wall> near = tile.walls_of(i);
+  if (near.empty() || law.kind == Certificate::none) {
+    walls.near.clear();
+    walls.broken = walls.must_brake = false;
+  } else {
+    begin_walls(robots.robot(i), near, law.step, walls);
+  }
+}
+
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
 void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch) {
   const CertificateLaw law = certificate_law(planner);
@@ -122,14 +171,23 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
     Plan& plan = *tile.plan[i];
     const bool overlapping = soft.overlapping[i] != 0;
     const double violation = most_violation(soft, i, decisions.violation[i]);
-    if (decisions.is_free[i] != 0.0 && is_unhindered(law, tile, near, i)) {
+    WallConstraints& walls = scratch.certified.constraints.walls;
+    begin_walls(robots, tile, i, law, walls);
+    if (decisions.is_free[i] != 0.0 && is_unhindered(law, tile, near, i) && walls.near.empty()) {
       plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
       plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
       plan.violation = violation;
       plan.status = status_of(overlapping, violation);
       continue;
     }
-    const Wished wished{soft.of(i),
+    std::span<const HalfPlane> planes = soft.of(i), hard;
+    if (!tile.walls_of(i).empty()) {
+      const std::size_t count =
+          collect_hard_and_soft(robots.robot(i), tile, i, law.step, soft, scratch.wall_planes);
+      planes = scratch.wall_planes, hard = planes.first(count);
+    }
+    const Wished wished{planes,
+                        hard,
                         decisions.wish(i),
                         {decisions.next_x[i], decisions.next_y[i]},
                         {decisions.unhindered_x[i], decisions.unhindered_y[i]},
@@ -170,7 +228,8 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const bool has_movers = tile.neighbors.has_movers || options.method == Method::velocity_obstacle;
   if (!has_movers || !is_among_movers(options, neighbors)) return false;
   list(neighbors, scratch.listed);
-  *tile.plan[i] = decide_among_obstacles(planner, robots.robot(i), scratch.listed, scratch);
+  *tile.plan[i] =
+      decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i), scratch);
   *tile.detour[i] = {};
   return true;
 }
@@ -187,6 +246,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
     std::swap(tile.detour[i], tile.detour[last]);
     std::swap(tile.plan[i], tile.plan[last]);
     std::swap(tile.slot[i], tile.slot[last]);
+    if (!tile.walls.empty()) std::swap(tile.walls[i], tile.walls[last]);
   }
 }
 
@@ -201,6 +261,8 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_wishes(options, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
+  if (options.method == Method::avo && !tile.walls.empty())
+    slow_before_walls(planner, tile, scratch);
   clock.lap(Stage::program);
   if (options.method == Method::avo) {
     decide(planner, tile, scratch);

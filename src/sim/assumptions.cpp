@@ -197,6 +197,7 @@ BrokenAssumptions broken_assumptions(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
   if (law.kind == Certificate::none) return result;
   find_broken_starts(scenario, law, result);
+  find_wall_starts(scenario, law, result);
   find_fast_starts(scenario, result);
   const std::optional<SensingNeed> need = sensing_need(scenario);
   if (!suffices(scenario.sensing_radius, need)) result.unseen = need;

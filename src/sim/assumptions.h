@@ -13,6 +13,10 @@ CertificateLaw certificate_law(const Scenario& scenario);
 /// it moves on a parabola, robots do not where their motion is exponential.
 double prediction_error(const MovingObstacle& obstacle, const CertificateLaw& law);
 
+/// Starts beside static obstacles, in solids and out of bounds.
+void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
+                      BrokenAssumptions& result);
+
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed);
 
 /// What separates a broken start from the rounding of decimal fractions, of the length or speed.

@@ -8,6 +8,20 @@
 namespace avo {
 namespace {
 
+// Around walls: towards what is next on each robot's way.
+void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+  const Fleet& fleet = world.fleet;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::uint32_t slot = slots[k];
+    Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
+    const Heading heading =
+        follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
+               looks_around(fleet.id[slot], world.steps), worker.legs);
+    worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
+    worker.moving.preferred_speed[k] = heading.preferred_speed;
+  }
+}
+
 // Lays out what the robots of the tile know of themselves, and where each would go.
 void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
@@ -29,6 +43,12 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     tile.plan.push_back(&fleet.plan[slot]);
     tile.slot.push_back(slot);
   }
+  if (!world.statics.walls.empty()) {
+    for (const std::uint32_t slot : slots) {
+      tile.walls.push_back(world.statics.grid.near(fleet.position[slot]));
+    }
+  }
+  if (!world.ways.empty()) follow_ways(world, slots, worker);
   choose_ways(world.response, worker.moving, robots);
 }
 

@@ -24,6 +24,7 @@ constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
+constexpr std::size_t kStaticWords = 3, kChainWords = 2, kPointWords = 2;  // at least
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
 
 [[noreturn]] void refuse(const std::string& given, const std::string& allowed) {
@@ -142,6 +143,20 @@ void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& st
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, StaticObstacle& obstacle) {
+  auto fill = static_cast<std::uint8_t>(obstacle.fill);
+  describe(archive, obstacle.radius), describe(archive, fill);
+  if (fill > static_cast<std::uint8_t>(Fill::bounds)) refuse("an unknown fill", "a known one");
+  obstacle.fill = static_cast<Fill>(fill);
+  archive.size(obstacle.chains, kChainWords);
+  for (Chain& chain : obstacle.chains) {
+    describe(archive, chain.closed);
+    archive.size(chain.points, kPointWords);
+    for (Vec2& point : chain.points) describe(archive, point);
+  }
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
@@ -166,6 +181,10 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   }
   Scenario& scene = state.scene;
   for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
+  archive.size(scene.obstacles, kStaticWords);
+  for (StaticObstacle& obstacle : scene.obstacles) describe(archive, obstacle);
+  archive.size(state.targets, 1);
+  for (std::uint32_t& target : state.targets) describe(archive, target);
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);

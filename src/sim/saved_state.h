@@ -33,6 +33,7 @@ struct SavedState {
   std::uint64_t next_id = 0;
   std::vector<RobotState> robots;        // by ascending id, as many as the scene has
   std::vector<ObstacleState> obstacles;  // likewise
+  std::vector<std::uint32_t> targets;    // of the robots' ways, see Travel; none without walls
 };
 
 /// visit(key, member) for all that a scene has besides robots and obstacles.
@@ -51,6 +52,7 @@ void for_each_setting(const Visit& visit) {
   visit("samples", &Scenario::samples);
   visit("arrival_distance", &Scenario::arrival_distance);
   visit("seed", &Scenario::seed);
+  visit("navigation", &Scenario::navigation);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.

@@ -48,8 +48,10 @@ void require_same_scene(const Scenario& saved, const World& world) {
     return all;
   };
   const std::vector<MovingObstacle>&theirs = saved.moving_obstacles, &ours = world.obstacles.setup;
-  if (std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same)) return;
-  refuse("saved state: moving_obstacles", "others", "those of this simulation");
+  if (!std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same))
+    refuse("saved state: moving_obstacles", "others", "those of this simulation");
+  if (saved.obstacles != world.statics.obstacles)
+    refuse("saved state: obstacles", "others", "those of this simulation");
 }
 
 Fleet fleet_of(const SavedState& state) {
@@ -81,8 +83,10 @@ ObstacleColumns obstacles_of(const SavedState& state) {
 
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
-  SavedState state{world.settings, world.steps, world.next_id, {}, {}};
+  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}};
+  for (const Travel& travel : world.ways.travels) state.targets.push_back(travel.target);
   state.scene.moving_obstacles = world.obstacles.setup;
+  state.scene.obstacles = world.statics.obstacles;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
     state.obstacles.push_back({world.obstacles.position[k], world.obstacles.velocity[k]});
   }
@@ -100,9 +104,15 @@ void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   Fleet fleet = fleet_of(state);
   ObstacleColumns obstacles = obstacles_of(state);
+  std::vector<Travel> travels;
+  if (!world.ways.empty()) travels = travels_of(world.ways, fleet);
+  for (std::size_t k = 0; k < std::min(travels.size(), state.targets.size()); ++k) {
+    travels[k].target = state.targets[k];
+  }
   // nothing throws from here on
   std::swap(world.fleet, fleet);
   std::swap(world.obstacles, obstacles);
+  std::swap(world.ways.travels, travels);
   world.steps = state.steps;
   world.next_id = state.next_id;
   world.next_layout = state.steps + 1;

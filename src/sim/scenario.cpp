@@ -2,6 +2,7 @@
 // Which scenes can be simulated at all (the ranges of the paper's constants, §VI-A).
 #include "avo/scenario.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -46,6 +47,16 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
 }
 
+void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
+  const std::string_view list = "obstacles";
+  require(Place{list, k, "radius"}, obstacle.radius, kNotNegative, "m");
+  for (const Chain& chain : obstacle.chains) {
+    if (chain.points.empty())
+      refuse(std::string(Place{list, k, "chains"}), "one without points", "of a point at least");
+    for (const Vec2 point : chain.points) require(Place{list, k, "points"}, point, "m");
+  }
+}
+
 void check_duration(const Scenario& scenario) {
   const double dt = scenario.time_step;
   require("duration", scenario.duration, kPositive, "s");
@@ -73,6 +84,19 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   }
 }
 
+// The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
+void check_beside_walls(const Scenario& scenario, const PlannerOptions& options) {
+  for (std::size_t i = 0; i < scenario.robots.size() && !scenario.obstacles.empty(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    const double most = std::min(robot.max_acceleration * options.time_step, 2.0 * robot.max_speed);
+    const double height = 0.25 * most * options.time_step;
+    if (robot.radius > height) continue;
+    refuse(std::string(Place{"robots", i, "radius"}), text(robot.radius),
+           "> " + text(height) + " m beside obstacles, with a certificate: what a step of " +
+               text(options.time_step) + " s can turn off its way");
+  }
+}
+
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
@@ -81,6 +105,7 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
              "none with a certificate where motion is exponential");
   }
   check_braking(scenario, options);
+  check_beside_walls(scenario, options);
 }
 
 }  // namespace
@@ -96,6 +121,8 @@ void validate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
+  for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
+    check_static_obstacle(k, scenario.obstacles[k]);
   check_certificate(scenario, options);
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "avo/assumptions.h"
 #include "avo/error.h"
@@ -23,6 +24,8 @@ namespace {
 void check(const World& world, const RobotSetup& setup, RobotId robot) {
   Scenario scene = world.settings;
   scene.robots = {setup};
+  // what a robot needs beside any of them
+  if (!world.statics.obstacles.empty()) scene.obstacles = {world.statics.obstacles.front()};
   try {
     validate(scene);
   } catch (const Error& error) {
@@ -124,7 +127,14 @@ RobotId Simulation::add_robot(const RobotSetup& setup) {
   const RobotId robot{state_->next_id};
   check(*state_, setup, robot);
   check_sensing(*state_, setup, robot);
+  Ways& ways = state_->ways;
+  Travel travel;
+  if (!ways.empty()) {
+    travel = ways.plan(setup.radius, setup.position, setup.goal);
+    ways.travels.reserve(ways.travels.size() + 1);
+  }
   state_->fleet.add(robot, setup);
+  if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
   ++state_->next_id;
   state_->changed = true;
   state_->is_mirrored = false;
@@ -132,7 +142,10 @@ RobotId Simulation::add_robot(const RobotSetup& setup) {
 }
 
 void Simulation::remove_robot(RobotId robot) {
-  state_->fleet.remove(state_->fleet.find(robot));
+  const std::size_t slot = state_->fleet.find(robot);
+  std::vector<Travel>& travels = state_->ways.travels;
+  if (!travels.empty()) travels.erase(travels.begin() + state_->fleet.rank[slot]);
+  state_->fleet.remove(slot);
   state_->changed = true;
   state_->is_mirrored = false;
 }
@@ -143,6 +156,11 @@ void Simulation::set_goal(RobotId robot, Vec2 goal) {
   setup.position = setup.velocity = {};  // wherever it has got to
   setup.goal = goal;
   check(*state_, setup, robot);
+  Ways& ways = state_->ways;
+  if (!ways.empty()) {
+    ways.travels[static_cast<std::size_t>(state_->fleet.rank[slot])] =
+        ways.plan(setup.radius, state_->fleet.position[slot], goal);
+  }
   state_->fleet.goal[slot] = goal;
   state_->is_mirrored = false;
 }
@@ -180,12 +198,27 @@ std::int64_t Simulation::steps() const {
   return state_->steps;
 }
 
+bool Simulation::is_at_goal(std::size_t robot) const {
+  const std::uint32_t slot = state_->fleet.slot_of[robot];
+  const Vec2 p = state_->fleet.position[slot], goal = state_->fleet.goal[slot];
+  return norm(goal - p) <= state_->settings.arrival_distance && state_->ways.is_in_sight(p, goal);
+}
+
 bool Simulation::all_at_goal() const {
-  const Fleet& f = state_->fleet;
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    if (!(norm(f.goal[i] - f.position[i]) <= state_->settings.arrival_distance)) return false;
+  for (std::size_t i = 0; i < state_->fleet.size(); ++i) {
+    if (!is_at_goal(i)) return false;
   }
   return true;
+}
+
+std::vector<RobotId> Simulation::unreachable() const {
+  std::vector<RobotId> robots;
+  const std::vector<Travel>& travels = state_->ways.travels;
+  for (std::size_t rank = 0; rank < travels.size(); ++rank) {
+    if (travels[rank].target == Travel::kUnreachable)
+      robots.push_back(state_->fleet.id[state_->fleet.slot_of[rank]]);
+  }
+  return robots;
 }
 
 std::uint64_t Simulation::state_hash() const {
@@ -195,7 +228,7 @@ std::uint64_t Simulation::state_hash() const {
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const State& state = *state_;
   const std::uint32_t slot = state.fleet.slot_of[robot];
-  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], false};
+  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], false, {}};
   for (const NeighborHit& hit : all_hits(state, slot)) {
     if (!state.all_matter() && seen.source.size() == state.most_nearest()) break;
     const auto k = static_cast<std::size_t>(hit.index);
@@ -204,6 +237,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
                                          : state.fleet.sensed(state.fleet.slot_of[k]));
     seen.source.push_back(is_obstacle ? -1 - hit.index : hit.index);
   }
+  const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
+  seen.walls.assign(walls.begin(), walls.end());
   seen.among_movers = is_among_movers(state.planner.options(), seen.neighbors);
   return seen;
 }

@@ -90,7 +90,10 @@ void take_snapshot(World& world, Executor& executor) {
 void index(World& world, Executor& executor) {
   StageClock& clock = world.workers[0].clock;
   clock.start();
-  if (world.changed) find_ranges(world);
+  if (world.changed) {
+    find_ranges(world);
+    find_walls(world);
+  }
   const bool due = world.steps >= world.next_layout;
   if (world.changed || due) lay_out(world, executor);
   if (due) world.next_layout = world.steps + kStepsInOrder;

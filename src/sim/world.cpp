@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "planner/certify.h"
 #include "planner/scratch.h"
 
 namespace avo {
@@ -41,12 +42,22 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
+// Where the robot would head for now; it remembers nothing of this.
+Heading heading_of(const World& world, std::size_t slot) {
+  const Fleet& fleet = world.fleet;
+  Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
+  LegScratch scratch;
+  return follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
+                looks_around(fleet.id[slot], world.steps), scratch);
+}
+
 }  // namespace
 
 World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
     : settings(scenario),
       planner(planner_options(scenario)),
       response(step_response(planner)),
+      ways(scenario),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.reserve(scenario.robots.size());
@@ -54,7 +65,39 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
+  statics.obstacles.swap(settings.obstacles);
+  statics.walls = walls_of(statics.obstacles);
+  find_walls(*this);
+  if (!ways.empty()) ways.travels = travels_of(ways, fleet);
   for (Worker& worker : workers) reserve(*this, worker);
+}
+
+void find_walls(World& world) {
+  StaticWorld& statics = world.statics;
+  if (statics.walls.empty() || world.planner.options().method != Method::avo) return;
+  const StepLaw law = certificate_law(world.planner).step;
+  const Fleet& fleet = world.fleet;
+  WallRounding most;
+  double reach = 0.0;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    const auto& [radius, max_speed, max_acceleration, preferred, wheelbase] = fleet.traits[slot];
+    const double speed = std::max(max_speed, norm(fleet.velocity[slot]));
+    const WallRounding rounding = wall_rounding(radius, max_speed, max_acceleration, law);
+    most = {std::max(most.steps, rounding.steps), std::max(most.lengths, rounding.lengths)};
+    reach = std::max(reach, radius + wall_reach(speed, max_speed, max_acceleration, law));
+  }
+  if (reach <= statics.reach && most.steps <= statics.rounding.steps &&
+      most.lengths <= statics.rounding.lengths)
+    return;
+  statics.reach = reach, statics.rounding = most;
+  std::vector<double> within;
+  for (const Wall& wall : statics.walls) {
+    within.push_back((reach + wall.radius + wall_margin(wall, most)) * (1.0 + 0x1p-20));
+  }
+  statics.grid.build(statics.walls, within);
+  for (Worker& worker : world.workers) {
+    PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(statics.grid.most());
+  }
 }
 
 std::size_t World::most_nearest() const {
@@ -70,13 +113,17 @@ bool World::is_fast(std::size_t slot) const {
 Robot World::robot(std::size_t slot) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
+  Heading heading{goal, robot_traits.preferred_speed};
+  if (!ways.empty()) heading = heading_of(*this, slot);
+  RobotTraits traits = robot_traits;
+  traits.preferred_speed = heading.preferred_speed;
   Robot robot{.position = p,
               .velocity = v,
-              .preferred_velocity = preferred_velocity(p, v, robot_traits, goal, response),
+              .preferred_velocity = preferred_velocity(p, v, traits, heading.goal, response),
               .radius = robot_traits.radius,
               .max_acceleration = robot_traits.max_acceleration,
               .max_speed = robot_traits.max_speed,
-              .distance_to_goal = norm(goal - p)};
+              .distance_to_goal = norm(heading.goal - p)};
   if (robot_traits.wheelbase > 0.0)
     robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
   return robot;

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "certificate/wall_constraints.h"
 #include "core/executor.h"
 #include "core/stage_clock.h"
 #include "planner/relevance.h"
@@ -16,6 +17,8 @@
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
 #include "sim/snapshot.h"
+#include "sim/ways.h"
+#include "walls/wall_grid.h"
 
 namespace avo {
 
@@ -30,11 +33,22 @@ struct alignas(128) Worker {
   MovingColumns moving;
   std::vector<NeighborQuery> queries;
   SearchScratch search, obstacles;
+  LegScratch legs;
   bool fast = false;  // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
   StageClock clock;
   std::int64_t pairs = 0, infeasible = 0;
+};
+
+/// What does not move. Nobody looks at it where there are no obstacles.
+struct StaticWorld {
+  std::vector<StaticObstacle> obstacles;
+  std::vector<Wall> walls;
+  WallGrid grid;
+  // of robots, that the grid has been built for
+  double reach = -1.0;  // m
+  WallRounding rounding;
 };
 
 struct World {
@@ -43,6 +57,8 @@ struct World {
   StepResponse response;
   Fleet fleet;
   ObstacleColumns obstacles;
+  StaticWorld statics;
+  Ways ways;
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
 
@@ -68,6 +84,9 @@ struct World {
   bool is_fast(std::size_t slot) const;
   Robot robot(std::size_t slot) const;
 };
+
+/// Builds the grid of walls where a robot reaches farther than it was built for.
+void find_walls(World& world);
 
 /// Decides for the robots of the worker's tile, whose neighbors are known, moves them, and empties
 /// it.

@@ -19,8 +19,8 @@ const std::string kGood = "version: 1\nrobots:\n  - {position: [0, 0], goal: [1,
 const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, time_horizon, sensing_radius, "
     "max_neighbors, method, certificate, motion, precision, samples, arrival_distance, seed, "
-    "robots, groups, "
-    "moving_obstacles";
+    "robots, groups, robots_from, "
+    "moving_obstacles, obstacles, navigation";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, car";
 
@@ -48,9 +48,9 @@ const std::vector<BadScene> kBadScenes{
     {"version_text", s("version: \"1\"\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n"),
      "1:10: version: found \"1\", must be 1"},
     {"no_robots", s("version: 1\nname: empty\n"),
-     "1:1: found no robots, must have at least one in robots or groups"},
+     "1:1: found no robots, must have at least one in robots, robots_from or groups"},
     {"robots_empty", s("version: 1\nrobots: []\n"),
-     "1:1: found no robots, must have at least one in robots or groups"},
+     "1:1: found no robots, must have at least one in robots, robots_from or groups"},
     {"robots_a_map", s("version: 1\nrobots: {position: [0, 0], goal: [1, 0]}\n"),
      "2:9: robots: found a map, must be a list"},
     {"robot_a_number", s("version: 1\nrobots:\n  - 5\n"),
@@ -329,10 +329,11 @@ TEST(BadScene, files_that_are_no_files) {
             "/dev/zero: found a device, must be a regular file\n");
   const ProcessResult missing = run_avo({"run", "circel-10"});
   EXPECT_EQ(missing.exit_code, 4);
-  EXPECT_EQ(missing.err,
-            "circel-10: found no such file and no scene of that name, scenes are cars-100, "
-            "circle-N, crossing-streams, moving-obstacle, permutation-100, positions-exchange, "
-            "swap-blocks, uniform-N; did you mean \"circle-N\"?\n");
+  EXPECT_EQ(
+      missing.err,
+      "circel-10: found no such file and no scene of that name, scenes are arena, cars-100, "
+      "circle-N, corridor, crossing-streams, doorway, moving-obstacle, office, "
+      "permutation-100, positions-exchange, swap-blocks, uniform-N; did you mean \"circle-N\"?\n");
 }
 
 TEST(BadScene, size_is_limited_before_reading_on) {
@@ -340,7 +341,7 @@ TEST(BadScene, size_is_limited_before_reading_on) {
   write_file(path, std::string((std::size_t{16} << 20U) + 1, '#'));
   const ProcessResult result = run_avo({"validate", path});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_EQ(result.err, path + ":1:1: found more than 16 MiB, a scene must be smaller\n");
+  EXPECT_EQ(result.err, path + ":1:1: found more than 16 MiB, must be smaller\n");
 }
 
 TEST(BadScene, number_of_values_is_limited) {

@@ -151,10 +151,12 @@ TEST(Check, json_has_all_keys_in_order) {
                            "overlaps",
                            "obstacle_contacts_moving",
                            "obstacle_contacts_at_rest",
+                           "static_contacts",
                            "accelerations",
                            "speeds",
                            "jumps",
                            "least_clearance",
+                           "least_static_clearance",
                            "largest_acceleration",
                            "largest_speed",
                            "with_goal",
@@ -166,7 +168,8 @@ TEST(Check, json_has_all_keys_in_order) {
                            "interpolation_error",
                            "uneven_steps",
                            "version"}));
-  for (const char* key : {"scene", "last_arrival", "uneven_steps"})
+  EXPECT_EQ(json["static_contacts"], (Json{{"count", 0}, {"worst", 0.0}, {"first", nullptr}}));
+  for (const char* key : {"scene", "last_arrival", "uneven_steps", "least_static_clearance"})
     EXPECT_TRUE(json[key].is_null()) << key;
   EXPECT_EQ(json["tolerance"], 1e-9);
   const Json alone = verdict(kHeader + "0,3,0,0,3,0\n1,3,3,0,3,0\n");

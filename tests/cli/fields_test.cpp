@@ -148,6 +148,8 @@ TEST(Fields, every_key_is_guessed_and_refused_twice) {
   check_misspellings(avo_io::fields<avo::CarSetup>(),
                      "{version: 1, robots: [{position: [0, 0], goal: [1, 0], car: {", "}}]}");
   check_misspellings(avo_io::fields<avo_io::Group>(), "{version: 1, groups: [{", "}]}");
+  check_misspellings(avo_io::fields<avo_io::RobotsFrom>(), "{version: 1, robots_from: {", "}}");
+  check_misspellings(avo_io::fields<avo::Disc>(), "{version: 1, obstacles: [{disc: {", "}}]}");
 }
 
 TEST(Fields, every_default_is_that_of_the_struct) {

@@ -27,7 +27,9 @@ const Strings kSummaryKeys{"scene",
                            "first_collision_time",
                            "collision_pairs",
                            "obstacle_collisions",
+                           "collision_obstacles",
                            "min_clearance",
+                           "min_obstacle_clearance",
                            "max_acceleration",
                            "acceleration_excess",
                            "max_speed",
@@ -37,6 +39,7 @@ const Strings kSummaryKeys{"scene",
                            "decisions",
                            "not_arrived_count",
                            "not_arrived",
+                           "unreachable",
                            "step_milliseconds_median",
                            "seed",
                            "version"};
@@ -118,6 +121,8 @@ TEST(Run, summary_has_all_keys_and_the_numbers_of_the_library) {
   EXPECT_TRUE(json["first_collision_time"].is_null());
   EXPECT_EQ(json["collision_pairs"], 0);
   EXPECT_EQ(json["obstacle_collisions"], 0);
+  EXPECT_EQ(json["collision_obstacles"], 0);
+  EXPECT_TRUE(json["min_obstacle_clearance"].is_null());
   EXPECT_EQ(json["min_clearance"], *expected.min_clearance);
   EXPECT_EQ(json["max_acceleration"], expected.max_acceleration);
   EXPECT_EQ(json["max_speed"], expected.max_speed);
@@ -151,6 +156,58 @@ const std::string kNoRoom =
     "  - {position: [0, 0], goal: [5, 0]}\n"
     "  - {position: [0, 9], goal: [0, 9]}\n"
     "moving_obstacles:\n  - {position: [5, 0]}\n";
+
+// A goal in a box, and a robot that passes beside it.
+constexpr const char* kBox =
+    "version: 1\nduration: 8\nobstacles:\n"
+    "  - {polygon: [[4, -2], [8, -2], [8, 2], [4, 2]]}\n"
+    "robots:\n  - {position: [0, 0], goal: [6, 0]}\n  - {position: [0, 3], goal: [0, 9]}\n";
+
+TEST(Run, tells_whom_walls_keep_from_their_goals) {
+  const std::string scene = path_of("box.yaml"), out = path_of("box.json");
+  const std::string csv = path_of("box.csv");
+  write_file(scene, kBox);
+  const ProcessResult result = run_avo({"run", scene, "--summary", out, "--record", csv});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+  EXPECT_NE(result.err.find("leads to the goal of robot 0;"), std::string::npos) << result.err;
+  const Json json = Json::parse(read_file(out));
+  EXPECT_EQ(json["unreachable"], Json::array({0}));
+  EXPECT_EQ(json["arrived"], 1);
+  EXPECT_EQ(json["collision_obstacles"], 0);
+  EXPECT_GT(json["min_obstacle_clearance"], 0.0);
+  const ProcessResult check = run_avo({"check", csv, "--scene", scene, "--json"});
+  ASSERT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_EQ(Json::parse(check.out)["static_contacts"]["count"], 0);
+}
+
+// The same recording beside walls that it was not made among.
+TEST(Run, is_judged_by_the_walls_of_the_scene_given) {
+  const std::string scene = path_of("crossed.yaml"), csv = path_of("crossed.csv");
+  write_file(scene, kBox);
+  ASSERT_EQ(run_avo({"run", scene, "--record", csv}).exit_code, 0);
+  std::string moved = kBox;
+  moved.replace(moved.find("[[4, -2], [8, -2], [8, 2], [4, 2]]"), 34,
+                "[[-1, 6], [1, 6], [1, 6.2], [-1, 6.2]]");
+  write_file(scene, moved);
+  const ProcessResult check = run_avo({"check", csv, "--scene", scene, "--json"});
+  EXPECT_EQ(check.exit_code, 1) << check.err;
+  const Json contacts = Json::parse(check.out)["static_contacts"];
+  EXPECT_EQ(contacts["count"], 1);
+  EXPECT_EQ(contacts["first"]["robot"], 1);
+}
+
+TEST(Run, refuses_starts_too_near_to_walls_with_the_arithmetic) {
+  const std::string scene = path_of("near.yaml");
+  std::string near = kBox;
+  near.replace(near.find("[0, 0], goal"), 12, "[3.7, 0], goal");
+  write_file(scene, near);
+  const ProcessResult result = run_avo({"run", scene});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("robot 0 starts too near obstacles.0: found [3.7, 0], 0.3 m from it"),
+            std::string::npos)
+      << result.err;
+}
 
 TEST(Run, tells_who_has_not_arrived_and_who_is_in_the_way) {
   write_file(path_of("no-room.yaml"), kNoRoom);

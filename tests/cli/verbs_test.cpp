@@ -35,9 +35,12 @@ TEST(Verbs, scenes_are_listed_and_printed) {
   const std::vector<std::string> lines = lines_of(list.out);
   ASSERT_EQ(lines.size(), avo_io::builtin_scenes().size());
   const auto json = nlohmann::ordered_json::parse(run_avo({"scenes", "--json"}).out);
-  const std::vector<std::string> names{"cars-100",        "circle-N",        "crossing-streams",
-                                       "moving-obstacle", "permutation-100", "positions-exchange",
-                                       "swap-blocks",     "uniform-N"};
+  const std::vector<std::string> names{
+      "arena",       "cars-100",        "circle-N", "corridor",        "crossing-streams",
+      "doorway",     "moving-obstacle", "office",   "permutation-100", "positions-exchange",
+      "swap-blocks", "uniform-N"};
+  for (const std::string file : {"arena.map", "arena.scen"})
+    write_file(path_of(file), run_avo({"scenes", file}).out);
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_TRUE(lines[i].starts_with(names[i] + " ")) << lines[i];
     EXPECT_EQ(json[i]["name"], names[i]);

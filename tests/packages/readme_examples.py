@@ -52,6 +52,9 @@ def main():
         source = folder / f"example_{number}.cpp"
         source.write_text(text)
         run_program(arguments, source)
+    for name in ("arena.map", "arena.scen"):
+        text = subprocess.run([arguments.avo, "scenes", name], check=True, capture_output=True).stdout
+        (folder / name).write_bytes(text)
     for number, text in enumerate(blocks("README.md", "yaml") + blocks("docs/scenes.md", "yaml")):
         scene = folder / f"scene_{number}.yaml"
         scene.write_text(text)

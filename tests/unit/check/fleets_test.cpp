@@ -142,6 +142,7 @@ TEST(CheckFleets, agree_with_the_metrics_of_a_run) {
     Scenario scene = test::dense_scene(60, motion);
     scene.method = Method::avo_paper;
     for (RobotSetup& each : scene.robots) each.car.reset();
+    scene.obstacles = {{{{{{-6, -4}, {5, -7}, {7, 3}}}}, 0.0}, {{{{{0, 6}}}}, 0.7}};
     std::vector<CheckedRobot> robots;
     for (const RobotSetup& each : scene.robots) {
       robots.push_back({each.radius, each.max_acceleration, each.max_speed, each.goal});
@@ -151,7 +152,11 @@ TEST(CheckFleets, agree_with_the_metrics_of_a_run) {
     std::vector<CheckedObstacle> obstacles;
     for (const MovingObstacle& each : scene.moving_obstacles)
       obstacles.push_back({each.position, each.velocity, each.acceleration, each.radius});
+    std::vector<CheckedWall> walls;
+    for (const Wall& each : walls_of(scene.obstacles))
+      walls.push_back({each.a, each.b, each.radius});
     Check check(robots, obstacles, {.arrival_distance = scene.arrival_distance});
+    check.set_walls(walls);
     Simulation simulation(scene, 1);
     Metrics metrics(scene);
     for (int k = 0; k <= 400; ++k) {
@@ -178,6 +183,11 @@ TEST(CheckFleets, agree_with_the_metrics_of_a_run) {
     }
     EXPECT_NEAR(report.overlaps.first->time, *summary.first_collision_time, 1e-6);
     EXPECT_NEAR(*report.least_clearance, *summary.min_clearance, 1e-7);
+    EXPECT_LE(report.static_contacts.count, summary.collision_obstacles);
+    if (motion == Motion::held) {
+      EXPECT_EQ(report.static_contacts.count, summary.collision_obstacles);
+    }
+    EXPECT_NEAR(*report.least_static_clearance, *summary.min_obstacle_clearance, 1e-7);
     EXPECT_EQ(report.arrived, summary.arrived);
     EXPECT_NEAR(report.largest_speed, summary.max_speed, 1e-12);
     EXPECT_EQ(report.accelerations.count + report.speeds.count + report.jumps.count, 0);

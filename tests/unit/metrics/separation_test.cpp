@@ -106,5 +106,89 @@ TEST(Separation, first_below_is_the_first) {
   EXPECT_EQ(first_below(still, path, 4.0, 1.0), 0.0);
 }
 
+// Nearest to the segment, by samples, then by golden section around each of their minima.
+template <typename PointAt>
+double sampled_from(const PointAt& at, const Segment& segment) {
+  constexpr int kSamples = 400;
+  const auto nearness = [&](double u) {
+    const Vec2 d = segment.b - segment.a, p = at(u) - segment.a;
+    const double along = dot(d, d) > 0.0 ? std::clamp(dot(p, d) / dot(d, d), 0.0, 1.0) : 0.0;
+    return -norm(p - along * d);
+  };
+  double best = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= kSamples; ++k) {
+    const double u = static_cast<double>(k) / kSamples;
+    const double low = std::max(0.0, u - 1.0 / kSamples), high = std::min(1.0, u + 1.0 / kSamples);
+    best = std::max(best, nearness(u));
+    if (nearness(u) < nearness(low) || nearness(u) < nearness(high)) continue;
+    best = std::max(best, test::golden_section(nearness, low, high, 50));
+  }
+  return -best;
+}
+
+constexpr double kNoCutoff = std::numeric_limits<double>::infinity();
+
+TEST(Separation, from_a_segment_agrees_with_dense_sampling) {
+  Random random(5);
+  int crossed = 0;
+  for (int k = 0; k < 3'000 && !HasFailure(); ++k) {
+    const double size = random.log_uniform(1e-6, 1e6);
+    const StepPath path = random_path(random, size);
+    const Vec2 a = test::in_disc(random, size);
+    const double length = random.below(8) == 0 ? 0.0 : size * random.log_uniform(1e-3, 10.0);
+    const Segment segment{a, a + length * random.direction()};
+    const double nearest = separation(path, segment, kNoCutoff);
+    const double expected = sampled_from([&](double u) { return point(path, u); }, segment);
+    EXPECT_NEAR(nearest, expected, 1e-7 * size);
+    EXPECT_LE(nearest, expected + 1e-11 * size);
+    if (nearest < 1e-10 * size) ++crossed;
+  }
+  EXPECT_GT(crossed, 100);
+}
+
+// Robots brake and speed up along walls: the path bends in the direction that does not matter.
+TEST(Separation, along_a_segment_the_distance_is_that_to_its_line) {
+  Random random(6);
+  for (int k = 0; k < 1'000 && !HasFailure(); ++k) {
+    const Vec2 along = random.direction(), across = perpendicular(along);
+    const double off = random.uniform(0.1, 2.0), bend = random.near_zero();
+    StepPath path;
+    for (Vec2& each : path.control)
+      each = random.uniform(-1.0, 1.0) * along + (off + bend) * across;
+    EXPECT_NEAR(separation(path, Segment{-3.0 * along, 3.0 * along}, kNoCutoff), off + bend, 1e-12);
+  }
+}
+
+TEST(Separation, from_a_segment_by_the_response) {
+  Random random(7);
+  for (int k = 0; k < 1'000 && !HasFailure(); ++k) {
+    const double delta = random.log_uniform(0.05, 5.0), step = random.log_uniform(0.01, 1.0);
+    const ResponsePath path{test::in_disc(random, 2.0), test::in_disc(random, 3.0),
+                            test::in_disc(random, 3.0), Response::proportional(delta), step};
+    const Vec2 a = test::in_disc(random, 2.0);
+    const Segment segment{a, a + random.log_uniform(0.01, 10.0) * random.direction()};
+    const auto at = [&](double u) {
+      const double t = u * step, g = static_cast<double>(test::slow_gain(t, delta));
+      return path.position + t * path.velocity + g * path.w;
+    };
+    EXPECT_NEAR(separation(path, segment, kNoCutoff), sampled_from(at, segment), 1e-7);
+  }
+}
+
+TEST(Separation, from_a_segment_beyond_the_cutoff_is_above_it) {
+  Random random(8);
+  for (int k = 0; k < 1'000 && !HasFailure(); ++k) {
+    const StepPath path = random_path(random, 1.0);
+    const Segment segment{test::in_disc(random, 3.0), test::in_disc(random, 3.0)};
+    const double cutoff = random.uniform(0.0, 2.0);
+    const double exact = separation(path, segment, kNoCutoff);
+    const double coarse = separation(path, segment, cutoff);
+    EXPECT_GE(coarse, exact - 1e-12);
+    if (exact < cutoff) {
+      EXPECT_NEAR(coarse, exact, 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace avo

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps of ROS: map.yaml and its image, a portable graymap.
+#pragma once
+#include <string>
+
+#include "occupancy_grid.h"
+#include "scene_files.h"
+#include "source_text.h"
+
+namespace avo_io {
+
+/// Blocked are occupied cells and those of which nothing is known: all that are not free. `folder`
+/// of map.yaml, relative to the scene. Throws SceneError, FileError.
+OccupancyGrid read_ros_map(const SourceText& source, const std::string& folder, SceneFiles& files);
+
+}  // namespace avo_io

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// The exact test of a path against walls, and the half-planes of walls that refuse it.
+#include "certificate/wall_constraints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace avo {
+namespace {
+
+double length_1(Vec2 a) {
+  return std::abs(a.x) + std::abs(a.y);
+}
+
+// A's candidate as segments, relative to p_A: where it stops from p_1 on, and the sides of the
+// triangle of its step that do not lie in the present capsule.
+struct Pieces {
+  std::array<Segment, 3> segment;
+  double extent = 0.0;  // m, that no point of them is farther than from p_A
+  double height = 0.0;  // m, of p + s v over [p, p_1]: that no point of the triangle exceeds
+};
+constexpr std::size_t kBraking = 0;
+
+Pieces pieces_of(const WallConstraints& walls, const CandidatePath& path, const StepLaw& law) {
+  const Vec2 end = path.first + stopping_length(path.braking, law) * path.direction;
+  Pieces pieces{{{{path.first, end}, {walls.middle, path.first}, {{}, path.first}}}};
+  pieces.extent = std::max({norm(path.first), norm(end), norm(walls.middle)}) + path.bend;
+  pieces.height = distance(walls.middle, pieces.segment[2]) + path.bend;
+  return pieces;
+}
+
+// m. A robot at rest within a margin of the wall has to be able to leave: its step keeps less than
+// what a choice keeps.
+double demanded(const NearWall& wall, std::size_t piece) {
+  return wall.held + (piece == kBraking ? wall.margin : 0.5 * wall.margin);
+}
+
+// An arc is within bend t²/Δt² of the step's parabola, whose last Bézier point has this weight: p_1
+// alone pays for it, on the line across the nearest points where that is enough.
+bool keeps_bend(const NearestPoints& nearest, Vec2 first, double bend, double least) {
+  if (nearest.distance >= least + bend) return true;
+  if (!(nearest.distance > 0.0)) return false;
+  const Vec2 normal = (nearest.on_first - nearest.on_second) / nearest.distance;
+  return dot(normal, first - nearest.on_second) - bend >= least;
+}
+
+bool keeps_wall(const NearWall& wall, const Pieces& pieces, const CandidatePath& path) {
+  // the margin is more than what rounding may hide
+  if (wall.distance - pieces.extent > wall.held + wall.margin) return true;
+  if (pieces.height > wall.held) return false;  // the wall may lie inside the triangle
+  for (std::size_t k = 0; k < pieces.segment.size(); ++k) {
+    const NearestPoints nearest = nearest_points(pieces.segment[k], wall.segment);
+    const double least = demanded(wall, k);
+    if (!(nearest.distance >= least)) return false;
+    if (k != kBraking && path.bend > 0.0 && !keeps_bend(nearest, path.first, path.bend, least))
+      return false;
+  }
+  return true;
+}
+
+// A point of the path that is to come no nearer to one of the wall's.
+struct WorstPoint {
+  std::size_t piece = 0;
+  Vec2 on_path, on_wall, normal;  // m, m, unit: from the wall
+};
+
+// Where the path crosses the wall, its way out is the one that braking leaves open.
+std::optional<WorstPoint> worst_point(const NearWall& wall, const Pieces& pieces, Vec2 stop) {
+  WorstPoint worst;
+  double least = std::numeric_limits<double>::infinity(), distance = least;
+  for (std::size_t k = 0; k < pieces.segment.size(); ++k) {
+    const NearestPoints nearest = nearest_points(pieces.segment[k], wall.segment);
+    if (!(nearest.distance - demanded(wall, k) < least)) continue;
+    least = nearest.distance - demanded(wall, k), distance = nearest.distance;
+    worst = {k, nearest.on_first, nearest.on_second, {}};
+  }
+  if (distance > 0.0) {
+    worst.normal = (worst.on_path - worst.on_wall) / distance;
+    return worst;
+  }
+  const NearestPoints braking = nearest_points({{}, stop}, wall.segment);
+  if (!(braking.distance > 0.0)) return std::nullopt;
+  worst.normal = (braking.on_first - braking.on_second) / braking.distance;
+  worst.on_wall = braking.on_second;
+  const Segment& crossing = pieces.segment[worst.piece];
+  const bool begins_deeper = dot(worst.normal, crossing.a) < dot(worst.normal, crossing.b);
+  worst.on_path = begins_deeper ? crossing.a : crossing.b;
+  return worst;
+}
+
+// How far along the segment the point lies, in [0, 1].
+double fraction_of(Vec2 point, const Segment& segment) {
+  const double length = norm(segment.b - segment.a);
+  return length > 0.0 ? std::min(norm(point - segment.a) / length, 1.0) : 0.0;
+}
+
+// What a path point moves by for each m/s of v_1, in the direction of the normal: the gradient.
+Vec2 gradient_at(const WorstPoint& worst, const Pieces& pieces, const CandidatePath& path,
+                 const StepLaw& law) {
+  const double fraction = fraction_of(worst.on_path, pieces.segment[worst.piece]);
+  const double first = law.time_step - law.lag;
+  if (worst.piece != kBraking) return fraction * first * worst.normal;
+  const Segment& braking = pieces.segment[kBraking];
+  const double length = norm(braking.b - braking.a);
+  const double per_speed = path.speed > 0.0 ? length / path.speed : law.lag;
+  const double to_rest = law.time_step * path.braking.full_steps + law.lag;
+  const double across = first + fraction * per_speed, along = first + fraction * to_rest;
+  const double n_along = dot(worst.normal, path.direction);
+  return across * worst.normal + ((along - across) * n_along) * path.direction;
+}
+
+std::optional<HalfPlane> cut_of(const NearWall& wall, const WallConstraints& walls,
+                                const Pieces& pieces, const CandidatePath& path,
+                                const StepLaw& law) {
+  const std::optional<WorstPoint> worst = worst_point(wall, pieces, walls.stop);
+  if (!worst) return std::nullopt;
+  const Vec2 gradient = gradient_at(*worst, pieces, path, law);
+  const double length = norm(gradient);
+  if (!(length > 0.0)) return std::nullopt;
+  const double missing =
+      wall.held + wall.margin + path.bend - dot(worst->normal, worst->on_path - worst->on_wall);
+  const HalfPlane cut{gradient / length, (dot(gradient, path.next_velocity) + missing) / length};
+  if (!std::isfinite(cut.offset)) return std::nullopt;
+  return cut;
+}
+
+}  // namespace
+
+double wall_reach(double speed, double max_speed, double max_acceleration, const StepLaw& law) {
+  const double u = braking_decrement(max_acceleration, law);
+  const double top_speed = std::max(std::min(speed + u, max_speed), speed);
+  return law.time_step * top_speed + stopping_length(top_speed, u, law);
+}
+
+WallRounding wall_rounding(double radius, double max_speed, double max_acceleration,
+                           const StepLaw& law) {
+  const BrakingProfile braking =
+      braking_profile(max_speed, braking_decrement(max_acceleration, law));
+  return {braking.full_steps + 2.0,
+          radius + law.time_step * max_speed + stopping_length(braking, law)};
+}
+
+// docs/certificate.md, "Walls"; four times what is derived there. Where the robot is does not
+// count, only that it is within reach of the wall: braking changes no margin.
+double wall_margin(const Wall& wall, const WallRounding& rounding) {
+  const double places = std::max(length_1(wall.a), length_1(wall.b));
+  const double lengths = 2.0 * places + 3.0 * (wall.radius + rounding.lengths);
+  return 0x1p-48 * rounding.steps * lengths;
+}
+
+void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
+                 WallConstraints& constraints) {
+  constraints.near.clear();
+  constraints.must_brake = constraints.broken = false;
+  if (walls.empty()) return;
+  const double u = braking_decrement(robot.max_acceleration, law), speed = norm(robot.velocity);
+  const double reach = wall_reach(speed, robot.max_speed, robot.max_acceleration, law);
+  const WallRounding rounding =
+      wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law);
+  constraints.middle = law.lag * robot.velocity;
+  constraints.backup = braked(robot.velocity, u);
+  constraints.stop =
+      speed > 0.0 ? (stopping_length(speed, u, law) / speed) * robot.velocity : Vec2{};
+  for (const Wall& wall : walls) {
+    const Segment segment{wall.a - robot.position, wall.b - robot.position};
+    const double away = distance(Vec2{}, segment), contact = robot.radius + wall.radius;
+    const double margin = wall_margin(wall, rounding);
+    if (!(away <= contact + margin + reach)) continue;
+    NearWall near{segment, away, contact, margin};
+    // beyond what rounding can have cost, there is no more to hold than what braking gives
+    const double kept = distance({{}, constraints.stop}, segment);
+    if (kept < contact + 0.5 * margin) near.held = kept, near.margin = 0.0;
+    constraints.broken = constraints.broken || kept < contact;
+    constraints.must_brake = constraints.must_brake || (kept == 0.0 && speed > 0.0);
+    constraints.near.push_back(near);
+  }
+}
+
+bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
+                 const StepLaw& law) {
+  if (constraints.near.empty() || path.next_velocity == constraints.backup) return true;
+  if (constraints.must_brake) return false;
+  const Pieces pieces = pieces_of(constraints, path, law);
+  return std::all_of(constraints.near.begin(), constraints.near.end(),
+                     [&](const NearWall& wall) { return keeps_wall(wall, pieces, path); });
+}
+
+void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,
+                      const StepLaw& law, double inside, std::vector<HalfPlane>& half_planes) {
+  if (constraints.near.empty() || constraints.must_brake) return;
+  const Pieces pieces = pieces_of(constraints, path, law);
+  for (const NearWall& wall : constraints.near) {
+    if (keeps_wall(wall, pieces, path)) continue;
+    std::optional<HalfPlane> cut = cut_of(wall, constraints, pieces, path, law);
+    if (!cut) continue;
+    cut->offset += inside;
+    half_planes.push_back(*cut);
+  }
+}
+
+}  // namespace avo

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots against walls: who touched one, and how near any came.
+#include "check/wall_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "check/counts.h"
+#include "check/wall_path.h"
+
+namespace avo::judge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Box box_of(const CheckedWall& wall, std::size_t owner) {
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  Box box;
+  box.owner = owner;
+  const auto span = [&](std::size_t axis, double a, double b) {
+    const double reach =
+        wall.radius + kRounding * (wall.radius + std::max(std::abs(a), std::abs(b)));
+    box.low[axis] = std::min(a, b) - reach;
+    box.high[axis] = std::max(a, b) + reach;
+  };
+  span(0, wall.a.x, wall.b.x);
+  span(1, wall.a.y, wall.b.y);
+  return box;
+}
+
+}  // namespace
+
+void WallJudge::set_walls(std::vector<CheckedWall> walls) {
+  std::vector<Box> boxes;
+  for (std::size_t k = 0; k < walls.size(); ++k) boxes.push_back(box_of(walls[k], k));
+  tree_ = BoxTree(std::move(boxes));
+  walls_ = std::move(walls);
+}
+
+void WallJudge::judge(const Mover& robot, const Step& step) {
+  if (walls_.empty()) return;
+  // no wall farther away than the least clearance tells anything new
+  tree_.visit(
+      box_of(robot, 0, step.duration),
+      [this] { return std::max(least_clearance_.value_or(kInfinity), 0.0); },
+      [&](std::size_t wall) { meet(robot, wall, step); });
+}
+
+void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
+  const auto& [a, b, wall_radius] = walls_[wall];
+  const WallPath path{path_of(robot, step.duration, a), b - a};
+  const double contact = robot.radius + wall_radius;
+  // the rows themselves are not interpolated
+  const double row_limit = contact * (1.0 - step.relative_tolerance);
+  const double limit = row_limit - robot.error;
+  const double best = least_clearance_.value_or(kInfinity);
+  if (lower_bound(path) > std::max(contact + best, row_limit) * (1.0 + 1e-12)) return;
+  const Instant nearest = nearest_instant(path);
+  least_clearance_ = std::min(best, nearest.distance - contact);
+  const double at_start = distance_at(path, 0.0), at_end = distance_at(path, 1.0);
+  const double at_rows = std::min(at_start, at_end);
+  const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
+  if (!(depth > 0.0)) return;
+  const auto index = static_cast<std::size_t>(robot.index);
+  if (touched_.size() <= index) touched_.resize(index + 1);
+  if (!touched_[index]) ++contacts_.count;
+  touched_[index] = true;
+  contacts_.worst = std::max(contacts_.worst, depth);
+  if (contacts_.first && contacts_.first->time < step.from) return;
+  const double first_row = at_start < row_limit ? 0.0 : 1.0;
+  const double seen = at_rows < row_limit ? first_row : nearest.fraction;
+  const double fraction =
+      robot.newcomer ? 1.0 : std::min(first_below(path, limit).value_or(seen), seen);
+  note(contacts_,
+       {step.from + fraction * step.duration, robot.index, static_cast<std::int64_t>(wall), depth});
+}
+
+void WallJudge::write(CheckReport& report) const {
+  report.static_contacts = contacts_;
+  report.least_static_clearance = least_clearance_;
+}
+
+}  // namespace avo::judge

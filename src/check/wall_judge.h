@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots against walls: who touched one, and how near any came.
+#pragma once
+#include <vector>
+
+#include "avo/check.h"
+#include "check/box_tree.h"
+#include "check/step.h"
+
+namespace avo::judge {
+
+/// The step that is judged.
+struct Step {
+  double from = 0.0, duration = 0.0;  // s
+  double relative_tolerance = 0.0;
+};
+
+/// The tree holds the walls; a robot counts once.
+class WallJudge {
+ public:
+  void set_walls(std::vector<CheckedWall> walls);
+  /// One robot over the step.
+  void judge(const Mover& robot, const Step& step);
+  /// What there is to say of it all.
+  void write(CheckReport& report) const;
+
+ private:
+  void meet(const Mover& robot, std::size_t wall, const Step& step);
+
+  std::vector<CheckedWall> walls_;
+  BoxTree tree_;
+  std::vector<bool> touched_;  // by robot
+  CheckCount contacts_;
+  std::optional<double> least_clearance_;
+};
+
+}  // namespace avo::judge

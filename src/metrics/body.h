@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot or a moving obstacle over one step.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "metrics/separation.h"
+
+namespace avo {
+
+struct Body {
+  std::uint64_t name = 0;  // id of a robot, index of an obstacle
+  double radius = 0.0;
+  Vec2 position, velocity;
+  Vec2 w;             // v' - v, m/s
+  bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
+  StepPath path;
+};
+
+/// Bounds how far the body goes in the step, m.
+inline double way_of(const Body& body) {
+  double way = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    way = std::max(way, 3.0 * norm(body.path.control[k + 1] - body.path.control[k]));
+  return way;
+}
+
+}  // namespace avo

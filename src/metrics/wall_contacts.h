@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who touched a wall, and how near any robot came to one.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "metrics/body.h"
+#include "metrics/wall_search.h"
+
+namespace avo {
+
+/// Contact begins at this part of the radii: less overlap than that is rounding.
+inline constexpr double kContact = 1e-9;
+
+struct WallContacts {
+  WallSearch search = WallSearch();
+  std::set<std::uint64_t> touched = {};        // ids of robots
+  std::optional<double> least_clearance = {};  // m
+
+  /// Robots over a step of time_step s; those that are exact respond so, where it is set.
+  void observe(std::span<const Body> robots, const std::optional<Response>& response,
+               double time_step);
+};
+
+}  // namespace avo

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walls by place: clearances of points and of straight ways, wherever the walls are.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "avo/wall.h"
+
+namespace avo {
+
+/// A uniform grid in which each cell lists the walls that come within `reach` of it.
+class ClearanceGrid {
+ public:
+  ClearanceGrid(std::span<const Wall> walls, double reach);
+
+  [[nodiscard]] std::span<const Wall> walls() const { return walls_; }
+  /// m, how far walls are told from.
+  [[nodiscard]] double reach() const { return reach_; }
+  /// m, from p to the nearest wall's surface, negative within it; reach() where none is nearer.
+  [[nodiscard]] double clearance(Vec2 p) const;
+  /// Whether no wall's surface is nearer than `room` <= reach() to the straight way from p to q.
+  [[nodiscard]] bool is_clear(Vec2 p, Vec2 q, double room) const;
+
+  /// holds(index) of the walls within reach() of the straight way, and of some others, until it is
+  /// false of one; a wall may come more than once. Whether it was true of all.
+  template <typename Holds>
+  bool all_near(Vec2 p, Vec2 q, const Holds& holds) const;
+
+ private:
+  struct Columns {
+    std::int64_t first, last;
+  };
+  [[nodiscard]] std::int64_t row_of(double y) const;
+  // Of the cells of a row, those that the way meets; slightly more for rounding.
+  [[nodiscard]] Columns columns_of(Vec2 p, Vec2 q, std::int64_t row) const;
+  template <typename Visit>
+  void for_each_cell(const Wall& wall, const Visit& visit) const;
+
+  std::vector<Wall> walls_;
+  double reach_ = 0.0;
+  Vec2 origin_ = {};
+  double cell_ = 1.0;                    // m
+  std::int64_t columns_ = 0, rows_ = 0;  // none without walls
+  std::vector<std::uint32_t> first_;     // of each cell, in numbers_
+  std::vector<std::uint32_t> numbers_;   // of walls
+};
+
+template <typename Holds>
+bool ClearanceGrid::all_near(Vec2 p, Vec2 q, const Holds& holds) const {
+  if (rows_ == 0) return true;
+  const double low = p.y < q.y ? p.y : q.y, high = p.y < q.y ? q.y : p.y;
+  const std::int64_t last_row = row_of(high) < rows_ - 1 ? row_of(high) : rows_ - 1;
+  for (std::int64_t row = row_of(low) > 0 ? row_of(low) : 0; row <= last_row; ++row) {
+    const Columns columns = columns_of(p, q, row);
+    for (std::int64_t column = columns.first; column <= columns.last; ++column) {
+      const auto cell = static_cast<std::size_t>(row * columns_ + column);
+      for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k) {
+        if (!holds(std::size_t{numbers_[k]})) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace avo

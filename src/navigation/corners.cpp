@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/corners.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_set>
+
+#include "core/elementary.h"
+#include "core/hash.h"
+#include "navigation/corner_graph.h"
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+constexpr double kPi = 0x1.921fb54442d18p+1;
+constexpr double kPointAngle = kPi / 6.0;  // between neighboring points around an end, at most
+constexpr double kStretch = 1.0353;        // > 1 / cos(kPointAngle / 2)
+constexpr double kTouching = 1e-3;         // of the radius: walls as near as that are joined
+constexpr double kLeanSlack = 0.1;         // where neighbors of a point are cut off
+constexpr double kRounding = 1e-9;         // of the radius
+constexpr double kWidestGap = 1.15;        // of what points around ends need to pass
+constexpr std::array kSpare{1.0, 0.25, 0.02, 1e-4, 1e-7};  // of kSpareRoom, tried in this order
+
+struct Arc {
+  double from = 0.0, angle = 0.0;  // rad, of the outward directions
+};
+
+class CornerFinder {
+ public:
+  CornerFinder(const ClearanceGrid& grid, double radius) : grid_(grid), radius_(radius) {}
+
+  std::vector<Corner> find() {
+    const std::span<const Wall> walls = grid_.walls();
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      add_around(k, walls[k].a, false);
+      if (!(walls[k].a == walls[k].b)) add_around(k, walls[k].b, true);
+    }
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      add_in_gaps(k, walls[k].a);
+      if (!(walls[k].a == walls[k].b)) add_in_gaps(k, walls[k].b);
+    }
+    return std::move(corners_);
+  }
+
+ private:
+  bool is_joined(Vec2 p, Vec2 q) const { return norm(p - q) <= kTouching * radius_; }
+
+  // Whether the same end, up to joints, was looked at before.
+  bool is_repeated(std::size_t wall, Vec2 end, bool is_second) const {
+    return !grid_.all_near(end, end, [&](std::size_t k) {
+      const Wall& other = grid_.walls()[k];
+      const bool first_came = k < wall || (k == wall && is_second);
+      return !(first_came && is_joined(end, other.a)) && !(k < wall && is_joined(end, other.b));
+    });
+  }
+
+  // The directions that no wall at this end is within 90 degrees of; none at a concave corner.
+  Arc free_arc(Vec2 end, double& widest) const {
+    std::vector<double> angles;
+    grid_.all_near(end, end, [&](std::size_t k) {
+      const Wall& wall = grid_.walls()[k];
+      if (distance(end, {wall.a, wall.b}) > kTouching * radius_) return true;
+      widest = std::max(widest, wall.radius);
+      for (const Vec2 to : {wall.a, wall.b}) {
+        if (!is_joined(end, to)) angles.push_back(elementary::atan2(to.y - end.y, to.x - end.x));
+      }
+      return true;
+    });
+    if (angles.empty()) return {0.0, 2.0 * kPi};
+    std::sort(angles.begin(), angles.end());
+    angles.push_back(angles.front() + 2.0 * kPi);
+    Arc widest_arc;
+    for (std::size_t k = 0; k + 1 < angles.size(); ++k) {
+      const double angle = angles[k + 1] - angles[k] - kPi;
+      if (angle > widest_arc.angle) widest_arc = {angles[k] + 0.5 * kPi, angle};
+    }
+    return widest_arc;
+  }
+
+  void add_around(std::size_t wall, Vec2 end, bool is_second) {
+    constexpr double kLeastAngle = 1e-6;  // rad
+    if (is_repeated(wall, end, is_second)) return;
+    double widest = 0.0;
+    const Arc arc = free_arc(end, widest);
+    if (arc.angle < kLeastAngle) return;
+    const double count = std::ceil(arc.angle / kPointAngle - kRounding), step = arc.angle / count;
+    const double cosine = elementary::direction(0.5 * step).x;
+    const double lean = elementary::sin(0.5 * step) + kLeanSlack;
+    for (double k = 0.5; k < count; k += 1.0) {
+      const Vec2 outward = elementary::direction(arc.from + k * step);
+      for (const double part : kSpare) {
+        const double room = radius_ + part * kSpareRoom;
+        const Vec2 point = end + ((room + widest) / cosine * (1.0 + kRounding)) * outward;
+        if (!(grid_.clearance(point) >= room)) continue;
+        corners_.push_back({point, room * (1.0 - kRounding), outward, lean});
+        break;
+      }
+    }
+  }
+
+  // A point of which there is none as near as rounding.
+  bool is_new(Vec2 point) {
+    const double cell = kTouching * radius_;
+    const auto word = [cell](double x) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / cell + 0.5)));
+    };
+    return taken_.insert(mixed(mixed(0, word(point.x)), word(point.y))).second;
+  }
+
+  void add_in_gap(Vec2 point) {
+    const double clearance = grid_.clearance(point) + kRounding * radius_;
+    if (!(clearance >= radius_) || !is_new(point)) return;
+    const double room = std::min(clearance, radius_ + kSpareRoom) - 2.0 * kRounding * radius_;
+    corners_.push_back({point, room, {}, 1.0});
+  }
+
+  // The middle of each gap between this end and another wall, and the places before and behind.
+  void add_in_gaps(std::size_t wall, Vec2 end) {
+    const double own = grid_.walls()[wall].radius, rounding = kRounding * radius_;
+    const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
+    grid_.all_near(end, end, [&](std::size_t k) {
+      const Wall& other = grid_.walls()[k];
+      const Vec2 nearest = nearest_on({other.a, other.b}, end);
+      const double between = norm(end - nearest), gap = between - own - other.radius;
+      if (k == wall || gap < 2.0 * (radius_ - rounding) || gap > widest) return true;
+      const Vec2 across = (end - nearest) / between;
+      const Vec2 middle = nearest + (other.radius + 0.5 * gap) * across;
+      if (grid_.clearance(middle) < 0.5 * gap - rounding) return true;  // some wall is in the gap
+      const Vec2 along = (radius_ + kSpareRoom) * perpendicular(across);
+      for (const Vec2 point : {middle, middle + along, middle - along}) add_in_gap(point);
+      return true;
+    });
+  }
+
+  const ClearanceGrid& grid_;
+  double radius_;
+  std::vector<Corner> corners_;
+  std::unordered_set<std::uint64_t> taken_;
+};
+
+}  // namespace
+
+double corner_reach(double radius, double widest_wall) {
+  return kWidestGap * (1.0 + kStretch) * (radius + kSpareRoom) + widest_wall;
+}
+
+std::vector<Corner> corners(const ClearanceGrid& grid, double radius) {
+  return CornerFinder(grid, radius).find();
+}
+
+}  // namespace avo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which places a disc can get to from where, decided at its exact radius (docs/navigation.md).
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "avo/wall.h"
+
+namespace avo {
+
+/// Where the center of a disc may be without overlapping a wall; contact is allowed.
+class FreeSpace {
+ public:
+  FreeSpace(std::span<const Wall> walls, double radius);
+
+  /// Whether the center may be there.
+  [[nodiscard]] bool is_free(Vec2 p) const;
+
+  /// Equal for two places of the free space exactly if the disc gets from one to the other: how
+  /// often each ring of walls runs around it, of the rings that do.
+  struct Winding {
+    std::uint32_t ring = 0;
+    std::int32_t times = 0;
+    friend bool operator==(Winding, Winding) = default;
+  };
+  [[nodiscard]] std::vector<Winding> windings(Vec2 p) const;
+  [[nodiscard]] bool are_connected(Vec2 p, Vec2 q) const { return windings(p) == windings(q); }
+
+ private:
+  // The way from the first end of wall `from` to that of wall `to`, along both and straight across.
+  struct Link {
+    std::uint32_t from, to;
+    Vec2 leaves, meets;
+  };
+  [[nodiscard]] std::int32_t crossings(const Link& link, Vec2 p) const;
+
+  std::vector<Wall> walls_;
+  double radius_ = 0.0;
+  std::vector<Link> tree_;   // each `to` comes once and later than it is a `from`
+  std::vector<Link> rings_;  // each closes one ring with the tree
+};
+
+}  // namespace avo

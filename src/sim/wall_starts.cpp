@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starts beside static obstacles: what the certificate against walls begins with.
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include "sim/assumptions.h"
+#include "sim/fleet.h"
+#include "walls/segment.h"
+#include "walls/wall_grid.h"
+
+namespace avo {
+namespace {
+
+// The walls of all obstacles, and which obstacle each belongs to.
+struct ListedWalls {
+  std::vector<Wall> walls;
+  std::vector<int> obstacle;
+  WallGrid grid;  // of those that a robot of the scene may be too near to
+};
+
+ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
+  ListedWalls listed;
+  for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
+    const std::vector<Wall> walls = walls_of(std::span(&scenario.obstacles[k], 1));
+    listed.walls.insert(listed.walls.end(), walls.begin(), walls.end());
+    listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
+  }
+  WallRounding most;
+  double reach = 0.0;
+  for (const RobotSetup& robot : scenario.robots) {
+    const double speed = std::max(robot.max_speed, norm(start_velocity(robot)));
+    const WallRounding rounding =
+        wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law.step);
+    most = {std::max(most.steps, rounding.steps), std::max(most.lengths, rounding.lengths)};
+    reach = std::max(
+        reach, robot.radius + wall_reach(speed, robot.max_speed, robot.max_acceleration, law.step));
+  }
+  std::vector<double> within;
+  for (const Wall& wall : listed.walls) {
+    within.push_back((reach + wall.radius + wall_margin(wall, most)) * (1.0 + 0x1p-20));
+  }
+  listed.grid.build(listed.walls, within);
+  return listed;
+}
+
+// What braking leaves is less than what it has to; the most that is missing.
+std::optional<WallStart> start_beside(const RobotSetup& robot, int number,
+                                      const ListedWalls& listed, const CertificateLaw& law) {
+  const WallRounding rounding =
+      wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law.step);
+  const Vec2 v = start_velocity(robot);
+  const double speed = norm(v), u = braking_decrement(robot.max_acceleration, law.step);
+  const Vec2 way = speed > 0.0 ? (stopping_length(speed, u, law.step) / speed) * v : Vec2{};
+  const auto start_at = [&](const Wall& wall) {
+    const Segment segment{wall.a - robot.position, wall.b - robot.position};
+    return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment),
+                     robot.radius + wall.radius + wall_margin(wall, rounding)};
+  };
+  const auto lacks = [](const WallStart& start) { return start.required - start.kept; };
+  std::optional<WallStart> worst;
+  const std::span<const Wall> near = listed.grid.near(robot.position);
+  if (std::all_of(near.begin(), near.end(),
+                  [&](const Wall& wall) { return !(lacks(start_at(wall)) > 0.0); }))
+    return worst;
+  for (std::size_t k = 0; k < listed.walls.size(); ++k) {
+    WallStart start = start_at(listed.walls[k]);
+    start.obstacle = listed.obstacle[k];
+    if (lacks(start) > 0.0 && (!worst || lacks(start) > lacks(*worst))) worst = start;
+  }
+  return worst;
+}
+
+// Even-odd rule: how often a ray to the right crosses the closed chains.
+bool is_inside(Vec2 p, const StaticObstacle& obstacle) {
+  bool inside = false;
+  for (const Chain& chain : obstacle.chains) {
+    if (!chain.closed || chain.points.empty()) continue;
+    Vec2 a = chain.points.back();
+    for (const Vec2 b : chain.points) {
+      if ((a.y > p.y) != (b.y > p.y)) {
+        const double side = cross(b - a, p - a);
+        if ((b.y > a.y) == (side > 0.0)) inside = !inside;
+      }
+      a = b;
+    }
+  }
+  return inside;
+}
+
+bool leaves_room(Vec2 p, const StaticObstacle& obstacle) {
+  if (obstacle.fill == Fill::none) return true;
+  return is_inside(p, obstacle) == (obstacle.fill == Fill::bounds);
+}
+
+}  // namespace
+
+void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
+                      BrokenAssumptions& result) {
+  if (scenario.obstacles.empty()) return;
+  const ListedWalls listed = list_walls(scenario, law);
+  std::vector<WallStart> beside;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    const int number = static_cast<int>(i);
+    if (const auto start = start_beside(robot, number, listed, law)) beside.push_back(*start);
+    for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
+      if (leaves_room(robot.position, scenario.obstacles[k])) continue;
+      ++result.misplaced_count;
+      if (result.misplaced.size() < BrokenAssumptions::kNamed)
+        result.misplaced.push_back({number, static_cast<int>(k)});
+      break;
+    }
+  }
+  result.beside_count = static_cast<std::int64_t>(beside.size());
+  std::stable_sort(beside.begin(), beside.end(), [](const WallStart& a, const WallStart& b) {
+    return a.required - a.kept > b.required - b.kept;
+  });
+  beside.resize(std::min(beside.size(), BrokenAssumptions::kNamed));
+  result.beside = std::move(beside);
+}
+
+}  // namespace avo

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Distances of points and segments.
+#pragma once
+#include "avo/vec.h"
+
+namespace avo {
+
+/// From a to b; a point where they are equal.
+struct Segment {
+  Vec2 a, b;  // m
+};
+
+/// A pair of points, one of each set, that are as near to each other as any.
+struct NearestPoints {
+  Vec2 on_first, on_second;  // m
+  double distance = 0.0;     // m; 0 where the sets meet
+};
+
+/// The point of the segment nearest to p. Ends are exact.
+Vec2 nearest_on(const Segment& segment, Vec2 p);
+
+/// Of segments that cross, the point where they do, up to rounding.
+NearestPoints nearest_points(const Segment& first, const Segment& second);
+
+/// m
+double distance(Vec2 p, const Segment& segment);
+double distance(const Segment& first, const Segment& second);
+
+}  // namespace avo

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Worlds to find ways in.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "avo/wall.h"
+#include "support/generators.h"
+
+namespace avo::test {
+
+/// Walls of `count` random pieces in a square, some of them joined, some thick.
+inline std::vector<Wall> random_walls(int count, double extent, std::uint64_t seed) {
+  Random random(seed);
+  const auto point = [&] { return Vec2{random.uniform(0.0, extent), random.uniform(0.0, extent)}; };
+  std::vector<Wall> walls;
+  for (int k = 0; k < count; ++k) {
+    const Vec2 a = k % 3 == 0 && k > 0 ? walls.back().b : point();
+    const Vec2 toward = point() - a;
+    const Vec2 b = a + (random.uniform(0.5, 4.0) / std::max(norm(toward), 1e-3)) * toward;
+    walls.push_back({a, b, k % 5 == 0 ? 0.1 : 0.0});
+  }
+  return walls;
+}
+
+/// A maze of side x side cells in which each place is reached by one way; loose pieces, each one a
+/// side of a cell, in no order and in both directions.
+inline std::vector<Wall> maze(int side, double cell, std::uint64_t seed) {
+  Random random(seed);
+  const auto cells = static_cast<std::size_t>(side);
+  std::vector<char> is_known(cells * cells, 0);
+  // walls on the right of and above each cell
+  std::vector<char> right(cells * cells, 1), above(cells * cells, 1);
+  std::vector<std::size_t> trail{0};
+  is_known[0] = 1;
+  while (!trail.empty()) {
+    const std::size_t here = trail.back(), x = here % cells, y = here / cells;
+    std::vector<int> ways;
+    if (x + 1 < cells && is_known[here + 1] == 0) ways.push_back(0);
+    if (x > 0 && is_known[here - 1] == 0) ways.push_back(1);
+    if (y + 1 < cells && is_known[here + cells] == 0) ways.push_back(2);
+    if (y > 0 && is_known[here - cells] == 0) ways.push_back(3);
+    if (ways.empty()) {
+      trail.pop_back();
+      continue;
+    }
+    const auto pick =
+        static_cast<std::size_t>(random.uniform(0.0, 0.999999) * static_cast<double>(ways.size()));
+    const int way = ways[pick];
+    const std::size_t there = way == 0   ? here + 1
+                              : way == 1 ? here - 1
+                              : way == 2 ? here + cells
+                                         : here - cells;
+    if (way < 2) right[std::min(here, there)] = 0;
+    if (way >= 2) above[std::min(here, there)] = 0;
+    is_known[there] = 1;
+    trail.push_back(there);
+  }
+  std::vector<Wall> walls;
+  const auto add = [&](double ax, double ay, double bx, double by) {
+    const Vec2 a{ax * cell, ay * cell}, b{bx * cell, by * cell};
+    const bool turned = random.uniform(0.0, 1.0) < 0.5;
+    walls.push_back(turned ? Wall{b, a, 0.0} : Wall{a, b, 0.0});
+  };
+  for (std::size_t k = 0; k < cells * cells; ++k) {
+    const auto x = static_cast<double>(k % cells), y = static_cast<double>(k / cells);
+    if (right[k] != 0) add(x + 1, y, x + 1, y + 1);
+    if (above[k] != 0) add(x, y + 1, x + 1, y + 1);
+    if (k < cells) add(x, 0, x + 1, 0);
+    if (k % cells == 0) add(0, y, 0, y + 1);
+  }
+  for (std::size_t k = walls.size(); k > 1; --k) {
+    const auto other =
+        static_cast<std::size_t>(random.uniform(0.0, 0.999999) * static_cast<double>(k));
+    std::swap(walls[k - 1], walls[other]);
+  }
+  return walls;
+}
+
+/// Two rooms of 10 x 10 m with a door of that width between them.
+inline std::vector<Wall> two_rooms(double door) {
+  const double low = 5.0 - 0.5 * door, high = 5.0 + 0.5 * door;
+  return {{{0, 0}, {20, 0}, 0}, {{20, 10}, {20, 0}, 0},  {{0, 10}, {20, 10}, 0},
+          {{0, 0}, {0, 10}, 0}, {{10, 0}, {10, low}, 0}, {{10, 10}, {10, high}, 0}};
+}
+
+}  // namespace avo::test

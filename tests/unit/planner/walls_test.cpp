@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What walls make of the target of the first program.
+#include "support/walls.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "planner/wall_planes.h"
+
+namespace avo {
+namespace {
+
+using test::law_of;
+using test::options_of;
+using test::Random;
+
+PlannerOptions options_with(Certificate certificate) {
+  return options_of(certificate, Motion::held, 0.1, 2.0);
+}
+
+TEST(SpeedPlanes, the_speed_is_the_largest_that_stops_in_the_gap) {
+  for (const Motion motion : {Motion::held, Motion::exponential}) {
+    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+      Random random(seed);
+      const StepLaw law =
+          law_of(test::random_options(random, Certificate::braking_trajectories, motion)).step;
+      const double a = random.log_uniform(0.1, 10.0), gap = random.log_uniform(1e-6, 20.0);
+      const double speed = speed_before(gap, a, law);
+      const double way =
+          law.time_step * speed + stopping_length(speed, braking_decrement(a, law), law);
+      EXPECT_NEAR(way, gap, 1e-12 + 1e-9 * gap);
+    }
+  }
+  EXPECT_EQ(speed_before(0.0, 1.0, {}), 0.0);
+  EXPECT_EQ(speed_before(-1.0, 1.0, {}), 0.0);
+}
+
+// A robot 1 m before the wall x = 1.5, on its way through it.
+Robot before_the_wall() {
+  Robot robot;
+  robot.preferred_velocity = {2.0, 0.0};
+  return robot;
+}
+const Wall kWall{{1.5, -9.0}, {1.5, 9.0}};
+
+// Straight at it: on a detour a target may turn a robot while it slows down.
+TEST(SpeedPlanes, a_target_drives_at_no_wall_faster_than_braking_stops) {
+  PlanWorkspace workspace;
+  for (const Certificate certificate : {Certificate::none, Certificate::braking_trajectories}) {
+    const Planner planner(options_with(certificate));
+    const StepLaw law = law_of(planner.options()).step;
+    Robot robot = before_the_wall();
+    int too_fast = 0, braking = 0;
+    for (int k = 0; k < 80; ++k) {
+      const Plan plan = planner.plan(robot, {}, workspace, nullptr, {&kWall, 1});
+      const double speed = speed_before(1.0 - robot.position.x, robot.max_acceleration, law);
+      too_fast += plan.next_velocity.x > speed + 1e-9 ? 1 : 0;
+      braking += plan.status == PlanStatus::braking ? 1 : 0;
+      robot.position = robot.position + 0.05 * (robot.velocity + plan.next_velocity);
+      robot.velocity = plan.next_velocity;
+    }
+    EXPECT_EQ(too_fast, 0);
+    EXPECT_EQ(braking, 0);
+    EXPECT_GT(robot.position.x, 0.9);
+    // the planes reckon with a step at V; one that slows down is longer by s u
+    const double beyond = certificate == Certificate::none ? law.lag * 0.1 + 1e-9 : 0.0;
+    EXPECT_LT(robot.position.x, 1.0 + beyond);
+  }
+}
+
+// Another one comes from behind so fast that its half-plane cannot be kept together with the
+// wall's.
+TEST(SpeedPlanes, the_half_planes_of_neighbors_yield_first) {
+  const Planner planner(options_with(Certificate::none));
+  const StepLaw law = law_of(planner.options()).step;
+  Robot robot = before_the_wall();
+  robot.position.x = 0.95;
+  robot.preferred_velocity = {};
+  const Neighbor other{{-0.1, 0.0}, {2.0, 0.0}};
+  PlanWorkspace workspace;
+  const Plan pushed = planner.plan(robot, {&other, 1}, workspace);
+  const double speed = speed_before(0.05, robot.max_acceleration, law);
+  EXPECT_GT(std::abs(pushed.new_velocity.x) + std::abs(pushed.new_velocity.y), 2.0 * speed);
+  const Wall box[] = {kWall, {{1.5, 0.55}, {0.0, 0.55}}, {{1.5, -0.55}, {0.0, -0.55}}};
+  const Plan plan = planner.plan(robot, {&other, 1}, workspace, nullptr, box);
+  EXPECT_EQ(plan.status, PlanStatus::least_unsafe);
+  EXPECT_GT(plan.violation, 0.0);
+  EXPECT_LE(plan.new_velocity.x * planner.step_rate(), speed + 1e-9);
+}
+
+}  // namespace
+}  // namespace avo
