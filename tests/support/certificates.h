@@ -99,6 +99,26 @@ inline std::vector<double> cubic_roots(const std::array<double, 4>& c, double mo
   return roots;
 }
 
+/// The least value(t) on [0, h]: by samples, then by thirds around the least of them.
+template <typename Value>
+double refined_least(const Value& value, double h, int samples, int thirds) {
+  int nearest = 0;
+  for (int k = 0; k <= samples; ++k) {
+    if (value(h * k / samples) < value(h * nearest / samples)) nearest = k;
+  }
+  double low = h * std::max(nearest - 1, 0) / samples;
+  double high = h * std::min(nearest + 1, samples) / samples;
+  for (int i = 0; i < thirds; ++i) {
+    const double third = (high - low) / 3.0;
+    if (value(low + third) < value(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  return value(0.5 * (low + high));
+}
+
 /// Least distance of two robots within one step, m: exact (the distance squared is a quartic) where
 /// motion is held, sampled and refined otherwise.
 inline double least_distance(const TrueStep& a, const TrueStep& b, const PlannerOptions& options) {
@@ -115,22 +135,7 @@ inline double least_distance(const TrueStep& a, const TrueStep& b, const Planner
     for (const double t : cubic_roots(slope, h)) least = std::min(least, distance(t));
     return least;
   }
-  constexpr int kSamples = 32;
-  int nearest = 0;
-  for (int k = 0; k <= kSamples; ++k) {
-    if (distance(h * k / kSamples) < distance(h * nearest / kSamples)) nearest = k;
-  }
-  double low = h * std::max(nearest - 1, 0) / kSamples;
-  double high = h * std::min(nearest + 1, kSamples) / kSamples;
-  for (int i = 0; i < 40; ++i) {
-    const double third = (high - low) / 3.0;
-    if (distance(low + third) < distance(high - third)) {
-      high -= third;
-    } else {
-      low += third;
-    }
-  }
-  return std::min(least, distance(0.5 * (low + high)));
+  return std::min(least, refined_least(distance, h, 32, 40));
 }
 
 /// Whether all pairs keep the certificate's invariant.

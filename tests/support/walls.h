@@ -47,22 +47,7 @@ inline double least_gap(const TrueStep& step, const Wall& wall, const PlannerOpt
       least = std::min(least, gap(t));
     return least;
   }
-  constexpr int kSamples = 16;
-  int nearest = 0;
-  for (int k = 0; k <= kSamples; ++k) {
-    if (gap(h * k / kSamples) < gap(h * nearest / kSamples)) nearest = k;
-  }
-  double low = h * std::max(nearest - 1, 0) / kSamples;
-  double high = h * std::min(nearest + 1, kSamples) / kSamples;
-  for (int i = 0; i < 30; ++i) {
-    const double third = (high - low) / 3.0;
-    if (gap(low + third) < gap(high - third)) {
-      high -= third;
-    } else {
-      low += third;
-    }
-  }
-  return std::min(least, gap(0.5 * (low + high)));
+  return std::min(least, refined_least(gap, h, 16, 30));
 }
 
 inline double gap_to_all(Vec2 p, const std::vector<Wall>& walls) {

@@ -7,43 +7,21 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "sampled.h"
 #include "support/generators.h"
 
 namespace avo::judge {
 namespace {
 
-using Real = long double;
 using test::Random;
 
 Real distance_at(const RelativePath& path, Real u) {
-  const Real q = 1 - u;
-  const Real weight[] = {q * q * q, 3 * q * q * u, 3 * q * u * u, u * u * u};
-  Real x = 0, y = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    x += weight[k] * static_cast<Real>(path.control[k].x);
-    y += weight[k] * static_cast<Real>(path.control[k].y);
-  }
-  return std::sqrt(x * x + y * y);
+  const Place at = place_at(path, u);
+  return std::sqrt(at.x * at.x + at.y * at.y);
 }
 
-// By samples, then by thirds around each of their minima.
 Real sampled_least(const RelativePath& path) {
-  constexpr int kSamples = 500;
-  Real best = std::min(distance_at(path, 0), distance_at(path, 1));
-  for (int k = 1; k < kSamples; ++k) {
-    Real low = static_cast<Real>(k - 1) / kSamples, high = static_cast<Real>(k + 1) / kSamples;
-    const Real here = distance_at(path, static_cast<Real>(k) / kSamples);
-    if (here > distance_at(path, low) || here > distance_at(path, high)) continue;
-    for (int i = 0; i < 90; ++i) {
-      const Real third = (high - low) / 3;
-      if (distance_at(path, low + third) < distance_at(path, high - third))
-        high -= third;
-      else
-        low += third;
-    }
-    best = std::min(best, distance_at(path, low));
-  }
-  return best;
+  return least_by_samples([&](Real u) { return distance_at(path, u); });
 }
 
 double size_of(const RelativePath& path) {

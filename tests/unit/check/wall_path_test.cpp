@@ -6,52 +6,30 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "sampled.h"
 #include "support/generators.h"
 
 namespace avo::judge {
 namespace {
 
-using Real = long double;
 using test::Random;
 
 Real sampled_distance(const WallPath& path, Real u) {
-  const Real q = 1 - u;
-  const Real weight[] = {q * q * q, 3 * q * q * u, 3 * q * u * u, u * u * u};
-  Real x = 0, y = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    x += weight[k] * static_cast<Real>(path.from_start.control[k].x);
-    y += weight[k] * static_cast<Real>(path.from_start.control[k].y);
-  }
+  const auto [x, y] = place_at(path.from_start, u);
   const Real dx = static_cast<Real>(path.segment.x), dy = static_cast<Real>(path.segment.y);
   const Real squared = dx * dx + dy * dy;
   const Real along = squared > 0 ? std::clamp<Real>((x * dx + y * dy) / squared, 0, 1) : 0;
   return std::hypot(x - along * dx, y - along * dy);
 }
 
-// By samples, then by thirds around each of their minima.
 Real sampled_least(const WallPath& path) {
-  constexpr int kSamples = 500;
-  Real best = std::min(sampled_distance(path, 0), sampled_distance(path, 1));
-  for (int k = 1; k < kSamples; ++k) {
-    Real low = static_cast<Real>(k - 1) / kSamples, high = static_cast<Real>(k + 1) / kSamples;
-    const Real here = sampled_distance(path, static_cast<Real>(k) / kSamples);
-    if (here > sampled_distance(path, low) || here > sampled_distance(path, high)) continue;
-    for (int i = 0; i < 90; ++i) {
-      const Real third = (high - low) / 3;
-      if (sampled_distance(path, low + third) < sampled_distance(path, high - third))
-        high -= third;
-      else
-        low += third;
-    }
-    best = std::min(best, sampled_distance(path, low));
-  }
-  return best;
+  return least_by_samples([&](Real u) { return sampled_distance(path, u); });
 }
 
 double size_of(const WallPath& path) {
   double size = 0.0;
-  for (const Vec2 each : path.from_start.control)
-    size = std::max({size, norm(each), norm(each - path.segment)});
+  for (const Vec2 point : path.from_start.control)
+    size = std::max({size, norm(point), norm(point - path.segment)});
   return size;
 }
 
@@ -69,10 +47,10 @@ double expect_nearest(const WallPath& path) {
 
 WallPath random_path(Random& random, double size, double wall) {
   WallPath path;
-  for (Vec2& each : path.from_start.control) each = test::in_disc(random, size);
+  for (Vec2& point : path.from_start.control) point = test::in_disc(random, size);
   path.segment = wall * random.direction();
   const Vec2 start = test::in_disc(random, size);
-  for (Vec2& each : path.from_start.control) each = each - start;
+  for (Vec2& point : path.from_start.control) point = point - start;
   return path;
 }
 
@@ -84,7 +62,7 @@ TEST(WallPath, nearest_agrees_with_dense_sampling) {
     const WallPath path = random_path(random, size, size * random.log_uniform(1e-6, 1e3));
     const double distance = expect_nearest(path);
     RelativePath from_end = path.from_start;
-    for (Vec2& each : from_end.control) each = each - path.segment;
+    for (Vec2& point : from_end.control) point = point - path.segment;
     const double of_ends =
         std::min(nearest_instant(path.from_start).distance, nearest_instant(from_end).distance);
     if (distance < 1e-12 * size)

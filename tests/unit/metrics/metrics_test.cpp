@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "runs.h"
 #include "support/brute_force.h"
 #include "unit/sim/scenes.h"
 
@@ -17,33 +18,6 @@ namespace avo {
 namespace {
 
 using test::robot_at;
-
-RunSummary run(const Scenario& scene, int steps) {
-  Simulation simulation(scene, 1);
-  Metrics metrics(scene);
-  metrics.observe(simulation);
-  for (int k = 0; k < steps; ++k) {
-    simulation.step();
-    metrics.observe(simulation);
-  }
-  return metrics.summary();
-}
-
-// Robots that sense nobody drive into each other.
-Scenario blind(std::vector<RobotSetup> robots) {
-  Scenario scene;
-  scene.method = Method::avo_paper;
-  scene.sensing_radius = 1e-3;
-  scene.control_time = 2.0;
-  scene.robots = std::move(robots);
-  return scene;
-}
-
-RobotSetup cruising(Vec2 position, Vec2 goal) {
-  RobotSetup setup = robot_at(position, goal);
-  setup.velocity = 2.0 / norm(goal - position) * (goal - position);
-  return setup;
-}
 
 TEST(Metrics, overlap_begins_at_a_billionth_of_the_radii) {
   for (const double scale : {1e-3, 1.0, 1e4}) {
@@ -104,28 +78,12 @@ TEST(Metrics, collision_pairs_are_distinct) {
 
 // The clearance of all pairs, from the equations of motion and samples of each step.
 double slow_clearance(const Scenario& scene, int steps) {
-  const double delta = planner_options(scene).control_time;
-  Simulation simulation(scene, 1);
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < steps; ++k) {
-    const FleetView before = simulation.fleet();
-    const std::vector<Vec2> p(before.position.begin(), before.position.end());
-    const std::vector<Vec2> v(before.velocity.begin(), before.velocity.end());
-    simulation.step();
-    const FleetView after = simulation.fleet();
-    const auto place = [&](std::size_t i, double t) {
-      const Vec2 w = after.plan[i].new_velocity - v[i];
-      double g = t;  // adopted at once
-      if (!adopts_at_once(scene.method)) {
-        g = scene.motion == Motion::held ? t * t / (2.0 * delta)
-                                         : static_cast<double>(test::slow_gain(t, delta));
-      }
-      return p[i] + t * v[i] + g * w;
-    };
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      for (std::size_t j = i + 1; j < p.size(); ++j) {
-        const double contact = after.setup[i].radius + after.setup[j].radius;
-        if (norm(p[i] - p[j]) - contact > least + 1.0) continue;
+  for_each_step(scene, steps, [&](const FleetView& fleet, const auto& place) {
+    for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+      for (std::size_t j = i + 1; j < fleet.id.size(); ++j) {
+        const double contact = fleet.setup[i].radius + fleet.setup[j].radius;
+        if (norm(place(i, 0.0) - place(j, 0.0)) - contact > least + 1.0) continue;
         const auto nearness = [&](double t) { return -norm(place(i, t) - place(j, t)); };
         double best = std::max(nearness(0.0), nearness(scene.time_step));
         const double half = 0.5 * scene.time_step;
@@ -134,7 +92,7 @@ double slow_clearance(const Scenario& scene, int steps) {
         least = std::min(least, -best - contact);
       }
     }
-  }
+  });
   return least;
 }
 
@@ -190,126 +148,6 @@ TEST(Metrics, accelerating_obstacles_are_met_on_their_curve) {
       EXPECT_EQ(summary.obstacle_collisions, aside < 1.0 ? 1 : 0) << aside;
     }
   }
-}
-
-StaticObstacle wall_between(Vec2 a, Vec2 b, double radius = 0.0) {
-  return {{{{a, b}}}, radius};
-}
-
-// Whatever the robots plan: at 2 m/s, 0.6 m and 0.7 m before a wall, they cannot stop.
-TEST(Metrics, robots_that_touch_static_obstacles_are_counted_once) {
-  Scenario scene = blind({cruising({0, 0}, {9, 0}), cruising({0, 9}, {9, 9}),
-                          robot_at({0, 40}, {0, 40}), robot_at({0, 50}, {0, 50})});
-  scene.obstacles = {wall_between({0.6, -5}, {0.6, 5}),
-                     wall_between({0.65, -5}, {0.65, 5}),
-                     wall_between({1.0, 5}, {1.0, 12}, 0.3),
-                     wall_between({2, 42}, {20, 42}),
-                     {{{{{5, 50}}}}, 4.25}};
-  const RunSummary summary = run(scene, 10);
-  EXPECT_EQ(summary.collision_obstacles, 2);
-  EXPECT_EQ(summary.obstacle_collisions, 0);
-  EXPECT_EQ(summary.collision_pairs, 0);
-  EXPECT_LT(*summary.min_obstacle_clearance, -0.1);
-  scene.robots.erase(scene.robots.begin(), scene.robots.begin() + 2);
-  EXPECT_EQ(run(scene, 0).collision_obstacles, 0);
-  EXPECT_NEAR(*run(scene, 0).min_obstacle_clearance, 0.25, 1e-12) << "of the disc";
-  scene.obstacles.clear();
-  EXPECT_FALSE(run(scene, 10).min_obstacle_clearance);
-}
-
-TEST(Metrics, contact_with_a_static_obstacle_begins_at_a_billionth_of_the_radii) {
-  for (const double scale : {1e-3, 1.0, 1e4}) {
-    for (const double overlap : {-1e-10, 0.0, 0.9e-9, 1.1e-9, 1e-3}) {
-      Scenario scene = blind({robot_at({0, 0}, {0, 0})});
-      scene.robots[0].radius = 0.5 * scale;
-      const double y = scale * (1.0 - overlap);
-      scene.obstacles = {wall_between({-scale, y}, {scale, y}, 0.5 * scale)};
-      const RunSummary summary = run(scene, 0);
-      EXPECT_EQ(summary.collision_obstacles, overlap > 1e-9 ? 1 : 0) << scale << " " << overlap;
-      EXPECT_NEAR(*summary.min_obstacle_clearance, -overlap * scale, 1e-15 * scale);
-    }
-  }
-}
-
-// The clearance from walls, from the equations of motion and samples of each step.
-double slow_wall_clearance(const Scenario& scene, int steps, std::set<std::size_t>& touched) {
-  const double delta = planner_options(scene).control_time;
-  const std::vector<Wall> walls = walls_of(scene.obstacles);
-  Simulation simulation(scene, 1);
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < steps; ++k) {
-    const FleetView before = simulation.fleet();
-    const std::vector<Vec2> p(before.position.begin(), before.position.end());
-    const std::vector<Vec2> v(before.velocity.begin(), before.velocity.end());
-    simulation.step();
-    const FleetView after = simulation.fleet();
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const Vec2 w = after.plan[i].new_velocity - v[i];
-      for (int n = 0; n <= 200; ++n) {
-        const double t = scene.time_step * n / 200.0;
-        const double g = adopts_at_once(scene.method) ? t
-                         : scene.motion == Motion::held
-                             ? t * t / (2.0 * delta)
-                             : static_cast<double>(test::slow_gain(t, delta));
-        const Vec2 at = p[i] + t * v[i] + g * w;
-        for (const Wall& wall : walls) {
-          const Vec2 d = wall.b - wall.a;
-          const double squared = dot(d, d);
-          const double along =
-              squared > 0.0 ? std::clamp(dot(at - wall.a, d) / squared, 0.0, 1.0) : 0.0;
-          const double clearance =
-              norm(at - wall.a - along * d) - wall.radius - after.setup[i].radius;
-          least = std::min(least, clearance);
-          if (clearance < -1e-3) touched.insert(i);
-        }
-      }
-    }
-  }
-  return least;
-}
-
-TEST(Metrics, min_obstacle_clearance_is_that_of_all_walls) {
-  test::Random random(21);
-  for (const Method method : {Method::avo_paper, Method::orca}) {
-    for (const Motion motion : {Motion::held, Motion::exponential}) {
-      for (const double half : {6.0, 60.0}) {
-        Scenario scene = blind({});
-        scene.method = method;
-        scene.motion = motion;
-        for (int i = 0; i < 6; ++i) {
-          const Vec2 start{random.uniform(-half, half), random.uniform(-half, half)};
-          scene.robots.push_back(cruising(start, start + 30.0 * random.direction()));
-          scene.robots.back().radius = random.uniform(0.1, 0.5);
-        }
-        for (int k = 0; k < 40; ++k) {
-          const Vec2 a{random.uniform(-half, half), random.uniform(-half, half)};
-          const double radius = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.5);
-          if (random.below(3) == 0)
-            scene.obstacles.push_back({{{{a}}}, radius + 0.1});
-          else
-            scene.obstacles.push_back(
-                wall_between(a, a + random.log_uniform(0.1, 50.0) * random.direction(), radius));
-        }
-        std::set<std::size_t> touched;
-        const RunSummary summary = run(scene, 30);
-        // samples are up to 1 cm apart
-        EXPECT_NEAR(*summary.min_obstacle_clearance, slow_wall_clearance(scene, 30, touched), 5e-3);
-        EXPECT_GE(summary.collision_obstacles, static_cast<std::int64_t>(touched.size()));
-        EXPECT_EQ(*summary.min_obstacle_clearance<-1e-9, summary.collision_obstacles> 0);
-      }
-    }
-  }
-}
-
-// A robot turns round before a wall within one long step, where the cubic is millimeters off.
-TEST(Metrics, static_obstacles_are_approached_by_the_equations_of_motion) {
-  Scenario scene = blind({robot_at({0, 0}, {0, 100})});
-  scene.motion = Motion::exponential;
-  scene.time_step = scene.control_time.value();
-  scene.robots[0].velocity = {0, -1};
-  scene.obstacles = {wall_between({-50, -3}, {50, -3})};
-  std::set<std::size_t> touched;
-  EXPECT_NEAR(*run(scene, 1).min_obstacle_clearance, slow_wall_clearance(scene, 1, touched), 1e-4);
 }
 
 TEST(Metrics, arrivals_are_first_times) {
