@@ -123,5 +123,20 @@ TEST(Metrics, static_obstacles_are_approached_by_the_equations_of_motion) {
   EXPECT_NEAR(*run(scene, 1).min_obstacle_clearance, slow_wall_clearance(scene, 1, touched), 1e-4);
 }
 
+TEST(Metrics, who_stands_beyond_a_wall_has_not_arrived) {
+  Scenario scene = blind({robot_at({0, -0.2}, {0, 0.2}), robot_at({9, -0.2}, {9, 0.2})});
+  for (RobotSetup& robot : scene.robots) robot.radius = 0.1;
+  scene.obstacles = {wall_between({-1, 0}, {1, 0})};
+  EXPECT_EQ(run(scene, 0).arrived, 1);
+}
+
+TEST(Metrics, who_cannot_reach_its_goal_is_told) {
+  Scenario scene = blind({robot_at({0, 0}, {9, 0}), robot_at({0, 4}, {9, 4})});
+  scene.obstacles = {{{{{{8, -1}, {10, -1}, {10, 1}, {8, 1}}, true}}}};
+  EXPECT_EQ(run(scene, 1).unreachable, (std::vector<std::uint64_t>{0}));
+  scene.obstacles[0].chains[0].closed = false;
+  EXPECT_TRUE(run(scene, 1).unreachable.empty());
+}
+
 }  // namespace
 }  // namespace avo
