@@ -42,9 +42,10 @@ Robot before_the_wall() {
   return robot;
 }
 const Wall kWall{{1.5, -9.0}, {1.5, 9.0}};
+const Wall kThickWall{{1.9, -9.0}, {1.9, 9.0}, 0.4};  // its surface is the same
 
 // Straight at it: on a detour a target may turn a robot while it slows down.
-TEST(SpeedPlanes, a_target_drives_at_no_wall_faster_than_braking_stops) {
+void drive_straight_at(const Wall& wall) {
   PlanWorkspace workspace;
   for (const Certificate certificate : {Certificate::none, Certificate::braking_trajectories}) {
     const Planner planner(options_with(certificate));
@@ -52,7 +53,7 @@ TEST(SpeedPlanes, a_target_drives_at_no_wall_faster_than_braking_stops) {
     Robot robot = before_the_wall();
     int too_fast = 0, braking = 0;
     for (int k = 0; k < 80; ++k) {
-      const Plan plan = planner.plan(robot, {}, workspace, nullptr, {&kWall, 1});
+      const Plan plan = planner.plan(robot, {}, workspace, nullptr, {&wall, 1});
       const double speed = speed_before(1.0 - robot.position.x, robot.max_acceleration, law);
       too_fast += plan.next_velocity.x > speed + 1e-9 ? 1 : 0;
       braking += plan.status == PlanStatus::braking ? 1 : 0;
@@ -66,6 +67,10 @@ TEST(SpeedPlanes, a_target_drives_at_no_wall_faster_than_braking_stops) {
     const double beyond = certificate == Certificate::none ? law.lag * 0.1 + 1e-9 : 0.0;
     EXPECT_LT(robot.position.x, 1.0 + beyond);
   }
+}
+
+TEST(SpeedPlanes, a_target_drives_at_no_wall_faster_than_braking_stops) {
+  for (const Wall& wall : {kWall, kThickWall}) drive_straight_at(wall);
 }
 
 // Another one comes from behind so fast that its half-plane cannot be kept together with the
