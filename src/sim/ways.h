@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -36,11 +37,13 @@ struct Heading {
 /// What robots know of the walls. Without walls there are no ways.
 class Ways {
  public:
-  explicit Ways(const Scenario& scenario);
+  Ways(const Scenario& settings, std::span<const Wall> walls);
 
   [[nodiscard]] bool empty() const { return !sight_; }
   /// A new way; robots of one radius and one goal share what it is made of.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal);
+  /// A way on which the target is known.
+  [[nodiscard]] Travel resume(double radius, Vec2 goal, std::uint32_t target);
   /// Whether no wall lies on the straight way between them.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q) const;
 
@@ -66,8 +69,12 @@ class Ways {
 Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robot,
                bool looks_around, LegScratch& scratch);
 
-/// Of a whole fleet, by rank.
-std::vector<Travel> travels_of(Ways& ways, const Fleet& fleet);
+/// Of a whole fleet.
+void plan_travels(Ways& ways, const Fleet& fleet);
+
+/// Of the same fleet among other walls. Who would set out as before, and has as far to go from its
+/// target, keeps it.
+void replan_travels(const Ways& before, Ways& ways, const Fleet& fleet);
 
 /// Whether the robot looks around in this step: not all do at once.
 bool looks_around(RobotId robot, std::int64_t steps);

@@ -57,7 +57,8 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
     : settings(scenario),
       planner(planner_options(scenario)),
       response(step_response(planner)),
-      ways(scenario),
+      statics(static_world(scenario.obstacles)),
+      ways(scenario, statics.walls),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.reserve(scenario.robots.size());
@@ -65,10 +66,8 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
-  statics.obstacles.swap(settings.obstacles);
-  statics.walls = walls_of(statics.obstacles);
+  settings.obstacles = std::vector<StaticObstacle>();
   find_walls(*this);
-  if (!ways.empty()) ways.travels = travels_of(ways, fleet);
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
@@ -89,7 +88,6 @@ void find_walls(World& world) {
   if (reach <= statics.reach && most.steps <= statics.rounding.steps &&
       most.lengths <= statics.rounding.lengths)
     return;
-  statics.reach = reach, statics.rounding = most;
   std::vector<double> within;
   for (const Wall& wall : statics.walls) {
     within.push_back((reach + wall.radius + wall_margin(wall, most)) * (1.0 + 0x1p-20));
@@ -98,6 +96,7 @@ void find_walls(World& world) {
   for (Worker& worker : world.workers) {
     PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(statics.grid.most());
   }
+  statics.reach = reach, statics.rounding = most;
 }
 
 std::size_t World::most_nearest() const {

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "certificate/wall_constraints.h"
 #include "core/executor.h"
 #include "core/stage_clock.h"
 #include "planner/relevance.h"
@@ -17,8 +16,8 @@
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
 #include "sim/snapshot.h"
+#include "sim/static_world.h"
 #include "sim/ways.h"
-#include "walls/wall_grid.h"
 
 namespace avo {
 
@@ -39,16 +38,6 @@ struct alignas(128) Worker {
 
   StageClock clock;
   std::int64_t pairs = 0, infeasible = 0;
-};
-
-/// What does not move. Nobody looks at it where there are no obstacles.
-struct StaticWorld {
-  std::vector<StaticObstacle> obstacles;
-  std::vector<Wall> walls;
-  WallGrid grid;
-  // of robots, that the grid has been built for
-  double reach = -1.0;  // m
-  WallRounding rounding;
 };
 
 struct World {
@@ -85,7 +74,8 @@ struct World {
   Robot robot(std::size_t slot) const;
 };
 
-/// Builds the grid of walls where a robot reaches farther than it was built for.
+/// Builds the grid of walls anew where they are new, or a robot reaches farther than it was built
+/// for.
 void find_walls(World& world);
 
 /// Decides for the robots of the worker's tile, whose neighbors are known, moves them, and empties
