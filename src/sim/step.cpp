@@ -93,6 +93,7 @@ void index(World& world, Executor& executor) {
   if (world.changed) {
     find_ranges(world);
     find_walls(world);
+    if (!world.statics.walls.empty()) make_room(world);
   }
   const bool due = world.steps >= world.next_layout;
   if (world.changed || due) lay_out(world, executor);

@@ -90,6 +90,12 @@ Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target) {
   return travel;
 }
 
+std::size_t Ways::most_targets() const {
+  std::size_t most = 0;
+  for (const auto& [radius, known] : radii_) most = std::max(most, known->graph.points.size() + 1);
+  return most;
+}
+
 bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
   return !sight_ || sight_->is_clear(p, q, 0.0);
 }

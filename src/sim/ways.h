@@ -44,6 +44,8 @@ class Ways {
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal);
   /// A way on which the target is known.
   [[nodiscard]] Travel resume(double radius, Vec2 goal, std::uint32_t target);
+  /// That a robot may have to choose from.
+  [[nodiscard]] std::size_t most_targets() const;
   /// Whether no wall lies on the straight way between them.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q) const;
 

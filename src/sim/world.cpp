@@ -24,13 +24,20 @@ std::size_t most_braking_steps(const World& world) {
   return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
 }
 
+constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
+
+// How many a robot may sense, of those that room is made for.
+std::size_t most_seen(const World& world) {
+  const std::size_t all = world.fleet.size() + world.obstacles.setup.size();
+  const std::size_t seen = std::min(all, kMostAhead);
+  return world.all_matter() ? seen : std::min(seen, world.most_nearest());
+}
+
 // Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
 void reserve(const World& world, Worker& worker) {
-  constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
   const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
   worker.obstacles.reserve(1, std::min(obstacles, kMostAhead));
-  std::size_t seen = std::min(robots + obstacles, kMostAhead);
-  if (!world.all_matter()) seen = std::min(seen, world.most_nearest());
+  const std::size_t seen = most_seen(world);
   const std::size_t together = std::min(kTileRobots, robots);
   worker.queries.reserve(together);
   worker.search.reserve(
@@ -67,7 +74,6 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
   settings.obstacles = std::vector<StaticObstacle>();
-  find_walls(*this);
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
@@ -76,27 +82,21 @@ void find_walls(World& world) {
   if (statics.walls.empty() || world.planner.options().method != Method::avo) return;
   const StepLaw law = certificate_law(world.planner).step;
   const Fleet& fleet = world.fleet;
-  WallRounding most;
-  double reach = 0.0;
+  WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    const auto& [radius, max_speed, max_acceleration, preferred, wheelbase] = fleet.traits[slot];
-    const double speed = std::max(max_speed, norm(fleet.velocity[slot]));
-    const WallRounding rounding = wall_rounding(radius, max_speed, max_acceleration, law);
-    most = {std::max(most.steps, rounding.steps), std::max(most.lengths, rounding.lengths)};
-    reach = std::max(reach, radius + wall_reach(speed, max_speed, max_acceleration, law));
+    needs.include(fleet.traits[slot], norm(fleet.velocity[slot]), law);
   }
-  if (reach <= statics.reach && most.steps <= statics.rounding.steps &&
-      most.lengths <= statics.rounding.lengths)
-    return;
-  std::vector<double> within;
-  for (const Wall& wall : statics.walls) {
-    within.push_back((reach + wall.radius + wall_margin(wall, most)) * (1.0 + 0x1p-20));
-  }
-  statics.grid.build(statics.walls, within);
+  if (statics.needs && statics.needs->cover(needs)) return;
+  statics.grid = grid_of(statics.walls, needs);
+  statics.needs = needs;
+}
+
+void make_room(World& world) {
   for (Worker& worker : world.workers) {
-    PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(statics.grid.most());
+    PlanWorkspace::Scratch::of(worker.workspace)
+        .reserve_walls(most_seen(world), world.statics.grid.most());
+    worker.legs.targets.reserve(world.ways.most_targets());
   }
-  statics.reach = reach, statics.rounding = most;
 }
 
 std::size_t World::most_nearest() const {

@@ -74,9 +74,11 @@ struct World {
   Robot robot(std::size_t slot) const;
 };
 
-/// Builds the grid of walls anew where they are new, or a robot reaches farther than it was built
-/// for.
+/// Builds the grid of walls where they are new, or a robot reaches farther than it was built for.
 void find_walls(World& world);
+
+/// For what the walls near a robot and its looking for a way take in a step.
+void make_room(World& world);
 
 /// Decides for the robots of the worker's tile, whose neighbors are known, moves them, and empties
 /// it.
