@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -105,6 +106,9 @@ void check_certificate(const World& world, const StaticObstacle& obstacle, Obsta
            solid ? "outside of the solid" : "inside of the bounds");
   }
 }
+
+static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
+              std::is_nothrow_move_assignable_v<Ways>);
 
 // The same fleet among others.
 void replace(World& world, StaticWorld statics) {

@@ -3,6 +3,7 @@
 #include "sim/edits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -10,19 +11,13 @@
 #include "avo/check.h"
 #include "avo/error.h"
 #include "support/walls.h"
-#include "unit/navigation/mazes.h"
-#include "unit/sim/scenes.h"
+#include "unit/sim/walled_scenes.h"
 
 namespace avo {
 namespace {
 
+using test::pieces;
 using test::robot_at;
-
-StaticObstacle pieces(const std::vector<Wall>& walls) {
-  StaticObstacle obstacle;
-  for (const Wall& wall : walls) obstacle.chains.push_back({{wall.a, wall.b}, false});
-  return obstacle;
-}
 
 const StaticObstacle kDoor = pieces({{{10, 4}, {10, 6}}});
 
@@ -143,6 +138,118 @@ TEST(Edits, an_obstacle_that_braking_would_touch_is_refused_with_the_arithmetic)
   EXPECT_EQ(refusal(simulation, pieces({{{7.501, 4}, {7.501, 6}}})), "accepted");
 }
 
+TEST(Edits, bad_ones_are_refused_in_a_line) {
+  Scenario scene = rooms({robot_at({3, 9}, {3, 9}), robot_at({5, 5}, {17, 5})});
+  Simulation simulation(scene, 1);
+  StaticObstacle thin = kDoor;
+  thin.radius = -0.1;
+  EXPECT_EQ(refusal(simulation, thin), "obstacle 1: radius: found -0.1, must be >= 0 m");
+  EXPECT_EQ(refusal(simulation, pieces({{{10, 4}, {10, 1.0 / 0.0}}})),
+            "obstacle 1: points.1: found inf, must be a finite number");
+  EXPECT_EQ(refusal(simulation, {{Chain{}}}),
+            "obstacle 1: chains: found one without points, must be of a point at least");
+  const Chain square{{{1, 7}, {5, 7}, {5, 11}, {1, 11}}, true};
+  EXPECT_EQ(refusal(simulation, {{square}, 0.0, Fill::solid}),
+            "obstacle 1: found robot 0 at [3, 9], must be outside of the solid");
+  EXPECT_EQ(refusal(simulation, {{square}, 0.0, Fill::bounds}),
+            "obstacle 1: found robot 1 at [5, 5], must be inside of the bounds");
+  EXPECT_EQ(refusal(simulation, {{square}, 0.0, Fill::none}), "accepted");
+  const std::vector<std::byte> before = simulation.save();
+  for (const std::uint64_t id : {2u, 77u}) {
+    try {
+      simulation.remove_obstacle({id});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), "obstacle " + std::to_string(id) + ": found none of that id");
+    }
+  }
+  simulation.remove_obstacle({1});
+  EXPECT_THROW(simulation.remove_obstacle({1}), Error);
+  EXPECT_EQ(simulation.add_obstacle(kDoor).value, 2u) << "ids are never reused";
+}
+
+// A start is not refused there either.
+TEST(Edits, without_a_certificate_only_bad_values_are_refused) {
+  for (const Method method : {Method::avo, Method::avo_paper, Method::orca}) {
+    Scenario scene = rooms({robot_at({5, 5}, {17, 5})});
+    scene.robots[0].velocity = {2, 0};
+    scene.method = method;
+    scene.certificate = Certificate::none;
+    Simulation simulation(scene, 1);
+    EXPECT_EQ(refusal(simulation, pieces({{{5.2, 4}, {5.2, 6}}})), "accepted");
+    StaticObstacle thin = kDoor;
+    thin.radius = -0.1;
+    EXPECT_NE(refusal(simulation, thin), "accepted");
+  }
+}
+
+TEST(Edits, the_first_obstacle_may_come_late_and_the_last_one_go) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {10, 0}), robot_at({0, 3}, {10, 3})};
+  Judged judged(scene, 1);
+  Simulation& simulation = judged.simulation;
+  Simulation untouched(scene, 1);
+  judged.run(1.0);
+  for (int k = 0; k < 10; ++k) untouched.step();
+  const ObstacleId wall = simulation.add_obstacle(pieces({{{5, -4}, {5, 8}}}));
+  EXPECT_EQ(wall.value, 0u);
+  simulation.remove_obstacle(wall);
+  EXPECT_EQ(simulation.state_hash(), untouched.state_hash());
+  simulation.add_obstacle(pieces({{{5, -4}, {5, 8}}, {{-2, 1.5}, {1, 1.5}}}));
+  EXPECT_GT(std::abs(simulation.perceive(0).robot.preferred_velocity.y), 0.1);
+  EXPECT_FALSE(simulation.perceive(0).walls.empty());
+  judged.run(30.0);
+  EXPECT_TRUE(simulation.all_at_goal());
+  simulation.remove_obstacle({1});
+  EXPECT_TRUE(simulation.static_obstacles().id.empty());
+  EXPECT_TRUE(simulation.perceive(0).walls.empty());
+  judged.run(1.0);
+  EXPECT_TRUE(judged.report().safe());
+  // what a robot needs beside walls is asked of those that are there
+  scene.robots[1].radius = 1e-3;
+  Simulation tiny(scene, 1);
+  EXPECT_EQ(refusal(tiny, kDoor).find("robot 1: radius: found 0.001, must be > 0.0025"), 0u);
+}
+
+TEST(Edits, whoever_comes_or_turns_after_them_knows_the_walls) {
+  Scenario scene = rooms({robot_at({3, 5}, {7, 5})});
+  Simulation simulation(scene, 1);
+  const ObstacleId door = simulation.add_obstacle(kDoor);
+  const RobotId late = simulation.add_robot(robot_at({3, 8}, {17, 8}));
+  simulation.set_goal({0}, {17, 5});
+  const std::vector<RobotId> both{{0}, late};
+  EXPECT_EQ(simulation.unreachable(), both);
+  simulation.set_goal(late, {7, 8});
+  EXPECT_EQ(simulation.unreachable(), std::vector<RobotId>{{0}});
+  simulation.remove_obstacle(door);
+  EXPECT_TRUE(simulation.unreachable().empty());
+}
+
+// A fast robot that has come since the grid of walls was built, and obstacles that have.
+TEST(Edits, perceive_is_what_the_step_decides_on) {
+  Scenario scene = rooms({robot_at({3, 5}, {17, 5})});
+  scene.sensing_radius = 100.0;
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 5; ++k) simulation.step();
+  RobotSetup fast = robot_at({-30, 5}, {17, 5.5});
+  fast.max_speed = fast.preferred_speed = 8.0;
+  fast.velocity = {7.3, 0};
+  simulation.add_robot(fast);
+  simulation.add_obstacle(kDoor);
+  PlanWorkspace workspace;
+  for (int k = 0; k < 20; ++k) {
+    std::vector<Plan> plans;
+    for (std::size_t i = 0; i < 2; ++i) {
+      Simulation::Perception seen = simulation.perceive(i);
+      plans.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour,
+                                                seen.walls));
+    }
+    simulation.step();
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(simulation.fleet().plan[i].new_velocity, plans[i].new_velocity) << k;
+  }
+}
+
 // Ten thousand doors anywhere among robots on their ways: those that are refused would have been
 // touched, the others are not.
 TEST(Edits, ten_thousand_doors_touch_nobody) {
@@ -196,25 +303,8 @@ TEST(Edits, ten_thousand_doors_touch_nobody) {
   }
 }
 
-Vec2 cell_of_maze(int k) {
-  return {1.5 + 3.0 * (k % 10), 1.5 + 3.0 * (k / 10)};
-}
-
-Scenario crowded_maze(int robots) {
-  Scenario scene;
-  scene.obstacles = {pieces(test::maze(10, 3.0, 4))};
-  for (int k = 0; k < robots; ++k) {
-    RobotSetup robot = robot_at(cell_of_maze((7 * k) % 100), cell_of_maze((31 * k + 5) % 100));
-    robot.position = robot.position +
-                     Vec2{0.55 * (k / 100 % 2 == 0 ? -1 : 1), 0.55 * (k / 200 % 2 == 0 ? -1 : 1)};
-    robot.radius = k % 2 == 0 ? 0.3 : 0.25;
-    scene.robots.push_back(robot);
-  }
-  return scene;
-}
-
 TEST(Edits, far_from_everybody_they_change_no_bit) {
-  const Scenario scene = crowded_maze(60);
+  const Scenario scene = test::crowded_maze(60);
   Simulation edited(scene, 1), other(scene, 1);
   for (int k = 0; k < 13; ++k) edited.step(), other.step();
   for (int round = 0; round < 3; ++round) {
@@ -252,7 +342,7 @@ struct Doors {
 };
 
 TEST(Edits, are_the_same_for_any_number_of_threads) {
-  const Scenario scene = crowded_maze(300);
+  const Scenario scene = test::crowded_maze(300);
   Simulation one(scene, 1), two(scene, 2);
   Doors of_one, of_two;
   for (int k = 0; k < 25; ++k) {
@@ -266,7 +356,7 @@ TEST(Edits, are_the_same_for_any_number_of_threads) {
 }
 
 TEST(Edits, a_rollback_goes_across_them) {
-  const Scenario scene = crowded_maze(40);
+  const Scenario scene = test::crowded_maze(40);
   Simulation original(scene, 1), other(scene, 1);
   Doors doors;
   std::vector<std::vector<std::byte>> saved;
