@@ -126,6 +126,17 @@ TEST(Edits, a_robot_turns_to_another_way_when_a_door_closes) {
   EXPECT_TRUE(judged.report().safe());
 }
 
+TEST(Edits, a_robot_takes_the_shorter_way_as_soon_as_its_door_opens) {
+  Scenario scene;
+  scene.obstacles = {pieces({{{-30, 0}, {-1, 0}}, {{1, 0}, {30, 0}}}), pieces({{{-1, 0}, {1, 0}}})};
+  scene.robots = {robot_at({6, -2}, {6, 2})};
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 15; ++k) simulation.step();
+  EXPECT_GT(simulation.perceive(0).robot.preferred_velocity.x, 1.0);
+  simulation.remove_obstacle({1});
+  EXPECT_LT(simulation.perceive(0).robot.preferred_velocity.x, 0.0);
+}
+
 TEST(Edits, an_obstacle_that_braking_would_touch_is_refused_with_the_arithmetic) {
   Scenario scene = rooms({robot_at({3, 9}, {3, 9}), robot_at({5, 5}, {17, 5})});
   scene.robots[1].velocity = {2, 0};
@@ -229,15 +240,16 @@ TEST(Edits, whoever_comes_or_turns_after_them_knows_the_walls) {
 TEST(Edits, perceive_is_what_the_step_decides_on) {
   Scenario scene = rooms({robot_at({3, 5}, {17, 5})});
   scene.sensing_radius = 100.0;
+  scene.navigation = false;
   Simulation simulation(scene, 1);
   for (int k = 0; k < 5; ++k) simulation.step();
   RobotSetup fast = robot_at({-30, 5}, {17, 5.5});
   fast.max_speed = fast.preferred_speed = 8.0;
-  fast.velocity = {7.3, 0};
+  fast.velocity = {7.55, 0};  // the nearest wall, 30 m away, is just out of its braking's reach
   simulation.add_robot(fast);
-  simulation.add_obstacle(kDoor);
   PlanWorkspace workspace;
   for (int k = 0; k < 20; ++k) {
+    if (k == 10) simulation.add_obstacle(kDoor);
     std::vector<Plan> plans;
     for (std::size_t i = 0; i < 2; ++i) {
       Simulation::Perception seen = simulation.perceive(i);
