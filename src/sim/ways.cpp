@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "navigation/right_of_way.h"
+
 namespace avo {
 namespace {
 
@@ -41,7 +43,9 @@ Travel replanned(const Travel& before, Travel fresh, Vec2 position) {
 }  // namespace
 
 Ways::Ways(const Scenario& settings, std::span<const Wall> walls)
-    : follows_(settings.navigation.value_or(true)), walls_(walls.begin(), walls.end()) {
+    : follows_(settings.navigation.value_or(true)),
+      heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
+      walls_(walls.begin(), walls.end()) {
   if (!walls_.empty()) sight_.emplace(walls_, kSightReach);
 }
 
@@ -94,6 +98,12 @@ std::size_t Ways::most_targets() const {
   std::size_t most = 0;
   for (const auto& [radius, known] : radii_) most = std::max(most, known->graph.points.size() + 1);
   return most;
+}
+
+void Ways::find_passages(std::vector<double> radii) {
+  if (walls_.empty() || !heeds_passages_ || radii == passage_radii_) return;
+  passages = Passages(walls_, radii, kClaimRange);
+  passage_radii_ = std::move(radii);
 }
 
 bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
