@@ -110,18 +110,6 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
 
 }  // namespace
 
-const char* to_string(RightOfWay right_of_way) {
-  switch (right_of_way) {
-    case RightOfWay::none:
-      return "none";
-    case RightOfWay::seen:
-      return "seen";
-    case RightOfWay::told:
-      return "told";
-  }
-  return "";
-}
-
 void validate(const Scenario& scenario) {
   const PlannerOptions options = planner_options(scenario);
   validate(options, "");
