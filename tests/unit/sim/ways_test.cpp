@@ -160,12 +160,12 @@ TEST(Ways, RadiiOfTwoDigitsAreClassesAndTheOthersGoUpToThem) {
 // A door wide enough for the robot, but not for its class.
 TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
   const double radius = 0.5001;
-  Scenario scene = scene_among(test::two_rooms(2.0 * radius + 1e-4));
-  scene.robots = {test::robot_at({3, 5}, {17, 5}), test::robot_at({3, 8}, {0.5002, 8}),
+  Scenario scene = scene_among(test::two_rooms(2.0 * radius + 2e-3));
+  scene.robots = {test::robot_at({3, 7}, {17, 7}), test::robot_at({3, 8}, {0.5002, 8}),
                   test::robot_at({3, 2}, {7, 2})};
   for (RobotSetup& robot : scene.robots) robot.radius = radius;
   Ways ways(scene, walls_of(scene.obstacles));
-  EXPECT_EQ(ways.plan(radius, {3, 5}, {17, 5}).graph->radius, radius);
+  EXPECT_EQ(ways.plan(radius, {3, 7}, {17, 7}).graph->radius, radius);
   EXPECT_EQ(ways.plan(radius, {3, 8}, {0.5002, 8}).graph->radius, radius);
   EXPECT_EQ(ways.plan(radius, {3, 2}, {7, 2}).graph->radius, 0.51);
   EXPECT_EQ(ways.plan(0.504, {3, 2}, {7, 2}).graph, ways.plan(radius, {3, 2}, {7, 2}).graph);
@@ -180,15 +180,21 @@ TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
   EXPECT_TRUE(simulation.all_at_goal());
 }
 
-// From a place that its class has no room for.
+// A robot that others push to where its class has no room.
 TEST(Ways, FromBesideAWallThereIsAWay) {
-  Scenario scene = scene_among(test::two_rooms(2.0));
-  scene.robots = {test::robot_at({9.4995, 9}, {11, 9})};
-  scene.robots[0].radius = 0.5001;
-  Simulation simulation(scene, 1);
-  EXPECT_GT(simulation.perceive(0).robot.distance_to_goal, 6.0) << "not straight";
-  while (!simulation.all_at_goal() && simulation.time() < 30.0) simulation.step();
-  EXPECT_TRUE(simulation.all_at_goal());
+  const Scenario scene = scene_among(test::two_rooms(2.0));
+  Ways ways(scene, walls_of(scene.obstacles));
+  RobotSetup setup = test::robot_at({3, 9}, {11, 9});
+  setup.radius = 0.5001;
+  Travel travel = ways.plan(setup.radius, setup.position, setup.goal);
+  ASSERT_EQ(travel.graph->radius, 0.51);
+  LegScratch scratch;
+  const Vec2 place{9.4995, 9};
+  for (const bool looks_around : {false, true}) {
+    const Heading heading =
+        follow(travel, place, setup.goal, traits_of(setup), looks_around, scratch);
+    EXPECT_LT(heading.goal.y, place.y - 5.0);
+  }
 }
 
 }  // namespace
