@@ -58,7 +58,9 @@ class Judged {
       const auto index = static_cast<std::int64_t>(fleet.id[k].value);
       while (check_.report().robots <= index && known_ <= index) {
         const RobotSetup& setup = fleet.setup[k];
-        check_.add_robot({setup.radius, setup.max_acceleration, setup.max_speed});
+        CheckedRobot robot{setup.radius, setup.max_acceleration, setup.max_speed};
+        robot.car = setup.car.has_value();
+        check_.add_robot(robot);
         ++known_;
       }
       rows.push_back({index, fleet.position[k], fleet.velocity[k]});
@@ -274,6 +276,7 @@ TEST(Edits, ten_thousand_doors_touch_nobody) {
     for (int k = 0; k < 16; ++k) {
       RobotSetup robot = robot_at({20.0 + 1.5 * (k % 4), 1.5 * (k / 4)}, {2.0 * (k % 4), 12.0});
       robot.radius = 0.3;
+      if (k % 4 == 0) robot.car = CarSetup{0.5, 0.1 * k};
       scene.robots.push_back(robot);
     }
     Judged judged(scene, 1);
