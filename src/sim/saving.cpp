@@ -128,10 +128,11 @@ void restore(const SavedState& state, World& world) {
   std::optional<Ways> other_ways;
   if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles) {
     statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle);
-    other_ways.emplace(world.settings, statics->walls);
+    other_ways.emplace(world.settings, statics->walls, &world.ways);
   }
   Ways& ways = other_ways ? *other_ways : world.ways;
   std::vector<Travel> travels = travels_of(state, ways);
+  if (other_ways) other_ways->forget_before();
   // nothing throws from here on
   std::swap(world.fleet, fleet);
   std::swap(world.obstacles, obstacles);

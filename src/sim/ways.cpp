@@ -58,14 +58,20 @@ double radius_class(double radius) {
   return rounded / (per_digit * scale);
 }
 
-Ways::Ways(const Scenario& settings, std::span<const Wall> walls)
-    : follows_(settings.navigation.value_or(true)) {
+Ways::Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* before)
+    : follows_(settings.navigation.value_or(true)), before_(before) {
   if (!walls.empty()) sight_.emplace(walls, kSightReach);
 }
 
 const CornerGraph& Ways::graph_of(double radius) {
   auto& known = graphs_[radius];
-  if (!known) known = std::make_unique<const CornerGraph>(corner_graph(sight_->walls(), radius));
+  if (known) return *known;
+  const CornerGraph* before = nullptr;
+  if (before_ != nullptr) {
+    const auto place = before_->graphs_.find(radius);
+    if (place != before_->graphs_.end()) before = place->second.get();
+  }
+  known = std::make_unique<const CornerGraph>(corner_graph(sight_->walls(), radius, before));
   return *known;
 }
 

@@ -41,9 +41,11 @@ double radius_class(double radius);
 /// What robots know of the walls. Without walls there are no ways.
 class Ways {
  public:
-  Ways(const Scenario& settings, std::span<const Wall> walls);
+  /// Ways among mostly the same walls save time; they have to stay while new ways are planned.
+  Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* before = nullptr);
 
   [[nodiscard]] bool empty() const { return !sight_; }
+  void forget_before() { before_ = nullptr; }
   /// A new way; robots of one class of radii and one goal share what it is made of.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal);
   /// A way on which the target is known, and whether its graph is that of the very radius.
@@ -62,6 +64,7 @@ class Ways {
   std::shared_ptr<const PathMap> map_to(const CornerGraph& graph, Vec2 goal);
 
   bool follows_ = false;
+  const Ways* before_ = nullptr;  // until forget_before()
   std::optional<ClearanceGrid> sight_;
   std::map<double, std::unique_ptr<const CornerGraph>> graphs_;
   std::map<double, std::unique_ptr<const FreeSpace>> spaces_;
