@@ -10,6 +10,7 @@ namespace avo {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::size_t kMostChanged = 16;  // walls; looking for edges anew is quicker then
 
 bool are_equal(const Wall& a, const Wall& b) {
   return a.a == b.a && a.b == b.b && a.radius == b.radius;
@@ -19,15 +20,15 @@ bool are_equal(const Wall& a, const Wall& b) {
 
 KnownEdges::KnownEdges(const CornerGraph& graph, const CornerGraph* before)
     : graph_(graph), before_(before), old_of_(graph.points.size(), kNone) {
-  if (before_ != nullptr) {
-    // all walls but those between the common beginning and the common end
-    added_ = graph_.grid.walls(), removed_ = before_->grid.walls();
-    while (!added_.empty() && !removed_.empty() && are_equal(added_.front(), removed_.front()))
-      added_ = added_.subspan(1), removed_ = removed_.subspan(1);
-    while (!added_.empty() && !removed_.empty() && are_equal(added_.back(), removed_.back()))
-      added_ = added_.first(added_.size() - 1), removed_ = removed_.first(removed_.size() - 1);
-    match_points();
-  }
+  if (before_ == nullptr) return;
+  // all walls but those between the common beginning and the common end
+  added_ = graph_.grid.walls(), removed_ = before_->grid.walls();
+  while (!added_.empty() && !removed_.empty() && are_equal(added_.front(), removed_.front()))
+    added_ = added_.subspan(1), removed_ = removed_.subspan(1);
+  while (!added_.empty() && !removed_.empty() && are_equal(added_.back(), removed_.back()))
+    added_ = added_.first(added_.size() - 1), removed_ = removed_.first(removed_.size() - 1);
+  if (added_.size() + removed_.size() > kMostChanged) return;
+  match_points();
   const double widest = graph_.radius + kSpareRoom;
   for (const Wall& wall : removed_) {
     opened_.push_back(
@@ -41,7 +42,6 @@ void KnownEdges::match_points() {
   for (std::uint32_t k = 0; k < before_->points.size(); ++k) {
     old_at.insert({{before_->points[k].x, before_->points[k].y}, k});
   }
-  new_of_.assign(before_->points.size(), kNone);
   joined_to_.assign(before_->points.size(), 0);
   std::uint32_t next = 0;
   for (std::uint32_t k = 0; k < graph_.points.size(); ++k) {
@@ -52,7 +52,7 @@ void KnownEdges::match_points() {
         !(graph_.outward[k] == before_->outward[old]) ||
         graph_.most_lean[k] != before_->most_lean[old])
       continue;
-    old_of_[k] = old, new_of_[old] = k, next = old + 1;
+    old_of_[k] = old, next = old + 1;
   }
 }
 
@@ -64,8 +64,8 @@ bool KnownEdges::may_have_opened(Vec2 p, Vec2 q) const {
   return std::any_of(opened_.begin(), opened_.end(), [&](const Disc& disc) {
     const Vec2 to = disc.center - p;
     const double reach = disc.reach + kRounding * (std::abs(to.x) + std::abs(to.y));
-    const double aside = cross(way, to), along = dot(way, to),
-                 margin = reach * reach * length_squared;
+    const double margin = reach * reach * length_squared;
+    const double aside = cross(way, to), along = dot(way, to);
     if (aside * aside > margin) return false;
     const double beyond = along - length_squared;
     return !(along < 0.0 && along * along > margin) && !(beyond > 0.0 && beyond * beyond > margin);

@@ -26,16 +26,16 @@ class KnownEdges {
   void match_points();
   [[nodiscard]] bool may_have_opened(Vec2 p, Vec2 q) const;
 
-  const CornerGraph& graph_;
-  const CornerGraph* before_;
-  std::span<const Wall> added_, removed_;
-  std::vector<std::uint32_t> old_of_, new_of_;  // the same points, in the same order; or kNone
   struct Disc {
     Vec2 center;   // m
     double reach;  // m
   };
-  std::vector<Disc> opened_;              // out of which no removed wall was in anybody's way
-  std::vector<std::uint32_t> joined_to_;  // by old point: new point + 1 that it was joined to
+  const CornerGraph& graph_;
+  const CornerGraph* before_;
+  std::span<const Wall> added_, removed_;
+  std::vector<Disc> opened_;  // around removed walls: nothing has changed for ways outside of them
+  std::vector<std::uint32_t> old_of_;     // the same point, in the same order; or kNone
+  std::vector<std::uint32_t> joined_to_;  // by old point: the last i + 1 that it was joined to
   std::vector<std::uint32_t> candidates_;
 };
 
