@@ -64,21 +64,22 @@ Ways::Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* be
 }
 
 const CornerGraph& Ways::graph_of(double radius) {
-  auto& known = graphs_[radius];
-  if (known) return *known;
+  const auto known = graphs_.find(radius);
+  if (known != graphs_.end()) return *known->second;
   const CornerGraph* before = nullptr;
   if (before_ != nullptr) {
     const auto place = before_->graphs_.find(radius);
     if (place != before_->graphs_.end()) before = place->second.get();
   }
-  known = std::make_unique<const CornerGraph>(corner_graph(sight_->walls(), radius, before));
-  return *known;
+  auto graph = std::make_unique<const CornerGraph>(corner_graph(sight_->walls(), radius, before));
+  return *graphs_.emplace(radius, std::move(graph)).first->second;
 }
 
 const FreeSpace& Ways::space_of(double radius) {
-  auto& known = spaces_[radius];
-  if (!known) known = std::make_unique<const FreeSpace>(sight_->walls(), radius);
-  return *known;
+  const auto known = spaces_.find(radius);
+  if (known != spaces_.end()) return *known->second;
+  auto space = std::make_unique<const FreeSpace>(sight_->walls(), radius);
+  return *spaces_.emplace(radius, std::move(space)).first->second;
 }
 
 std::shared_ptr<const PathMap> Ways::map_to(const CornerGraph& graph, Vec2 goal) {
