@@ -61,6 +61,7 @@ void for_each_setting(const Visit& visit) {
   visit("arrival_distance", &Scenario::arrival_distance);
   visit("seed", &Scenario::seed);
   visit("navigation", &Scenario::navigation);
+  visit("right_of_way", &Scenario::right_of_way);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.

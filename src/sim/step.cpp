@@ -103,6 +103,7 @@ void index(World& world, Executor& executor) {
   clock.lap(Stage::index);
   take_snapshot(world, executor);
   clock.start();
+  if (!world.ways.passages.empty()) collect_claims(world, executor, world.claims);
   if (due && world.fleet.size() >= kFewestOrdered) {
     world.fleet.reorder(world.snapshot.grid.order(), executor);
     world.snapshot.grid.forget_order();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "navigation/right_of_way.h"
+
 namespace avo {
 namespace {
 
@@ -59,7 +61,9 @@ double radius_class(double radius) {
 }
 
 Ways::Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* before)
-    : follows_(settings.navigation.value_or(true)), before_(before) {
+    : follows_(settings.navigation.value_or(true)),
+      heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
+      before_(before) {
   if (!walls.empty()) sight_.emplace(walls, kSightReach);
 }
 
@@ -124,6 +128,12 @@ std::size_t Ways::most_targets() const {
   std::size_t most = 0;
   for (const auto& [radius, graph] : graphs_) most = std::max(most, graph->points.size() + 1);
   return most;
+}
+
+void Ways::find_passages(std::vector<double> radii) {
+  if (!sight_ || !heeds_passages_ || radii == passage_radii_) return;
+  passages = Passages(sight_->walls(), radii, kClaimRange);
+  passage_radii_ = std::move(radii);
 }
 
 bool Ways::is_in_sight(Vec2 p, Vec2 q) const {

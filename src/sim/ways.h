@@ -14,6 +14,7 @@
 #include "avo/scenario.h"
 #include "navigation/corner_graph.h"
 #include "navigation/free_space.h"
+#include "navigation/passages.h"
 #include "navigation/path_map.h"
 #include "sim/fleet.h"
 
@@ -26,6 +27,11 @@ struct Travel {
   const CornerGraph* graph = nullptr;  // none: it heads straight for its goal
   std::shared_ptr<const PathMap> map = {};
   std::uint32_t target = PathMap::kNothing;
+
+  /// Whether it has a way to its goal.
+  [[nodiscard]] bool is_known() const {
+    return graph != nullptr && target != kUnreachable && target != PathMap::kNothing;
+  }
 };
 
 /// Where a robot heads for: a place as far off as its goal is by way, and how fast at most.
@@ -55,7 +61,11 @@ class Ways {
   /// Whether no wall lies on the straight way between them.
   [[nodiscard]] bool is_in_sight(Vec2 p, Vec2 q) const;
 
+  /// Finds the passages for robots of these radii, ascending, unless they are known.
+  void find_passages(std::vector<double> radii);
+
   std::vector<Travel> travels;  // by rank; none without walls
+  Passages passages;            // none where nobody heeds them
 
  private:
   using Key = std::tuple<double, double, double>;  // radius, goal
@@ -63,13 +73,14 @@ class Ways {
   const FreeSpace& space_of(double radius);
   std::shared_ptr<const PathMap> map_to(const CornerGraph& graph, Vec2 goal);
 
-  bool follows_ = false;
+  bool follows_ = false, heeds_passages_ = false;
   const Ways* before_ = nullptr;  // until forget_before()
   std::optional<ClearanceGrid> sight_;
   std::map<double, std::unique_ptr<const CornerGraph>> graphs_;
   std::map<double, std::unique_ptr<const FreeSpace>> spaces_;
   std::map<Key, std::weak_ptr<const PathMap>> maps_;
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
+  std::vector<double> passage_radii_;
 };
 
 /// Updates the target. `looks_around` is asked for from time to time, see next_leg().

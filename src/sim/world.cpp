@@ -54,8 +54,21 @@ Heading heading_of(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
-  return follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
-                looks_around(fleet.id[slot], world.steps), scratch);
+  const Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
+                                 looks_around(fleet.id[slot], world.steps), scratch);
+  if (world.ways.passages.empty()) return heading;
+  Claims claims;
+  SerialExecutor serial;
+  collect_claims(world, serial, claims);
+  return heed_passages(world, claims, slot, travel, heading);
+}
+
+void find_passages(World& world) {
+  std::vector<double> radii;
+  for (const RobotTraits& traits : world.fleet.traits) radii.push_back(traits.radius);
+  std::sort(radii.begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  world.ways.find_passages(std::move(radii));
 }
 
 }  // namespace
@@ -79,7 +92,9 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
 
 void find_walls(World& world) {
   StaticWorld& statics = world.statics;
-  if (statics.walls.empty() || world.planner.options().method != Method::avo) return;
+  if (statics.walls.empty()) return;
+  find_passages(world);
+  if (world.planner.options().method != Method::avo) return;
   const StepLaw law = certificate_law(world.planner).step;
   const Fleet& fleet = world.fleet;
   WallNeeds needs;

@@ -13,6 +13,7 @@
 #include "planner/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"
+#include "sim/claims.h"
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
 #include "sim/snapshot.h"
@@ -48,6 +49,7 @@ struct World {
   ObstacleColumns obstacles;
   StaticWorld statics;
   Ways ways;
+  Claims claims;
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
 
@@ -74,7 +76,8 @@ struct World {
   Robot robot(std::size_t slot) const;
 };
 
-/// Builds the grid of walls where they are new, or a robot reaches farther than it was built for.
+/// Builds the grid of walls and finds the passages, where walls are new or a robot is larger or
+/// reaches farther than they were made for.
 void find_walls(World& world);
 
 /// For what the walls near a robot and its looking for a way take in a step.
