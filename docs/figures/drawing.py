@@ -12,6 +12,12 @@ MARKER = ('<marker id="{}" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="7" m
           'orient="auto-start-reverse"><path d="M0 0 L8 4 L0 8 z" fill="{}"/></marker>')
 
 
+def subscript(match):
+    name, space, then = match.groups()
+    rest = f'<tspan dx="{4 if space else 0}" dy="-4">{then}</tspan>' if then else ""
+    return f'<tspan dy="4" font-size="11">{name}</tspan>{rest}'
+
+
 def constants(*sources):
     """All `constexpr double` of sources below src/, by name."""
     values = {}
@@ -96,6 +102,7 @@ class Figure:
             return
         x, y = self.at(p)
         more = ' font-weight="bold"' if bold else ""
+        text = re.sub(r"_(\w+)( ?)(&\w+;|.)?", subscript, text)
         self.texts.append(f'<text x="{x + dx:.1f}" y="{y + dy:.1f}" fill="{color}" '
                           f'text-anchor="{anchor}"{more}>{text}</text>')
 
@@ -111,3 +118,19 @@ class Figure:
             '<g clip-path="url(#all)">', *self.shapes, "</g>",
             '<g stroke="#ffffff" stroke-width="4" stroke-linejoin="round" paint-order="stroke">',
             *self.texts, "</g>", "</svg>", ""])
+
+
+def graph(figure, origin, width, ticks, points, x_name, y_name):
+    """y from 0 to 1 over x; ticks: (x, text)."""
+    figure.view(origin, 1.0)
+    scale = width / ticks[-1][0]
+    figure.line([(0, 0), (width + 12, 0)], BLACK, 1, False, "end")
+    figure.line([(0, 0), (0, 78)], BLACK, 1, False, "end")
+    figure.line([(0, 60), (-4, 60)], BLACK, 1)
+    figure.text((0, 60), "1", BLACK, "end", -8, 5)
+    for x, text in ticks:
+        figure.line([(scale * x, 0), (scale * x, -4)], BLACK, 1)
+        figure.text((scale * x, 0), text, BLACK, "middle", 0, 18)
+    figure.line([(scale * x, 60 * y) for x, y in points], BLUE, 2.5)
+    figure.text((width, 0), x_name, BLACK, "end", 0, 37)
+    figure.text((10, 78), y_name, BLACK, "start", 0, 4)
