@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rules for arriving among walls, one function for each figure; lengths in radii r."""
+"""The rules for arriving among walls, one function for each figure.
+
+r is the radius of the robots, and R that of a passage: of the largest robots that fit."""
 import math
 import re
 
@@ -82,8 +84,8 @@ def passages():
         figure.dot(end, BLUE, 3)
     figure.view((20, 310), 1)
     figure.line([(0, 32), (24, 32)], RED, 3), figure.line([(0, 8), (24, 8)], BLUE, 3)
-    figure.text((32, 27), f"gap of one lane, 2 r ≤ width &lt; {WALLS.kOneLane:g} r: a door", RED)
-    figure.text((32, 3), f"gap of two lanes, {WALLS.kOneLane:g} r ≤ width &lt; {WALLS.kTwoLanes:g} r: "
+    figure.text((32, 27), f"gap of one lane, 2 R ≤ width &lt; {WALLS.kOneLane:g} R: a door", RED)
+    figure.text((32, 3), f"gap of two lanes, {WALLS.kOneLane:g} R ≤ width &lt; {WALLS.kTwoLanes:g} R: "
                 "one after the other they make the corridor", BLUE)
 
     figure.view((635, 150), 31)
@@ -97,7 +99,7 @@ def passages():
     figure.text((0, -WALLS.kMouth), "mouth", RED, "middle", 0, 20)
     figure.text((0, -0.65), "axis", RED, "end", -6, 4)
     figure.text((-half, 0), "gap", RED, "middle", 20, -8)
-    figure.length((0.8, 0), (0.8, WALLS.kMouth), f"{WALLS.kMouth:g} r", "start", 8, 4)
+    figure.length((0.8, 0), (0.8, WALLS.kMouth), f"{WALLS.kMouth:g} R", "start", 8, 4)
     figure.length((-half, -2.5), (half, -2.5), "width", "middle", 0, 18)
     return figure
 
@@ -120,12 +122,13 @@ def lanes():
     figure.text((2.3, 0.1), f"{WALLS.kAhead:g} r of the way", GRAY, "middle", 12, -10)
     figure.text(target, "where A heads", BLUE, dx=-20, dy=26)
     figure.robot((8.2, -offset), BLUE, "", (2.0, 0))
-    figure.robot((9.4, offset), RED, "", (-2.0, 0))
-    figure.robot((5.8, offset), RED, "", (-2.0, 0))
-    figure.length((11.4, 0), (11.4, -offset), f"{offset:g} r", "start", 8, 5)
-    figure.length((13.9, -half), (13.9, half), f"{2 * half:g} r", "start", 8, -12)
+    figure.robot((8.2, offset), RED, "", (-2.0, 0))
+    figure.robot((4.8, offset), RED, "", (-2.0, 0))
+    figure.length((11.4, 0), (11.4, -offset), f"{offset:g} R", "start", 8, 5)
+    figure.length((13.7, -half), (13.7, half), f"{2 * half:g} R", "start", 8, -12)
     figure.text((10.2, 0), "axis", GRAY, "middle", 0, -5)
-    figure.text((8.2, -half), f"{half - offset - 1:.1f} r to the wall", BLACK, "middle", 0, 20)
+    figure.length((8.2, 1 - offset), (8.2, offset - 1), f"{2 * (offset - 1):g} R", "start", 8, 5)
+    figure.text((8.2, -half), f"{half - offset - 1:.1f} R to the wall", BLACK, "middle", 0, 20)
     return figure
 
 
@@ -152,7 +155,7 @@ def right_of_way():
     figure.robot((-0.4, 0.0), BLUE, "A", (2.4, 0.0), shift=(-10, -12))
     figure.robot((4.6, 1.2), RED, "B", (-1.7, -0.6), shift=(8, -12))
     figure.view((0, 270), 1)
-    for x, lines in ((30, (f"(a) Both come, within {WALLS.kClaimRange:g} r of their mouths.",
+    for x, lines in ((30, (f"(a) Both come, within {WALLS.kClaimRange:g} R of their mouths.",
                            "A enters and B waits, as d_A &lt; d_B.")),
                      (420, ("(b) A is inside: B waits,", "however near it is."))):
         for k, line in enumerate(lines):
@@ -174,7 +177,7 @@ def wait():
     figure.dot((0, 0))
     figure.text((0, 0), "mouth", BLACK, "end", -6, -8)
     figure.text((-2.4, 3.35), "kept clear for those who come out", RED, "middle")
-    figure.length((-WALLS.kDeep, 2.7), (0, 2.7), f"{WALLS.kDeep:g} r", dy=18)
+    figure.length((-WALLS.kDeep, 2.7), (0, 2.7), f"{WALLS.kDeep:g} R", dy=18)
 
     a = (-3.2, -0.3)
     figure.line([(-WALLS.kLeastBay, -WALLS.kBay), (-8.4, -WALLS.kBay)], BLUE, 1.5)
@@ -192,10 +195,10 @@ def wait():
     figure.robot((0.1, -5.2), BLUE, "D", (0.0, 1.5), shift=(-18, 0))
     figure.text((-1.0, -5.2), "D stops before the arc", BLUE, "end", -6, 5)
 
-    figure.length((-5.6, 0), (-5.6, -WALLS.kLeft), f"{WALLS.kLeft:g} r", "start", 8, 5)
-    figure.length((-4.6, 0), (-4.6, -WALLS.kBay), f"{WALLS.kBay:g} r", "end", -8, 36)
-    figure.length((0, 0), (0, -WALLS.kQueue), f"{WALLS.kQueue:g} r", "start", 6, 0)
-    figure.length((-WALLS.kLeastBay, -3.5), (0, -3.5), f"{WALLS.kLeastBay:g} r", "middle", 0, 18)
+    figure.length((-5.8, 0), (-5.8, -WALLS.kLeft), f"{WALLS.kLeft:g} R", "start", 8, 5)
+    figure.length((-4.45, 0), (-4.45, -WALLS.kBay), f"{WALLS.kBay:g} R", "end", -8, 36)
+    figure.length((0, 0), (0, -WALLS.kQueue), f"{WALLS.kQueue:g} R", "start", 6, 0)
+    figure.length((-WALLS.kLeastBay, -3.5), (0, -3.5), f"{WALLS.kLeastBay:g} R", "middle", 0, 18)
     return figure
 
 
@@ -221,12 +224,12 @@ def go_back():
     figure.dot(straight, RED, 4.5), figure.dot(aside, RED, 4.5)
     figure.length((0, below), (a[0], below), "A has come farther, and goes on", dy=20)
     figure.length((b[0], below), (length, below), "B less far: it goes back, as does C", "middle", 0, 20)
-    figure.length((length, -1.5), (length + WALLS.kBack, -1.5), f"{WALLS.kBack:g} r", dy=18)
+    figure.length((length, -1.5), (length + WALLS.kBack, -1.5), f"{WALLS.kBack:g} R", dy=18)
     figure.line([straight, (straight[0], -1.5)], GRAY, 1, dashed=True)
     right = straight[0] + 0.9
     figure.line([straight, (right, 0)], GRAY, 1, dashed=True)
     figure.line([aside, (right, aside[1])], GRAY, 1, dashed=True)
-    figure.length((right, 0), (right, aside[1]), f"{WALLS.kBackAside:g} r", "start", 8, 5)
+    figure.length((right, 0), (right, aside[1]), f"{WALLS.kBackAside:g} R", "start", 8, 5)
     figure.text(straight, "B", RED, dx=4, dy=18), figure.text(aside, "C", RED, dx=4, dy=-6)
     return figure
 
