@@ -10,6 +10,8 @@
 namespace avo {
 namespace {
 
+constexpr std::size_t kMostClaims = 4;  // of a robot; of more, memory grows when it is needed
+
 const Travel& travel_of(const World& world, std::size_t slot) {
   return world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
 }
@@ -51,7 +53,7 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
   parallel_for(executor, parts, [&](std::size_t part, std::size_t) {
     std::vector<Claimant>& own = claims.parts[part];
     own.clear();
-    own.reserve(robots / parts + 1);
+    own.reserve(kMostClaims * (robots / parts + 1));
     for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k)
       append_claims(world, world.fleet.slot_of[k], own);
   });
@@ -64,6 +66,7 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
   };
   for_each([&](const Claimant& claimant) { ++first[claimant.claim.passage + 1]; });
   for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+  claims.claimants.reserve(kMostClaims * robots);
   claims.claimants.resize(first.back());
   // each first becomes the next one's, and then its own again
   for_each([&](const Claimant& claimant) {
