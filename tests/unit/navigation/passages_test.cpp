@@ -286,6 +286,12 @@ TEST(PassagePlaces, OneLaneComesBeforeTwo) {
   EXPECT_FALSE(office[*office.at({3, 1.2})].two_lanes) << "in a door, and in the corridor";
   EXPECT_TRUE(office[*office.at({6, 1.2})].two_lanes);
   EXPECT_FALSE(office.at({3, 5}));
+  // nearer to the corridor's axis than to the door's
+  const Passages corridor = passages_of(
+      {{{-10, 1.15}, {-0.8, 1.15}}, {{0.8, 1.15}, {10, 1.15}}, {{-10, -1.15}, {10, -1.15}}});
+  ASSERT_EQ(corridor.size(), 2u);
+  ASSERT_TRUE(corridor.at({0.54, 0.51}));
+  EXPECT_FALSE(corridor[*corridor.at({0.54, 0.51})].two_lanes);
 }
 
 // Three doors in a row, the one in the middle with two lanes.

@@ -154,7 +154,7 @@ TEST(RightOfWay, WhoComesStraightIsStoppedSixRadiiBefore) {
     const Claimant robot = outside(passage, true, {-8.0 - behind, 0.3});
     const Course course = course_of(passage, robot, {inside(false, {0, 0})});
     EXPECT_FALSE(course.target);
-    EXPECT_NEAR(course.max_speed, std::sqrt(2.0 * kMostBraking * behind), 1e-9);
+    EXPECT_NEAR(course.max_speed, std::sqrt(2.0 * kMostBraking * behind), 1e-6);
   }
   const Claimant near = outside(passage, true, {-7.99, 0.3});
   EXPECT_TRUE(course_of(passage, near, {inside(false, {0, 0})}).target);
