@@ -2,6 +2,8 @@
 // The rows of the table.
 #include "families.h"
 
+#include "passage_scenes.h"
+
 namespace avo::safety {
 namespace {
 
@@ -26,6 +28,24 @@ void add_circles(std::vector<Family>& all) {
                               {100, 46.0, {}, {}, 0.2}));
 }
 
+void add_passages(std::vector<Family>& all) {
+  constexpr int kScenes = 20;
+  const auto add = [&](const char* name, const char* what, auto make) {
+    all.push_back({name, what, kScenes, true, make});
+  };
+  add("doorway-1.6", "50 robots both ways through a door of 1.6 m",
+      [](std::uint64_t seed) { return narrow_doorway(1.6, seed); });
+  add("corridor-1.6", "50 robots both ways through a corridor with one lane",
+      [](std::uint64_t seed) { return narrow_corridor(1.6, seed); });
+  add("corridor-2.4", "the same with two lanes",
+      [](std::uint64_t seed) { return narrow_corridor(2.4, seed); });
+  add("office-1.6", "50 robots to random rooms with doors of 1.6 m",
+      [](std::uint64_t seed) { return office(1.6, seed); });
+  add("office-1.2", "the same with doors of 1.2 m",
+      [](std::uint64_t seed) { return office(1.2, seed); });
+  add("maze", "50 robots from and to anywhere in a maze", maze);
+}
+
 }  // namespace
 
 std::vector<Family> families(double crush_steps) {
@@ -47,6 +67,7 @@ std::vector<Family> families(double crush_steps) {
                  [](std::uint64_t) { return doorway(); }});
   all.push_back(
       {"movers", "robots among obstacles that keep their velocity", 20, true, among_movers});
+  add_passages(all);
   constexpr int kCrushes = 4;
   for (const bool packed : {false, true}) {
     all.push_back({packed ? "crush-packed" : "crush",

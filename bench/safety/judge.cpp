@@ -58,6 +58,10 @@ void name_first(const char* what, const CheckCount& count, std::string& text) {
 
 }  // namespace
 
+std::optional<double> least_of(std::optional<double> a, std::optional<double> b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
 void Verdict::add(const Verdict& later) {
   overlapping_pairs += later.overlapping_pairs;
   moving_contacts += later.moving_contacts;
@@ -67,10 +71,8 @@ void Verdict::add(const Verdict& later) {
   acceleration_violations += later.acceleration_violations;
   speed_violations += later.speed_violations;
   jumps += later.jumps;
-  if (later.least_clearance) {
-    least_clearance =
-        std::min(least_clearance.value_or(*later.least_clearance), *later.least_clearance);
-  }
+  least_clearance = least_of(least_clearance, later.least_clearance);
+  least_static_clearance = least_of(least_static_clearance, later.least_static_clearance);
   if (violations.empty()) violations = later.violations;
 }
 
@@ -108,6 +110,7 @@ Verdict Judge::verdict() const {
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;
   verdict.least_clearance = report.least_clearance;
+  verdict.least_static_clearance = report.least_static_clearance;
   name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
   name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
              verdict.violations);

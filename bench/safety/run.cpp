@@ -31,11 +31,10 @@ void rally(const Scene& scene, Random& random, Simulation& simulation) {
   for (const RobotId robot : robots) simulation.set_goal(robot, goal);
 }
 
-void note_arrivals(const Simulation& simulation, double distance, Outcome& outcome) {
-  const FleetView fleet = simulation.fleet();
+void note_arrivals(const Simulation& simulation, Outcome& outcome) {
   outcome.at_goal_at_end = 0;
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    if (!(norm(fleet.goal[i] - fleet.position[i]) <= distance)) continue;
+  for (std::size_t i = 0; i < outcome.arrival.size(); ++i) {
+    if (!simulation.is_at_goal(i)) continue;
     ++outcome.at_goal_at_end;
     outcome.arrival[i] = std::min(outcome.arrival[i], simulation.time());
   }
@@ -91,7 +90,7 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   const auto observe = [&] {
     judge.observe(simulation);
     if (recording) recording->add(simulation);
-    note_arrivals(simulation, scenario.arrival_distance, outcome);
+    note_arrivals(simulation, outcome);
   };
   observe();
   Random random(outcome.seed, 7);
@@ -126,6 +125,7 @@ Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& rec
   outcome.unit = scene.unit;
   outcome.limit = scene.limit;
   outcome.share = scene.share;
+  outcome.duration = scene.scenario.duration;
   if (scene.sensing) {
     run_sensing(scene, record, outcome);
   } else {
