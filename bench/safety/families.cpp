@@ -3,6 +3,7 @@
 #include "families.h"
 
 #include "passage_scenes.h"
+#include "wall_scenes.h"
 
 namespace avo::safety {
 namespace {
@@ -46,9 +47,25 @@ void add_passages(std::vector<Family>& all) {
   add("maze", "50 robots from and to anywhere in a maze", maze);
 }
 
+void add_walls(std::vector<Family>& all, double robot_steps) {
+  constexpr int kScenes = 20;
+  const double of_each = robot_steps / kScenes;
+  const auto add = [&](const char* name, const char* what, Scene (*make)(double, std::uint64_t)) {
+    all.push_back({name, what, kScenes, true,
+                   [make, of_each](std::uint64_t seed) { return make(of_each, seed); }});
+  };
+  add("walls-random", "30 unequal robots among random segments", random_walls);
+  add("walls-cars", "the same, every other one a car", walls_and_cars);
+  add("walls-corners", "30 unequal robots sent into one sharp corner after the other",
+      wall_corners);
+  add("walls-gaps", "the same through gaps of 2r + 1e-6 m", wall_gaps);
+  all.push_back({"walls-movers", "20 among random segments and obstacles that keep their velocity",
+                 100, true, walls_and_movers});
+}
+
 }  // namespace
 
-std::vector<Family> families(double crush_steps) {
+std::vector<Family> families(double soak_steps) {
   std::vector<Family> all;
   add_circles(all);
   for (const int n : {2, 10, 30, 60}) {
@@ -73,10 +90,11 @@ std::vector<Family> families(double crush_steps) {
     all.push_back({packed ? "crush-packed" : "crush",
                    packed ? "the same from four fifths of the densest packing"
                           : "200 unequal robots sent to one point",
-                   kCrushes, true, [packed, crush_steps](std::uint64_t seed) {
-                     return crush(packed, crush_steps / kCrushes, seed);
+                   kCrushes, true, [packed, soak_steps](std::uint64_t seed) {
+                     return crush(packed, soak_steps / kCrushes, seed);
                    }});
   }
+  add_walls(all, soak_steps);
   add_sensing(all);
   return all;
 }

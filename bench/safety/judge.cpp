@@ -28,6 +28,7 @@ Check make_check(const Scenario& scenario) {
     robot.max_speed = setup.max_speed;
     robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
     robot.straight = adopts_at_once(options.method);
+    robot.car = setup.car.has_value();
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
@@ -73,6 +74,7 @@ void Verdict::add(const Verdict& later) {
   jumps += later.jumps;
   least_clearance = least_of(least_clearance, later.least_clearance);
   least_static_clearance = least_of(least_static_clearance, later.least_static_clearance);
+  interpolation_error = std::max(interpolation_error, later.interpolation_error);
   if (violations.empty()) violations = later.violations;
 }
 
@@ -111,6 +113,7 @@ Verdict Judge::verdict() const {
   verdict.jumps = report.jumps.count;
   verdict.least_clearance = report.least_clearance;
   verdict.least_static_clearance = report.least_static_clearance;
+  verdict.interpolation_error = report.interpolation_error;
   name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
   name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
              verdict.violations);

@@ -22,7 +22,8 @@ struct Verdict {
   std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
   std::optional<double> least_clearance;         ///< m, of two robots
   std::optional<double> least_static_clearance;  ///< m, of a robot and a static obstacle
-  std::string violations;                        ///< in words, empty where there is none
+  double interpolation_error = 0.0;  ///< m, that judged paths may be off: see CheckReport
+  std::string violations;            ///< in words, empty where there is none
 
   [[nodiscard]] bool safe() const {
     return overlapping_pairs + moving_contacts + static_contacts + acceleration_violations +

@@ -88,7 +88,7 @@ bool take(Options& o, const std::string& option, const std::string& text) {
   } else if (option == "--first-seed") {
     o.first_seed = static_cast<std::uint64_t>(whole(option, text, 0, kMost));
   } else if (option == "--robot-steps") {
-    o.crush_steps = number(option, text, 1.0, 1e12, "a number from 1 to 1e12");
+    o.soak_steps = number(option, text, 1.0, 1e12, "a number from 1 to 1e12");
   } else if (option == "--threads") {
     o.threads = static_cast<int>(whole(option, text, 1, 1024));
   } else if (option == "--json") {
@@ -129,7 +129,8 @@ const char* usage() {
   --list              names the rows and ends
   --scenes N          scenes of each row whose scenes differ
   --first-seed S      seed of the first scene of each row, default 1
-  --robot-steps X     robot-steps of each crush in all its scenes, default 1e7
+  --robot-steps X     robot-steps of each crush and each row of walls- but
+                      walls-movers, in all its scenes, default 1e7
   --method NAME       avo, avo_paper, velocity_obstacle, orca
   --certificate NAME  none, stopping_capsules, braking_trajectories
   --motion NAME       held, exponential

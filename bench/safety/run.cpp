@@ -31,6 +31,18 @@ void rally(const Scene& scene, Random& random, Simulation& simulation) {
   for (const RobotId robot : robots) simulation.set_goal(robot, goal);
 }
 
+// Sends every robot on that is where it was sent, or has tried for 20 s.
+void send_on(const Scene& scene, Random& random, Simulation& simulation) {
+  if (scene.errands.empty()) return;
+  const std::int64_t patience = last_step(scene.scenario, 20.0);
+  for (std::size_t i = 0; i < scene.scenario.robots.size(); ++i) {
+    const auto own = static_cast<std::int64_t>(i);
+    if ((simulation.steps() + own) % patience != 0 && !simulation.is_at_goal(i)) continue;
+    const std::vector<Vec2>& places = scene.errands[i % scene.errands.size()];
+    simulation.set_goal(RobotId{i}, places[random.below(places.size())]);
+  }
+}
+
 void note_arrivals(const Simulation& simulation, Outcome& outcome) {
   outcome.at_goal_at_end = 0;
   for (std::size_t i = 0; i < outcome.arrival.size(); ++i) {
@@ -98,9 +110,11 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   StepClock clock(second, static_cast<double>(robots));
   const std::int64_t steps = last_step(scenario, scenario.duration);
   // once all are at rest at their goals nothing more happens, unless something comes by
-  const bool may_end = scene.rallies.empty() && scenario.moving_obstacles.empty();
+  const bool may_end =
+      scene.rallies.empty() && scene.errands.empty() && scenario.moving_obstacles.empty();
   while (simulation.steps() < steps) {
     rally(scene, random, simulation);
+    send_on(scene, random, simulation);
     clock.step(simulation);
     observe();
     note_decisions(simulation, outcome);

@@ -57,6 +57,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
       row.certified || (outcome.promised && outcome.planner.certificate != Certificate::none);
   row.least_clearance = least_of(row.least_clearance, verdict.least_clearance);
   row.least_static_clearance = least_of(row.least_static_clearance, verdict.least_static_clearance);
+  row.interpolation_error = std::max(row.interpolation_error, verdict.interpolation_error);
 }
 
 // Of an even number the mean of the two in the middle.
@@ -181,8 +182,13 @@ std::string table_lines(const RowResult& row) {
         static_cast<long long>(row.fewest_arrived), row.median_last);
   }
   if (row.least_static_clearance) {
-    line += format("  walls: touched by %lld robots, least clearance %.4g mm\n",
+    line += format("  walls: touched by %lld robots, least clearance %.4g mm",
                    static_cast<long long>(row.static_contacts), 1e3 * *row.least_static_clearance);
+    if (row.interpolation_error > 0.0) {
+      line += format("; the paths judged are within %.2g mm of the true ones",
+                     1e3 * row.interpolation_error);
+    }
+    line += "\n";
   }
   line += "  decisions: " + decision_text(row) + "\n";
   if (row.density > 0.0) {

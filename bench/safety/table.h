@@ -21,6 +21,7 @@ struct RowResult {
   std::int64_t unsafe_scenes = 0;
   bool certified = false;  ///< a certificate rules out what is unsafe
   std::optional<double> least_clearance, least_static_clearance;  ///< m
+  double interpolation_error = 0.0;  ///< m, that the judged paths may be off
   bool has_goals = true;
   std::int64_t arrived = 0, at_goal_at_end = 0;  ///< robots
   std::int64_t full_scenes = 0;                  ///< in which all arrive

@@ -100,7 +100,8 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
       .add("unsafe_bound_95",
            row.unsafe_scenes == 0 ? 3.0 / static_cast<double>(row.scenes) : kNever)
       .add("least_clearance", row.least_clearance.value_or(kNever))
-      .add("least_static_clearance", row.least_static_clearance.value_or(kNever));
+      .add("least_static_clearance", row.least_static_clearance.value_or(kNever))
+      .add("interpolation_error", row.interpolation_error);
   if (row.has_goals) {
     object.add("arrived", row.arrived)
         .add("at_goal_at_end", row.at_goal_at_end)
