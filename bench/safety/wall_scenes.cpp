@@ -160,15 +160,16 @@ Scene wall_gaps(double robot_steps, std::uint64_t seed) {
     below = high;
   }
   scenario.obstacles.push_back({{Chain{{{0.0, below}, {0.0, kHeight}}}}});
+  Random random(seed, 27);
   std::vector<Vec2> starts;
   std::vector<std::vector<Vec2>> errands;
   for (int i = 0; i < kRobots; ++i) {
     const double y = middles[static_cast<std::size_t>(i % kGaps)];
     const int place = i / kGaps;  // in line before the gap, on both sides
-    starts.push_back({(place % 2 == 0 ? -1.0 : 1.0) * (2.5 + 0.8 * place), y});
+    const double x = 2.5 + 0.8 * place + random.between(-0.1, 0.1);
+    starts.push_back({place % 2 == 0 ? -x : x, y});
     errands.push_back({{-5.0, y}, {5.0, y}});
   }
-  Random random(seed, 27);
   add_robots(scenario, starts, random);
   Scene scene = without_end(std::move(scenario), robot_steps);
   scene.errands = std::move(errands);
