@@ -46,7 +46,8 @@ void add_room(Scenario& scenario, Vec2 half) {
   scenario.obstacles.push_back({{Chain{corners, true}}, 0.0, Fill::bounds});
 }
 
-// Loose pieces at random places, one for every 4 m² of a square room.
+// Loose pieces at random places, one for every 4 m² of a square room: half of them lines, the rest
+// thick ones and discs.
 std::vector<Wall> add_random_walls(Scenario& scenario, double side, Random& random) {
   constexpr int kDirections = 3600;
   const double far = 0.5 * side;
@@ -55,7 +56,13 @@ std::vector<Wall> add_random_walls(Scenario& scenario, double side, Random& rand
     const Vec2 middle = random.in_square(side);
     const Vec2 direction = circle_point(static_cast<int>(random.below(kDirections)), kDirections);
     const Vec2 end = random.between(0.05, 0.75) * direction;
-    scenario.obstacles.push_back({{Chain{{middle - end, middle + end}}}});
+    const std::size_t kind = random.below(4);
+    if (kind == 0) {
+      scenario.obstacles.push_back({{Chain{{middle}}}, random.between(0.05, 0.3)});
+    } else {
+      const double radius = kind == 1 ? random.between(0.05, 0.2) : 0.0;
+      scenario.obstacles.push_back({{Chain{{middle - end, middle + end}}}, radius});
+    }
   }
   return walls_of(scenario.obstacles);
 }

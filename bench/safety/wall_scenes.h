@@ -8,7 +8,7 @@
 
 namespace avo::safety {
 
-/// 30 robots among random segments, one for every 4 m².
+/// 30 robots among random segments and discs, one for every 4 m².
 Scene random_walls(double robot_steps, std::uint64_t seed);
 
 /// The same, every other one a car. Held motion.
