@@ -117,13 +117,13 @@ void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t b
   reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
 }
 
-void PlanWorkspace::Scratch::reserve_walls(std::size_t walls) {
+void PlanWorkspace::Scratch::reserve_walls(std::size_t neighbors, std::size_t walls) {
   certified.constraints.walls.near.reserve(walls);
-  const std::size_t cuts = certified.hard.capacity() + kMostCuts * walls;
+  const std::size_t cuts = kMostCuts * (neighbors + walls);
   certified.hard.reserve(cuts);
   certified.rows.reserve(program_rows(cuts));
-  wall_planes.reserve(rows.capacity() + walls);
-  rows.reserve(rows.capacity() + program_rows(walls));
+  wall_planes.reserve(neighbors + walls);
+  rows.reserve(program_rows(neighbors + walls));
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
