@@ -168,9 +168,11 @@ class AVO_API Planner {
   /// finite, or out of range, counts as none.
   /// walls: what does not move, near the robot; a certificate keeps clear of it. The robot needs
   /// all whose surface is within r + S Δt + l(S) of its position, and a billionth more for
-  /// rounding: S = min(|v| + u, v_max), u is what one step of braking takes off, l is the stopping
-  /// length. Others change no bit. A wall that is not finite is invalid_input. Method avo alone
-  /// looks at walls. Without a certificate they only slow its target.
+  /// rounding: S = max(|v|, v_max), l is the stopping length. Others change no bit. A neighbor that
+  /// decides and is behind such a wall does not count where nobody can come round an end of it
+  /// before both have stopped: it is taken to keep clear of that wall likewise
+  /// (docs/certificate.md, "Neighbors behind walls"). A wall that is not finite is invalid_input.
+  /// Method avo alone looks at walls. Without a certificate they only slow its target.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Wall> walls = {}) const;
