@@ -95,32 +95,31 @@ struct Side {
   }
 };
 
-// The first instant at which the line of the side is nearest to w = 0. On the far side there may be
-// two, of which the second is the farthest; steps of |v| never pass the first.
+// The first instant at which the line of the side is nearest to w = 0: Newton's iteration, guarded
+// by bisection where there is one for sure. On the far side there may be two or none: a step that
+// takes the rate for |v| never passes the first.
 std::optional<ResponseAt> turning_instant(const Side& side, const Horizon& horizon) {
   const double last_lag = side.last_lag(), control_time = horizon.control_time();
   if (!(last_lag > 0.0)) return {};
-  const bool is_far = side.c > 0.0;
-  double low = 0.0, high = instant_of_lag(last_lag, horizon).time;
   const auto ahead = [&](const ResponseAt& at) {
     return side.ahead(at, lag_rate(at, control_time));
   };
-  bool bracketed = !is_far;
-  if (bracketed && ahead(horizon.at(high)).first < 0.0) return {};
-  ResponseAt at = horizon.at(std::min(kShortest * horizon.end().time, high));
+  const ResponseAt last = instant_of_lag(last_lag, horizon);
+  bool bracketed = side.c > 0.0 ? last.lag < last_lag && ahead(last).first >= 0.0 : true;
+  if (side.c <= 0.0 && ahead(last).first < 0.0) return {};
+  double low = 0.0, high = last.time;
+  ResponseAt at = horizon.at(kShortest * high);
   for (int i = 0; i < kMaxIterations; ++i) {
     const auto [way, rate] = ahead(at);
     (way < 0.0 ? low : high) = at.time;
     bracketed = bracketed || !(way < 0.0);
     double next = at.time - way / (rate > 0.0 ? rate : side.speed);
     if (std::abs(next - at.time) <= kConvexTolerance * at.time) return at;
-    if (!(next > low && next < high)) {
-      if (!bracketed) return {};
-      next = 0.5 * (low + high);
-    }
+    if (!(next > low && next < high))
+      next = bracketed ? 0.5 * (low + high) : at.time - way / side.speed;
+    if (!(next < high)) return {};
     at = horizon.at(next);
   }
-  if (!bracketed) return {};
   return at;
 }
 
@@ -128,7 +127,7 @@ void offer_side(Vec2 from_end, Vec2 from_other, double sign, Course& course) {
   const Vec2 v = course.pair.velocity;
   const double speed = norm(v), r = course.pair.radius;
   const double c = -sign * cross(from_end, v) / speed;
-  if (!(c > -r)) return;
+  if (c < -(1.0 + kContact) * r) return;  // it is passed by, but for the other end
   const auto at =
       turning_instant({speed, -dot(from_end, v) / (speed * speed), c, r}, course.horizon);
   if (!at) return;
@@ -182,7 +181,8 @@ RelativeHalfPlane wall_half_plane(const WallPair& pair, double reach, const Hori
   if (!(miss < r)) return wall_horn(pair, pass / miss, reach, horizon);
   const Facing wall = facing(pair);
   // the other end is hidden behind this one
-  if (wall.distance < r) return half_plane({away, v, r}, reach, horizon);
+  if (wall.distance < r && (away == pair.from_a || away == pair.from_b))
+    return half_plane({away, v, r}, reach, horizon);
   return collision_course(pair, wall, reach, horizon);
 }
 

@@ -112,10 +112,13 @@ struct Outermost {
   Vec2 left, right;
 };
 Outermost outermost(const Hull& hull) {
+  // tan(φ/2), φ being the angle from the middle of the half circle
+  const Vec2 up = hull.separating;
+  const auto place = [&](Vec2 w) { return cross(up, w) / (hull.R - dot(up, w)); };
   const auto begin = hull.corners.begin();
-  const auto more_left = [&](Vec2 a, Vec2 b) { return cross(a, b) > 0.0; };
-  const auto [left, right] =
-      std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(hull.count), more_left);
+  const auto [right, left] =
+      std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(hull.count),
+                          [&](Vec2 a, Vec2 b) { return place(a) < place(b); });
   return {*left, *right};
 }
 

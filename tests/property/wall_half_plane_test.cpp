@@ -59,5 +59,76 @@ TEST(WallHalfPlane, agrees_with_brute_force) {
   }
 }
 
+// Nothing on the line n . w = h, within reach, collides: the nearest point, the ends, and others.
+// Nothing at all within reach collides where there is no half-plane.
+TEST(WallHalfPlane, no_reachable_point_of_the_line_collides) {
+  Random random(15);
+  int constrained = 0, free = 0, failures = 0;
+  for (int k = 0; constrained < 20'000 && failures < 10; ++k) {
+    const WallSituation s = any_situation(random, k);
+    const RelativeHalfPlane plane = plane_of(s);
+    const auto collides = [&](Vec2 w) {
+      const double distance = test::slow_distance(s, w, 400);
+      if (distance >= s.pair.radius * (1.0 - 1e-7)) return false;
+      ADD_FAILURE() << "w " << w.x << ", " << w.y << " gets to " << distance << ", h "
+                    << plane.plane.offset << "\n"
+                    << s;
+      ++failures;
+      return true;
+    };
+    if (plane.state == PairState::free) {
+      ++free;
+      for (int i = 0; i < 6 && !collides(0.999999 * s.reach * random.direction()); ++i) continue;
+      continue;
+    }
+    if (plane.state != PairState::constrained) continue;
+    ++constrained;
+    const auto [n, h] = plane.plane;
+    EXPECT_NEAR(norm(n), 1.0, 1e-12);
+    const double half = std::sqrt(std::max(0.0, (s.reach - h) * (s.reach + h)));
+    for (const double part : {-0.9999999, -0.7, -0.2, 0.0, 0.3, 0.8, 0.9999999}) {
+      if (collides(h * n + (part * half) * perpendicular(n))) break;
+    }
+  }
+  EXPECT_GT(free, 1000);
+}
+
+// A wall without length is a disc, and so is a wall of which only one end matters.
+TEST(WallHalfPlane, of_a_point_is_that_of_a_disc) {
+  Random random(3);
+  for (int k = 0; k < 10'000; ++k) {
+    const test::Situation s =
+        k % 2 == 0 ? test::degenerate_situation(random) : test::wide_situation(random);
+    const Horizon horizon(s.control_time, s.time_horizon, 0.1);
+    const RelativeHalfPlane disc = half_plane(s.pair, s.reach, horizon);
+    const RelativeHalfPlane wall = wall_half_plane(
+        {s.pair.position, s.pair.position, s.pair.velocity, s.pair.radius}, s.reach, horizon);
+    EXPECT_EQ(wall.state, disc.state) << s;
+    EXPECT_EQ(wall.plane.normal, disc.plane.normal) << s;
+    EXPECT_EQ(wall.plane.offset, disc.plane.offset) << s;
+  }
+}
+
+// The general search finds the same: a wall of next to no length.
+TEST(WallHalfPlane, of_a_short_wall_is_that_of_a_disc_to_its_length) {
+  Random random(4);
+  int constrained = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const test::Situation s = test::wide_situation(random);
+    const Horizon horizon(s.control_time, s.time_horizon, 0.1);
+    const RelativeHalfPlane disc = half_plane(s.pair, s.reach, horizon);
+    const Vec2 p = s.pair.position, end = p + (1e-9 * s.pair.radius) * random.direction();
+    const RelativeHalfPlane wall =
+        wall_half_plane({p, end, s.pair.velocity, s.pair.radius}, s.reach, horizon);
+    if (disc.state != PairState::constrained || wall.state != PairState::constrained) continue;
+    ++constrained;
+    const double gap = norm(p) - s.pair.radius;
+    EXPECT_NEAR(wall.plane.offset, disc.plane.offset,
+                1e-6 * (s.reach + std::abs(disc.plane.offset)) * (1.0 + s.pair.radius / gap))
+        << s;
+  }
+  EXPECT_GT(constrained, 3'000);
+}
+
 }  // namespace
 }  // namespace avo
