@@ -20,6 +20,7 @@
 #include "planner/passive_obstacles.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
+#include "planner/wall_planes.h"
 #include "robots/motion.h"
 
 namespace avo {
@@ -117,13 +118,14 @@ void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t b
   reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
 }
 
-void PlanWorkspace::Scratch::reserve_walls(std::size_t walls) {
-  certified.constraints.walls.near.reserve(walls);
-  const std::size_t cuts = certified.hard.capacity() + kMostCuts * walls;
+void PlanWorkspace::Scratch::reserve_walls(std::size_t count) {
+  certified.constraints.walls.near.reserve(count);
+  const std::size_t cuts = certified.hard.capacity() + kMostCuts * count;
   certified.hard.reserve(cuts);
   certified.rows.reserve(program_rows(cuts));
-  wall_planes.reserve(rows.capacity() + walls);
-  rows.reserve(rows.capacity() + program_rows(walls));
+  walls.reserve(count);
+  hard_and_soft.reserve(rows.capacity() + count);
+  rows.reserve(rows.capacity() + program_rows(count));
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
@@ -181,6 +183,48 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
   }
 }
 
+void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> walls,
+                                  WallPlanes& half_planes) const {
+  half_planes.speeds.clear();
+  half_planes.obstacles.clear();
+  half_planes.overlapping = false;
+  if (!is_valid(robot) || !follows_heading(robot) || !can_follow(robot, options_)) return;
+  const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
+  const auto cuts = [&allowed](const HalfPlane& plane) {
+    return lens_support_min(plane.normal, allowed) < plane.offset;
+  };
+  std::vector<HalfPlane> speeds;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!is_valid(walls[k])) continue;
+    const int index = static_cast<int>(k);
+    speeds.clear();
+    if (options_.method == Method::avo)
+      append_speed_planes(robot, walls.subspan(k, 1), certificate_law(*this).step, speeds);
+    if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
+    const auto own =
+        obstacle_plane(options_, *horizon_, robot, walls[k], index, half_planes.overlapping);
+    if (own && (own->excess > 0.0 || cuts(own->plane))) half_planes.obstacles.push_back(*own);
+  }
+}
+
+void Planner::collect_certificate(const Robot& robot, std::span<const Wall> walls,
+                                  PlanWorkspace& workspace,
+                                  std::vector<WallConstraint>& constraints) const {
+  constraints.clear();
+  if (options_.certificate == Certificate::none || !is_valid(robot)) return;
+  WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!is_valid(walls[k])) continue;
+    begin_walls(robot, walls.subspan(k, 1), certificate_law(*this).step, own);
+    if (own.near.empty()) continue;
+    const NearWall& wall = own.near[0];
+    const NearestPoints nearest = nearest_points({{}, own.stop}, wall.segment);
+    const Vec2 away = nearest.on_first - nearest.on_second;
+    constraints.push_back({static_cast<int>(k), wall.held, nearest.distance,
+                           nearest.distance > 0.0 ? away / nearest.distance : Vec2{}});
+  }
+}
+
 void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
                                   PlanWorkspace& workspace,
                                   std::vector<CertificateConstraint>& constraints) const {
@@ -225,20 +269,29 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     scratch.obstacles.push_back(
         {{pair, response, options.time_horizon}, v_new_B, options.time_step});
   }
+  WallDemands& demands = scratch.walls;
+  demands.clear();
+  // what the certificate refuses, it finds a way around
+  if (options.method != Method::avo)
+    collect_wall_demands(planner, robot, walls, certificate_law(planner).step, demands);
+  overlapping = overlapping || demands.overlapping;
   // Eq. (14)
-  const PassiveChoice choice =
-      choose_among_obstacles(scratch.obstacles, planner.acceleration_disc(robot),
-                             planner.speed_disc(robot), robot.preferred_velocity, scratch.passive);
+  PassiveChoice choice = choose_among_obstacles(scratch.obstacles, planner.acceleration_disc(robot),
+                                                planner.speed_disc(robot), robot.preferred_velocity,
+                                                scratch.passive, demands.planes);
   if (choice.state == PassiveState::discs_disjoint) {
     return brake(planner, robot, PlanStatus::braking, choice.violation);
   }
   if (options.method == Method::avo) {
     return certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
   }
-  const PlanStatus status = overlapping                          ? PlanStatus::overlapping
-                            : choice.state == PassiveState::free ? PlanStatus::optimal
-                                                                 : PlanStatus::least_unsafe;
-  return plan_of(options, robot.velocity, choice.velocity, status, choice.violation);
+  const double violation =
+      with_excess(demands.planes, demands.excess, choice.velocity, choice.violation);
+  const bool is_free = choice.state == PassiveState::free && !(violation > 0.0);
+  const PlanStatus status = overlapping ? PlanStatus::overlapping
+                            : is_free   ? PlanStatus::optimal
+                                        : PlanStatus::least_unsafe;
+  return plan_of(options, robot.velocity, choice.velocity, status, violation);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "planner/certify.h"
 #include "planner/scratch.h"
+#include "planner/wall_planes.h"
 
 namespace avo {
 namespace {
@@ -74,7 +75,8 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
 
 void find_walls(World& world) {
   StaticWorld& statics = world.statics;
-  if (statics.walls.empty() || world.planner.options().method != Method::avo) return;
+  if (statics.walls.empty()) return;
+  const PlannerOptions& options = world.planner.options();
   const StepLaw law = certificate_law(world.planner).step;
   const Fleet& fleet = world.fleet;
   WallRounding most;
@@ -84,7 +86,9 @@ void find_walls(World& world) {
     const double speed = std::max(max_speed, norm(fleet.velocity[slot]));
     const WallRounding rounding = wall_rounding(radius, max_speed, max_acceleration, law);
     most = {std::max(most.steps, rounding.steps), std::max(most.lengths, rounding.lengths)};
-    reach = std::max(reach, radius + wall_reach(speed, max_speed, max_acceleration, law));
+    reach = std::max(reach, radius + (options.method == Method::avo
+                                          ? wall_reach(speed, max_speed, max_acceleration, law)
+                                          : obstacle_reach(speed, max_speed, options)));
   }
   if (reach <= statics.reach && most.steps <= statics.rounding.steps &&
       most.lengths <= statics.rounding.lengths)
