@@ -119,6 +119,22 @@ TEST(WalledFleets, without_walls_some_would_be_touched) {
   EXPECT_LT(least, -0.1);
 }
 
+// Their half-planes are harder than those of neighbors. Those of orca always allow to stop, those
+// of avo_paper promise nothing.
+TEST(WalledFleets, without_certificate_they_see_walls_as_well) {
+  for (const Method method : {Method::avo_paper, Method::orca}) {
+    Scenario scene = walled_scene(3, 15, Motion::held);
+    scene.method = method;
+    scene.certificate = Certificate::none;
+    const std::vector<Wall> walls = walls_of(scene.obstacles);
+    Simulation simulation(scene, 2);
+    double least = 1e300;
+    for (int k = 0; k < 300; ++k) least = std::min(least, step_and_measure(simulation, walls));
+    EXPECT_GT(least, -1e-9) << to_string(method);
+    EXPECT_LT(least, 0.05) << to_string(method);
+  }
+}
+
 TEST(WalledFleets, any_number_of_threads_and_a_saved_state_go_on_alike) {
   const Scenario scene = walled_scene(7, 300, Motion::held);
   Simulation one(scene, 1), two(scene, 2);
