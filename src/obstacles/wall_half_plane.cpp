@@ -17,9 +17,6 @@ namespace {
 
 // As short as a time may be that rounding can tell from 0, of τ.
 constexpr double kShortest = 4 * std::numeric_limits<double>::epsilon();
-// Supports that differ by less than this part of the reach are equal but for rounding.
-constexpr double kEqual = 0x1p-40;
-
 // ds/dt
 double lag_rate(const ResponseAt& at, double control_time) {
   return at.gain * (1.0 - at.rate) * at.per_rate * at.per_rate / control_time;
@@ -55,9 +52,10 @@ struct Course {
 void offer_facing(const Facing& wall, Course& course) {
   const Vec2 n = wall.normal;
   const double closing = -dot(n, course.pair.velocity), gap = wall.distance - course.pair.radius;
-  if (!(closing > 0.0)) return course.offer(n, std::numeric_limits<double>::infinity());
-  const ResponseAt at = instant_of_lag(gap / closing, course.horizon);
-  const bool at_end = at.time >= course.horizon.end().time;
+  const ResponseAt& end = course.horizon.end();
+  // in contact, it may be rounding that the robot drives at the wall at all
+  const ResponseAt at = closing > 0.0 ? instant_of_lag(gap / closing, course.horizon) : end;
+  const bool at_end = at.time >= end.time;
   course.offer(n, at_end ? (at.time * closing - gap) / at.gain : closing * at.per_rate);
 }
 
@@ -143,9 +141,9 @@ void offer_side(Vec2 from_end, Vec2 from_other, double sign, Course& course) {
 
 RelativeHalfPlane collision_course(const WallPair& pair, const Facing& wall, double reach,
                                    const Horizon& horizon) {
-  Course course{pair, horizon, kEqual * reach};
+  Course course{pair, horizon, kEqualSupports * reach};
   offer_facing(wall, course);
-  for (const double sign : {1.0, -1.0}) {
+  for (const double sign : {1.0, -1.0}) {  // the left ones first
     offer_side(pair.from_a, pair.from_b, sign, course);
     offer_side(pair.from_b, pair.from_a, sign, course);
   }
@@ -155,15 +153,6 @@ RelativeHalfPlane collision_course(const WallPair& pair, const Facing& wall, dou
   if (h <= -reach) return {};
   if (h > reach) return {PairState::unavoidable, {n, reach}, h - reach};
   return {PairState::constrained, {n, h}};
-}
-
-// Away from the wall's nearest point; where the robot's center is on it, across it to the side that
-// it moves to.
-Pair pair_in_contact(const WallPair& pair, Vec2 away) {
-  if (norm(away) > kTiniest) return {away, pair.velocity, pair.radius};
-  const Vec2 along = pair.from_a - pair.from_b, n = perpendicular(along) / norm(along);
-  const double sign = dot(n, pair.velocity) < 0.0 ? -1.0 : 1.0;
-  return {(sign * kContact * pair.radius) * n, pair.velocity, pair.radius};
 }
 
 }  // namespace

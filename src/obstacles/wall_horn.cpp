@@ -45,7 +45,7 @@ struct Hull {
   void offer(Vec2 n) {
     if (!(dot(n, separating) >= 0.0)) return;
     const double h = support(n);
-    if (h < least.offset) least = {n, h};
+    if (h < least.offset - kEqualSupports * R) least = {n, h};
   }
 };
 
@@ -135,10 +135,9 @@ void offer_tangents(Vec2 corner, const Disc& disc, Hull& hull) {
 void offer_edges(Hull& hull) {
   if (hull.count == 0) return;
   const auto [left, right] = outermost(hull);
-  if (hull.last_in_reach) {
+  for (const Vec2 corner : {left, right}) {
     for (const Disc& disc : hull.last) {
-      offer_tangents(left, disc, hull);
-      offer_tangents(right, disc, hull);
+      if (hull.last_in_reach) offer_tangents(corner, disc, hull);
     }
   }
   const Vec2 chord = right - left;

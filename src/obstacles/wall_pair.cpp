@@ -52,4 +52,11 @@ Facing facing(const WallPair& pair) {
   return {(sign / length) * perpendicular(along), sign * side};
 }
 
+Pair pair_in_contact(const WallPair& pair, Vec2 away) {
+  if (norm(away) > kTiniest) return {away, pair.velocity, pair.radius};
+  const Vec2 along = pair.from_a - pair.from_b, n = perpendicular(along) / norm(along);
+  const double sign = dot(n, pair.velocity) < 0.0 ? -1.0 : 1.0;
+  return {(sign * kContact * pair.radius) * n, pair.velocity, pair.radius};
+}
+
 }  // namespace avo

@@ -2,11 +2,14 @@
 // Where a robot that keeps its velocity passes a wall.
 #pragma once
 #include <array>
-#include <optional>
 
 #include "obstacles/wall_half_plane.h"
 
 namespace avo {
+
+/// Supports that differ by less than this part of the reach are equal but for rounding: a tie,
+/// which the one offered first wins.
+inline constexpr double kEqualSupports = 0x1p-40;
 
 /// [p - q] m for both ends q.
 inline std::array<Vec2, 2> ends_of(const WallPair& pair) {
@@ -26,5 +29,9 @@ struct Facing {
   double distance = 0.0;  // m, >= 0
 };
 Facing facing(const WallPair& pair);
+
+/// The pair to part where the two overlap: away from the wall's nearest point; where the robot's
+/// center is on it, across it to the side that it moves to.
+Pair pair_in_contact(const WallPair& pair, Vec2 away);
 
 }  // namespace avo

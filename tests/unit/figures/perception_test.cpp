@@ -113,8 +113,9 @@ TEST(Perception, walls_are_drawn_and_planned_with) {
       for (const LabeledPlane& labeled : space.half_planes) {
         if (labeled.label != "w1") continue;
         ++(labeled.forbids ? forbidding : others);
-        if (labeled.forbids && method != Method::avo)
+        if (labeled.forbids && method != Method::avo) {
           EXPECT_LE(violation(labeled.plane, plan.new_velocity), 1e-9);
+        }
       }
       // of method avo the speed, and dashed the obstacle
       EXPECT_EQ(forbidding, method == Method::avo && among_movers ? 0 : 1) << to_string(method);
