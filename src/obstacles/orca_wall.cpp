@@ -65,6 +65,9 @@ RelativeHalfPlane orca_wall_half_plane(const WallPair& pair, double time_horizon
   }
   offer_tip(a, b, cone);
   offer_tip(b, a, cone);
+  // none where rounding hides that the robot is on the wall
+  if (cone.least.normal == Vec2{})
+    return orca_half_plane({away, pair.velocity, r}, time_horizon, time_step);
   return {PairState::constrained, cone.least};
 }
 
