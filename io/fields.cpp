@@ -76,6 +76,12 @@ const std::vector<Field<Scenario>>& fields() {
        "",
        "the preferred velocity follows a path around the obstacles",
        "true where there are obstacles"},
+      {"right_of_way",
+       &Scenario::right_of_way,
+       kOptional,
+       {},
+       "",
+       "with navigation, how robots know who else is about to go through a narrow passage"},
   };
   return table;
 }

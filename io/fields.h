@@ -179,7 +179,7 @@ template <>
 struct MembersOf<avo::Scenario> {
   using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
                         std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
-                        avo::Motion, std::optional<bool>>;
+                        avo::Motion, std::optional<bool>, avo::RightOfWay>;
 };
 template <class T>
 using Member = typename MembersOf<T>::type;
@@ -215,6 +215,10 @@ inline constexpr std::array<std::pair<std::string_view, avo::Certificate>, 3> kC
      {"braking_trajectories", avo::Certificate::braking_trajectories}}};
 inline constexpr std::array<std::pair<std::string_view, avo::Motion>, 2> kMotions{
     {{"held", avo::Motion::held}, {"exponential", avo::Motion::exponential}}};
+inline constexpr std::array<std::pair<std::string_view, avo::RightOfWay>, 3> kRightsOfWay{
+    {{"none", avo::RightOfWay::none},
+     {"seen", avo::RightOfWay::seen},
+     {"told", avo::RightOfWay::told}}};
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
 

@@ -193,6 +193,10 @@ void Reader::set(std::optional<avo::Certificate>& value, const YamlNode& node, c
 void Reader::set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMotions);
 }
+void Reader::set(avo::RightOfWay& value, const YamlNode& node, const Path& path,
+                 const Rule&) const {
+  value = choice(node, path, kRightsOfWay);
+}
 
 void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kFills);

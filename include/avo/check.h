@@ -114,8 +114,9 @@ class AVO_API Check {
   /// One more robot, at any time; returns its index. Throws Error on values out of range.
   std::int64_t add_robot(const CheckedRobot& robot);
 
-  /// The walls of the steps that follow, and of the rows at both their ends; none at first. A
-  /// contact names a wall by its index here. Throws Error on values out of range.
+  /// The walls of the steps that follow, and of the rows at both their ends; none at first. May be
+  /// called between any two times, for doors that open and close: what was counted stays. A contact
+  /// names a wall by its index in the list of its step. Throws Error on values out of range.
   void set_walls(std::vector<CheckedWall> walls);
 
   /// All rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error on

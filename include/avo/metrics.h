@@ -58,7 +58,8 @@ struct RunSummary {
   std::uint64_t seed = 0;
 };
 
-/// Call observe() once before the first step and once after every step.
+/// Call observe() once before the first step and once after every step, before robots or static
+/// obstacles are edited: each step is judged among the obstacles of the simulation observed.
 class AVO_API Metrics {
  public:
   explicit Metrics(const Scenario& scenario);

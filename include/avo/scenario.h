@@ -32,6 +32,14 @@ struct MovingObstacle {
   double radius = 0.5;     ///< m, > 0
 };
 
+/// How robots on their ways know who else is about to go through a narrow passage.
+enum class RightOfWay : std::uint8_t {
+  none,  ///< they heed no passages
+  seen,  ///< by where each one is and how it moves
+  told,  ///< each one tells by which passage it goes, and in which direction
+};
+AVO_API const char* to_string(RightOfWay right_of_way);
+
 struct Scenario {
   std::string name = {};
   double time_step = 0.1;                   ///< [Δt] s, > 0
@@ -51,6 +59,7 @@ struct Scenario {
   std::vector<StaticObstacle> obstacles = {};  ///< that do not move; nobody may touch them
   /// The preferred velocity follows a path around the obstacles; unset: where there are any.
   std::optional<bool> navigation = {};
+  RightOfWay right_of_way = RightOfWay::seen;  ///< at passages, with navigation
 };
 
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be

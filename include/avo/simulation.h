@@ -19,6 +19,12 @@ struct RobotId {
   friend constexpr bool operator==(RobotId, RobotId) = default;
 };
 
+/// Stable name of a static obstacle; never reused within a simulation.
+struct ObstacleId {
+  std::uint64_t value = 0;  ///< obstacles of the scenario are 0, 1, ... in its order
+  friend constexpr bool operator==(ObstacleId, ObstacleId) = default;
+};
+
 /// Columns of the present generation, one entry a robot, by ascending id. Valid until the next
 /// call that changes the simulation.
 struct FleetView {
@@ -37,6 +43,12 @@ struct ObstacleView {
   std::span<const Vec2> position;
   std::span<const Vec2> velocity;
   std::span<const MovingObstacle> setup;
+};
+
+/// By ascending id. Valid until the next call that changes the simulation.
+struct StaticObstacleView {
+  std::span<const ObstacleId> id;
+  std::span<const StaticObstacle> setup;
 };
 
 struct StageTime {
@@ -80,6 +92,16 @@ class AVO_API Simulation {
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
   void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
 
+  /// A door closes: from the next step on nobody may touch the obstacle. Throws Error on bad values
+  /// (see validate), and under a certificate on an obstacle that some robot would come to touch if
+  /// it braked at once, or that leaves a robot on the wrong side of its Fill; with the arithmetic.
+  /// Nobody has to be near for it to cost something: the grid of walls and the ways around them are
+  /// made anew, and all robots look for theirs, which takes about as long as making the simulation.
+  /// Many walls that come together are best one obstacle. Changes nothing where it throws.
+  ObstacleId add_obstacle(const StaticObstacle& obstacle);
+  /// A door opens. Costs as much. Throws Error if there is no such obstacle.
+  void remove_obstacle(ObstacleId obstacle);
+
   /// The state and the setup as bytes, the same on every machine, 64 of state and 56 of setup
   /// (goal, radius, limits, wheelbase) a robot, and 8 of what it aims at where there are walls.
   /// Whoever has them has an equal state_hash() and an equal future, for any number of threads.
@@ -87,24 +109,26 @@ class AVO_API Simulation {
   /// applied_acceleration of fleet(), which are value-initialized until the next step, sums of
   /// measure(), Metrics. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
-  /// Back, or forth, to what this simulation or another one of the same settings and obstacles has
-  /// saved: a rollback, which keeps the threads. Robots, goals and ids become those that
-  /// were saved; ids that were given since may come again. Throws Error on bytes that are cut off,
-  /// changed, of another version of the library or of another scene; changes nothing where it
+  /// Back, or forth, to what this simulation or another one of the same settings and moving
+  /// obstacles has saved: a rollback, which keeps the threads. Robots, goals, static obstacles and
+  /// ids become those that were saved; ids that were given since may come again. Other static
+  /// obstacles than the present ones cost as much as an edit. Throws Error on bytes that are cut
+  /// off, changed, of another version of the library or of another scene; changes nothing where it
   /// throws. Makes a simulation whole whose step ended in the midst.
   void restore(std::span<const std::byte> saved);
 
   [[nodiscard]] FleetView fleet() const;
   [[nodiscard]] ObstacleView obstacles() const;
+  [[nodiscard]] StaticObstacleView static_obstacles() const;
   [[nodiscard]] double time() const;  ///< s, steps() * time_step
   [[nodiscard]] std::int64_t steps() const;
   /// Whether the robot (an index into fleet()) is within arrival_distance now, with no wall between
   /// it and its goal.
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;
   [[nodiscard]] bool all_at_goal() const;
-  /// Robots that could not get to their goals when these were set, even alone: walls leave no way
-  /// that is wide enough, or the goal is nearer to a wall than the radius. With navigation they
-  /// stay where they are. By ascending id.
+  /// Robots that could not get to their goals when these were set, or obstacles edited since, even
+  /// alone: walls leave no way that is wide enough, or the goal is nearer to a wall than the
+  /// radius. With navigation they stay where they are. By ascending id.
   [[nodiscard]] std::vector<RobotId> unreachable() const;
   /// Equal for equal states, bit by bit: the determinism contract, testable by anyone.
   [[nodiscard]] std::uint64_t state_hash() const;

@@ -37,6 +37,13 @@ struct NeighborColumns {
     acceleration[count++] = neighbor.acceleration;
     has_movers = has_movers || moves_on;
   }
+  /// The one at `place` by the one at `other`, which stays.
+  void replace(std::size_t place, std::size_t other) {
+    x[place] = x[other], y[place] = y[other];
+    v_x[place] = v_x[other], v_y[place] = v_y[other];
+    radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
+    decides[place] = decides[other], acceleration[place] = acceleration[other];
+  }
   void clear() {
     if (has_movers) std::fill(decides.begin(), decides.end(), 1.0);
     count = 0;

@@ -47,10 +47,12 @@ struct Metrics::State {
   SearchScratch scratch;
   UniformGrid grid;
   WallContacts walls;
+  std::vector<ObstacleId> static_ids;  // whose walls these are
 
   void remember(const Simulation& simulation);
   void collect_robots(const Simulation& simulation);
   void collect_obstacles(const Simulation& simulation);
+  void collect_walls(const Simulation& simulation);
   void observe_limits(const Simulation& simulation);
   void observe_arrivals(const Simulation& simulation);
   void observe_separation();
@@ -103,6 +105,14 @@ void Metrics::State::collect_obstacles(const Simulation& simulation) {
     if (!started) body.path.control.fill(body.position);
     obstacles.push_back(body);
   }
+}
+
+// Those that the step was taken among.
+void Metrics::State::collect_walls(const Simulation& simulation) {
+  const StaticObstacleView now = simulation.static_obstacles();
+  if (std::equal(now.id.begin(), now.id.end(), static_ids.begin(), static_ids.end())) return;
+  static_ids.assign(now.id.begin(), now.id.end());
+  walls.search = WallSearch(walls_of(now.setup));
 }
 
 // Smallest distance of the centers over the step. A cubic is exact for held accelerations (also
@@ -203,7 +213,6 @@ Metrics::Metrics(const Scenario& scenario) : state_(std::make_unique<State>()) {
   state_->settings = scenario;
   if (!adopts_at_once(scenario.method) && scenario.motion == Motion::exponential)
     state_->response = Response::proportional(planner_options(scenario).control_time);
-  state_->walls.search = WallSearch(walls_of(scenario.obstacles));
   state_->settings.robots.clear();
   state_->settings.moving_obstacles.clear();
   state_->settings.obstacles.clear();
@@ -219,6 +228,7 @@ void Metrics::observe(const Simulation& simulation) {
   if (!state.started) state.remember(simulation);  // before the first step nothing moves
   state.collect_robots(simulation);
   state.collect_obstacles(simulation);
+  state.collect_walls(simulation);
   state.observe_separation();
   state.walls.observe(state.robots, state.response, state.settings.time_step);
   state.remember(simulation);

@@ -71,8 +71,7 @@ Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOption
              Detour& detour) {
   if (push == Vec2{} && detour.yielded == 0.0) return kept_right;
   const double elapsed = options.time_step / time_to_speed(robot);
-  const bool near_goal = robot.distance_to_goal < 2.0 * kLeash * robot.radius;
-  detour.yielded = near_goal && push != Vec2{}
+  detour.yielded = is_near_goal(robot) && push != Vec2{}
                        ? std::min(detour.yielded + elapsed / kYields, kSettled)
                        : std::max(detour.yielded - elapsed / kRecovers, 0.0);
   if (has_settled(robot, detour, options.arrival_distance)) return {};
@@ -81,6 +80,10 @@ Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOption
 
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {
   return scalar::is_blocked(pack(next_velocity), pack(unhindered_next_velocity), pack(wish)).bit;
+}
+
+bool is_near_goal(const Robot& robot) {
+  return robot.distance_to_goal < 2.0 * kLeash * robot.radius;
 }
 
 bool may_detour(const Robot& robot) {

@@ -47,6 +47,9 @@ Vec2 approach(Vec2 velocity, Vec2 target, double decrement);
 /// Whether less than half is left of the velocity along `wish` that the limits alone allow.
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);
 
+/// Whether it is so near that it gives way for a while only.
+bool is_near_goal(const Robot& robot);
+
 /// Whether the robot may leave its way at all: not where it has all but arrived.
 bool may_detour(const Robot& robot);
 

@@ -48,6 +48,9 @@ const char* to_string(Certificate certificate) {
 const char* to_string(Motion motion) {
   return name_of(motion);
 }
+const char* to_string(RightOfWay right_of_way) {
+  return name_of(right_of_way);
+}
 const char* to_string(PlanStatus status) {
   return name_of(status);
 }

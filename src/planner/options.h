@@ -6,6 +6,7 @@
 #include <string>
 
 #include "avo/planner.h"
+#include "avo/scenario.h"
 
 namespace avo {
 
@@ -21,6 +22,8 @@ AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "stopping_caps
                                                           "braking_trajectories"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Motion>{"held", "exponential"};
+template <>
+AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen", "told"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"};

@@ -118,14 +118,14 @@ void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t b
   reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
 }
 
-void PlanWorkspace::Scratch::reserve_walls(std::size_t count) {
-  certified.constraints.walls.near.reserve(count);
-  const std::size_t cuts = certified.hard.capacity() + kMostCuts * count;
+void PlanWorkspace::Scratch::reserve_walls(std::size_t neighbors, std::size_t most_walls) {
+  certified.constraints.walls.near.reserve(most_walls);
+  const std::size_t cuts = kMostCuts * (neighbors + most_walls);
   certified.hard.reserve(cuts);
   certified.rows.reserve(program_rows(cuts));
-  walls.reserve(count);
-  hard_and_soft.reserve(rows.capacity() + count);
-  rows.reserve(rows.capacity() + program_rows(count));
+  walls.reserve(most_walls);
+  hard_and_soft.reserve(neighbors + most_walls);
+  rows.reserve(program_rows(neighbors + most_walls));
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {

@@ -36,8 +36,8 @@ struct PlanWorkspace::Scratch {
 
   /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);
-  /// And for so many walls besides.
-  void reserve_walls(std::size_t count);
+  /// The same beside so many walls.
+  void reserve_walls(std::size_t neighbors, std::size_t most_walls);
 };
 
 }  // namespace avo

@@ -9,6 +9,7 @@
 #include "lp/linear_program.h"
 #include "lp/programs.h"
 #include "planner/arrival.h"
+#include "planner/behind_walls.h"
 #include "planner/certify.h"
 #include "planner/scratch.h"
 #include "planner/wall_planes.h"
@@ -92,8 +93,18 @@ void keep_off_walls(const Planner& planner, const Tile& tile, PlanWorkspace::Scr
   }
 }
 
+// Beside walls a robot on its way does not give way: pushed back from them and from others at rest
+// it would stand still for ever.
+Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 push) {
+  const std::span<const Wall> walls = tile.walls_of(i);
+  if (walls.empty() || push == Vec2{}) return push;
+  const Robot robot = tile.robots.robot(i);
+  return !is_near_goal(robot) && is_beside(robot, walls, law) ? Vec2{} : push;
+}
+
 // What each robot wishes for.
-void make_wishes(const PlannerOptions& options, const Tile& tile, DecisionColumns& decisions) {
+void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions) {
+  const PlannerOptions& options = planner.options();
   const RobotColumns& robots = tile.robots;
   decisions.reserve(robots.count);
   if (options.method != Method::avo) {
@@ -103,8 +114,9 @@ void make_wishes(const PlannerOptions& options, const Tile& tile, DecisionColumn
   }
   look_around(robots, decisions);
   keep_right(robots, decisions);
+  const StepLaw law = certificate_law(planner).step;
   for (std::size_t i = 0; i < robots.count; ++i) {
-    const Vec2 push{decisions.push_x[i], decisions.push_y[i]};
+    const Vec2 push = push_among_walls(tile, i, law, {decisions.push_x[i], decisions.push_y[i]});
     Detour& detour = *tile.detour[i];
     if (push == Vec2{} && detour.yielded == 0.0) continue;
     const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), push, options, detour);
@@ -244,9 +256,11 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
   set_apart(planner, tile, scratch);
+  if (options.method == Method::avo && !tile.walls.empty())
+    leave_out_hidden(certificate_law(planner).step, tile);
   collect_soft_planes(options, planner.horizon(), tile, scratch.soft);
   clock.lap(Stage::half_planes);
-  make_wishes(options, tile, scratch.decisions);
+  make_wishes(planner, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if (!tile.walls.empty()) keep_off_walls(planner, tile, scratch);

@@ -8,15 +8,17 @@
 namespace avo {
 namespace {
 
-// Around walls: towards what is next on each robot's way.
+// Around walls: towards what is next on each robot's way, as passages allow.
 void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   const Fleet& fleet = world.fleet;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
-    const Heading heading =
+    Heading heading =
         follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
                looks_around(fleet.id[slot], world.steps), worker.legs);
+    if (!world.ways.passages.empty())
+      heading = heed_passages(world, world.claims, slot, travel, heading);
     worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
     worker.moving.preferred_speed[k] = heading.preferred_speed;
   }

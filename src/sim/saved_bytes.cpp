@@ -24,7 +24,7 @@ constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
-constexpr std::size_t kStaticWords = 3, kChainWords = 2, kPointWords = 2;  // at least
+constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
 
 [[noreturn]] void refuse(const std::string& given, const std::string& allowed) {
@@ -143,7 +143,8 @@ void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& st
 }
 
 template <bool kReads>
-void describe(Archive<kReads>& archive, StaticObstacle& obstacle) {
+void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id) {
+  describe(archive, id.value);
   auto fill = static_cast<std::uint8_t>(obstacle.fill);
   describe(archive, obstacle.radius), describe(archive, fill);
   if (fill > static_cast<std::uint8_t>(Fill::bounds)) refuse("an unknown fill", "a known one");
@@ -182,7 +183,11 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   Scenario& scene = state.scene;
   for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
   archive.size(scene.obstacles, kStaticWords);
-  for (StaticObstacle& obstacle : scene.obstacles) describe(archive, obstacle);
+  state.static_ids.resize(scene.obstacles.size());
+  for (std::size_t k = 0; k < scene.obstacles.size(); ++k) {
+    describe(archive, scene.obstacles[k], state.static_ids[k]);
+  }
+  describe(archive, state.next_obstacle);
   archive.size(state.targets, 1);
   for (std::uint32_t& target : state.targets) describe(archive, target);
   describe(archive, state.steps), describe(archive, state.next_id);
@@ -221,15 +226,18 @@ void check_states(const SavedState& state) {
                      std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
   if (!moves) refuse("a position or velocity that is not finite", "finite");
   std::uint64_t next = 0;  // id, at least
+  const auto check_id = [&next](std::uint64_t id, std::uint64_t beyond) {
+    if (id < next || id >= beyond)
+      refuse("id " + std::to_string(id), "ascending and below the next, " + std::to_string(beyond));
+    next = id + 1;
+  };
+  for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
+  next = 0;
   for (const RobotState& robot : state.robots) {
     if (!kAnyValue.contains(robot.heading))
       refuse("heading " + text(robot.heading), "an angle in rad");
     if (!is_sound(robot.detour)) refuse("a detour that no robot can remember", "a sound one");
-    if (robot.id.value < next || robot.id.value >= state.next_id) {
-      refuse("id " + std::to_string(robot.id.value),
-             "ascending and below the next, " + std::to_string(state.next_id));
-    }
-    next = robot.id.value + 1;
+    check_id(robot.id.value, state.next_id);
   }
   if (state.steps < 0 || state.steps > kLastStep) {
     refuse(std::to_string(state.steps) + " steps", "0 to " + std::to_string(kLastStep));

@@ -34,6 +34,8 @@ struct SavedState {
   std::vector<RobotState> robots;        // by ascending id, as many as the scene has
   std::vector<ObstacleState> obstacles;  // likewise
   std::vector<std::uint32_t> targets;    // of the robots' ways, see Travel; none without walls
+  std::uint64_t next_obstacle = 0;
+  std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
 };
 
 /// visit(key, member) for all that a scene has besides robots and obstacles.
@@ -53,6 +55,7 @@ void for_each_setting(const Visit& visit) {
   visit("arrival_distance", &Scenario::arrival_distance);
   visit("seed", &Scenario::seed);
   visit("navigation", &Scenario::navigation);
+  visit("right_of_way", &Scenario::right_of_way);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.
@@ -69,8 +72,8 @@ std::vector<std::byte> to_bytes(SavedState state);
 SavedState from_bytes(std::span<const std::byte> bytes);
 
 SavedState saved_state(const World& world);
-/// Throws Error unless the state is one of a scene with the world's settings and obstacles. Changes
-/// nothing where it throws.
+/// Throws Error unless the state is one of a scene with the world's settings and moving obstacles.
+/// Changes nothing where it throws.
 void restore(const SavedState& state, World& world);
 
 }  // namespace avo

@@ -50,8 +50,6 @@ void require_same_scene(const Scenario& saved, const World& world) {
   const std::vector<MovingObstacle>&theirs = saved.moving_obstacles, &ours = world.obstacles.setup;
   if (!std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(), same))
     refuse("saved state: moving_obstacles", "others", "those of this simulation");
-  if (saved.obstacles != world.statics.obstacles)
-    refuse("saved state: obstacles", "others", "those of this simulation");
 }
 
 Fleet fleet_of(const SavedState& state) {
@@ -79,11 +77,27 @@ ObstacleColumns obstacles_of(const SavedState& state) {
   return obstacles;
 }
 
+// With the targets that were saved: nobody looks for its way anew.
+std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
+  const std::size_t count = ways.empty() ? 0 : state.robots.size();
+  if (state.targets.size() != count)
+    refuse("saved state", std::to_string(state.targets.size()) + " ways", std::to_string(count));
+  std::vector<Travel> travels;
+  travels.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const RobotSetup& setup = state.scene.robots[k];
+    travels.push_back(ways.resume(setup.radius, setup.goal, state.targets[k]));
+  }
+  return travels;
+}
+
 }  // namespace
 
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
-  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}};
+  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}};
+  state.next_obstacle = world.statics.next_id;
+  state.static_ids = world.statics.id;
   for (const Travel& travel : world.ways.travels) state.targets.push_back(travel.target);
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
@@ -104,15 +118,21 @@ void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   Fleet fleet = fleet_of(state);
   ObstacleColumns obstacles = obstacles_of(state);
-  std::vector<Travel> travels;
-  if (!world.ways.empty()) travels = travels_of(world.ways, fleet);
-  for (std::size_t k = 0; k < std::min(travels.size(), state.targets.size()); ++k) {
-    travels[k].target = state.targets[k];
+  std::optional<StaticWorld> statics;
+  std::optional<Ways> other_ways;
+  if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles) {
+    statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle);
+    other_ways.emplace(world.settings, statics->walls);
   }
+  Ways& ways = other_ways ? *other_ways : world.ways;
+  std::vector<Travel> travels = travels_of(state, ways);
   // nothing throws from here on
   std::swap(world.fleet, fleet);
   std::swap(world.obstacles, obstacles);
-  std::swap(world.ways.travels, travels);
+  std::swap(ways.travels, travels);
+  if (statics) std::swap(world.statics, *statics);
+  if (other_ways) std::swap(world.ways, *other_ways);
+  world.statics.next_id = state.next_obstacle;
   world.steps = state.steps;
   world.next_id = state.next_id;
   world.next_layout = state.steps + 1;

@@ -1,58 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fleet as its users see it: robots come and go by id, and are looked at in the order of ids.
+// A fleet as its users see it: by id, and in the order of ids.
 #include "avo/simulation.h"
 
 #include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include "avo/assumptions.h"
 #include "avo/error.h"
+#include "core/hash.h"
 #include "core/ranges.h"
 #include "core/thread_pool.h"
 #include "planner/decision.h"
+#include "sim/edits.h"
 #include "sim/saved_state.h"
 #include "sim/world.h"
 
 namespace avo {
 namespace {
-
-// Throws Error on values out of range, by the name of the robot that they are for.
-void check(const World& world, const RobotSetup& setup, RobotId robot) {
-  Scenario scene = world.settings;
-  scene.robots = {setup};
-  // what a robot needs beside any of them
-  if (!world.statics.obstacles.empty()) scene.obstacles = {world.statics.obstacles.front()};
-  try {
-    validate(scene);
-  } catch (const Error& error) {
-    const std::string_view what = error.what(), place = "robots.0.";
-    if (!what.starts_with(place)) throw;
-    throw Error("robot " + std::to_string(robot.value) + ": " +
-                std::string(what.substr(place.size())));
-  }
-}
-
-// Throws Error if nobody would see this one in time, or it others.
-void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
-  Scenario scene = world.settings;
-  scene.moving_obstacles = world.obstacles.setup;
-  for (const std::uint32_t slot : world.fleet.slot_of) {
-    scene.robots.push_back(world.fleet.setup(slot));
-  }
-  const auto before = sensing_need(scene);
-  scene.robots.push_back(setup);
-  const auto need = sensing_need(scene);
-  if (!need || need->range <= scene.sensing_radius * (1.0 + 1e-9)) return;
-  if (before && need->range <= before->range) return;  // that was so without it
-  throw Error("robot " + std::to_string(robot.value) + ": found a max_speed of " +
-              std::to_string(setup.max_speed) + " m/s, has to be seen from " +
-              std::to_string(need->range) + " m, sensing_radius is " +
-              std::to_string(scene.sensing_radius) + " m");
-}
 
 // Whoever is within the sensing radius of a robot, found by looking at everyone.
 std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
@@ -107,6 +73,7 @@ struct Simulation::State : World {
 Simulation::Simulation(const Scenario& scenario, int threads) {
   validate(scenario);
   state_ = std::make_unique<State>(scenario, thread_pool(threads));
+  plan_travels(state_->ways, state_->fleet);
 }
 Simulation::Simulation(std::span<const std::byte> saved, int threads) {
   const SavedState state = from_bytes(saved);
@@ -124,45 +91,27 @@ void Simulation::step() {
 }
 
 RobotId Simulation::add_robot(const RobotSetup& setup) {
-  const RobotId robot{state_->next_id};
-  check(*state_, setup, robot);
-  check_sensing(*state_, setup, robot);
-  Ways& ways = state_->ways;
-  Travel travel;
-  if (!ways.empty()) {
-    travel = ways.plan(setup.radius, setup.position, setup.goal);
-    ways.travels.reserve(ways.travels.size() + 1);
-  }
-  state_->fleet.add(robot, setup);
-  if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
-  ++state_->next_id;
-  state_->changed = true;
+  const RobotId robot = avo::add_robot(*state_, setup);
   state_->is_mirrored = false;
   return robot;
 }
 
 void Simulation::remove_robot(RobotId robot) {
-  const std::size_t slot = state_->fleet.find(robot);
-  std::vector<Travel>& travels = state_->ways.travels;
-  if (!travels.empty()) travels.erase(travels.begin() + state_->fleet.rank[slot]);
-  state_->fleet.remove(slot);
-  state_->changed = true;
+  avo::remove_robot(*state_, robot);
   state_->is_mirrored = false;
 }
 
 void Simulation::set_goal(RobotId robot, Vec2 goal) {
-  const std::size_t slot = state_->fleet.find(robot);
-  RobotSetup setup = state_->fleet.setup(slot);
-  setup.position = setup.velocity = {};  // wherever it has got to
-  setup.goal = goal;
-  check(*state_, setup, robot);
-  Ways& ways = state_->ways;
-  if (!ways.empty()) {
-    ways.travels[static_cast<std::size_t>(state_->fleet.rank[slot])] =
-        ways.plan(setup.radius, state_->fleet.position[slot], goal);
-  }
-  state_->fleet.goal[slot] = goal;
+  avo::set_goal(*state_, robot, goal);
   state_->is_mirrored = false;
+}
+
+ObstacleId Simulation::add_obstacle(const StaticObstacle& obstacle) {
+  return avo::add_obstacle(*state_, obstacle);
+}
+
+void Simulation::remove_obstacle(ObstacleId obstacle) {
+  avo::remove_obstacle(*state_, obstacle);
 }
 
 std::vector<std::byte> Simulation::save() const {
@@ -188,6 +137,10 @@ FleetView Simulation::fleet() const {
 ObstacleView Simulation::obstacles() const {
   const ObstacleColumns& o = state_->obstacles;
   return {o.position, o.velocity, o.setup};
+}
+
+StaticObstacleView Simulation::static_obstacles() const {
+  return {state_->statics.id, state_->statics.obstacles};
 }
 
 double Simulation::time() const {
@@ -222,11 +175,16 @@ std::vector<RobotId> Simulation::unreachable() const {
 }
 
 std::uint64_t Simulation::state_hash() const {
-  return hash_of(state_->fleet, state_->obstacles, state_->steps);
+  const std::uint64_t hash = hash_of(state_->fleet, state_->obstacles, state_->steps);
+  return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);
 }
 
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
-  const State& state = *state_;
+  State& state = *state_;
+  if (state.changed) {
+    const std::lock_guard lock(state.looking);
+    find_walls(state);
+  }
   const std::uint32_t slot = state.fleet.slot_of[robot];
   Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], false, {}};
   for (const NeighborHit& hit : all_hits(state, slot)) {

@@ -93,6 +93,7 @@ void index(World& world, Executor& executor) {
   if (world.changed) {
     find_ranges(world);
     find_walls(world);
+    if (!world.statics.walls.empty()) make_room(world);
   }
   const bool due = world.steps >= world.next_layout;
   if (world.changed || due) lay_out(world, executor);
@@ -102,6 +103,7 @@ void index(World& world, Executor& executor) {
   clock.lap(Stage::index);
   take_snapshot(world, executor);
   clock.start();
+  if (!world.ways.passages.empty()) collect_claims(world, executor, world.claims);
   if (due && world.fleet.size() >= kFewestOrdered) {
     world.fleet.reorder(world.snapshot.grid.order(), executor);
     world.snapshot.grid.forget_order();

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "sim/assumptions.h"
 #include "sim/fleet.h"
+#include "sim/static_world.h"
 #include "walls/segment.h"
-#include "walls/wall_grid.h"
 
 namespace avo {
 namespace {
@@ -26,21 +28,11 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
     listed.walls.insert(listed.walls.end(), walls.begin(), walls.end());
     listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
   }
-  WallRounding most;
-  double reach = 0.0;
+  WallNeeds needs;
   for (const RobotSetup& robot : scenario.robots) {
-    const double speed = std::max(robot.max_speed, norm(start_velocity(robot)));
-    const WallRounding rounding =
-        wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law.step);
-    most = {std::max(most.steps, rounding.steps), std::max(most.lengths, rounding.lengths)};
-    reach = std::max(
-        reach, robot.radius + wall_reach(speed, robot.max_speed, robot.max_acceleration, law.step));
+    needs.include(traits_of(robot), norm(start_velocity(robot)), law.step);
   }
-  std::vector<double> within;
-  for (const Wall& wall : listed.walls) {
-    within.push_back((reach + wall.radius + wall_margin(wall, most)) * (1.0 + 0x1p-20));
-  }
-  listed.grid.build(listed.walls, within);
+  listed.grid = grid_of(listed.walls, needs);
   return listed;
 }
 

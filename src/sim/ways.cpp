@@ -4,16 +4,48 @@
 #include <algorithm>
 #include <utility>
 
+#include "navigation/right_of_way.h"
+
 namespace avo {
 namespace {
 
 constexpr std::uint64_t kStepsBetweenLooks = 10;
 constexpr double kSightReach = 0.1;  // m
 
+// Where the target is, and how far it is from there to the goal; nothing where there is no target.
+std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel) {
+  if (travel.graph == nullptr) return std::nullopt;
+  const PathMap& map = *travel.map;
+  if (travel.target == PathMap::kGoal && map.is_free) return std::pair(map.goal, 0.0);
+  if (travel.target >= map.length.size()) return std::nullopt;
+  return std::pair(travel.graph->points[travel.target], map.length[travel.target]);
+}
+
+// The travel where it goes on, of those that are planned anew where walls have changed.
+Travel replanned(const Travel& before, Travel fresh, Vec2 position) {
+  const auto kept = rest_of(before);
+  if (!kept || !rest_of(fresh)) return fresh;
+  LegScratch scratch;
+  Travel first = before;
+  first.target =
+      next_leg(*before.graph, *before.map, position, PathMap::kNothing, false, scratch).target;
+  if (rest_of(first) != rest_of(fresh)) return fresh;
+  const std::vector<Vec2>& points = fresh.graph->points;
+  Travel travel = fresh;
+  travel.target = before.target;
+  if (before.target != PathMap::kGoal) {
+    const auto place = std::find(points.begin(), points.end(), kept->first);
+    travel.target = static_cast<std::uint32_t>(place - points.begin());
+  }
+  return rest_of(travel) == kept ? travel : fresh;
+}
+
 }  // namespace
 
-Ways::Ways(const Scenario& scenario)
-    : follows_(scenario.navigation.value_or(true)), walls_(walls_of(scenario.obstacles)) {
+Ways::Ways(const Scenario& settings, std::span<const Wall> walls)
+    : follows_(settings.navigation.value_or(true)),
+      heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
+      walls_(walls.begin(), walls.end()) {
   if (!walls_.empty()) sight_.emplace(walls_, kSightReach);
 }
 
@@ -53,6 +85,27 @@ Travel Ways::plan(double radius, Vec2 position, Vec2 goal) {
   return travel;
 }
 
+Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target) {
+  Travel travel;
+  travel.target = target;
+  if (!follows_) return travel;
+  const Radius& known = of_radius(radius);
+  travel.graph = &known.graph, travel.map = map_to(known, goal);
+  return travel;
+}
+
+std::size_t Ways::most_targets() const {
+  std::size_t most = 0;
+  for (const auto& [radius, known] : radii_) most = std::max(most, known->graph.points.size() + 1);
+  return most;
+}
+
+void Ways::find_passages(std::vector<double> radii) {
+  if (walls_.empty() || !heeds_passages_ || radii == passage_radii_) return;
+  passages = Passages(walls_, radii, kClaimRange);
+  passage_radii_ = std::move(radii);
+}
+
 bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
   return !sight_ || sight_->is_clear(p, q, 0.0);
 }
@@ -73,13 +126,22 @@ Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robo
           std::min(robot.preferred_speed, speed_limit(leg, robot.max_acceleration))};
 }
 
-std::vector<Travel> travels_of(Ways& ways, const Fleet& fleet) {
-  std::vector<Travel> travels;
-  travels.reserve(fleet.size());
+void plan_travels(Ways& ways, const Fleet& fleet) {
+  if (ways.empty()) return;
+  ways.travels.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
-    travels.push_back(ways.plan(fleet.traits[slot].radius, fleet.position[slot], fleet.goal[slot]));
+    ways.travels.push_back(
+        ways.plan(fleet.traits[slot].radius, fleet.position[slot], fleet.goal[slot]));
   }
-  return travels;
+}
+
+void replan_travels(const Ways& before, Ways& ways, const Fleet& fleet) {
+  plan_travels(ways, fleet);
+  if (before.empty() || ways.empty()) return;
+  for (std::size_t rank = 0; rank < ways.travels.size(); ++rank) {
+    Travel& travel = ways.travels[rank];
+    travel = replanned(before.travels[rank], travel, fleet.position[fleet.slot_of[rank]]);
+  }
 }
 
 bool looks_around(RobotId robot, std::int64_t steps) {

@@ -25,13 +25,20 @@ std::size_t most_braking_steps(const World& world) {
   return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
 }
 
+constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
+
+// How many a robot may sense, of those that room is made for.
+std::size_t most_seen(const World& world) {
+  const std::size_t all = world.fleet.size() + world.obstacles.setup.size();
+  const std::size_t seen = std::min(all, kMostAhead);
+  return world.all_matter() ? seen : std::min(seen, world.most_nearest());
+}
+
 // Room for so many within the sensing radius: a crowd that thickens in mid-run allocates nothing.
 void reserve(const World& world, Worker& worker) {
-  constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
   const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
   worker.obstacles.reserve(1, std::min(obstacles, kMostAhead));
-  std::size_t seen = std::min(robots + obstacles, kMostAhead);
-  if (!world.all_matter()) seen = std::min(seen, world.most_nearest());
+  const std::size_t seen = most_seen(world);
   const std::size_t together = std::min(kTileRobots, robots);
   worker.queries.reserve(together);
   worker.search.reserve(
@@ -48,8 +55,21 @@ Heading heading_of(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
-  return follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
-                looks_around(fleet.id[slot], world.steps), scratch);
+  const Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
+                                 looks_around(fleet.id[slot], world.steps), scratch);
+  if (world.ways.passages.empty()) return heading;
+  Claims claims;
+  SerialExecutor serial;
+  collect_claims(world, serial, claims);
+  return heed_passages(world, claims, slot, travel, heading);
+}
+
+void find_passages(World& world) {
+  std::vector<double> radii;
+  for (const RobotTraits& traits : world.fleet.traits) radii.push_back(traits.radius);
+  std::sort(radii.begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  world.ways.find_passages(std::move(radii));
 }
 
 }  // namespace
@@ -58,7 +78,8 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
     : settings(scenario),
       planner(planner_options(scenario)),
       response(step_response(planner)),
-      ways(scenario),
+      statics(static_world(scenario.obstacles)),
+      ways(scenario, statics.walls),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.reserve(scenario.robots.size());
@@ -66,41 +87,36 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
-  statics.obstacles.swap(settings.obstacles);
-  statics.walls = walls_of(statics.obstacles);
-  find_walls(*this);
-  if (!ways.empty()) ways.travels = travels_of(ways, fleet);
+  settings.obstacles = std::vector<StaticObstacle>();
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
 void find_walls(World& world) {
   StaticWorld& statics = world.statics;
   if (statics.walls.empty()) return;
+  find_passages(world);
   const PlannerOptions& options = world.planner.options();
   const StepLaw law = certificate_law(world.planner).step;
   const Fleet& fleet = world.fleet;
-  WallRounding most;
-  double reach = 0.0;
+  WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    const auto& [radius, max_speed, max_acceleration, preferred, wheelbase] = fleet.traits[slot];
-    const double speed = std::max(max_speed, norm(fleet.velocity[slot]));
-    const WallRounding rounding = wall_rounding(radius, max_speed, max_acceleration, law);
-    most = {std::max(most.steps, rounding.steps), std::max(most.lengths, rounding.lengths)};
-    reach = std::max(reach, radius + (options.method == Method::avo
-                                          ? wall_reach(speed, max_speed, max_acceleration, law)
-                                          : obstacle_reach(speed, max_speed, options)));
+    const RobotTraits& traits = fleet.traits[slot];
+    const double speed = norm(fleet.velocity[slot]);
+    needs.include(traits, speed, law);
+    if (options.method == Method::avo) continue;
+    needs.reach =
+        std::max(needs.reach, traits.radius + obstacle_reach(speed, traits.max_speed, options));
   }
-  if (reach <= statics.reach && most.steps <= statics.rounding.steps &&
-      most.lengths <= statics.rounding.lengths)
-    return;
-  statics.reach = reach, statics.rounding = most;
-  std::vector<double> within;
-  for (const Wall& wall : statics.walls) {
-    within.push_back((reach + wall.radius + wall_margin(wall, most)) * (1.0 + 0x1p-20));
-  }
-  statics.grid.build(statics.walls, within);
+  if (statics.needs && statics.needs->cover(needs)) return;
+  statics.grid = grid_of(statics.walls, needs);
+  statics.needs = needs;
+}
+
+void make_room(World& world) {
   for (Worker& worker : world.workers) {
-    PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(statics.grid.most());
+    PlanWorkspace::Scratch::of(worker.workspace)
+        .reserve_walls(most_seen(world), world.statics.grid.most());
+    worker.legs.targets.reserve(world.ways.most_targets());
   }
 }
 

@@ -8,17 +8,17 @@
 #include <span>
 #include <vector>
 
-#include "certificate/wall_constraints.h"
 #include "core/executor.h"
 #include "core/stage_clock.h"
 #include "planner/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"
+#include "sim/claims.h"
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
 #include "sim/snapshot.h"
+#include "sim/static_world.h"
 #include "sim/ways.h"
-#include "walls/wall_grid.h"
 
 namespace avo {
 
@@ -41,16 +41,6 @@ struct alignas(128) Worker {
   std::int64_t pairs = 0, infeasible = 0;
 };
 
-/// What does not move. Nobody looks at it where there are no obstacles.
-struct StaticWorld {
-  std::vector<StaticObstacle> obstacles;
-  std::vector<Wall> walls;
-  WallGrid grid;
-  // of robots, that the grid has been built for
-  double reach = -1.0;  // m
-  WallRounding rounding;
-};
-
 struct World {
   Scenario settings;  // without its robots and obstacles
   Planner planner;
@@ -59,6 +49,7 @@ struct World {
   ObstacleColumns obstacles;
   StaticWorld statics;
   Ways ways;
+  Claims claims;
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
 
@@ -85,8 +76,12 @@ struct World {
   Robot robot(std::size_t slot) const;
 };
 
-/// Builds the grid of walls where a robot reaches farther than it was built for.
+/// Builds the grid of walls and finds the passages, where walls are new or a robot is larger or
+/// reaches farther than they were made for.
 void find_walls(World& world);
+
+/// For what the walls near a robot and its looking for a way take in a step.
+void make_room(World& world);
 
 /// Decides for the robots of the worker's tile, whose neighbors are known, moves them, and empties
 /// it.

@@ -236,6 +236,22 @@ TEST(CheckWalls, agree_with_all_of_them_one_by_one) {
   }
 }
 
+TEST(CheckWalls, may_change_between_two_times) {
+  const auto row = [](double time, double x) { return Moment{time, {{0, {x, 0}, {1, 0}}}}; };
+  const CheckedWall door{{1.5, -1}, {1.5, 1}};
+  for (const int closed : {0, 1, 2}) {
+    Check check({free_robot(0.25)});
+    for (int k = 0; k <= 3; ++k) {
+      // the step from k - 1 to k
+      check.set_walls(k - 1 == closed ? std::vector{door} : std::vector<CheckedWall>{});
+      const Moment moment = row(k, k);
+      check.add(moment.time, moment.rows);
+    }
+    EXPECT_EQ(check.report().static_contacts.count, closed == 1 ? 1 : 0);
+    EXPECT_DOUBLE_EQ(*check.report().least_static_clearance, closed == 1 ? -0.25 : 0.25);
+  }
+}
+
 TEST(BoxTree, visits_all_boxes_that_are_near) {
   Random random(16);
   for (const std::size_t number : {0, 1, 4, 5, 100, 1000}) {

@@ -123,6 +123,32 @@ TEST(Metrics, static_obstacles_are_approached_by_the_equations_of_motion) {
   EXPECT_NEAR(*run(scene, 1).min_obstacle_clearance, slow_wall_clearance(scene, 1, touched), 1e-4);
 }
 
+TEST(Metrics, each_step_is_judged_among_the_obstacles_of_its_time) {
+  const Scenario scene = blind({cruising({0, 0}, {90, 0})});
+  for (const int closed : {3, 4, 5}) {
+    Simulation simulation(scene, 1);
+    Metrics metrics(scene);
+    metrics.observe(simulation);
+    for (int k = 0; k < 9; ++k) {
+      if (k == closed) simulation.add_obstacle(wall_between({2.0, -3}, {2.0, 3}));
+      simulation.step();
+      metrics.observe(simulation);
+      if (k == closed) simulation.remove_obstacle({0});
+    }
+    // step k brings the front to 0.5 + 0.2 (k + 1)
+    EXPECT_NEAR(*metrics.summary().min_obstacle_clearance, 1.3 - 0.2 * closed, 0.01);
+    EXPECT_EQ(metrics.summary().collision_obstacles, 0);
+    EXPECT_TRUE(metrics.summary().unreachable.empty());
+  }
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
+  simulation.add_obstacle(wall_between({0.6, -3}, {0.6, 3}));
+  simulation.step();
+  metrics.observe(simulation);
+  EXPECT_EQ(metrics.summary().collision_obstacles, 1);
+}
+
 TEST(Metrics, who_stands_beyond_a_wall_has_not_arrived) {
   Scenario scene = blind({robot_at({0, -0.2}, {0, 0.2}), robot_at({9, -0.2}, {9, 0.2})});
   for (RobotSetup& robot : scene.robots) robot.radius = 0.1;

@@ -11,6 +11,7 @@
 #include "avo/simulation.h"
 #include "core/executor.h"
 #include "unit/sim/scenes.h"
+#include "unit/sim/walled_scenes.h"
 
 namespace {
 
@@ -133,6 +134,30 @@ TEST(Allocation, none_per_step_beside_walls) {
     }
     EXPECT_EQ(allocations_when_warm(scene, 1, 60, 40), 0) << to_string(method);
   }
+}
+
+// Robots jostle each other off their ways, lose sight of where they were going, and look for
+// something else.
+TEST(Allocation, none_per_step_among_walls) {
+  for (const int threads : {1, 2}) {
+    const Scenario scene = test::crowded_maze(280);
+    EXPECT_EQ(allocations_when_warm(scene, threads, 1, 150), 0) << threads << " threads";
+  }
+}
+
+TEST(Allocation, none_per_step_after_edits_of_obstacles) {
+  Simulation simulation(test::crowded_maze(60), 1);
+  simulation.step();
+  const ObstacleId door = simulation.add_obstacle({{{{{3, 3}, {3, 6}}, false}}});
+  simulation.step();
+  long before = allocations;
+  for (int k = 0; k < 40; ++k) simulation.step();
+  EXPECT_EQ(allocations - before, 0);
+  simulation.remove_obstacle(door);
+  simulation.step();
+  before = allocations;
+  for (int k = 0; k < 40; ++k) simulation.step();
+  EXPECT_EQ(allocations - before, 0);
 }
 
 // Held by so many robots once they have been put in order.
@@ -352,6 +377,35 @@ TEST(OutOfMemory, a_state_is_restored_or_nothing_changes) {
             }),
             5);
   EXPECT_EQ(simulation.state_hash(), hash);
+}
+
+TEST(OutOfMemory, an_obstacle_comes_and_goes_whole_or_not_at_all) {
+  Simulation simulation(test::crowded_maze(20), 1);
+  for (int k = 0; k < 7; ++k) simulation.step();
+  const StaticObstacle wall{{{{{-5, 0}, {-5, 9}}, false}}};
+  const auto try_edit = [&](const auto& edit) {
+    const std::vector<std::byte> before = simulation.save();
+    int failed_edits = 0;
+    for (long count = 0;; count += 1 + count / 8) {
+      left = count;
+      try {
+        edit();
+        left = -1;
+        break;
+      } catch (const std::bad_alloc&) {
+        left = -1;
+        ++failed_edits;
+        EXPECT_TRUE(simulation.save() == before);
+      }
+    }
+    EXPECT_GT(failed_edits, 20);
+  };
+  ObstacleId id;
+  try_edit([&] { id = simulation.add_obstacle(wall); });
+  EXPECT_EQ(id.value, 1u);
+  simulation.step();
+  try_edit([&] { simulation.remove_obstacle(id); });
+  simulation.step();
 }
 
 TEST(OutOfMemory, a_robot_comes_whole_or_not_at_all) {

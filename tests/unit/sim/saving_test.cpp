@@ -303,6 +303,35 @@ TEST(Saving, forged_values_are_refused) {
   EXPECT_EQ(forged(robots, 2), "saved state: found 120 more bytes, must be no more");
 }
 
+TEST(Saving, forged_ways_and_static_obstacles_are_refused) {
+  Scenario scene;
+  scene.obstacles = {{{{{{5, -1}, {5, 1}}}}}};
+  for (const double y : {0.0, 2.0, 4.0}) scene.robots.push_back(test::robot_at({0, y}, {10, y}));
+  Simulation simulation(scene, 1);
+  const Bytes saved = simulation.save();
+  const std::size_t robots = saved.size() / 8 - 1 - 3 * 15 - 1, movers = robots - 1;
+  const std::size_t ways = movers - 2 - 3 - 1, next_obstacle = ways - 1;
+  ASSERT_EQ(word(saved, ways), 3u);
+  ASSERT_EQ(word(saved, next_obstacle), 1u);
+  Bytes fewer = saved;
+  set_word(fewer, ways, 2);
+  fewer.erase(fewer.begin() + std::ptrdiff_t(8 * ways + 8),
+              fewer.begin() + std::ptrdiff_t(8 * ways + 16));
+  seal(fewer);
+  EXPECT_EQ(refusal(simulation, fewer), "saved state: found 2 ways, must be 3");
+  Bytes taken = saved;
+  set_word(taken, next_obstacle, 0);
+  seal(taken);
+  EXPECT_EQ(refusal(simulation, taken),
+            "saved state: found id 0, must be ascending and below the next, 0");
+  for (const std::uint64_t target : {0ull, 7ull, 0xfffffffcull, 0xfffffffdull, 0xfffffffeull}) {
+    Bytes odd = saved;
+    set_word(odd, ways + 1, target);
+    seal(odd);
+    expect_refused_or_sound(odd);
+  }
+}
+
 TEST(Saving, other_scenes_are_refused_by_what_differs) {
   Scenario scene = dense_scene(5, Motion::held);
   scene.name = "one";

@@ -147,7 +147,9 @@ TEST(WalledFleets, any_number_of_threads_and_a_saved_state_go_on_alike) {
   Scenario other = scene;
   other.obstacles.pop_back();
   Simulation different(other, 1);
-  EXPECT_THROW(different.restore(one.save()), Error);
+  different.restore(one.save());
+  different.step(), one.step();
+  EXPECT_EQ(different.state_hash(), one.state_hash());
 }
 
 // The grid is built anew for one that reaches farther.

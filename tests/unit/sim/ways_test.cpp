@@ -8,26 +8,15 @@
 #include <string>
 
 #include "avo/simulation.h"
-#include "unit/navigation/mazes.h"
-#include "unit/sim/scenes.h"
+#include "unit/sim/walled_scenes.h"
 
 namespace avo {
 namespace {
 
-StaticObstacle pieces(const std::vector<Wall>& walls) {
-  StaticObstacle obstacle;
-  for (const Wall& wall : walls) obstacle.chains.push_back({{wall.a, wall.b}, false});
-  return obstacle;
-}
-
 Scenario scene_among(const std::vector<Wall>& walls) {
   Scenario scene;
-  scene.obstacles = {pieces(walls)};
+  scene.obstacles = {test::pieces(walls)};
   return scene;
-}
-
-Vec2 cell_of_maze(int k) {
-  return {1.5 + 3.0 * (k % 10), 1.5 + 3.0 * (k / 10)};
 }
 
 TEST(Ways, ALoneRobotGetsThroughAMazeInTime) {
@@ -35,7 +24,7 @@ TEST(Ways, ALoneRobotGetsThroughAMazeInTime) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const std::vector<Wall> walls = test::maze(10, 3.0, seed);
     Scenario scene = scene_among(walls);
-    RobotSetup robot = test::robot_at(cell_of_maze(0), cell_of_maze(99));
+    RobotSetup robot = test::robot_at(test::cell_of_maze(0), test::cell_of_maze(99));
     robot.preferred_speed = 1.5;
     scene.robots = {robot};
     const CornerGraph graph = corner_graph(walls, robot.radius);
@@ -106,28 +95,15 @@ TEST(Ways, TellsWhoCannotReachItsGoal) {
   EXPECT_EQ(Simulation(scene, 1).unreachable(), lost);
 }
 
-Scenario crowded_maze(int robots) {
-  Scenario scene = scene_among(test::maze(10, 3.0, 4));
-  for (int k = 0; k < robots; ++k) {
-    RobotSetup robot =
-        test::robot_at(cell_of_maze((7 * k) % 100), cell_of_maze((31 * k + 5) % 100));
-    const Vec2 shift{0.55 * (k / 100 % 2 == 0 ? -1 : 1), 0.55 * (k / 200 % 2 == 0 ? -1 : 1)};
-    robot.position = robot.position + shift;
-    robot.radius = k % 2 == 0 ? 0.3 : 0.25;
-    scene.robots.push_back(robot);
-  }
-  return scene;
-}
-
 TEST(Ways, AreTheSameForAnyNumberOfThreads) {
-  const Scenario scene = crowded_maze(300);
+  const Scenario scene = test::crowded_maze(300);
   Simulation one(scene, 1), three(scene, 3);
   for (int k = 0; k < 60; ++k) one.step(), three.step();
   EXPECT_EQ(one.state_hash(), three.state_hash());
 }
 
 TEST(Ways, PerceiveIsWhatTheStepDecidesOn) {
-  const Scenario scene = crowded_maze(40);
+  const Scenario scene = test::crowded_maze(40);
   Simulation simulation(scene, 1);
   for (int k = 0; k < 25; ++k) simulation.step();
   std::vector<Plan> plans;
@@ -144,7 +120,7 @@ TEST(Ways, PerceiveIsWhatTheStepDecidesOn) {
 }
 
 TEST(Ways, GoOnAfterARestore) {
-  const Scenario scene = crowded_maze(80);
+  const Scenario scene = test::crowded_maze(80);
   Simulation simulation(scene, 1);
   for (int k = 0; k < 47; ++k) simulation.step();
   const std::vector<std::byte> saved = simulation.save();

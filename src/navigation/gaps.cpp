@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/gaps.h"
+
+#include <algorithm>
+
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+constexpr double kOneLane = 4.4;    // radii: two robots with a tenth of their size to each side
+constexpr double kTwoLanes = 8.0;   // radii: wider ways need no lanes
+constexpr double kTouching = 1e-3;  // of the least radius: ends as near as that are joined
+constexpr double kRounding = 1e-9;  // of lengths
+
+class GapFinder {
+ public:
+  GapFinder(const ClearanceGrid& grid, std::span<const double> radii)
+      : grid_(grid), radii_(radii), touching_(kTouching * radii.front()) {}
+
+  std::vector<Gap> find() {
+    const std::span<const Wall> walls = grid_.walls();
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      add_at(walls[k].a, walls[k].radius);
+      if (!(walls[k].a == walls[k].b)) add_at(walls[k].b, walls[k].radius);
+    }
+    return without_repeated_and_diagonal();
+  }
+
+ private:
+  bool is_joined(Vec2 p, Vec2 q) const { return norm(p - q) <= touching_; }
+
+  // The gaps between this end and the walls around it, with nothing else in between.
+  void add_at(Vec2 end, double end_radius) {
+    const double rounding = kRounding * radii_.back();
+    grid_.all_near(end, end, [&](std::size_t k) {
+      const Wall& wall = grid_.walls()[k];
+      const Vec2 nearest = nearest_on({wall.a, wall.b}, end);
+      const double between = norm(end - nearest);
+      const double width = between - end_radius - wall.radius;
+      if (between <= touching_ || width < 2.0 * radii_.front() - rounding) return true;
+      const double radius =
+          *(std::upper_bound(radii_.begin(), radii_.end(), 0.5 * width + rounding) - 1);
+      if (width >= kTwoLanes * radius) return true;
+      const Vec2 across = (nearest - end) / between;
+      const Gap gap{end + end_radius * across, nearest - wall.radius * across, radius,
+                    width >= kOneLane * radius};
+      if (grid_.clearance(gap.middle()) >= 0.5 * width - rounding) gaps_.push_back(gap);
+      return true;
+    });
+  }
+
+  bool is_same(const Gap& one, const Gap& other) const {
+    return (is_joined(one.a, other.a) && is_joined(one.b, other.b)) ||
+           (is_joined(one.a, other.b) && is_joined(one.b, other.a));
+  }
+  bool shares_end(const Gap& one, const Gap& other) const {
+    return is_joined(one.a, other.a) || is_joined(one.a, other.b) || is_joined(one.b, other.a) ||
+           is_joined(one.b, other.b);
+  }
+
+  // Both ends of a gap may have told of it. And where ways cross there are gaps from corner to
+  // corner, which are not where any of them is narrowest: another one, no wider, crosses them.
+  std::vector<Gap> without_repeated_and_diagonal() const {
+    std::vector<Wall> lines;
+    for (const Gap& gap : gaps_) lines.push_back({gap.a, gap.b, 0.0});
+    const ClearanceGrid near(lines, radii_.front());
+    std::vector<Gap> kept;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      const Gap& gap = gaps_[i];
+      const bool is_narrowest = near.all_near(gap.a, gap.b, [&](std::size_t k) {
+        const Gap& other = gaps_[k];
+        if (k == i) return true;
+        if (is_same(gap, other)) return i < k;
+        if (shares_end(gap, other) || other.width() > (1.0 + kRounding) * gap.width()) return true;
+        return nearest_points({gap.a, gap.b}, {other.a, other.b}).distance > 0.0;
+      });
+      if (is_narrowest) kept.push_back(gap);
+    }
+    return kept;
+  }
+
+  const ClearanceGrid& grid_;
+  std::span<const double> radii_;
+  double touching_;
+  std::vector<Gap> gaps_;
+};
+
+}  // namespace
+
+std::vector<Gap> find_gaps(const ClearanceGrid& grid, std::span<const double> radii) {
+  return GapFinder(grid, radii).find();
+}
+
+double gap_reach(std::span<const double> radii, double widest_wall) {
+  return kTwoLanes * radii.back() + widest_wall;
+}
+
+double most_clearance(const Gap& gap) {
+  return 0.5 * (gap.two_lanes ? kTwoLanes : kOneLane) * gap.radius;
+}
+
+}  // namespace avo

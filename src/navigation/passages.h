@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Passages: narrow ways from mouth to mouth, made of the gaps between walls (docs/navigation.md).
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "avo/wall.h"
+#include "navigation/clearance_grid.h"
+
+namespace avo {
+
+/// Its axis begins and ends in the mouths, where the largest robots do not yet hinder anybody in
+/// it, and leads straight from the middle of each gap to that of the next one.
+struct Passage {
+  std::vector<Vec2> axis;     // m, three points at least
+  std::vector<double> along;  // m, of each point of the axis from the first one
+  double half_width = 0.0;    // m, at its narrowest
+  double radius = 0.0;        // m, of the largest robots that fit
+  bool two_lanes = false;
+  [[nodiscard]] double length() const { return along.back(); }
+};
+
+/// Where a point lies with respect to a passage.
+struct PassagePlace {
+  double along = 0.0;  // m, from the first mouth; negative before it, more than length() behind
+  double aside = 0.0;  // m, to the left of the axis
+};
+PassagePlace place_in(const Passage& passage, Vec2 p);
+
+/// Whether that is between its mouths and its walls, near the mouths not beside the way in.
+bool is_inside(const Passage& passage, const PassagePlace& place);
+
+/// A point of the axis, or of its straight prolongations.
+struct AxisPoint {
+  Vec2 point, direction;  // m; unit, to the other end
+};
+/// forward: `along` counts from the first mouth, and else from the last one, backwards.
+AxisPoint axis_point(const Passage& passage, bool forward, double along);
+
+class Passages {
+ public:
+  Passages() = default;
+  /// radii: of all robots, ascending, each > 0. watched: radii of a passage that walls_near() its
+  /// axis are told from.
+  Passages(std::span<const Wall> walls, std::span<const double> radii, double watched);
+
+  [[nodiscard]] bool empty() const { return all_.empty(); }
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+  [[nodiscard]] const Passage& operator[](std::uint32_t number) const { return all_[number]; }
+
+  /// The passage that p is inside of; one with one lane rather than one with two.
+  [[nodiscard]] std::optional<std::uint32_t> at(Vec2 p) const;
+
+  struct Crossing {
+    std::uint32_t passage = 0;
+    double part = 0.0;  // of the way from p to q
+    bool forward = true;
+  };
+  /// The first passage of one lane that the straight way from p to q leads through.
+  [[nodiscard]] std::optional<Crossing> first_crossed(Vec2 p, Vec2 q) const;
+
+  /// visit(number) of each passage of one lane that p is within `watched` radii of, and of some
+  /// others; one may come more than once.
+  template <typename Visit>
+  void for_each_watched(Vec2 p, const Visit& visit) const;
+
+ private:
+  void index(const std::vector<Wall>& gaps, double watched);
+
+  std::vector<Passage> all_;
+  std::vector<std::uint32_t> axis_of_, gap_of_, watched_of_;  // passages of the lines of each grid
+  std::optional<ClearanceGrid> axes_;                         // from which a point inside is told
+  std::optional<ClearanceGrid> gaps_;     // of one lane, with the way along the axis to their left
+  std::optional<ClearanceGrid> watched_;  // of one lane
+};
+
+template <typename Visit>
+void Passages::for_each_watched(Vec2 p, const Visit& visit) const {
+  if (!watched_) return;
+  watched_->all_near(p, p, [&](std::size_t k) {
+    visit(watched_of_[k]);
+    return true;
+  });
+}
+
+}  // namespace avo

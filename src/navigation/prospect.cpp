@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/prospect.h"
+
+#include <cmath>
+
+namespace avo {
+namespace {
+
+constexpr double kFarthest = 24.0;    // radii of the robot: passages farther off do not matter yet
+constexpr double kAhead = 3.0;        // radii, along the way, to where a lane is looked for
+constexpr double kLeavesLane = 6.0;   // radii before the next passage of one lane
+constexpr double kAlong = 0.5;        // cosine: a way that leads more across keeps no lane
+constexpr double kRoom = 1.0 - 1e-3;  // of the radius, that the straight way into a lane needs
+
+// A straight piece of the way.
+struct Piece {
+  Vec2 from, to;
+  double before = 0.0, length = 0.0;  // m, of the way
+  bool is_last = false;
+};
+
+// visit(piece) of the way until it is false, or the way has become long.
+template <typename Visit>
+void walk(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
+          const Visit& visit) {
+  Piece piece{p, p};
+  while (target != PathMap::kNothing && piece.before <= kFarthest * graph.radius) {
+    piece.is_last = target == PathMap::kGoal;
+    piece.to = piece.is_last ? map.goal : graph.points[target];
+    piece.length = norm(piece.to - piece.from);
+    if (!visit(piece) || piece.is_last) return;
+    piece.before += piece.length, piece.from = piece.to;
+    target = map.next[target];
+  }
+}
+
+// In which direction the way leaves the passage that it begins in.
+template <typename Walk>
+std::optional<Claim> claim_inside(const Passage& passage, std::uint32_t number, Vec2 p,
+                                  const Walk& walk_on) {
+  std::optional<Claim> claim;
+  const double along = place_in(passage, p).along;
+  walk_on([&](const Piece& piece) {
+    const double end = place_in(passage, piece.to).along;
+    const bool leaves = end <= 0.0 || end >= passage.length();
+    if (leaves || piece.is_last) claim = Claim{number, leaves ? end > 0.0 : end > along, true, 0.0};
+    return !claim;
+  });
+  return claim;
+}
+
+// To the passage that the way leads through next, and how far that is by way.
+template <typename Walk>
+std::optional<Claim> claim_outside(const Passages& passages, Vec2 p, const Walk& walk_on,
+                                   double& way) {
+  std::optional<Claim> claim;
+  walk_on([&](const Piece& piece) {
+    const auto crossed = passages.first_crossed(piece.from, piece.to);
+    if (!crossed) return true;
+    const Vec2 mouth = axis_point(passages[crossed->passage], crossed->forward, 0.0).point;
+    claim = Claim{crossed->passage, crossed->forward, false, norm(mouth - p)};
+    way = piece.before + crossed->part * piece.length;
+    return false;
+  });
+  return claim;
+}
+
+// Beside the place ahead on the way, in the right-hand lane, or half as far where something is
+// between.
+template <typename Walk>
+std::optional<Vec2> lane_ahead(const Passages& passages, const CornerGraph& graph, Vec2 p,
+                               const Walk& walk_on) {
+  std::optional<Vec2> lane;
+  const double ahead = kAhead * graph.radius;
+  walk_on([&](const Piece& piece) {
+    if (piece.before + piece.length < ahead) return true;
+    const Vec2 direction = (piece.to - piece.from) / piece.length;
+    const Vec2 place = piece.from + (ahead - piece.before) * direction;
+    const auto number = passages.at(place);
+    if (!number || !passages[*number].two_lanes) return false;
+    const Passage& passage = passages[*number];
+    AxisPoint axis = axis_point(passage, true, place_in(passage, place).along);
+    const double cosine = dot(axis.direction, direction);
+    if (std::abs(cosine) <= kAlong) return false;
+    if (cosine < 0.0) axis.direction = -1.0 * axis.direction;
+    for (const double part : {1.0, 0.5}) {
+      const Vec2 target = axis.point - part * lane_offset(passage) * perpendicular(axis.direction);
+      if (!graph.grid.is_clear(p, target, kRoom * graph.radius)) continue;
+      lane = target;
+      break;
+    }
+    return false;
+  });
+  return lane;
+}
+
+}  // namespace
+
+Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const PathMap& map, Vec2 p,
+                    std::uint32_t target) {
+  const auto walk_on = [&](const auto& visit) { walk(graph, map, p, target, visit); };
+  Prospect prospect;
+  const auto number = passages.at(p);
+  if (number && !passages[*number].two_lanes) {
+    prospect.claim = claim_inside(passages[*number], *number, p, walk_on);
+    return prospect;
+  }
+  double way = 0.0;
+  prospect.claim = claim_outside(passages, p, walk_on, way);
+  if (!prospect.claim || way > kLeavesLane * graph.radius)
+    prospect.lane = lane_ahead(passages, graph, p, walk_on);
+  return prospect;
+}
+
+}  // namespace avo

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// All lengths are in radii of the passage, so that robots of any size agree on them.
+#include "navigation/right_of_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace avo {
+namespace {
+
+constexpr double kMoves = 0.2;      // radii a second: slower is at rest
+constexpr double kDeep = 6.0;       // of what is kept clear before a mouth, outwards
+constexpr double kLeft = 1.6;       // and from the axis to the right of who enters
+constexpr double kBay = 3.1;        // from the axis, to the right: where to wait
+constexpr double kLeastBay = 1.2;   // from the mouth, outwards: likewise
+constexpr double kQueue = 2.2;      // beside the way in, from the mouth: nobody waits nearer
+constexpr double kBack = 2.5;       // from the mouth: where who backs out heads for
+constexpr double kOut = 0.6;        // before the mouth one turns
+constexpr double kBackAside = 2.0;  // to the right
+constexpr double kLaneRoom = 0.1;   // between walls and a robot in its lane
+constexpr double kLane = 1.3;       // from the axis, where there is room: nobody touches anybody
+
+// Of those who enter there.
+struct Mouth {
+  Vec2 center, inward, right;
+};
+
+Mouth mouth_of(const Passage& passage, bool forward) {
+  const AxisPoint start = axis_point(passage, forward, 0.0);
+  return {start.point, start.direction, -1.0 * perpendicular(start.direction)};
+}
+
+// Who is as far takes precedence by this, which all can see.
+bool comes_first(Vec2 p, Vec2 q) {
+  return std::pair(p.x, p.y) < std::pair(q.x, q.y);
+}
+
+// Whoever has come farthest of one direction.
+struct Foremost {
+  double way = -1.0;  // m, from where it entered; none is inside
+  Vec2 position = {};
+
+  void include(const Passage& passage, const Claimant& robot) {
+    const double along = place_in(passage, robot.position).along;
+    const double come = robot.claim.forward ? along : passage.length() - along;
+    if (come > way) way = come, position = robot.position;
+  }
+  bool goes_on_before(const Foremost& other) const {
+    return way > other.way || (way == other.way && comes_first(position, other.position));
+  }
+};
+
+// Both directions inside: the one that has come less far goes back, all of it.
+Course go_on_or_back(const Passage& passage, const Claimant& robot,
+                     std::span<const Claimant> claimants, double sensing_radius) {
+  Foremost ours, theirs;
+  ours.include(passage, robot);
+  for (const Claimant& other : claimants) {
+    if (!other.claim.inside || norm(other.position - robot.position) > sensing_radius) continue;
+    (other.claim.forward == robot.claim.forward ? ours : theirs).include(passage, other);
+  }
+  if (theirs.way < 0.0 || ours.goes_on_before(theirs)) return {};
+  const Mouth mouth = mouth_of(passage, robot.claim.forward);
+  const bool is_out = dot(robot.position - mouth.center, mouth.inward) < kOut * passage.radius;
+  const double aside = is_out ? kBackAside : 0.0;
+  return {.target = mouth.center + passage.radius * (aside * mouth.right - kBack * mouth.inward)};
+}
+
+// Nobody comes, nor is anybody who does nearer to where it enters.
+bool may_enter(const Claimant& robot, std::span<const Claimant> claimants, double sensing_radius) {
+  return std::none_of(claimants.begin(), claimants.end(), [&](const Claimant& other) {
+    if (other.claim.forward == robot.claim.forward) return false;
+    if (norm(other.position - robot.position) > sensing_radius) return false;
+    const double ours = robot.claim.distance, theirs = other.claim.distance;
+    return other.claim.inside || theirs < ours ||
+           (theirs == ours && comes_first(other.position, robot.position));
+  });
+}
+
+// Off the way of those who come out, which is to the left of the bay.
+Course wait(const Passage& passage, const Claimant& robot, double max_acceleration) {
+  const double unit = passage.radius;
+  const Mouth mouth = mouth_of(passage, robot.claim.forward);
+  const Vec2 from_mouth = robot.position - mouth.center;
+  const double out = -dot(from_mouth, mouth.inward), right = dot(from_mouth, mouth.right);
+  const bool is_beside = right >= kLeft * unit;
+  if (out < kDeep * unit && !is_beside) {
+    const Vec2 bay =
+        mouth.center - std::max(out, kLeastBay * unit) * mouth.inward + kBay * unit * mouth.right;
+    return {.target = bay, .stops = true};
+  }
+  const double behind = out - kDeep * unit;
+  const double beside = is_beside ? robot.claim.distance - kQueue * unit : 0.0;
+  const double room = std::max({0.0, behind, beside});
+  return {.max_speed = std::sqrt(2.0 * max_acceleration * room)};
+}
+
+}  // namespace
+
+std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Vec2 position,
+                                Vec2 velocity) {
+  const PassagePlace place = place_in(passage, position);
+  const double least = kMoves * passage.radius;
+  const bool is_first_near = place.along < 0.5 * passage.length();
+  if (is_inside(passage, place)) {
+    const double speed = dot(velocity, axis_point(passage, true, place.along).direction);
+    const bool moves = std::abs(speed) > least;
+    return Claim{number, moves ? speed > 0.0 : is_first_near, true, 0.0};
+  }
+  const Vec2 way = mouth_of(passage, is_first_near).center - position;
+  const double distance = norm(way);
+  if (distance > kClaimRange * passage.radius || !(dot(velocity, way) > least * distance))
+    return {};
+  return Claim{number, is_first_near, false, distance};
+}
+
+Course right_of_way(const Passage& passage, const Claimant& robot, double max_acceleration,
+                    std::span<const Claimant> claimants, double sensing_radius) {
+  if (robot.claim.inside) return go_on_or_back(passage, robot, claimants, sensing_radius);
+  if (may_enter(robot, claimants, sensing_radius)) return {};
+  return wait(passage, robot, max_acceleration);
+}
+
+double lane_offset(const Passage& passage) {
+  const double free = passage.half_width - (1.0 + kLaneRoom) * passage.radius;
+  return std::max(0.5 * passage.half_width, std::min(kLane * passage.radius, free));
+}
+
+}  // namespace avo

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules at passages: who goes, who waits and where, who goes back, and which lane to keep
+// (docs/arrival.md). They say where to go for now. Safety never depends on them.
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "avo/vec.h"
+#include "navigation/passages.h"
+
+namespace avo {
+
+/// Radii of a passage, from its mouths, from which right of way is claimed.
+inline constexpr double kClaimRange = 16.0;
+
+/// Of a passage of one lane: to go through it, or that one does so already.
+struct Claim {
+  std::uint32_t passage = 0;
+  bool forward = true;  // along the axis
+  bool inside = false;
+  double distance = 0.0;  // m, from outside to the mouth where it enters
+};
+
+/// What the rules know of a robot.
+struct Claimant {
+  Claim claim;
+  Vec2 position;  // m
+};
+
+/// The claim that others see, where there is one: inside the direction in which the robot moves, or
+/// at rest the one in which it came from the nearer mouth; outside that it moves towards the mouth.
+std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Vec2 position,
+                                Vec2 velocity);
+
+/// Where to go instead of farther on the way, if anywhere, and how fast at most.
+struct Course {
+  std::optional<Vec2> target = {};                             // m
+  bool stops = false;                                          // at the target
+  double max_speed = std::numeric_limits<double>::infinity();  // m/s
+};
+
+/// Among all who claim the same passage and are within the sensing radius, the robot itself or not.
+Course right_of_way(const Passage& passage, const Claimant& robot, double max_acceleration,
+                    std::span<const Claimant> claimants, double sensing_radius);
+
+/// m, from the axis to the middle of the right-hand lane.
+double lane_offset(const Passage& passage);
+
+}  // namespace avo

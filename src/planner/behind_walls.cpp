@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/behind_walls.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "certificate/wall_constraints.h"
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// m, from its center, of all that it can come to touch.
+double reach_of(const Robot& robot, const StepLaw& law) {
+  return robot.radius +
+         wall_reach(norm(robot.velocity), robot.max_speed, robot.max_acceleration, law);
+}
+double reach_of(const Neighbor& neighbor, const StepLaw& law) {
+  return neighbor.radius +
+         wall_reach(norm(neighbor.velocity), kInfinity, neighbor.max_acceleration, law);
+}
+
+bool is_within(double reach, Vec2 p, const Wall& wall) {
+  return distance(p, {wall.a, wall.b}) <= reach + wall.radius;
+}
+
+// Whether the straight way from p to q crosses the wall's middle line.
+bool crosses(Vec2 p, Vec2 q, const Wall& wall) {
+  const Vec2 way = q - p, along = wall.b - wall.a;
+  const double a = cross(way, wall.a - p), b = cross(way, wall.b - p);
+  const double from = cross(along, p - wall.a), to = cross(along, q - wall.a);
+  return (a < 0.0) != (b < 0.0) && (from < 0.0) != (to < 0.0);
+}
+
+// m, from p to q round the nearer end.
+double way_round(Vec2 p, Vec2 q, const Wall& wall) {
+  return std::min(norm(p - wall.a) + norm(wall.a - q), norm(p - wall.b) + norm(wall.b - q));
+}
+
+bool is_hidden(Vec2 p, double reach, const Neighbor& neighbor, std::span<const Wall> walls,
+               const StepLaw& law) {
+  return neighbor.behavior == Behavior::decides &&
+         std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
+           return crosses(p, neighbor.position, wall) && is_within(reach, p, wall) &&
+                  way_round(p, neighbor.position, wall) > reach + reach_of(neighbor, law);
+         });
+}
+
+}  // namespace
+
+void leave_out_hidden(const StepLaw& law, Tile& tile) {
+  NeighborColumns& columns = tile.neighbors;
+  for (std::size_t i = 0; i < tile.robots.count; ++i) {
+    const std::span<const Wall> walls = tile.walls_of(i);
+    if (walls.empty()) continue;
+    const double reach = reach_of(tile.robots.robot(i), law);
+    Neighbors& neighbors = tile.robots.neighbors[i];
+    const std::size_t end = neighbors.first + neighbors.count;
+    std::size_t kept = neighbors.first;
+    for (std::size_t k = neighbors.first; k < end; ++k) {
+      if (is_hidden(tile.robots.position(i), reach, columns[k], walls, law)) continue;
+      if (kept != k) columns.replace(kept, k);
+      ++kept;
+    }
+    neighbors.count = kept - neighbors.first;
+  }
+}
+
+bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {
+  const double reach =
+      robot.radius + wall_reach(robot.max_speed, robot.max_speed, robot.max_acceleration, law);
+  return std::any_of(walls.begin(), walls.end(),
+                     [&](const Wall& wall) { return is_within(reach, robot.position, wall); });
+}
+
+}  // namespace avo

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Neighbors that walls keep away do not count (docs/certificate.md, "Neighbors behind walls").
+#pragma once
+#include <span>
+
+#include "certificate/braking_path.h"
+#include "planner/tile.h"
+
+namespace avo {
+
+/// Takes out of the robots' neighbors whoever decides as well and is behind a wall, so that neither
+/// can come round an end of it before both have stopped. Only walls that the robot itself could
+/// come to touch are looked at.
+void leave_out_hidden(const StepLaw& law, Tile& tile);
+
+/// Whether the robot could come to touch any of them in this step or by braking after it.
+bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law);
+
+}  // namespace avo

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/claims.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "navigation/prospect.h"
+#include "sim/world.h"
+
+namespace avo {
+namespace {
+
+const Travel& travel_of(const World& world, std::size_t slot) {
+  return world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
+}
+
+// Claims within kClaimRange that the robot has, or seems to have.
+void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& claimants) {
+  const Ways& ways = world.ways;
+  const Vec2 p = world.fleet.position[slot];
+  if (world.settings.right_of_way == RightOfWay::told) {
+    const Travel& travel = travel_of(world, slot);
+    if (!travel.is_known()) return;
+    const auto claim =
+        look_ahead(ways.passages, *travel.graph, *travel.map, p, travel.target).claim;
+    if (claim && claim->distance <= kClaimRange * ways.passages[claim->passage].radius)
+      claimants.push_back({*claim, p});
+    return;
+  }
+  ways.passages.for_each_watched(p, [&](std::uint32_t number) {
+    const Passage& passage = ways.passages[number];
+    const auto claim = seen_claim(passage, number, p, world.fleet.velocity[slot]);
+    if (!claim) return;
+    const Vec2 mouth = axis_point(passage, claim->forward, 0.0).point;
+    if (claim->inside || ways.is_in_sight(p, mouth)) claimants.push_back({*claim, p});
+  });
+}
+
+// As far off as the rest of the way, so that nobody brakes for the place, unless it is to stop.
+Vec2 beyond(Vec2 p, Vec2 target, double rest) {
+  const Vec2 way = target - p;
+  const double distance = norm(way);
+  return distance > 0.0 && rest > distance ? p + (rest / distance) * way : target;
+}
+
+}  // namespace
+
+void collect_claims(const World& world, Executor& executor, Claims& claims) {
+  const std::size_t robots = world.fleet.size(), parts = executor.workers();
+  claims.parts.resize(std::max(claims.parts.size(), parts));
+  parallel_for(executor, parts, [&](std::size_t part, std::size_t) {
+    std::vector<Claimant>& own = claims.parts[part];
+    own.clear();
+    own.reserve(robots / parts + 1);
+    for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k)
+      append_claims(world, world.fleet.slot_of[k], own);
+  });
+  std::vector<std::uint32_t>& first = claims.first;
+  first.assign(world.ways.passages.size() + 1, 0);
+  const auto for_each = [&](const auto& visit) {
+    for (std::size_t part = 0; part < parts; ++part) {
+      for (const Claimant& claimant : claims.parts[part]) visit(claimant);
+    }
+  };
+  for_each([&](const Claimant& claimant) { ++first[claimant.claim.passage + 1]; });
+  for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+  claims.claimants.resize(first.back());
+  // each first becomes the next one's, and then its own again
+  for_each([&](const Claimant& claimant) {
+    claims.claimants[first[claimant.claim.passage]++] = claimant;
+  });
+  std::copy_backward(first.begin(), first.end() - 1, first.end());
+  first[0] = 0;
+}
+
+Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,
+                      const Travel& travel, const Heading& heading) {
+  if (!travel.is_known()) return heading;
+  const Passages& passages = world.ways.passages;
+  const Vec2 p = world.fleet.position[slot];
+  const auto [claim, lane] = look_ahead(passages, *travel.graph, *travel.map, p, travel.target);
+  const double rest = norm(heading.goal - p);
+  Heading heeding = heading;
+  if (lane) heeding.goal = beyond(p, *lane, rest);
+  if (!claim) return heeding;
+  const RobotTraits& traits = world.fleet.traits[slot];
+  const Passage& passage = passages[claim->passage];
+  const Course course = right_of_way(passage, {*claim, p}, traits.max_acceleration,
+                                     claims.of(claim->passage), world.settings.sensing_radius);
+  heeding.preferred_speed = std::min(heeding.preferred_speed, course.max_speed);
+  if (course.target) heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);
+  return heeding;
+}
+
+}  // namespace avo

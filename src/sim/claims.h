@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who goes through which passage, as all robots see it, and where each robot goes for it.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/executor.h"
+#include "navigation/right_of_way.h"
+#include "sim/ways.h"
+
+namespace avo {
+
+struct World;
+
+/// Of one moment.
+struct Claims {
+  std::vector<Claimant> claimants;   // by passage
+  std::vector<std::uint32_t> first;  // of each passage; one more than passages
+  std::vector<std::vector<Claimant>> parts;
+
+  [[nodiscard]] std::span<const Claimant> of(std::uint32_t passage) const {
+    return std::span(claimants).subspan(first[passage], first[passage + 1] - first[passage]);
+  }
+};
+
+/// Seen, or told, as the scene says. There are passages.
+void collect_claims(const World& world, Executor& executor, Claims& claims);
+
+/// What the rules at passages make of the heading.
+Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,
+                      const Travel& travel, const Heading& heading);
+
+}  // namespace avo

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots and static obstacles come and go. All that may throw comes before anything changes.
+#include "sim/edits.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "avo/assumptions.h"
+#include "avo/error.h"
+#include "core/ranges.h"
+#include "sim/assumptions.h"
+#include "sim/world.h"
+
+namespace avo {
+namespace {
+
+std::string name_of(RobotId robot) {
+  return "robot " + std::to_string(robot.value);
+}
+std::string name_of(ObstacleId obstacle) {
+  return "obstacle " + std::to_string(obstacle.value);
+}
+
+std::string rounded(double value, int digits) {
+  char buffer[32];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+  return {buffer, end};
+}
+
+// validate(), of a scene with one robot or obstacle at the place, which the error calls by its
+// name.
+void validate_as(const Scenario& scene, std::string_view place, const std::string& name) {
+  try {
+    validate(scene);
+  } catch (const Error& error) {
+    const std::string_view what = error.what();
+    if (!what.starts_with(place)) throw;
+    throw Error(name + ": " + std::string(what.substr(place.size())));
+  }
+}
+
+void check(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
+  Scenario scene = world.settings;
+  scene.robots = {setup};
+  if (among_walls) scene.obstacles.emplace_back();  // what a robot needs beside any of them
+  validate_as(scene, "robots.0.", name_of(robot));
+}
+
+// Throws Error if nobody would see this one in time, or it others.
+void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
+  Scenario scene = world.settings;
+  scene.moving_obstacles = world.obstacles.setup;
+  for (const std::uint32_t slot : world.fleet.slot_of) {
+    scene.robots.push_back(world.fleet.setup(slot));
+  }
+  const auto before = sensing_need(scene);
+  scene.robots.push_back(setup);
+  const auto need = sensing_need(scene);
+  if (!need || need->range <= scene.sensing_radius * (1.0 + 1e-9)) return;
+  if (before && need->range <= before->range) return;  // that was so without it
+  throw Error(name_of(robot) + ": found a max_speed of " + std::to_string(setup.max_speed) +
+              " m/s, has to be seen from " + std::to_string(need->range) +
+              " m, sensing_radius is " + std::to_string(scene.sensing_radius) + " m");
+}
+
+// As it is now; where it is matters to nobody whose values are checked.
+RobotSetup standing(const World& world, std::size_t slot) {
+  RobotSetup setup = world.fleet.setup(slot);
+  setup.position = setup.velocity = {};  // wherever it has got to
+  return setup;
+}
+
+// Throws Error where braking does not keep the margin to it, or its Fill keeps a robot out.
+void check_certificate(const World& world, const StaticObstacle& obstacle, ObstacleId id) {
+  const CertificateLaw law = certificate_law(world.settings);
+  if (law.kind == Certificate::none) return;
+  const Fleet& fleet = world.fleet;
+  Scenario scene = world.settings;
+  scene.obstacles = {obstacle};
+  for (const std::uint32_t slot : fleet.slot_of) scene.robots.push_back(fleet.setup(slot));
+  BrokenAssumptions broken;
+  find_wall_starts(scene, law, broken);
+  const auto robot_at = [&](int rank) {
+    const std::uint32_t slot = fleet.slot_of[static_cast<std::size_t>(rank)];
+    const Vec2 p = fleet.position[slot];
+    return name_of(fleet.id[slot]) + " at [" + rounded(p.x, 9) + ", " + rounded(p.y, 9) + "]";
+  };
+  if (broken.beside_count > 0) {
+    const WallStart& worst = broken.beside.front();
+    const double own = scene.robots[static_cast<std::size_t>(worst.robot)].radius;
+    refuse(name_of(id),
+           robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
+               rounded(worst.kept, 9) + " m once it has braked",
+           ">= " + text(own) + " + " + text(obstacle.radius) + " m and " +
+               rounded(worst.required - own - obstacle.radius, 2) + " m for rounding");
+  }
+  if (broken.misplaced_count > 0) {
+    const bool solid = obstacle.fill == Fill::solid;
+    refuse(name_of(id), robot_at(broken.misplaced.front().robot),
+           solid ? "outside of the solid" : "inside of the bounds");
+  }
+}
+
+static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
+              std::is_nothrow_move_assignable_v<Ways>);
+
+// The same fleet among others.
+void replace(World& world, StaticWorld statics) {
+  Ways ways(world.settings, statics.walls);
+  replan_travels(world.ways, ways, world.fleet);
+  world.statics = std::move(statics);
+  world.ways = std::move(ways);
+  world.changed = true;
+}
+
+}  // namespace
+
+RobotId add_robot(World& world, const RobotSetup& setup) {
+  const RobotId robot{world.next_id};
+  check(world, setup, robot, !world.statics.obstacles.empty());
+  check_sensing(world, setup, robot);
+  Ways& ways = world.ways;
+  Travel travel;
+  if (!ways.empty()) {
+    travel = ways.plan(setup.radius, setup.position, setup.goal);
+    if (ways.travels.size() == ways.travels.capacity())
+      ways.travels.reserve(2 * ways.travels.size() + 8);
+  }
+  world.fleet.add(robot, setup);
+  if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
+  ++world.next_id;
+  world.changed = true;
+  return robot;
+}
+
+void remove_robot(World& world, RobotId robot) {
+  const std::size_t slot = world.fleet.find(robot);
+  std::vector<Travel>& travels = world.ways.travels;
+  if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);
+  world.fleet.remove(slot);
+  world.changed = true;
+}
+
+void set_goal(World& world, RobotId robot, Vec2 goal) {
+  const std::size_t slot = world.fleet.find(robot);
+  RobotSetup setup = standing(world, slot);
+  setup.goal = goal;
+  check(world, setup, robot, !world.statics.obstacles.empty());
+  Ways& ways = world.ways;
+  if (!ways.empty()) {
+    ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
+        ways.plan(setup.radius, world.fleet.position[slot], goal);
+  }
+  world.fleet.goal[slot] = goal;
+}
+
+ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
+  const ObstacleId id{world.statics.next_id};
+  Scenario scene = world.settings;
+  scene.obstacles = {obstacle};
+  validate_as(scene, "obstacles.0.", name_of(id));
+  if (world.statics.obstacles.empty()) {  // nobody has been asked yet
+    for (const std::uint32_t slot : world.fleet.slot_of)
+      check(world, standing(world, slot), world.fleet.id[slot], true);
+  }
+  check_certificate(world, obstacle, id);
+  std::vector<ObstacleId> ids = world.statics.id;
+  std::vector<StaticObstacle> obstacles = world.statics.obstacles;
+  ids.push_back(id), obstacles.push_back(obstacle);
+  replace(world, StaticWorld(std::move(obstacles), std::move(ids), id.value + 1));
+  return id;
+}
+
+void remove_obstacle(World& world, ObstacleId obstacle) {
+  std::vector<ObstacleId> ids = world.statics.id;
+  const auto place = std::find(ids.begin(), ids.end(), obstacle);
+  if (place == ids.end()) throw Error(name_of(obstacle) + ": found none of that id");
+  std::vector<StaticObstacle> obstacles = world.statics.obstacles;
+  obstacles.erase(obstacles.begin() + (place - ids.begin()));
+  ids.erase(place);
+  replace(world, StaticWorld(std::move(obstacles), std::move(ids), world.statics.next_id));
+}
+
+}  // namespace avo

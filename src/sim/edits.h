@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What users change between steps: robots, goals, static obstacles. Each of these throws Error on
+// bad input, and changes nothing where it throws.
+#pragma once
+#include "avo/simulation.h"
+
+namespace avo {
+
+struct World;
+
+RobotId add_robot(World& world, const RobotSetup& setup);
+void remove_robot(World& world, RobotId robot);
+void set_goal(World& world, RobotId robot, Vec2 goal);
+ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle);
+void remove_obstacle(World& world, ObstacleId obstacle);
+
+}  // namespace avo

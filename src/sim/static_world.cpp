@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/static_world.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <utility>
+
+#include "core/hash.h"
+
+namespace avo {
+namespace {
+
+std::uint64_t hash_of(const StaticWorld& statics) {
+  std::uint64_t hash = 0;
+  const auto mix = [&hash](double value) {
+    hash = mixed(hash, std::bit_cast<std::uint64_t>(value));
+  };
+  for (std::size_t k = 0; k < statics.id.size(); ++k) {
+    const StaticObstacle& obstacle = statics.obstacles[k];
+    hash = mixed(mixed(hash, statics.id[k].value), obstacle.chains.size());
+    mix(obstacle.radius);
+    for (const Chain& chain : obstacle.chains) {
+      hash = mixed(mixed(hash, chain.points.size()), chain.closed ? 1 : 0);
+      for (const Vec2 point : chain.points) mix(point.x), mix(point.y);
+    }
+  }
+  return hash;
+}
+
+}  // namespace
+
+void WallNeeds::include(const RobotTraits& robot, double speed, const StepLaw& law) {
+  const auto& [radius, max_speed, max_acceleration, preferred, wheelbase] = robot;
+  const WallRounding own = wall_rounding(radius, max_speed, max_acceleration, law);
+  rounding = {std::max(rounding.steps, own.steps), std::max(rounding.lengths, own.lengths)};
+  const double top_speed = std::max(max_speed, speed);
+  reach = std::max(reach, radius + wall_reach(top_speed, max_speed, max_acceleration, law));
+}
+
+bool WallNeeds::cover(const WallNeeds& needs) const {
+  return needs.reach <= reach && needs.rounding.steps <= rounding.steps &&
+         needs.rounding.lengths <= rounding.lengths;
+}
+
+WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs) {
+  constexpr double kRounding = 0x1p-20;  // of a length, more than the grid's own arithmetic hides
+  std::vector<double> within;
+  within.reserve(walls.size());
+  for (const Wall& wall : walls) {
+    const double exact = needs.reach + wall.radius + wall_margin(wall, needs.rounding);
+    within.push_back(exact * (1.0 + kRounding));
+  }
+  WallGrid grid;
+  grid.build(walls, within);
+  return grid;
+}
+
+StaticWorld::StaticWorld(std::vector<StaticObstacle> listed, std::vector<ObstacleId> ids,
+                         std::uint64_t next)
+    : id(std::move(ids)),
+      obstacles(std::move(listed)),
+      next_id(next),
+      walls(walls_of(obstacles)),
+      hash(hash_of(*this)) {}
+
+StaticWorld static_world(std::vector<StaticObstacle> obstacles) {
+  std::vector<ObstacleId> ids;
+  for (std::size_t k = 0; k < obstacles.size(); ++k) ids.push_back({k});
+  const std::uint64_t next = ids.size();
+  return {std::move(obstacles), std::move(ids), next};
+}
+
+}  // namespace avo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Static obstacles of a simulation, and the walls that they are made of.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "certificate/wall_constraints.h"
+#include "sim/fleet.h"
+#include "walls/wall_grid.h"
+
+namespace avo {
+
+/// What the robots beside walls ask of a grid of them.
+struct WallNeeds {
+  double reach = 0.0;  // m, from a robot's center, of what it could come to touch
+  WallRounding rounding;
+
+  void include(const RobotTraits& robot, double speed, const StepLaw& law);
+  bool cover(const WallNeeds& needs) const;
+};
+
+/// The walls that matter to those robots, wherever they are.
+WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs);
+
+/// What does not move. Nobody looks at it where there are no obstacles.
+struct StaticWorld {
+  std::vector<ObstacleId> id;  // ascending
+  std::vector<StaticObstacle> obstacles;
+  std::uint64_t next_id = 0;
+  std::vector<Wall> walls;  // of all obstacles, in their order
+  std::uint64_t hash = 0;   // of ids and obstacles
+  WallGrid grid;
+  std::optional<WallNeeds> needs;  // that the grid is for; none is built yet
+
+  StaticWorld(std::vector<StaticObstacle> obstacles, std::vector<ObstacleId> id,
+              std::uint64_t next_id);
+};
+
+/// The obstacles of a scene, by their place in it.
+StaticWorld static_world(std::vector<StaticObstacle> obstacles);
+
+}  // namespace avo

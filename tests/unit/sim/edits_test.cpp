@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: Apache-2.0
+// Doors open and close: static obstacles come and go while robots move.
+#include "sim/edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "avo/check.h"
+#include "avo/error.h"
+#include "support/walls.h"
+#include "unit/sim/walled_scenes.h"
+
+namespace avo {
+namespace {
+
+using test::pieces;
+using test::robot_at;
+
+const StaticObstacle kDoor = pieces({{{10, 4}, {10, 6}}});
+
+// Robots in the left one of two rooms; the door between them is 2 m wide.
+Scenario rooms(const std::vector<RobotSetup>& robots) {
+  Scenario scene;
+  scene.obstacles = {pieces(test::two_rooms(2.0))};
+  scene.robots = robots;
+  return scene;
+}
+
+// Judges every step by the walls that stand in it, by the judge's own arithmetic.
+class Judged {
+ public:
+  Judged(const Scenario& scene, int threads) : simulation(scene, threads), check_({}) { look(); }
+
+  void step() {
+    std::vector<CheckedWall> walls;
+    for (const Wall& wall : walls_of(simulation.static_obstacles().setup))
+      walls.push_back({wall.a, wall.b, wall.radius});
+    check_.set_walls(walls);
+    simulation.step();
+    look();
+  }
+  void run(double seconds) {
+    const double end = simulation.time() + seconds;
+    while (simulation.time() < end - 1e-9) step();
+  }
+  [[nodiscard]] CheckReport report() const { return check_.report(); }
+
+  Simulation simulation;
+
+ private:
+  void look() {
+    const FleetView fleet = simulation.fleet();
+    std::vector<CheckedState> rows;
+    for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+      const auto index = static_cast<std::int64_t>(fleet.id[k].value);
+      while (check_.report().robots <= index && known_ <= index) {
+        const RobotSetup& setup = fleet.setup[k];
+        check_.add_robot({setup.radius, setup.max_acceleration, setup.max_speed});
+        ++known_;
+      }
+      rows.push_back({index, fleet.position[k], fleet.velocity[k]});
+    }
+    check_.add(simulation.time(), rows);
+  }
+  Check check_;
+  std::int64_t known_ = 0;
+};
+
+std::string refusal(Simulation& simulation, const StaticObstacle& obstacle) {
+  const std::vector<std::byte> before = simulation.save();
+  std::string message = "accepted";
+  try {
+    simulation.add_obstacle(obstacle);
+  } catch (const Error& error) {
+    message = error.what();
+    EXPECT_TRUE(simulation.save() == before) << message;
+  }
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  return message;
+}
+
+TEST(Edits, a_robot_waits_before_a_door_that_closes_and_goes_on_once_it_opens) {
+  for (const bool navigation : {true, false}) {
+    Scenario scene = rooms({robot_at({3, 5}, {17, 5})});
+    scene.navigation = navigation;
+    Judged judged(scene, 1);
+    Simulation& simulation = judged.simulation;
+    judged.run(2.0);
+    EXPECT_TRUE(simulation.unreachable().empty());
+    const ObstacleId door = simulation.add_obstacle(kDoor);
+    EXPECT_EQ(door.value, 1u);
+    EXPECT_EQ(simulation.unreachable(), std::vector<RobotId>{{0}});
+    judged.run(20.0);
+    EXPECT_LT(simulation.fleet().position[0].x, 9.5);
+    simulation.remove_obstacle(door);
+    EXPECT_TRUE(simulation.unreachable().empty());
+    if (navigation) {  // without, it has gone along the wall
+      EXPECT_LT(norm(simulation.fleet().velocity[0]), 1e-3);
+      judged.run(20.0);
+      EXPECT_TRUE(simulation.all_at_goal());
+    }
+    EXPECT_TRUE(judged.report().safe());
+    EXPECT_GT(*judged.report().least_static_clearance, 0.0);
+  }
+}
+
+TEST(Edits, a_robot_turns_to_another_way_when_a_door_closes) {
+  Scenario scene = rooms({robot_at({3, 5}, {17, 5})});
+  scene.obstacles = {pieces({{{10, 0}, {10, 4}}, {{10, 6}, {10, 30}}})};
+  Judged judged(scene, 1);
+  judged.run(2.0);
+  EXPECT_EQ(judged.simulation.perceive(0).robot.preferred_velocity.y, 0.0);
+  judged.simulation.add_obstacle(kDoor);
+  EXPECT_TRUE(judged.simulation.unreachable().empty());
+  EXPECT_LT(judged.simulation.perceive(0).robot.preferred_velocity.y, -0.1);
+  double lowest = 1e300;
+  while (!judged.simulation.all_at_goal() && judged.simulation.time() < 40.0) {
+    judged.step();
+    lowest = std::min(lowest, judged.simulation.fleet().position[0].y);
+  }
+  EXPECT_TRUE(judged.simulation.all_at_goal());
+  EXPECT_LT(lowest, 0.0);
+  EXPECT_TRUE(judged.report().safe());
+}
+
+TEST(Edits, a_robot_takes_the_shorter_way_as_soon_as_its_door_opens) {
+  Scenario scene;
+  scene.obstacles = {pieces({{{-30, 0}, {-1, 0}}, {{1, 0}, {30, 0}}}), pieces({{{-1, 0}, {1, 0}}})};
+  scene.robots = {robot_at({6, -2}, {6, 2})};
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 15; ++k) simulation.step();
+  EXPECT_GT(simulation.perceive(0).robot.preferred_velocity.x, 1.0);
+  simulation.remove_obstacle({1});
+  EXPECT_LT(simulation.perceive(0).robot.preferred_velocity.x, 0.0);
+}
+
+TEST(Edits, an_obstacle_that_braking_would_touch_is_refused_with_the_arithmetic) {
+  Scenario scene = rooms({robot_at({3, 9}, {3, 9}), robot_at({5, 5}, {17, 5})});
+  scene.robots[1].velocity = {2, 0};
+  Simulation simulation(scene, 1);
+  EXPECT_EQ(refusal(simulation, pieces({{{7, 4}, {7, 6}}})),
+            "obstacle 1: found robot 1 at [5, 5], which is 2 m from it, 0 m once it has braked, "
+            "must be >= 0.5 + 0 m and 2.7e-12 m for rounding");
+  // 2 m/s take v²/2a = 2 m to brake, less rounding
+  EXPECT_NE(refusal(simulation, pieces({{{7.499, 4}, {7.499, 6}}})), "accepted");
+  EXPECT_EQ(refusal(simulation, pieces({{{7.501, 4}, {7.501, 6}}})), "accepted");
+}
+
+TEST(Edits, bad_ones_are_refused_in_a_line) {
+  Scenario scene = rooms({robot_at({3, 9}, {3, 9}), robot_at({5, 5}, {17, 5})});
+  Simulation simulation(scene, 1);
+  StaticObstacle thin = kDoor;
+  thin.radius = -0.1;
+  EXPECT_EQ(refusal(simulation, thin), "obstacle 1: radius: found -0.1, must be >= 0 m");
+  EXPECT_EQ(refusal(simulation, pieces({{{10, 4}, {10, 1.0 / 0.0}}})),
+            "obstacle 1: points.1: found inf, must be a finite number");
+  EXPECT_EQ(refusal(simulation, {{Chain{}}}),
+            "obstacle 1: chains: found one without points, must be of a point at least");
+  const Chain square{{{1, 7}, {5, 7}, {5, 11}, {1, 11}}, true};
+  EXPECT_EQ(refusal(simulation, {{square}, 0.0, Fill::solid}),
+            "obstacle 1: found robot 0 at [3, 9], must be outside of the solid");
+  EXPECT_EQ(refusal(simulation, {{square}, 0.0, Fill::bounds}),
+            "obstacle 1: found robot 1 at [5, 5], must be inside of the bounds");
+  EXPECT_EQ(refusal(simulation, {{square}, 0.0, Fill::none}), "accepted");
+  const std::vector<std::byte> before = simulation.save();
+  for (const std::uint64_t id : {2u, 77u}) {
+    try {
+      simulation.remove_obstacle({id});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), "obstacle " + std::to_string(id) + ": found none of that id");
+    }
+  }
+  simulation.remove_obstacle({1});
+  EXPECT_THROW(simulation.remove_obstacle({1}), Error);
+  EXPECT_EQ(simulation.add_obstacle(kDoor).value, 2u) << "ids are never reused";
+}
+
+// A start is not refused there either.
+TEST(Edits, without_a_certificate_only_bad_values_are_refused) {
+  for (const Method method : {Method::avo, Method::avo_paper, Method::orca}) {
+    Scenario scene = rooms({robot_at({5, 5}, {17, 5})});
+    scene.robots[0].velocity = {2, 0};
+    scene.method = method;
+    scene.certificate = Certificate::none;
+    Simulation simulation(scene, 1);
+    EXPECT_EQ(refusal(simulation, pieces({{{5.2, 4}, {5.2, 6}}})), "accepted");
+    StaticObstacle thin = kDoor;
+    thin.radius = -0.1;
+    EXPECT_NE(refusal(simulation, thin), "accepted");
+  }
+}
+
+TEST(Edits, the_first_obstacle_may_come_late_and_the_last_one_go) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {10, 0}), robot_at({0, 3}, {10, 3})};
+  Judged judged(scene, 1);
+  Simulation& simulation = judged.simulation;
+  Simulation untouched(scene, 1);
+  judged.run(1.0);
+  for (int k = 0; k < 10; ++k) untouched.step();
+  const ObstacleId wall = simulation.add_obstacle(pieces({{{5, -4}, {5, 8}}}));
+  EXPECT_EQ(wall.value, 0u);
+  simulation.remove_obstacle(wall);
+  EXPECT_EQ(simulation.state_hash(), untouched.state_hash());
+  simulation.add_obstacle(pieces({{{5, -4}, {5, 8}}, {{-2, 1.5}, {1, 1.5}}}));
+  EXPECT_GT(std::abs(simulation.perceive(0).robot.preferred_velocity.y), 0.1);
+  EXPECT_FALSE(simulation.perceive(0).walls.empty());
+  judged.run(30.0);
+  EXPECT_TRUE(simulation.all_at_goal());
+  simulation.remove_obstacle({1});
+  EXPECT_TRUE(simulation.static_obstacles().id.empty());
+  EXPECT_TRUE(simulation.perceive(0).walls.empty());
+  judged.run(1.0);
+  EXPECT_TRUE(judged.report().safe());
+  // what a robot needs beside walls is asked of those that are there
+  scene.robots[1].radius = 1e-3;
+  Simulation tiny(scene, 1);
+  EXPECT_EQ(refusal(tiny, kDoor).find("robot 1: radius: found 0.001, must be > 0.0025"), 0u);
+}
+
+TEST(Edits, whoever_comes_or_turns_after_them_knows_the_walls) {
+  Scenario scene = rooms({robot_at({3, 5}, {7, 5})});
+  Simulation simulation(scene, 1);
+  const ObstacleId door = simulation.add_obstacle(kDoor);
+  const RobotId late = simulation.add_robot(robot_at({3, 8}, {17, 8}));
+  simulation.set_goal({0}, {17, 5});
+  const std::vector<RobotId> both{{0}, late};
+  EXPECT_EQ(simulation.unreachable(), both);
+  simulation.set_goal(late, {7, 8});
+  EXPECT_EQ(simulation.unreachable(), std::vector<RobotId>{{0}});
+  simulation.remove_obstacle(door);
+  EXPECT_TRUE(simulation.unreachable().empty());
+}
+
+// A fast robot that has come since the grid of walls was built, and obstacles that have.
+TEST(Edits, perceive_is_what_the_step_decides_on) {
+  Scenario scene = rooms({robot_at({3, 5}, {17, 5})});
+  scene.sensing_radius = 100.0;
+  scene.navigation = false;
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 5; ++k) simulation.step();
+  RobotSetup fast = robot_at({-30, 5}, {17, 5.5});
+  fast.max_speed = fast.preferred_speed = 8.0;
+  fast.velocity = {7.55, 0};  // the nearest wall, 30 m away, is just out of its braking's reach
+  simulation.add_robot(fast);
+  PlanWorkspace workspace;
+  for (int k = 0; k < 20; ++k) {
+    if (k == 10) simulation.add_obstacle(kDoor);
+    std::vector<Plan> plans;
+    for (std::size_t i = 0; i < 2; ++i) {
+      Simulation::Perception seen = simulation.perceive(i);
+      plans.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour,
+                                                seen.walls));
+    }
+    simulation.step();
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(simulation.fleet().plan[i].new_velocity, plans[i].new_velocity) << k;
+  }
+}
+
+// Ten thousand doors anywhere among robots on their ways: those that are refused would have been
+// touched, the others are not.
+TEST(Edits, ten_thousand_doors_touch_nobody) {
+  for (const bool navigation : {true, false}) {
+    test::Random random(11);
+    Scenario scene;
+    scene.navigation = navigation;
+    std::vector<Wall> walls = test::random_walls(12, 16.0, 3);
+    scene.obstacles = {pieces(walls)};
+    for (int k = 0; k < 16; ++k) {
+      RobotSetup robot = robot_at({20.0 + 1.5 * (k % 4), 1.5 * (k / 4)}, {2.0 * (k % 4), 12.0});
+      robot.radius = 0.3;
+      scene.robots.push_back(robot);
+    }
+    Judged judged(scene, 1);
+    Simulation& simulation = judged.simulation;
+    std::vector<ObstacleId> doors;
+    int added = 0, refused = 0, edits = 0;
+    while (edits < 5000) {
+      if (doors.size() > 12 || (!doors.empty() && random.below(2) == 0)) {
+        const auto k = static_cast<std::size_t>(random.below(static_cast<int>(doors.size())));
+        simulation.remove_obstacle(doors[k]);
+        doors.erase(doors.begin() + static_cast<std::ptrdiff_t>(k));
+      } else {
+        const Vec2 a = test::in_square(random, 24.0) - Vec2{2, 2};
+        const Vec2 b = a + random.uniform(0.1, 3.0) * random.direction();
+        StaticObstacle door = pieces({{a, b}});
+        door.radius = random.below(4) == 0 ? 0.2 : 0.0;
+        try {
+          doors.push_back(simulation.add_obstacle(door));
+          ++added;
+        } catch (const Error&) {
+          ++refused;
+        }
+      }
+      ++edits;
+      if (random.below(2) == 0) judged.step();
+      if (edits % 40 == 0)
+        simulation.set_goal({static_cast<std::uint64_t>(random.below(16))},
+                            test::in_square(random, 16.0));
+    }
+    const CheckReport report = judged.report();
+    EXPECT_EQ(report.static_contacts.count, 0);
+    EXPECT_TRUE(report.safe());
+    EXPECT_LT(*report.least_static_clearance, 0.01) << "nobody came near";
+    EXPECT_GT(added, 1000);
+    EXPECT_GT(refused, 20);
+    for (const Plan& plan : simulation.fleet().plan) {
+      EXPECT_NE(plan.status, PlanStatus::overlapping);
+    }
+  }
+}
+
+TEST(Edits, far_from_everybody_they_change_no_bit) {
+  const Scenario scene = test::crowded_maze(60);
+  Simulation edited(scene, 1), other(scene, 1);
+  for (int k = 0; k < 13; ++k) edited.step(), other.step();
+  for (int round = 0; round < 3; ++round) {
+    const ObstacleId far = edited.add_obstacle(pieces({{{60, 60}, {70, 60 + 1.0 * round}}}));
+    EXPECT_NE(edited.state_hash(), other.state_hash());
+    for (int k = 0; k < 7 * round; ++k) edited.step(), other.step();
+    edited.remove_obstacle(far);
+    EXPECT_EQ(edited.state_hash(), other.state_hash()) << round;
+    for (int k = 0; k < 20; ++k) edited.step(), other.step();
+    EXPECT_EQ(edited.state_hash(), other.state_hash()) << round;
+  }
+}
+
+// Doors between neighboring cells of the maze, which open and close in no order.
+struct Doors {
+  test::Random random{7};
+  std::vector<ObstacleId> doors = {};
+  int added = 0;
+
+  void edit(Simulation& simulation) {
+    if (!doors.empty() && random.below(2) == 0) {
+      const auto k = static_cast<std::size_t>(random.below(static_cast<int>(doors.size())));
+      simulation.remove_obstacle(doors[k]);
+      doors.erase(doors.begin() + static_cast<std::ptrdiff_t>(k));
+      return;
+    }
+    const Vec2 corner{3.0 * (1 + random.below(9)), 3.0 * (1 + random.below(9))};
+    const Vec2 along = random.below(2) == 0 ? Vec2{3.0, 0.0} : Vec2{0.0, 3.0};
+    try {
+      doors.push_back(simulation.add_obstacle(pieces({{corner, corner + along}})));
+      ++added;
+    } catch (const Error&) {  // somebody is there
+    }
+  }
+};
+
+TEST(Edits, are_the_same_for_any_number_of_threads) {
+  const Scenario scene = test::crowded_maze(300);
+  Simulation one(scene, 1), two(scene, 2);
+  Doors of_one, of_two;
+  for (int k = 0; k < 25; ++k) {
+    for (int edit = 0; edit < 4; ++edit) of_one.edit(one), of_two.edit(two);
+    one.step(), two.step();
+    ASSERT_EQ(one.state_hash(), two.state_hash()) << k;
+    ASSERT_EQ(one.unreachable(), two.unreachable()) << k;
+  }
+  EXPECT_TRUE(one.save() == two.save());
+  EXPECT_GT(of_one.added, 5);
+}
+
+TEST(Edits, a_rollback_goes_across_them) {
+  const Scenario scene = test::crowded_maze(40);
+  Simulation original(scene, 1), other(scene, 1);
+  Doors doors;
+  std::vector<std::vector<std::byte>> saved;
+  std::vector<std::uint64_t> hashes;
+  for (int k = 0; k < 30; ++k) {
+    saved.push_back(original.save());
+    if (k % 3 == 1) doors.edit(original);
+    saved.push_back(original.save());
+    original.step();
+    hashes.push_back(original.state_hash());
+  }
+  Doors again;
+  for (const std::size_t from : {12u, 4u, 25u, 0u}) {
+    Simulation alone(saved[2 * from + 1], 1);
+    for (Simulation* restored : {&original, &other, &alone}) {
+      restored->restore(saved[2 * from + 1]);
+      EXPECT_TRUE(restored->save() == saved[2 * from + 1]);
+      restored->step();
+      EXPECT_EQ(restored->state_hash(), hashes[from]);
+    }
+  }
+  original.restore(saved[0]);  // the same edits once more, with the same ids
+  for (std::size_t k = 0; k < 30; ++k) {
+    if (k % 3 == 1) again.edit(original);
+    EXPECT_TRUE(original.save() == saved[2 * k + 1]) << k;
+    original.step();
+  }
+}
+
+}  // namespace
+}  // namespace avo
