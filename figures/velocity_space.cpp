@@ -80,7 +80,8 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
     }
   } else {
     HalfPlanes half_planes;
-    planner.collect_half_planes(robot, perception.neighbors, workspace, half_planes);
+    planner.collect_half_planes(robot, perception.neighbors, workspace, half_planes,
+                                perception.walls);
     for (const NeighborPlane& cut : half_planes.planes) {
       const auto i = static_cast<std::size_t>(cut.neighbor);
       space.half_planes.push_back(

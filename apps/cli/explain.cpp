@@ -58,11 +58,11 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   avo::PlanWorkspace workspace;
   decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
   if (decision.by_half_planes)
-    planner.collect_half_planes(self, neighbors, workspace, decision.half_planes);
+    planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);
   planner.collect_half_planes(self, walls, decision.wall_planes);
   decision.certificate = planner.options().certificate;
   if (decision.method == avo::Method::avo)
-    planner.collect_certificate(self, neighbors, workspace, decision.constraints);
+    planner.collect_certificate(self, neighbors, workspace, decision.constraints, walls);
   planner.collect_certificate(self, walls, workspace, decision.wall_constraints);
   decision.acceleration_disc = planner.acceleration_disc(self);
   decision.speed_disc = planner.speed_disc(self);

@@ -209,18 +209,21 @@ class AVO_API Planner {
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 
-  /// The half-planes of plan(); none where plan() says invalid_input.
+  /// The half-planes of plan() with those walls, behind which neighbors may not count; none where
+  /// plan() says invalid_input.
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
-                           PlanWorkspace& workspace, HalfPlanes& half_planes) const;
+                           PlanWorkspace& workspace, HalfPlanes& half_planes,
+                           std::span<const Wall> walls = {}) const;
 
   /// Those of walls: of all that are in reach and may cut into what the robot may choose.
   void collect_half_planes(const Robot& robot, std::span<const Wall> walls,
                            WallPlanes& half_planes) const;
 
-  /// The constraints of the certificate that can refuse anything.
+  /// The constraints of the certificate that can refuse anything, likewise.
   void collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
                            PlanWorkspace& workspace,
-                           std::vector<CertificateConstraint>& constraints) const;
+                           std::vector<CertificateConstraint>& constraints,
+                           std::span<const Wall> walls = {}) const;
   /// Those of walls, by index; none where there is no certificate.
   void collect_certificate(const Robot& robot, std::span<const Wall> walls,
                            PlanWorkspace& workspace,

@@ -3,10 +3,10 @@
 #include "obstacles/wall_half_plane.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "obstacles/constants.h"
 #include "obstacles/wall_horn.h"
@@ -17,6 +17,7 @@ namespace {
 
 // As short as a time may be that rounding can tell from 0, of τ.
 constexpr double kShortest = 4 * std::numeric_limits<double>::epsilon();
+
 // ds/dt
 double lag_rate(const ResponseAt& at, double control_time) {
   return at.gain * (1.0 - at.rate) * at.per_rate * at.per_rate / control_time;
@@ -78,7 +79,8 @@ void offer_tip(Vec2 from_end, Vec2 from_other, Course& course) {
 struct Side {
   double speed, t_m, c, r;  // m/s; s; m; m
 
-  // m, of the way on which the robot keeps its velocity: 0 at the line, and its rate in m/s.
+  // m: how far the robot has come with v beyond the place where the line of the side would be
+  // nearest; and its rate, m/s
   [[nodiscard]] std::pair<double, double> ahead(const ResponseAt& at, double lag_rate) const {
     const double m = speed * (t_m - at.lag), l2 = m * m + c * c - r * r;
     const double l = std::sqrt(std::max(0.0, l2));
@@ -103,16 +105,18 @@ std::optional<ResponseAt> turning_instant(const Side& side, const Horizon& horiz
     return side.ahead(at, lag_rate(at, control_time));
   };
   const ResponseAt last = instant_of_lag(last_lag, horizon);
-  bool bracketed = side.c > 0.0 ? last.lag < last_lag && ahead(last).first >= 0.0 : true;
-  if (side.c <= 0.0 && ahead(last).first < 0.0) return {};
+  const bool is_far = side.c > 0.0;
+  bool bracketed = ahead(last).first >= 0.0 && !(is_far && last.lag >= last_lag);
+  if (!bracketed && !is_far) return {};
   double low = 0.0, high = last.time;
+  // any instant of the side gives a sound line, so that the last one will do
   ResponseAt at = horizon.at(kShortest * high);
   for (int i = 0; i < kMaxIterations; ++i) {
     const auto [way, rate] = ahead(at);
     (way < 0.0 ? low : high) = at.time;
     bracketed = bracketed || !(way < 0.0);
     double next = at.time - way / (rate > 0.0 ? rate : side.speed);
-    if (std::abs(next - at.time) <= kConvexTolerance * at.time) return at;
+    if (std::abs(next - at.time) <= kConvexTolerance * at.time) break;
     if (!(next > low && next < high))
       next = bracketed ? 0.5 * (low + high) : at.time - way / side.speed;
     if (!(next < high)) return {};
@@ -133,10 +137,7 @@ void offer_side(Vec2 from_end, Vec2 from_other, double sign, Course& course) {
   const double y2 = norm_squared(y), l = std::sqrt(std::max(0.0, y2 - r * r));
   const Vec2 n = (1.0 / y2) * (r * y + (sign * l) * perpendicular(y));
   if (!(dot(n, from_end) <= dot(n, from_other))) return;
-  // equal but for rounding, which the first one has where t is long, the second where it is short
-  const double h = (r - dot(n, from_end) - at->time * dot(n, v)) / at->gain;
-  const bool is_short = at->time < course.horizon.control_time();
-  course.offer(n, is_short ? -dot(n, v) * at->per_rate : h);
+  course.offer(n, -dot(n, v) * at->per_rate);  // F where n . y = r
 }
 
 RelativeHalfPlane collision_course(const WallPair& pair, const Facing& wall, double reach,

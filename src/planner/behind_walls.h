@@ -13,6 +13,10 @@ namespace avo {
 /// come to touch are looked at.
 void leave_out_hidden(const StepLaw& law, Tile& tile);
 
+/// Whether the neighbor is one of them.
+bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
+               const StepLaw& law);
+
 /// Whether the robot could come to touch any of them in this step or by braking after it.
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law);
 

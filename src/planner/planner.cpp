@@ -14,6 +14,7 @@
 #include "lp/lens.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
+#include "planner/behind_walls.h"
 #include "planner/certify.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
@@ -164,15 +165,42 @@ double Planner::step_lag() const {
   return options_.motion == Motion::held ? 0.5 * options_.time_step : horizon_->step().lag;
 }
 
+namespace {
+
+// As plan() does, of those whose numbers are given.
+void leave_out_hidden(const Planner& planner, const Robot& robot,
+                      std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                      std::vector<std::uint32_t>& numbers) {
+  if (planner.options().method != Method::avo || walls.empty()) return;
+  const StepLaw law = certificate_law(planner).step;
+  const auto hidden = [&](std::uint32_t k) { return is_hidden(robot, neighbors[k], walls, law); };
+  numbers.erase(std::remove_if(numbers.begin(), numbers.end(), hidden), numbers.end());
+}
+
+// Which of the neighbors get a half-plane, in the order in which they are given.
+std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot& robot,
+                                            std::span<const Neighbor> neighbors,
+                                            std::span<const Wall> walls,
+                                            PlanWorkspace::Scratch& scratch) {
+  rank(robot, neighbors, scratch);
+  leave_out_hidden(planner, robot, neighbors, walls, scratch.order);
+  scratch.order.resize(planned_with(planner.options(), scratch.order.size()));
+  std::sort(scratch.order.begin(), scratch.order.end());
+  return scratch.order;
+}
+
+}  // namespace
+
 void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
-                                  PlanWorkspace& workspace, HalfPlanes& half_planes) const {
+                                  PlanWorkspace& workspace, HalfPlanes& half_planes,
+                                  std::span<const Wall> walls) const {
   half_planes.planes.clear();
   half_planes.overlapping = false;
   if (!all_valid(robot, neighbors) || !follows_heading(robot) || !can_follow(robot, options_))
     return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   for (const std::uint32_t k :
-       list_nearest(options_, robot, neighbors, PlanWorkspace::Scratch::of(workspace))) {
+       list_planned(*this, robot, neighbors, walls, PlanWorkspace::Scratch::of(workspace))) {
     const auto own = own_half_plane(options_, *horizon_, robot, neighbors[k], static_cast<int>(k),
                                     half_planes.overlapping);
     if (!own) continue;
@@ -227,10 +255,20 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
 
 void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
                                   PlanWorkspace& workspace,
-                                  std::vector<CertificateConstraint>& constraints) const {
-  CertificateConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints;
-  collect_constraints(robot, neighbors, certificate_law(*this), own);
+                                  std::vector<CertificateConstraint>& constraints,
+                                  std::span<const Wall> walls) const {
+  PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+  rank(robot, neighbors, scratch);
+  std::sort(scratch.order.begin(), scratch.order.end());
+  leave_out_hidden(*this, robot, neighbors, walls, scratch.order);
+  scratch.listed.clear();
+  for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
+  CertificateConstraints& own = scratch.certified.constraints;
+  collect_constraints(robot, scratch.listed, certificate_law(*this), own);
   list_constraints(own, robot.position, constraints);
+  for (CertificateConstraint& constraint : constraints)
+    constraint.neighbor =
+        static_cast<int>(scratch.order[static_cast<std::size_t>(constraint.neighbor)]);
 }
 
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
