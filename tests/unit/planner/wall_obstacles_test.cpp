@@ -92,6 +92,12 @@ TEST(WallObstacles, walls_out_of_reach_change_no_bit) {
     const Plan away = planner.plan(robot, {}, workspace, nullptr, beyond);
     const Plan near = planner.plan(robot, {}, workspace, nullptr, within);
     EXPECT_EQ(away.new_velocity, alone.new_velocity) << to_string(method);
+    bool overlapping = false;
+    for (const Wall& wall : beyond) {
+      EXPECT_FALSE(
+          obstacle_plane(planner.options(), planner.horizon(), robot, wall, 0, overlapping))
+          << to_string(method) << ": whatever else its hull would cut";
+    }
     EXPECT_NE(near.new_velocity, alone.new_velocity) << to_string(method);
   }
 }
