@@ -36,6 +36,12 @@ bool comes_first(Vec2 p, Vec2 q) {
   return std::pair(p.x, p.y) < std::pair(q.x, q.y);
 }
 
+// Whether the robot has to do with the other one at all; who is at its place is itself.
+bool senses(const Claimant& robot, const Claimant& other, double sensing_radius) {
+  return !(other.position == robot.position) &&
+         norm(other.position - robot.position) <= sensing_radius;
+}
+
 // Whoever has come farthest of one direction.
 struct Foremost {
   double way = -1.0;  // m, from where it entered; none is inside
@@ -57,7 +63,7 @@ Course go_on_or_back(const Passage& passage, const Claimant& robot,
   Foremost ours, theirs;
   ours.include(passage, robot);
   for (const Claimant& other : claimants) {
-    if (!other.claim.inside || norm(other.position - robot.position) > sensing_radius) continue;
+    if (!other.claim.inside || !senses(robot, other, sensing_radius)) continue;
     (other.claim.forward == robot.claim.forward ? ours : theirs).include(passage, other);
   }
   if (theirs.way < 0.0 || ours.goes_on_before(theirs)) return {};
@@ -70,8 +76,8 @@ Course go_on_or_back(const Passage& passage, const Claimant& robot,
 // Nobody comes, nor is anybody who does nearer to where it enters.
 bool may_enter(const Claimant& robot, std::span<const Claimant> claimants, double sensing_radius) {
   return std::none_of(claimants.begin(), claimants.end(), [&](const Claimant& other) {
-    if (other.claim.forward == robot.claim.forward) return false;
-    if (norm(other.position - robot.position) > sensing_radius) return false;
+    if (other.claim.forward == robot.claim.forward || !senses(robot, other, sensing_radius))
+      return false;
     const double ours = robot.claim.distance, theirs = other.claim.distance;
     return other.claim.inside || theirs < ours ||
            (theirs == ours && comes_first(other.position, robot.position));

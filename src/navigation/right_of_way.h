@@ -41,7 +41,8 @@ struct Course {
   double max_speed = std::numeric_limits<double>::infinity();  // m/s
 };
 
-/// Among all who claim the same passage and are within the sensing radius, the robot itself or not.
+/// Among all who claim the same passage and are within the sensing radius. Who is at the robot's
+/// place is itself: what others see of it does not count.
 Course right_of_way(const Passage& passage, const Claimant& robot, double max_acceleration,
                     std::span<const Claimant> claimants, double sensing_radius);
 

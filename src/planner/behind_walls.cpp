@@ -2,6 +2,7 @@
 #include "planner/behind_walls.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than all that is lost
+
 // m, from its center, of all that it can come to touch.
 double reach_of(const Robot& robot, const StepLaw& law) {
   return robot.radius +
@@ -23,8 +26,8 @@ double reach_of(const Neighbor& neighbor, const StepLaw& law) {
          wall_reach(norm(neighbor.velocity), kInfinity, neighbor.max_acceleration, law);
 }
 
-bool is_within(double reach, Vec2 p, const Wall& wall) {
-  return distance(p, {wall.a, wall.b}) <= reach + wall.radius;
+double distance_to(const Wall& wall, Vec2 p) {
+  return distance(p, {wall.a, wall.b});
 }
 
 // Whether the straight way from p to q crosses the wall's middle line.
@@ -40,28 +43,38 @@ double way_round(Vec2 p, Vec2 q, const Wall& wall) {
   return std::min(norm(p - wall.a) + norm(wall.a - q), norm(p - wall.b) + norm(wall.b - q));
 }
 
-bool is_hidden(Vec2 p, double reach, const Neighbor& neighbor, std::span<const Wall> walls,
-               const StepLaw& law) {
-  return neighbor.behavior == Behavior::decides &&
-         std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
-           return crosses(p, neighbor.position, wall) && is_within(reach, p, wall) &&
-                  way_round(p, neighbor.position, wall) > reach + reach_of(neighbor, law);
-         });
+bool keeps_clear(Vec2 p, double radius, const Wall& wall) {
+  return distance_to(wall, p) >= radius + wall.radius;
+}
+
+bool is_hidden(const Robot& robot, double reach, const Neighbor& neighbor,
+               std::span<const Wall> walls, const StepLaw& law) {
+  if (neighbor.behavior != Behavior::decides) return false;
+  const Vec2 p = robot.position, q = neighbor.position;
+  return std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
+    if (!crosses(p, q, wall) || distance_to(wall, p) > reach + wall.radius) return false;
+    if (!keeps_clear(p, robot.radius, wall) || !keeps_clear(q, neighbor.radius, wall)) return false;
+    const double round = way_round(p, q, wall);
+    const double lost = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + round;
+    return round > reach + reach_of(neighbor, law) + kRounding * lost;
+  });
 }
 
 }  // namespace
 
 void leave_out_hidden(const StepLaw& law, Tile& tile) {
+  if (law.sensing_error != SensingError{}) return;
   NeighborColumns& columns = tile.neighbors;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
     const std::span<const Wall> walls = tile.walls_of(i);
     if (walls.empty()) continue;
-    const double reach = reach_of(tile.robots.robot(i), law);
+    const Robot robot = tile.robots.robot(i);
+    const double reach = reach_of(robot, law);
     Neighbors& neighbors = tile.robots.neighbors[i];
     const std::size_t end = neighbors.first + neighbors.count;
     std::size_t kept = neighbors.first;
     for (std::size_t k = neighbors.first; k < end; ++k) {
-      if (is_hidden(tile.robots.position(i), reach, columns[k], walls, law)) continue;
+      if (is_hidden(robot, reach, columns[k], walls, law)) continue;
       if (kept != k) columns.replace(kept, k);
       ++kept;
     }
@@ -71,14 +84,16 @@ void leave_out_hidden(const StepLaw& law, Tile& tile) {
 
 bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
                const StepLaw& law) {
-  return is_hidden(robot.position, reach_of(robot, law), neighbor, walls, law);
+  return law.sensing_error == SensingError{} &&
+         is_hidden(robot, reach_of(robot, law), neighbor, walls, law);
 }
 
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {
   const double reach =
       robot.radius + wall_reach(robot.max_speed, robot.max_speed, robot.max_acceleration, law);
-  return std::any_of(walls.begin(), walls.end(),
-                     [&](const Wall& wall) { return is_within(reach, robot.position, wall); });
+  return std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
+    return distance_to(wall, robot.position) <= reach + wall.radius;
+  });
 }
 
 }  // namespace avo

@@ -10,14 +10,14 @@ namespace avo {
 
 /// Takes out of the robots' neighbors whoever decides as well and is behind a wall, so that neither
 /// can come round an end of it before both have stopped. Only walls that the robot itself could
-/// come to touch are looked at.
+/// come to touch are looked at. With sensing errors all neighbors count.
 void leave_out_hidden(const StepLaw& law, Tile& tile);
 
-/// Whether the neighbor is one of them.
+/// Whether it takes the neighbor out.
 bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
                const StepLaw& law);
 
-/// Whether the robot could come to touch any of them in this step or by braking after it.
+/// Whether the robot at its max_speed could come to touch any of them, by one step and braking.
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law);
 
 }  // namespace avo
