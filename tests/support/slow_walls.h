@@ -76,8 +76,7 @@ class SlowWallHull {
   }
 
   [[nodiscard]] bool empty() const {
-    return std::all_of(walls_.begin(), walls_.end(),
-                       [this](const WallAt& at) { return !at.in_reach; });
+    return std::all_of(walls_.begin(), walls_.end(), [](const WallAt& at) { return !at.in_reach; });
   }
 
   [[nodiscard]] double support(Vec2 n, bool refined = true) const {
