@@ -3,7 +3,6 @@
 #include "figures/walls.h"
 
 #include <array>
-#include <cmath>
 
 namespace avo::figures {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots of a MovingAI scenario, in the cells of its map.
-#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 

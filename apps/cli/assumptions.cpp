@@ -70,9 +70,8 @@ std::string complaint(const avo::WallStart& start, const avo::Scenario& scenario
         "{:.6g} m and {:.2g} m for rounding; move it away",
         name_of(start.robot), start.obstacle, p.x, p.y, start.distance, own, wall, margin);
   return fmt::format(
-      "{} starts too fast for obstacles.{}: found {:.6g} m left when it brakes, must be >= {:.6g} "
-      "+ "
-      "{:.6g} m; slow down, move it away, or --start-at-rest",
+      "{} starts too fast for obstacles.{}: found {:.6g} m left when it brakes, must be >= "
+      "{:.6g} + {:.6g} m; slow down, move it away, or --start-at-rest",
       name_of(start.robot), start.obstacle, start.kept, own, wall);
 }
 

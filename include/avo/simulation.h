@@ -95,9 +95,10 @@ class AVO_API Simulation {
   /// A door closes: from the next step on nobody may touch the obstacle. Throws Error on bad values
   /// (see validate), and under a certificate on an obstacle that some robot would come to touch if
   /// it braked at once, or that leaves a robot on the wrong side of its Fill; with the arithmetic.
-  /// Nobody has to be near for it to cost something: the grid of walls and the ways around them are
-  /// made anew, and all robots look for theirs, which takes about as long as making the simulation.
-  /// Many walls that come together are best one obstacle. Changes nothing where it throws.
+  /// Nobody has to be near for it to cost something: the grid of walls and the maps of all goals
+  /// are made anew, and all robots look for their ways. That takes at most as long as making the
+  /// simulation; docs/navigation.md has figures. Many walls that come together are best one
+  /// obstacle. Changes nothing where it throws.
   ObstacleId add_obstacle(const StaticObstacle& obstacle);
   /// A door opens. Costs as much. Throws Error if there is no such obstacle.
   void remove_obstacle(ObstacleId obstacle);

@@ -196,7 +196,7 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const Pa
   return {select(clear, pair.share * (nearest - pair.inflated), unknown), min(against, one)};
 }
 
-/// A as refuses_nothing() sees it.
+/// A as are_far() and are_clear() see it.
 template <typename Real>
 struct BrakingPoint {
   Vec<Real> position, velocity, direction;

@@ -2,7 +2,6 @@
 // Walls: neither the step that is decided nor the braking after it may come within a robot's radius
 // of any of them (docs/certificate.md, "Walls").
 #pragma once
-#include <cstddef>
 #include <span>
 #include <vector>
 

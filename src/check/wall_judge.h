@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots against walls: who touched one, and how near any came.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "avo/check.h"

@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <vector>
 
 #include "metrics/body.h"
 #include "metrics/wall_search.h"

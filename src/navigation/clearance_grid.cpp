@@ -37,6 +37,10 @@ bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
 
 }  // namespace
 
+bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room) {
+  return comes_nearer({p, q}, wall, room + wall.radius);
+}
+
 ClearanceGrid::ClearanceGrid(std::span<const Wall> walls, double reach)
     : walls_(walls.begin(), walls.end()), reach_(reach) {
   if (walls_.empty()) return;
@@ -126,10 +130,7 @@ double ClearanceGrid::clearance(Vec2 p) const {
 }
 
 bool ClearanceGrid::is_clear(Vec2 p, Vec2 q, double room) const {
-  return all_near(p, q, [&](std::size_t k) {
-    const Wall& wall = walls_[k];
-    return !comes_nearer({p, q}, wall, room + wall.radius);
-  });
+  return all_near(p, q, [&](std::size_t k) { return !is_in_the_way(walls_[k], p, q, room); });
 }
 
 }  // namespace avo

@@ -10,6 +10,9 @@
 
 namespace avo {
 
+/// Whether the wall's surface is nearer than `room` to the straight way from p to q.
+bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room);
+
 /// A uniform grid in which each cell lists the walls that come within `reach` of it.
 class ClearanceGrid {
  public:

@@ -2,9 +2,7 @@
 #include "navigation/free_space.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "navigation/clearance_grid.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -24,30 +22,33 @@ std::int32_t crossing(Vec2 a, Vec2 b, Vec2 p) {
   return side < 0.0 ? -1 : 0;
 }
 
+double widest_of(std::span<const Wall> walls) {
+  double widest = 0.0;
+  for (const Wall& wall : walls) widest = std::max(widest, wall.radius);
+  return widest;
+}
+
 }  // namespace
 
 FreeSpace::FreeSpace(std::span<const Wall> walls, double radius)
-    : walls_(walls.begin(), walls.end()), radius_(radius) {
-  double widest = 0.0;
-  for (const Wall& wall : walls_) widest = std::max(widest, wall.radius);
-  const ClearanceGrid grid(walls, 2.0 * radius + widest);
+    : radius_(radius), grid_(walls, 2.0 * radius + widest_of(walls)) {
   // walls between which the disc does not pass
   const auto for_each_link = [&](std::uint32_t from, std::vector<std::uint32_t>& last_from,
                                  const auto& visit) {
-    const Wall& wall = walls_[from];
-    grid.all_near(wall.a, wall.b, [&](std::size_t k) {
+    const Wall& wall = walls[from];
+    grid_.all_near(wall.a, wall.b, [&](std::size_t k) {
       const auto to = static_cast<std::uint32_t>(k);
       if (to == from || last_from[to] == from + 1) return true;
       last_from[to] = from + 1;
-      const NearestPoints nearest = nearest_points(line_of(wall), line_of(walls_[to]));
-      if (nearest.distance < 2.0 * radius + wall.radius + walls_[to].radius)
+      const NearestPoints nearest = nearest_points(line_of(wall), line_of(walls[to]));
+      if (nearest.distance < 2.0 * radius + wall.radius + walls[to].radius)
         visit(Link{from, to, nearest.on_first, nearest.on_second});
       return true;
     });
   };
-  std::vector<char> is_linked(walls_.size(), 0);
-  std::vector<std::uint32_t> tree_from(walls_.size()), last_from(walls_.size(), 0), open;
-  for (std::uint32_t root = 0; root < walls_.size(); ++root) {
+  std::vector<char> is_linked(walls.size(), 0);
+  std::vector<std::uint32_t> tree_from(walls.size()), last_from(walls.size(), 0), open;
+  for (std::uint32_t root = 0; root < walls.size(); ++root) {
     if (is_linked[root] != 0) continue;
     is_linked[root] = 1;
     tree_from[root] = root;
@@ -70,18 +71,16 @@ FreeSpace::FreeSpace(std::span<const Wall> walls, double radius)
 }
 
 bool FreeSpace::is_free(Vec2 p) const {
-  return std::all_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
-    return distance(p, line_of(wall)) - wall.radius >= radius_;
-  });
+  return grid_.clearance(p) >= radius_;
 }
 
 std::int32_t FreeSpace::crossings(const Link& link, Vec2 p) const {
-  return crossing(walls_[link.from].a, link.leaves, p) + crossing(link.leaves, link.meets, p) +
-         crossing(link.meets, walls_[link.to].a, p);
+  return crossing(grid_.walls()[link.from].a, link.leaves, p) +
+         crossing(link.leaves, link.meets, p) + crossing(link.meets, grid_.walls()[link.to].a, p);
 }
 
 std::vector<FreeSpace::Winding> FreeSpace::windings(Vec2 p) const {
-  std::vector<std::int32_t> from_root(walls_.size(), 0);
+  std::vector<std::int32_t> from_root(grid_.walls().size(), 0);
   for (const Link& link : tree_) from_root[link.to] = from_root[link.from] + crossings(link, p);
   std::vector<Winding> windings;
   for (std::uint32_t k = 0; k < rings_.size(); ++k) {

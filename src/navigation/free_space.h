@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which places a disc can get to from where, decided at its exact radius (docs/navigation.md).
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "avo/wall.h"
+#include "navigation/clearance_grid.h"
 
 namespace avo {
 
@@ -36,8 +36,8 @@ class FreeSpace {
   };
   [[nodiscard]] std::int32_t crossings(const Link& link, Vec2 p) const;
 
-  std::vector<Wall> walls_;
   double radius_ = 0.0;
+  ClearanceGrid grid_;
   std::vector<Link> tree_;   // each `to` comes once and later than it is a `from`
   std::vector<Link> rings_;  // each closes one ring with the tree
 };

@@ -47,7 +47,8 @@ struct Lookout {
   const CornerGraph& graph;
   const PathMap& map;
   Vec2 p;
-  double room;  // m, that its way keeps where it has it
+  double radius;  // m
+  double room;    // m, that its way keeps where it has it
   LegScratch& scratch;
 
   double length_by(std::uint32_t target) const {
@@ -104,7 +105,7 @@ bool is_known(const PathMap& map, std::uint32_t target) {
 bool sees_next(const Lookout& lookout, std::uint32_t target) {
   Lookout closely = lookout;
   const double left = norm(lookout.graph.points[target] - lookout.p);
-  if (left < kPassed * lookout.graph.radius) closely.room = lookout.graph.radius;
+  if (left < kPassed * lookout.radius) closely.room = lookout.radius;
   return closely.sees(lookout.map.next[target]);
 }
 
@@ -152,13 +153,12 @@ PathMap path_map(const CornerGraph& graph, Vec2 goal) {
   return map;
 }
 
-Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
-             bool looks_around, LegScratch& scratch) {
+Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius,
+             std::uint32_t target, bool looks_around, LegScratch& scratch) {
   // half of what corners keep, so that a robot slightly off its way still sees them
-  const double room =
-      std::clamp(graph.grid.clearance(p) - kRounding * graph.radius,
-                 (1.0 - 2.0 * kRounding) * graph.radius, graph.radius + 0.5 * kSpareRoom);
-  const Lookout lookout{graph, map, p, room, scratch};
+  const double room = std::clamp(graph.grid.clearance(p) - kRounding * radius,
+                                 (1.0 - 2.0 * kRounding) * radius, graph.radius + 0.5 * kSpareRoom);
+  const Lookout lookout{graph, map, p, radius, room, scratch};
   Leg leg{p, target_from(lookout, target, looks_around)};
   if (leg.target == PathMap::kNothing) return leg;
   leg.aim = point_of(graph, map, leg.target);

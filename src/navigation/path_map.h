@@ -40,9 +40,10 @@ struct LegScratch {
 };
 
 /// From p on: to the target remembered or the one after it while they are in view; with
-/// `looks_around`, or where that fails, to whatever in view is on the shortest way.
-Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
-             bool looks_around, LegScratch& scratch);
+/// `looks_around`, or where that fails, to whatever in view is on the shortest way. The radius, at
+/// most the graph's, is the robot's.
+Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius,
+             std::uint32_t target, bool looks_around, LegScratch& scratch);
 
 /// m/s, from which the turns ahead can be made; none for the goal, where the last leg ends.
 double speed_limit(const Leg& leg, double max_acceleration);

@@ -41,9 +41,12 @@ std::optional<Claim> claim_inside(const Passage& passage, std::uint32_t number, 
   std::optional<Claim> claim;
   const double along = place_in(passage, p).along;
   walk_on([&](const Piece& piece) {
-    const double end = place_in(passage, piece.to).along;
-    const bool leaves = end <= 0.0 || end >= passage.length();
-    if (leaves || piece.is_last) claim = Claim{number, leaves ? end > 0.0 : end > along, true, 0.0};
+    const PassagePlace end = place_in(passage, piece.to);
+    const bool leaves = !is_inside(passage, end);
+    if (leaves || piece.is_last) {
+      const double from = leaves ? 0.5 * passage.length() : along;
+      claim = Claim{number, end.along > from, true, 0.0};
+    }
     return !claim;
   });
   return claim;

@@ -112,8 +112,9 @@ static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
 
 // The same fleet among others.
 void replace(World& world, StaticWorld statics) {
-  Ways ways(world.settings, statics.walls);
+  Ways ways(world.settings, statics.walls, &world.ways);
   replan_travels(world.ways, ways, world.fleet);
+  ways.forget_before();
   world.statics = std::move(statics);
   world.ways = std::move(ways);
   world.changed = true;

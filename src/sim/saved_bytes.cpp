@@ -157,6 +157,15 @@ void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id
   }
 }
 
+// In one word.
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedWay& way) {
+  std::uint64_t word = std::uint64_t{way.is_exact} << 32 | way.target;
+  archive.word(word);
+  if (word >> 33 != 0) refuse("the way " + std::to_string(word), "one of 33 bits");
+  way = {static_cast<std::uint32_t>(word), word >> 32 != 0};
+}
+
 template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
@@ -188,8 +197,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
     describe(archive, scene.obstacles[k], state.static_ids[k]);
   }
   describe(archive, state.next_obstacle);
-  archive.size(state.targets, 1);
-  for (std::uint32_t& target : state.targets) describe(archive, target);
+  archive.size(state.ways, 1);
+  for (SavedWay& way : state.ways) describe(archive, way);
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);

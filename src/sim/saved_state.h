@@ -27,13 +27,19 @@ struct ObstacleState {
   Vec2 position, velocity;  // m, m/s
 };
 
+/// What steps change of a robot's way around walls.
+struct SavedWay {
+  std::uint32_t target = 0;  // see Travel
+  bool is_exact = false;     // of the graph of the robot's own radius
+};
+
 struct SavedState {
   Scenario scene;  // what is in RobotState does not count in its robots
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
   std::vector<RobotState> robots;        // by ascending id, as many as the scene has
   std::vector<ObstacleState> obstacles;  // likewise
-  std::vector<std::uint32_t> targets;    // of the robots' ways, see Travel; none without walls
+  std::vector<SavedWay> ways;            // of the robots; none without walls
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
 };

@@ -80,13 +80,14 @@ ObstacleColumns obstacles_of(const SavedState& state) {
 // With the targets that were saved: nobody looks for its way anew.
 std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
   const std::size_t count = ways.empty() ? 0 : state.robots.size();
-  if (state.targets.size() != count)
-    refuse("saved state", std::to_string(state.targets.size()) + " ways", std::to_string(count));
+  if (state.ways.size() != count)
+    refuse("saved state", std::to_string(state.ways.size()) + " ways", std::to_string(count));
   std::vector<Travel> travels;
   travels.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     const RobotSetup& setup = state.scene.robots[k];
-    travels.push_back(ways.resume(setup.radius, setup.goal, state.targets[k]));
+    travels.push_back(
+        ways.resume(setup.radius, setup.goal, state.ways[k].target, state.ways[k].is_exact));
   }
   return travels;
 }
@@ -98,7 +99,12 @@ SavedState saved_state(const World& world) {
   SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}};
   state.next_obstacle = world.statics.next_id;
   state.static_ids = world.statics.id;
-  for (const Travel& travel : world.ways.travels) state.targets.push_back(travel.target);
+  state.ways.reserve(world.ways.travels.size());
+  for (std::size_t rank = 0; rank < world.ways.travels.size(); ++rank) {
+    const Travel& travel = world.ways.travels[rank];
+    const double radius = fleet.traits[fleet.slot_of[rank]].radius;
+    state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius});
+  }
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
@@ -122,10 +128,11 @@ void restore(const SavedState& state, World& world) {
   std::optional<Ways> other_ways;
   if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles) {
     statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle);
-    other_ways.emplace(world.settings, statics->walls);
+    other_ways.emplace(world.settings, statics->walls, &world.ways);
   }
   Ways& ways = other_ways ? *other_ways : world.ways;
   std::vector<Travel> travels = travels_of(state, ways);
+  if (other_ways) other_ways->forget_before();
   // nothing throws from here on
   std::swap(world.fleet, fleet);
   std::swap(world.obstacles, obstacles);

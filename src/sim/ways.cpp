@@ -2,6 +2,7 @@
 #include "sim/ways.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "navigation/right_of_way.h"
@@ -21,14 +22,19 @@ std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel) {
   return std::pair(travel.graph->points[travel.target], map.length[travel.target]);
 }
 
+// Of all in view, the one on the shortest way.
+std::uint32_t best_target(const Travel& travel, Vec2 position, double radius) {
+  LegScratch scratch;
+  return next_leg(*travel.graph, *travel.map, position, radius, PathMap::kNothing, false, scratch)
+      .target;
+}
+
 // The travel where it goes on, of those that are planned anew where walls have changed.
-Travel replanned(const Travel& before, Travel fresh, Vec2 position) {
+Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radius) {
   const auto kept = rest_of(before);
   if (!kept || !rest_of(fresh)) return fresh;
-  LegScratch scratch;
   Travel first = before;
-  first.target =
-      next_leg(*before.graph, *before.map, position, PathMap::kNothing, false, scratch).target;
+  first.target = best_target(before, position, radius);
   if (rest_of(first) != rest_of(fresh)) return fresh;
   const std::vector<Vec2>& points = fresh.graph->points;
   Travel travel = fresh;
@@ -42,67 +48,91 @@ Travel replanned(const Travel& before, Travel fresh, Vec2 position) {
 
 }  // namespace
 
-Ways::Ways(const Scenario& settings, std::span<const Wall> walls)
+double radius_class(double radius) {
+  constexpr double kLargestPower = 1e22;  // of ten that a double holds
+  constexpr double kRounding = 1e-14;
+  double scale = 1.0;
+  while (radius * scale < 10.0 && scale < kLargestPower) scale *= 10.0;
+  const double digits = radius * scale, per_digit = digits < 20.0 ? 2.0 : 1.0;
+  if (!(digits >= 10.0 && digits < 100.0)) return radius;
+  double rounded = std::ceil(digits * per_digit * (1.0 - kRounding));
+  if (rounded / (per_digit * scale) < radius) rounded += 1.0;
+  return rounded / (per_digit * scale);
+}
+
+Ways::Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* before)
     : follows_(settings.navigation.value_or(true)),
       heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
-      walls_(walls.begin(), walls.end()) {
-  if (!walls_.empty()) sight_.emplace(walls_, kSightReach);
+      before_(before) {
+  if (!walls.empty()) sight_.emplace(walls, kSightReach);
 }
 
-const Ways::Radius& Ways::of_radius(double radius) {
-  auto& known = radii_[radius];
-  if (!known) {
-    known = std::make_unique<const Radius>(Radius{
-        follows_ ? corner_graph(walls_, radius) : CornerGraph{radius, *sight_, {}, {}, {}, {}},
-        FreeSpace(walls_, radius)});
+const CornerGraph& Ways::graph_of(double radius) {
+  const auto known = graphs_.find(radius);
+  if (known != graphs_.end()) return *known->second;
+  const CornerGraph* before = nullptr;
+  if (before_ != nullptr) {
+    const auto place = before_->graphs_.find(radius);
+    if (place != before_->graphs_.end()) before = place->second.get();
   }
-  return *known;
+  auto graph = std::make_unique<const CornerGraph>(corner_graph(sight_->walls(), radius, before));
+  return *graphs_.emplace(radius, std::move(graph)).first->second;
 }
 
-std::shared_ptr<const PathMap> Ways::map_to(const Radius& radius, Vec2 goal) {
-  const Key key{radius.graph.radius, goal.x, goal.y};
+const FreeSpace& Ways::space_of(double radius) {
+  const auto known = spaces_.find(radius);
+  if (known != spaces_.end()) return *known->second;
+  auto space = std::make_unique<const FreeSpace>(sight_->walls(), radius);
+  return *spaces_.emplace(radius, std::move(space)).first->second;
+}
+
+std::shared_ptr<const PathMap> Ways::map_to(const CornerGraph& graph, Vec2 goal) {
+  const Key key{graph.radius, goal.x, goal.y};
   std::shared_ptr<const PathMap> map = maps_[key].lock();
   if (map) return map;
-  std::erase_if(maps_, [](const auto& entry) { return entry.second.expired(); });
-  map = std::make_shared<const PathMap>(path_map(radius.graph, goal));
+  map = std::make_shared<const PathMap>(path_map(graph, goal));
   maps_[key] = map;
+  if (maps_.size() > most_maps_) {
+    std::erase_if(maps_, [](const auto& entry) { return entry.second.expired(); });
+    most_maps_ = 2 * maps_.size();
+  }
   return map;
 }
 
 Travel Ways::plan(double radius, Vec2 position, Vec2 goal) {
-  const Radius& known = of_radius(radius);
   Travel travel;
   if (follows_) {
-    travel.graph = &known.graph;
-    travel.map = map_to(known, goal);
-    LegScratch scratch;
-    const Leg leg = next_leg(known.graph, *travel.map, position, PathMap::kNothing, false, scratch);
-    travel.target = leg.target;
-    if (leg.target != PathMap::kNothing) return travel;
+    for (const double wide : {radius_class(radius), radius}) {
+      if (travel.graph != nullptr && travel.graph->radius == wide) break;
+      travel = resume(radius, goal, PathMap::kNothing, wide == radius);
+      travel.target = best_target(travel, position, radius);
+      if (travel.target != PathMap::kNothing) return travel;
+    }
   }
-  if (!known.space.is_free(goal) || !known.space.are_connected(position, goal))
+  const FreeSpace& space = space_of(radius);
+  if (!space.is_free(goal) || !space.are_connected(position, goal))
     travel.target = Travel::kUnreachable;
   return travel;
 }
 
-Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target) {
+Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact) {
   Travel travel;
   travel.target = target;
   if (!follows_) return travel;
-  const Radius& known = of_radius(radius);
-  travel.graph = &known.graph, travel.map = map_to(known, goal);
+  travel.graph = &graph_of(is_exact ? radius : radius_class(radius));
+  travel.map = map_to(*travel.graph, goal);
   return travel;
 }
 
 std::size_t Ways::most_targets() const {
   std::size_t most = 0;
-  for (const auto& [radius, known] : radii_) most = std::max(most, known->graph.points.size() + 1);
+  for (const auto& [radius, graph] : graphs_) most = std::max(most, graph->points.size() + 1);
   return most;
 }
 
 void Ways::find_passages(std::vector<double> radii) {
-  if (walls_.empty() || !heeds_passages_ || radii == passage_radii_) return;
-  passages = Passages(walls_, radii, kClaimRange);
+  if (!sight_ || !heeds_passages_ || radii == passage_radii_) return;
+  passages = Passages(sight_->walls(), radii, kClaimRange);
   passage_radii_ = std::move(radii);
 }
 
@@ -115,8 +145,8 @@ Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robo
   const Heading straight{goal, robot.preferred_speed};
   if (travel.graph == nullptr) return straight;
   if (travel.target == Travel::kUnreachable) return {position, robot.preferred_speed};
-  const Leg leg =
-      next_leg(*travel.graph, *travel.map, position, travel.target, looks_around, scratch);
+  const Leg leg = next_leg(*travel.graph, *travel.map, position, robot.radius, travel.target,
+                           looks_around, scratch);
   travel.target = leg.target;
   if (leg.is_last() || leg.target == PathMap::kNothing) return straight;
   const Vec2 way = leg.aim - position;
@@ -140,7 +170,9 @@ void replan_travels(const Ways& before, Ways& ways, const Fleet& fleet) {
   if (before.empty() || ways.empty()) return;
   for (std::size_t rank = 0; rank < ways.travels.size(); ++rank) {
     Travel& travel = ways.travels[rank];
-    travel = replanned(before.travels[rank], travel, fleet.position[fleet.slot_of[rank]]);
+    const std::uint32_t slot = fleet.slot_of[rank];
+    travel =
+        replanned(before.travels[rank], travel, fleet.position[slot], fleet.traits[slot].radius);
   }
 }
 

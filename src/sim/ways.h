@@ -40,16 +40,22 @@ struct Heading {
   double preferred_speed = 0.0;  // m/s
 };
 
+/// m: the radius rounded up, by 5 % at most, to two digits (from 1 to 2, to halves of the second
+/// one). Fleets in which all radii differ share graphs so; most radii that people write stay.
+double radius_class(double radius);
+
 /// What robots know of the walls. Without walls there are no ways.
 class Ways {
  public:
-  Ways(const Scenario& settings, std::span<const Wall> walls);
+  /// Ways among mostly the same walls save time; they have to stay while new ways are planned.
+  Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* before = nullptr);
 
   [[nodiscard]] bool empty() const { return !sight_; }
-  /// A new way; robots of one radius and one goal share what it is made of.
+  void forget_before() { before_ = nullptr; }
+  /// A new way; robots of one class of radii and one goal share what it is made of.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal);
-  /// A way on which the target is known.
-  [[nodiscard]] Travel resume(double radius, Vec2 goal, std::uint32_t target);
+  /// A way on which the target is known, and whether its graph is that of the very radius.
+  [[nodiscard]] Travel resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact);
   /// That a robot may have to choose from.
   [[nodiscard]] std::size_t most_targets() const;
   /// Whether no wall lies on the straight way between them.
@@ -62,19 +68,18 @@ class Ways {
   Passages passages;            // none where nobody heeds them
 
  private:
-  struct Radius {
-    CornerGraph graph;
-    FreeSpace space;
-  };
   using Key = std::tuple<double, double, double>;  // radius, goal
-  const Radius& of_radius(double radius);
-  std::shared_ptr<const PathMap> map_to(const Radius& radius, Vec2 goal);
+  const CornerGraph& graph_of(double radius);
+  const FreeSpace& space_of(double radius);
+  std::shared_ptr<const PathMap> map_to(const CornerGraph& graph, Vec2 goal);
 
   bool follows_ = false, heeds_passages_ = false;
-  std::vector<Wall> walls_;
+  const Ways* before_ = nullptr;  // until forget_before()
   std::optional<ClearanceGrid> sight_;
-  std::map<double, std::unique_ptr<const Radius>> radii_;
+  std::map<double, std::unique_ptr<const CornerGraph>> graphs_;
+  std::map<double, std::unique_ptr<const FreeSpace>> spaces_;
   std::map<Key, std::weak_ptr<const PathMap>> maps_;
+  std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
   std::vector<double> passage_radii_;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "walls/segment.h"
 
-#include <cmath>
-
 namespace avo {
 namespace {
 

@@ -19,7 +19,7 @@ constexpr double kRadius = 0.5;
 Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
              bool looks_around) {
   LegScratch scratch;
-  return next_leg(graph, map, p, target, looks_around, scratch);
+  return next_leg(graph, map, p, graph.radius, target, looks_around, scratch);
 }
 
 double room_of(const std::vector<Wall>& walls, Vec2 p, Vec2 q) {

@@ -379,6 +379,31 @@ TEST(OutOfMemory, a_state_is_restored_or_nothing_changes) {
   EXPECT_EQ(simulation.state_hash(), hash);
 }
 
+TEST(OutOfMemory, a_robot_of_another_radius_comes_to_walls_whole_or_not_at_all) {
+  Scenario scene;
+  scene.obstacles = {test::pieces({{{5, -3}, {5, 3}}})};
+  scene.robots = {test::robot_at({0, 0}, {10, 0})};
+  RobotSetup other = test::robot_at({0, 4}, {5.2, 0});  // it cannot get there
+  other.radius = 0.3;
+  for (int allowed = 0;; ++allowed) {
+    Simulation simulation(scene, 1);
+    left = allowed;
+    bool is_added = true;
+    try {
+      simulation.add_robot(other);
+    } catch (const std::bad_alloc&) {
+      is_added = false;
+    }
+    left = -1;
+    for (int k = 0; k < 3; ++k) simulation.step();
+    EXPECT_EQ(simulation.fleet().id.size(), is_added ? 2U : 1U);
+    EXPECT_EQ(simulation.unreachable().size(), is_added ? 1U : 0U);
+    if (!is_added) continue;
+    EXPECT_GT(allowed, 20);
+    return;
+  }
+}
+
 TEST(OutOfMemory, an_obstacle_comes_and_goes_whole_or_not_at_all) {
   Simulation simulation(test::crowded_maze(20), 1);
   for (int k = 0; k < 7; ++k) simulation.step();

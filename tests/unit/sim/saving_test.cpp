@@ -237,7 +237,9 @@ TEST(Saving, arbitrary_bytes_do_no_harm) {
   Random random(5);
   Scenario scene = dense_avo_scene(3, Motion::held, Certificate::braking_trajectories);
   scene.name = "a name of some letters";
-  const Bytes saved = Simulation(scene, 1).save();
+  const Bytes without_walls = Simulation(scene, 1).save();
+  scene.obstacles = {{{{{{-9, -9}, {9, -9}, {9, -8}}, true}}, 0.1}, {{{{{20, 3}}, false}}, 0.5}};
+  const Bytes among_walls = Simulation(scene, 1).save();
   constexpr std::uint64_t kOdd[] = {0,
                                     1,
                                     2,
@@ -250,7 +252,7 @@ TEST(Saving, arbitrary_bytes_do_no_harm) {
                                     0x3ff0000000000000,
                                     0x7fefffffffffffff};
   for (int k = 0; k < 4000; ++k) {
-    Bytes bytes = saved;
+    Bytes bytes = k % 8 < 4 ? without_walls : among_walls;
     if (k % 4 == 0) {
       bytes.assign(static_cast<std::size_t>(random.below(400)), std::byte{0});
       for (std::byte& value : bytes) value = std::byte(random.below(256));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 #include <string>
 
 #include "avo/simulation.h"
@@ -29,7 +30,7 @@ TEST(Ways, ALoneRobotGetsThroughAMazeInTime) {
     scene.robots = {robot};
     const CornerGraph graph = corner_graph(walls, robot.radius);
     LegScratch scratch;
-    const double path = next_leg(graph, path_map(graph, robot.goal), robot.position,
+    const double path = next_leg(graph, path_map(graph, robot.goal), robot.position, robot.radius,
                                  PathMap::kNothing, false, scratch)
                             .length;
     const double v = robot.preferred_speed, a = robot.max_acceleration;
@@ -129,6 +130,71 @@ TEST(Ways, GoOnAfterARestore) {
   simulation.restore(saved);
   for (int k = 0; k < 60; ++k) simulation.step();
   EXPECT_EQ(simulation.state_hash(), later);
+}
+
+TEST(Ways, RadiiOfTwoDigitsAreClassesAndTheOthersGoUpToThem) {
+  for (double scale : {1e-3, 1e-2, 0.1, 1.0}) {
+    for (int digits = 10; digits < 100; ++digits) {
+      const double radius = digits * 1000.0 / std::round(1000.0 / scale);
+      EXPECT_EQ(radius_class(radius), radius);
+    }
+  }
+  EXPECT_EQ(radius_class(0.3), 0.3);
+  EXPECT_EQ(radius_class(std::nextafter(0.3, 1.0)), 0.31);
+  EXPECT_EQ(radius_class(0.302), 0.31);
+  EXPECT_EQ(radius_class(0.131), 0.135);
+  EXPECT_EQ(radius_class(0.996), 1.0);
+  test::Random random(3);
+  std::set<double> classes;
+  for (int k = 0; k < 10000; ++k) {
+    const double radius = random.log_uniform(1e-6, 90.0);
+    EXPECT_GE(radius_class(radius), radius);
+    EXPECT_LE(radius_class(radius), 1.0501 * radius);
+    EXPECT_EQ(radius_class(radius_class(radius)), radius_class(radius));
+    classes.insert(radius_class(random.uniform(0.25, 0.5)));
+  }
+  EXPECT_EQ(classes.size(), 25u);
+  for (const double odd : {1e-300, 123.4, 1e12}) EXPECT_GE(radius_class(odd), odd);
+}
+
+// A door wide enough for the robot, but not for its class.
+TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
+  const double radius = 0.5001;
+  Scenario scene = scene_among(test::two_rooms(2.0 * radius + 2e-3));
+  scene.robots = {test::robot_at({3, 7}, {17, 7}), test::robot_at({3, 8}, {0.5002, 8}),
+                  test::robot_at({3, 2}, {7, 2})};
+  for (RobotSetup& robot : scene.robots) robot.radius = radius;
+  Ways ways(scene, walls_of(scene.obstacles));
+  EXPECT_EQ(ways.plan(radius, {3, 7}, {17, 7}).graph->radius, radius);
+  EXPECT_EQ(ways.plan(radius, {3, 8}, {0.5002, 8}).graph->radius, radius);
+  EXPECT_EQ(ways.plan(radius, {3, 2}, {7, 2}).graph->radius, 0.51);
+  EXPECT_EQ(ways.plan(0.504, {3, 2}, {7, 2}).graph, ways.plan(radius, {3, 2}, {7, 2}).graph);
+  Simulation simulation(scene, 1);
+  EXPECT_TRUE(simulation.unreachable().empty());
+  for (int k = 0; k < 20; ++k) simulation.step();
+  Simulation restored(simulation.save(), 1);
+  while (!simulation.all_at_goal() && simulation.time() < 60.0) {
+    simulation.step(), restored.step();
+    ASSERT_EQ(restored.state_hash(), simulation.state_hash());
+  }
+  EXPECT_TRUE(simulation.all_at_goal());
+}
+
+// A robot that others push to where its class has no room.
+TEST(Ways, FromBesideAWallThereIsAWay) {
+  const Scenario scene = scene_among(test::two_rooms(2.0));
+  Ways ways(scene, walls_of(scene.obstacles));
+  RobotSetup setup = test::robot_at({3, 9}, {11, 9});
+  setup.radius = 0.5001;
+  Travel travel = ways.plan(setup.radius, setup.position, setup.goal);
+  ASSERT_EQ(travel.graph->radius, 0.51);
+  LegScratch scratch;
+  const Vec2 place{9.4995, 9};
+  for (const bool looks_around : {false, true}) {
+    const Heading heading =
+        follow(travel, place, setup.goal, traits_of(setup), looks_around, scratch);
+    EXPECT_LT(heading.goal.y, place.y - 5.0);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// A simulation that an independent judge looks at.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "avo/check.h"
+#include "avo/simulation.h"
+
+namespace avo::test {
+
+/// Judges every step by the walls that stand in it, by the judge's own arithmetic.
+class Judged {
+ public:
+  Judged(const Scenario& scene, int threads) : simulation(scene, threads), check_({}) { look(); }
+
+  void step() {
+    std::vector<CheckedWall> walls;
+    for (const Wall& wall : walls_of(simulation.static_obstacles().setup))
+      walls.push_back({wall.a, wall.b, wall.radius});
+    check_.set_walls(walls);
+    simulation.step();
+    look();
+  }
+  void run(double seconds) {
+    const double end = simulation.time() + seconds;
+    while (simulation.time() < end - 1e-9) step();
+  }
+  [[nodiscard]] CheckReport report() const { return check_.report(); }
+
+  Simulation simulation;
+
+ private:
+  void look() {
+    const FleetView fleet = simulation.fleet();
+    std::vector<CheckedState> rows;
+    for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+      const auto index = static_cast<std::int64_t>(fleet.id[k].value);
+      const RobotSetup& setup = fleet.setup[k];
+      CheckedRobot robot{setup.radius, setup.max_acceleration, setup.max_speed};
+      robot.car = setup.car.has_value();
+      for (; known_ <= index; ++known_) check_.add_robot(robot);
+      rows.push_back({index, fleet.position[k], fleet.velocity[k]});
+    }
+    check_.add(simulation.time(), rows);
+  }
+  Check check_;
+  std::int64_t known_ = 0;  // robots that the judge knows
+};
+
+}  // namespace avo::test
