@@ -62,7 +62,8 @@ struct PlannerOptions {
   double time_step = 0.1;
   int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
   Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
-  /// >= 1: the nearest so many get a half-plane; unset: all. A certificate covers all in any case.
+  /// >= 1: the nearest so many get a half-plane, but those of them that walls keep away; unset:
+  /// all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};
   SensingError sensing_error = {};  ///< of braking_trajectories; each robot declares its own
   /// m, > 0: of its goal; beside others that stay, a robot of method avo rests within half of it.

@@ -70,6 +70,7 @@ struct Neighbors {
   const NeighborColumns* columns = nullptr;
   std::size_t first = 0, count = 0;
   double range = std::numeric_limits<double>::infinity();  // m
+  std::size_t hidden = 0;  // taken out behind walls, of the nearest that would get a half-plane
 
   std::size_t size() const { return count; }
   Neighbor operator[](std::size_t k) const { return (*columns)[first + k]; }

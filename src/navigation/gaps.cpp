@@ -2,6 +2,7 @@
 #include "navigation/gaps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "walls/segment.h"
 
@@ -11,6 +12,7 @@ namespace {
 constexpr double kOneLane = 4.4;    // radii: two robots with a tenth of their size to each side
 constexpr double kTwoLanes = 8.0;   // radii: wider ways need no lanes
 constexpr double kTouching = 1e-3;  // of the least radius: ends as near as that are joined
+constexpr double kStraight = 1e-6;  // rad: less is no bend
 constexpr double kRounding = 1e-9;  // of lengths
 
 class GapFinder {
@@ -20,15 +22,31 @@ class GapFinder {
 
   std::vector<Gap> find() {
     const std::span<const Wall> walls = grid_.walls();
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-      add_at(walls[k].a, walls[k].radius);
-      if (!(walls[k].a == walls[k].b)) add_at(walls[k].b, walls[k].radius);
+    for (const Wall& wall : walls) {
+      if (!goes_on(wall, wall.b, wall.a)) add_at(wall.a, wall.radius);
+      if (!(wall.a == wall.b) && !goes_on(wall, wall.a, wall.b)) add_at(wall.b, wall.radius);
     }
     return without_repeated_and_diagonal();
   }
 
  private:
   bool is_joined(Vec2 p, Vec2 q) const { return norm(p - q) <= touching_; }
+
+  // Whether other walls, as thick, lead straight on from the wall's end: then nothing is narrowest
+  // there, and in how many pieces a wall is given makes no difference.
+  bool goes_on(const Wall& wall, Vec2 from, Vec2 end) const {
+    const Vec2 way = end - from;
+    return !grid_.all_near(end, end, [&](std::size_t k) {
+      const Wall& other = grid_.walls()[k];
+      if (other.radius < wall.radius || distance(end, {other.a, other.b}) > touching_) return true;
+      const auto leads_on = [&](Vec2 to) {
+        const Vec2 on = to - end;
+        return !is_joined(to, end) && dot(on, way) > 0.0 &&
+               std::abs(cross(on, way)) <= kStraight * norm(on) * norm(way);
+      };
+      return !leads_on(other.a) && !leads_on(other.b);
+    });
+  }
 
   // The gaps between this end and the walls around it, with nothing else in between.
   void add_at(Vec2 end, double end_radius) {

@@ -17,7 +17,8 @@ constexpr double kMouth = 1.3;     // radii: from the outermost gap to the mouth
 constexpr double kBeside = 0.5;    // radii: nearer to the walls nobody is in the way in
 constexpr double kAtBends = 1.4;   // of half the width: nobody behind a wall is as near to the axis
 constexpr double kSampling = 0.5;  // radii
-constexpr double kFarthest = 64.0;  // radii, between neighboring gaps of a passage
+constexpr double kJoint = 1e-3;    // radii: nobody sees through where pieces of walls touch
+constexpr double kFarthest = 256.0;  // radii, between neighboring gaps of a passage
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
@@ -32,13 +33,17 @@ class Joiner {
  public:
   Joiner(const ClearanceGrid& grid, std::vector<Gap> gaps)
       : grid_(grid), gaps_(std::move(gaps)), links_(gaps_.size()) {
-    std::vector<Wall> lines;
+    std::vector<Wall> lines, middles;
     double largest = 0.0;
     for (const Gap& gap : gaps_) {
-      lines.push_back({gap.a, gap.b, 0.0});
+      lines.push_back({gap.a, gap.b, 0.0}), middles.push_back({gap.middle(), gap.middle(), 0.0});
       largest = std::max(largest, gap.radius);
     }
-    if (!lines.empty()) near_.emplace(lines, kFarthest * largest);
+    if (gaps_.empty()) return;
+    joint_ = kJoint * largest;
+    sight_.emplace(grid.walls(), kSampling * largest);
+    lines_.emplace(lines, largest);
+    middles_.emplace(middles, kFarthest * largest);
   }
 
   // Also the gaps of one lane, each with the way along the axis of its passage to its left.
@@ -89,15 +94,16 @@ class Joiner {
   // along, and leads through no third one.
   bool is_narrow_between(std::uint32_t i, std::uint32_t k) const {
     const Gap &one = gaps_[i], &other = gaps_[k];
-    if (one.two_lanes != other.two_lanes) return false;
     const Vec2 from = one.middle(), to = other.middle();
+    if (one.two_lanes != other.two_lanes || norm(to - from) > middles_->reach()) return false;
+    if (!sight_->is_clear(from, to, joint_)) return false;  // nearly all pairs end here
     const double limit = std::min(most_clearance(one), most_clearance(other));
     const double samples =
         std::ceil(norm(to - from) / (kSampling * std::min(one.radius, other.radius)));
     for (double n = 1.0; n < samples; n += 1.0) {
       if (grid_.clearance(from + (n / samples) * (to - from)) >= limit) return false;
     }
-    return grid_.is_clear(from, to, 0.0) && near_->all_near(from, to, [&](std::size_t third) {
+    return lines_->all_near(from, to, [&](std::size_t third) {
       if (third == i || third == k || gaps_[third].two_lanes != one.two_lanes) return true;
       return nearest_points({from, to}, {gaps_[third].a, gaps_[third].b}).distance > 0.0;
     });
@@ -106,7 +112,7 @@ class Joiner {
   void link(std::uint32_t i) {
     const Vec2 middle = gaps_[i].middle();
     std::vector<std::uint32_t> others;
-    near_->all_near(middle, middle, [&](std::size_t k) {
+    middles_->all_near(middle, middle, [&](std::size_t k) {
       if (k > i) others.push_back(static_cast<std::uint32_t>(k));
       return true;
     });
@@ -152,7 +158,9 @@ class Joiner {
   const ClearanceGrid& grid_;
   std::vector<Gap> gaps_;
   std::vector<Links> links_;
-  std::optional<ClearanceGrid> near_;
+  double joint_ = 0.0;                            // m
+  std::optional<ClearanceGrid> sight_;            // of the walls, for straight ways
+  std::optional<ClearanceGrid> lines_, middles_;  // of the gaps
 };
 
 double widest_of(std::span<const Wall> walls) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "certificate/wall_constraints.h"
+#include "planner/decision.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -62,7 +63,7 @@ bool is_hidden(const Robot& robot, double reach, const Neighbor& neighbor,
 
 }  // namespace
 
-void leave_out_hidden(const StepLaw& law, Tile& tile) {
+void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile) {
   if (law.sensing_error != SensingError{}) return;
   NeighborColumns& columns = tile.neighbors;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
@@ -72,9 +73,13 @@ void leave_out_hidden(const StepLaw& law, Tile& tile) {
     const double reach = reach_of(robot, law);
     Neighbors& neighbors = tile.robots.neighbors[i];
     const std::size_t end = neighbors.first + neighbors.count;
+    const std::size_t nearest = planned_with(options, neighbors.count);
     std::size_t kept = neighbors.first;
     for (std::size_t k = neighbors.first; k < end; ++k) {
-      if (is_hidden(robot, reach, columns[k], walls, law)) continue;
+      if (is_hidden(robot, reach, columns[k], walls, law)) {
+        if (k - neighbors.first < nearest) ++neighbors.hidden;
+        continue;
+      }
       if (kept != k) columns.replace(kept, k);
       ++kept;
     }

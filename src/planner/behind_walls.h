@@ -3,6 +3,7 @@
 #pragma once
 #include <span>
 
+#include "avo/planner.h"
 #include "certificate/braking_path.h"
 #include "planner/tile.h"
 
@@ -11,7 +12,7 @@ namespace avo {
 /// Takes out of the robots' neighbors whoever decides as well and is behind a wall, so that neither
 /// can come round an end of it before both have stopped. Only walls that the robot itself could
 /// come to touch are looked at. With sensing errors all neighbors count.
-void leave_out_hidden(const StepLaw& law, Tile& tile);
+void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile);
 
 /// Whether it takes the neighbor out.
 bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,

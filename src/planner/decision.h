@@ -32,6 +32,11 @@ inline std::size_t planned_with(const PlannerOptions& options, std::size_t neigh
   return std::min(neighbors, static_cast<std::size_t>(*options.max_neighbors));
 }
 
+/// Those behind walls count among the nearest: whoever is farther is not sensed in their place.
+inline std::size_t planned_with(const PlannerOptions& options, const Neighbors& neighbors) {
+  return planned_with(options, neighbors.size() + neighbors.hidden) - neighbors.hidden;
+}
+
 /// Whether a robot has to do with movers alone, none of which decides: it avoids the union of their
 /// obstacles (§III-C) instead of taking its part of half-planes. Nearest first; without a
 /// certificate only the nearest matter.

@@ -17,7 +17,7 @@ std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robot
   soft.pair_end.clear();
   std::size_t end = 0;
   for (std::size_t r = 0; r < robots.count; ++r) {
-    end += planned_with(options, robots.neighbors[r].size());
+    end += planned_with(options, robots.neighbors[r]);
     soft.pair_end.push_back(end);
   }
   soft.raise.assign(robots.count, 0.0);
@@ -159,7 +159,7 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
     const Robot robot = tile.robots.robot(i);
     const Neighbors& neighbors = tile.robots.neighbors[i];
-    const std::size_t count = planned_with(options, neighbors.size());
+    const std::size_t count = planned_with(options, neighbors);
     bool overlapping = false;
     for (std::size_t k = 0; k < count; ++k) {
       const auto own =

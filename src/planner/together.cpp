@@ -257,7 +257,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   const PlannerOptions& options = planner.options();
   set_apart(planner, tile, scratch);
   if (options.method == Method::avo && !tile.walls.empty())
-    leave_out_hidden(certificate_law(planner).step, tile);
+    leave_out_hidden(options, certificate_law(planner).step, tile);
   collect_soft_planes(options, planner.horizon(), tile, scratch.soft);
   clock.lap(Stage::half_planes);
   make_wishes(planner, tile, scratch.decisions);

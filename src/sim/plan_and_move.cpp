@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tile of robots from what they sense to where they are next.
-#include <algorithm>
-
+#include "planner/decision.h"
 #include "planner/scratch.h"
 #include "sim/world.h"
 
@@ -14,9 +13,8 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
-    Heading heading =
-        follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
-               looks_around(fleet.id[slot], world.steps), worker.legs);
+    Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
+                             looks_around(fleet.id[slot], world.steps), worker.legs);
     if (!world.ways.passages.empty())
       heading = heed_passages(world, world.claims, slot, travel, heading);
     worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
@@ -56,10 +54,9 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
 
 void count(const World& world, Worker& worker) {
   if (!worker.clock.is_on()) return;
-  const std::size_t most = world.most_nearest();
   for (std::size_t k = 0; k < worker.tile.plan.size(); ++k) {
-    const std::size_t neighbors = worker.tile.robots.neighbors[k].size();
-    worker.pairs += static_cast<std::int64_t>(std::min(neighbors, most));
+    worker.pairs += static_cast<std::int64_t>(
+        planned_with(world.planner.options(), worker.tile.robots.neighbors[k]));
     worker.infeasible += worker.tile.plan[k]->violation > 0.0 ? 1 : 0;
   }
 }

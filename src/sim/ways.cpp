@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint64_t kStepsBetweenLooks = 10;
 constexpr double kSightReach = 0.1;  // m
+constexpr double kJoint = 1e-9;      // m: nobody sees through where pieces of walls touch
 
 // Where the target is, and how far it is from there to the goal; nothing where there is no target.
 std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel) {
@@ -137,7 +138,7 @@ void Ways::find_passages(std::vector<double> radii) {
 }
 
 bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
-  return !sight_ || sight_->is_clear(p, q, 0.0);
+  return !sight_ || sight_->is_clear(p, q, kJoint);
 }
 
 Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robot,

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fleets at narrow passages: who waits, who goes, and that all arrive.
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "avo/simulation.h"
+#include "sim/claims.h"
+#include "sim/world.h"
+#include "unit/navigation/buildings.h"
+#include "unit/sim/walled_scenes.h"
+
+namespace avo {
+namespace {
+
+// On both sides of a wall along x = 0, in columns, on their ways to mirrored places.
+Scenario both_ways(const std::vector<Wall>& walls, int robots, RightOfWay right_of_way) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(walls)};
+  scene.right_of_way = right_of_way;
+  scene.max_neighbors = 10;
+  for (int k = 0; k < robots; ++k) {
+    const double side = k % 2 == 0 ? -1.0 : 1.0;
+    const int n = k / 2;
+    const Vec2 place{8.0 + 1.7 * (n / 4) + 0.1 * (n % 3), 2.4 * (n % 4) - 3.6 + 0.13 * side};
+    RobotSetup robot =
+        test::robot_at({side * place.x, place.y}, {-side * (place.x + 0.2), -place.y});
+    robot.preferred_speed = 1.5;
+    scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
+int arrived_after(const Scenario& scene, double time) {
+  Simulation simulation(scene, 1);
+  while (!simulation.all_at_goal() && simulation.time() < time) simulation.step();
+  int arrived = 0;
+  for (std::size_t k = 0; k < scene.robots.size(); ++k) arrived += simulation.is_at_goal(k) ? 1 : 0;
+  return arrived;
+}
+
+TEST(RobotsAtPassages, TwelveGetThroughADoorBothWays) {
+  const std::vector<Wall> walls = test::doorway(1.6);
+  EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::seen), 70.0), 12);
+  EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::told), 70.0), 12);
+  EXPECT_LT(arrived_after(both_ways(walls, 12, RightOfWay::none), 70.0), 12);
+}
+
+TEST(RobotsAtPassages, TwelveGetThroughACorridorOfOneLaneBothWays) {
+  const std::vector<Wall> walls = test::corridor(1.6);
+  EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::seen), 150.0), 12);
+  EXPECT_EQ(arrived_after(both_ways(walls, 12, RightOfWay::told), 150.0), 12);
+  EXPECT_LT(arrived_after(both_ways(walls, 12, RightOfWay::none), 150.0), 12);
+}
+
+// The one that comes second waits beside the way out, and never stands in the door meanwhile.
+TEST(RobotsAtPassages, OneOfTwoGoesFirst) {
+  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
+    Scenario scene;
+    scene.obstacles = {test::pieces(test::corridor(1.6))};
+    scene.right_of_way = right_of_way;
+    scene.robots = {test::robot_at({-8, 0}, {9, 0}), test::robot_at({9, 0}, {-8, 0})};
+    Simulation simulation(scene, 1);
+    double least = 2.0;  // m/s, of the first one in the corridor
+    while (simulation.fleet().position[0].x < 5.0 && simulation.time() < 60.0) {
+      simulation.step();
+      const Vec2 first = simulation.fleet().position[0], second = simulation.fleet().position[1];
+      EXPECT_GT(second.x, 5.0) << "not yet";
+      if (first.x > -5.0 && first.x < 5.0)
+        least = std::min(least, norm(simulation.fleet().velocity[0]));
+    }
+    EXPECT_GT(least, 0.8);
+    EXPECT_LT(simulation.time(), 20.0);
+    while (!simulation.all_at_goal() && simulation.time() < 60.0) simulation.step();
+    EXPECT_TRUE(simulation.all_at_goal());
+  }
+}
+
+TEST(RobotsAtPassages, OncomingRobotsPassInTheirLanes) {
+  Scenario scene;
+  scene.obstacles = {test::pieces(test::corridor(2.4))};
+  scene.robots = {test::robot_at({-12, 0}, {12, 0}), test::robot_at({12, 0}, {-12, 0})};
+  for (RobotSetup& robot : scene.robots) robot.preferred_speed = 1.5;
+  Simulation simulation(scene, 1);
+  double least = 2.0;
+  bool passed = false;
+  while (!simulation.all_at_goal() && simulation.time() < 60.0) {
+    simulation.step();
+    const FleetView fleet = simulation.fleet();
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (std::abs(fleet.position[k].x) < 5.0) least = std::min(least, norm(fleet.velocity[k]));
+    }
+    if (std::abs(fleet.position[0].x - fleet.position[1].x) > 0.2) continue;
+    passed = true;
+    EXPECT_LT(fleet.position[0].y, -0.5);
+    EXPECT_GT(fleet.position[1].y, 0.5);
+  }
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_TRUE(passed);
+  EXPECT_GT(least, 1.2);
+  EXPECT_LT(simulation.time(), 24.0 / 1.5 + 5.0);
+}
+
+// 300 robots: more than one thread takes them.
+Scenario crowd_at_doors(RightOfWay right_of_way) {
+  Scenario scene = test::crowded_maze(300);
+  scene.obstacles = {test::pieces(test::maze(10, 3.0, 4))};
+  for (RobotSetup& robot : scene.robots) robot.radius = 0.4;
+  scene.right_of_way = right_of_way;
+  scene.max_neighbors = 10;
+  return scene;
+}
+
+TEST(RobotsAtPassages, AreTheSameForAnyNumberOfThreadsAndAfterARestore) {
+  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
+    const Scenario scene = crowd_at_doors(right_of_way);
+    Simulation one(scene, 1), two(scene, 2), none(crowd_at_doors(RightOfWay::none), 1);
+    for (int k = 0; k < 60; ++k) one.step(), two.step(), none.step();
+    EXPECT_EQ(one.state_hash(), two.state_hash());
+    EXPECT_NE(one.state_hash(), none.state_hash()) << "the rules matter";
+    Simulation continued(one.save(), 2);
+    for (int k = 0; k < 40; ++k) one.step(), continued.step();
+    EXPECT_EQ(one.state_hash(), continued.state_hash());
+    two.restore(two.save());
+    for (int k = 0; k < 40; ++k) two.step();
+    EXPECT_EQ(one.state_hash(), two.state_hash());
+  }
+}
+
+void expect_as_perceived(Simulation& simulation) {
+  const std::size_t robots = simulation.fleet().id.size();
+  std::vector<Plan> plans;
+  PlanWorkspace workspace;
+  for (std::size_t k = 0; k < robots; ++k) {
+    Simulation::Perception seen = simulation.perceive(k);
+    plans.push_back(
+        simulation.planner().plan(seen.robot, seen.neighbors, workspace, &seen.detour, seen.walls));
+  }
+  simulation.step();
+  for (std::size_t k = 0; k < robots; ++k) {
+    EXPECT_EQ(simulation.fleet().plan[k].new_velocity, plans[k].new_velocity) << k;
+    EXPECT_EQ(simulation.fleet().plan[k].status, plans[k].status) << k;
+  }
+}
+
+TEST(RobotsAtPassages, PerceiveIsWhatTheStepDecidesOn) {
+  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
+    for (const double width : {1.6, 2.4}) {
+      Simulation simulation(both_ways(test::corridor(width), 20, right_of_way), 1);
+      for (int k = 0; k < 200; ++k) {
+        if (k % 10 == 0) {
+          expect_as_perceived(simulation);
+        } else {
+          simulation.step();
+        }
+      }
+    }
+  }
+}
+
+// A crowd behind a wall takes no places among the nearest, or it does for both.
+TEST(RobotsAtPassages, PerceiveIsWhatTheStepDecidesOnBesideACrowdBehindAWall) {
+  Scenario scene;
+  scene.obstacles = {test::pieces({{{0, -40}, {0, 40}}})};
+  scene.max_neighbors = 4;
+  for (int k = 0; k < 12; ++k) {
+    const Vec2 place{1.0 + 1.2 * (k % 3) + 0.01 * k, 1.3 * (k / 3)};
+    scene.robots.push_back(test::robot_at(place, {place.x, -place.y - 8.0}));
+  }
+  for (int k = 0; k < 6; ++k) {
+    const Vec2 place{-1.0 - 0.3 * k, 9.0 - 2.5 * k};
+    scene.robots.push_back(test::robot_at(place, {place.x, -place.y}));
+  }
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 60; ++k) expect_as_perceived(simulation);
+}
+
+TEST(Claims, OutsideOnlyInSightOfTheMouth) {
+  // from (-3, 3) the mouth of the door at x = 0 is behind a piece of wall
+  std::vector<Wall> walls = test::doorway(1.6);
+  walls.push_back({{-1.5, 0.7}, {-1.5, 3.0}});
+  for (const bool is_hidden : {false, true}) {
+    Scenario scene;
+    scene.obstacles = {test::pieces(walls)};
+    RobotSetup robot = test::robot_at(is_hidden ? Vec2{-3, 2.5} : Vec2{-3, -2.5}, {9, 0});
+    robot.velocity = is_hidden ? Vec2{0.5, -0.5} : Vec2{0.5, 0.5};
+    scene.robots = {robot};
+    World world(scene, std::make_unique<SerialExecutor>());
+    plan_travels(world.ways, world.fleet);
+    find_walls(world);
+    ASSERT_FALSE(world.ways.passages.empty());
+    Claims claims;
+    SerialExecutor serial;
+    collect_claims(world, serial, claims);
+    bool claims_door = false;
+    for (const Claimant& claimant : claims.claimants) {
+      const Passage& passage = world.ways.passages[claimant.claim.passage];
+      claims_door = claims_door || norm(passage.axis[1]) < 0.1;
+    }
+    EXPECT_EQ(claims_door, !is_hidden);
+  }
+}
+
+// Each passage's own ones, however many parts there are.
+TEST(Claims, AreListedByPassage) {
+  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
+    World world(both_ways(test::corridor(1.6), 12, right_of_way),
+                std::make_unique<SerialExecutor>());
+    plan_travels(world.ways, world.fleet);
+    for (int k = 0; k < 60; ++k) step(world);
+    Claims claims;
+    SerialExecutor serial;
+    collect_claims(world, serial, claims);
+    ASSERT_EQ(claims.first.size(), world.ways.passages.size() + 1);
+    EXPECT_GE(claims.claimants.size(), 4u);
+    for (std::uint32_t number = 0; number < world.ways.passages.size(); ++number) {
+      for (const Claimant& claimant : claims.of(number)) EXPECT_EQ(claimant.claim.passage, number);
+    }
+    EXPECT_EQ(claims.first.front(), 0u);
+    EXPECT_EQ(claims.first.back(), claims.claimants.size());
+  }
+}
+
+}  // namespace
+}  // namespace avo
