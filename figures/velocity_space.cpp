@@ -44,6 +44,22 @@ bool lies_on(const HalfPlane& plane, Vec2 chosen) {
   return std::fabs(violation(plane, chosen)) < 1e-3;
 }
 
+// Of method avo, the speed planes of walls bound the target, but not among movers alone.
+void append_walls(const Simulation::Perception& perception, const Planner& planner,
+                  const Plan& plan, bool movers, VelocitySpace& space) {
+  WallPlanes walls;
+  planner.collect_half_planes(perception.robot, perception.walls, walls);
+  const auto append = [&](const std::vector<WallPlane>& planes, bool forbids) {
+    for (const WallPlane& cut : planes) {
+      const bool binding = forbids && lies_on(cut.plane, plan.new_velocity);
+      space.half_planes.push_back({cut.plane, "w" + std::to_string(cut.wall), binding, forbids});
+    }
+  };
+  const bool is_avo = planner.options().method == Method::avo;
+  append(walls.speeds, !movers);
+  append(walls.obstacles, !is_avo);
+}
+
 }  // namespace
 
 VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner) {
@@ -57,16 +73,15 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
   Detour detour = perception.detour;
   const bool movers =
       perception.among_movers || planner.options().method == Method::velocity_obstacle;
-  const Plan plan =
-      movers ? planner.plan_among_obstacles(robot, perception.neighbors, workspace)
-             : planner.plan(robot, perception.neighbors, workspace, &detour, perception.walls);
+  const Plan plan = planner.plan(robot, perception.neighbors, workspace, &detour, perception.walls);
   if (movers) {
     for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
       space.obstacles.push_back(obstacle_of(perception, i, planner.options()));
     }
   } else {
     HalfPlanes half_planes;
-    planner.collect_half_planes(robot, perception.neighbors, workspace, half_planes);
+    planner.collect_half_planes(robot, perception.neighbors, workspace, half_planes,
+                                perception.walls);
     for (const NeighborPlane& cut : half_planes.planes) {
       const auto i = static_cast<std::size_t>(cut.neighbor);
       space.half_planes.push_back(
@@ -76,6 +91,7 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
       space.obstacles.back().forbids = false;
     }
   }
+  append_walls(perception, planner, plan, movers, space);
   space.points = {{robot.velocity, "*v*", kBlack, true},
                   {robot.preferred_velocity, "*v*^{pref}", kPreferred},
                   {plan.new_velocity, "*v*′", kChosen}};

@@ -19,6 +19,7 @@ struct LabeledPlane {
   HalfPlane plane;       ///< allowed: normal . u >= offset, m/s
   std::string label;     ///< markup; empty: none
   bool binding = false;  ///< the chosen velocity lies on it
+  bool forbids = true;   ///< filled; else only its line is drawn, dashed
 };
 
 /// A velocity obstacle, moved by the new velocity v'_B of the one that causes it.
@@ -50,7 +51,8 @@ struct VelocitySpace {
 /// What `robot` saw and chose: the sets of the planner's method and three points (the velocity, the
 /// preferred and the chosen one). Behind half-planes the obstacles are outlined that they stand
 /// for, for others that keep their velocity. Robots are labeled by their index in the fleet, movers
-/// o0, o1 …
+/// o0, o1 …, walls w0, w1 … by their index in what the robot saw. Of method avo the half-planes of
+/// the walls' obstacles are dashed: it does not look at them.
 VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner);
 
 /// Boundary of the obstacle, moved by its offset, inside `view`: closed polygons, exact to about

@@ -61,6 +61,7 @@ void fill_forbidden(Canvas& canvas, const VelocitySpace& space, const Polygons& 
   for (const auto& polygon : outlines) canvas.add_polygon(polygon);
   canvas.fill(color);
   for (const LabeledPlane& labeled : space.half_planes) {
+    if (!labeled.forbids) continue;
     canvas.add_polygon(forbidden_side(labeled.plane, canvas.view_world()));
     canvas.fill(color);
   }
@@ -100,7 +101,11 @@ void draw_lines(Canvas& canvas, const VelocitySpace& space, const Polygons& outl
   for (const LabeledPlane& labeled : space.half_planes) {
     const auto side = forbidden_side(labeled.plane, canvas.view_world());
     canvas.add_polyline(std::span(side).first(2));
-    canvas.stroke({gray(labeled.binding ? 0.05 : 0.35), labeled.binding ? 1.3 : 0.7});
+    if (labeled.forbids) {
+      canvas.stroke({gray(labeled.binding ? 0.05 : 0.35), labeled.binding ? 1.3 : 0.7});
+    } else {
+      canvas.stroke({gray(0.35), 0.7, 2.0});
+    }
   }
   if (space.acceleration_disc) {
     canvas.add_disc(*space.acceleration_disc);

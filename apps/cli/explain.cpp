@@ -34,6 +34,8 @@ struct Decision {
   bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
   avo::HalfPlanes half_planes;
   std::vector<avo::CertificateConstraint> constraints;
+  avo::WallPlanes wall_planes;
+  std::vector<avo::WallConstraint> wall_constraints;
   avo::Certificate certificate{};
   avo::Plan plan;
   avo::Disc acceleration_disc, speed_disc;
@@ -56,10 +58,12 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   avo::PlanWorkspace workspace;
   decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
   if (decision.by_half_planes)
-    planner.collect_half_planes(self, neighbors, workspace, decision.half_planes);
+    planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);
+  planner.collect_half_planes(self, walls, decision.wall_planes);
   decision.certificate = planner.options().certificate;
   if (decision.method == avo::Method::avo)
-    planner.collect_certificate(self, neighbors, workspace, decision.constraints);
+    planner.collect_certificate(self, neighbors, workspace, decision.constraints, walls);
+  planner.collect_certificate(self, walls, workspace, decision.wall_constraints);
   decision.acceleration_disc = planner.acceleration_disc(self);
   decision.speed_disc = planner.speed_disc(self);
   return decision;
@@ -88,6 +92,38 @@ Json constraints_of(const Decision& decision) {
          {"interval", constraint.interval},
          {"normal", to_json(constraint.normal)},
          {"offset", constraint.offset}});
+  return constraints;
+}
+
+/// The walls that the robot knows.
+Json walls_of(const Decision& decision) {
+  Json walls = Json::array();
+  for (const avo::Wall& wall : decision.seen.walls)
+    walls.push_back({{"a", to_json(wall.a)}, {"b", to_json(wall.b)}, {"radius", wall.radius}});
+  return walls;
+}
+
+Json wall_half_planes_of(const avo::WallPlanes& wall_planes) {
+  Json planes = Json::array();
+  const auto append = [&planes](const char* kind, const std::vector<avo::WallPlane>& of_kind) {
+    for (const avo::WallPlane& plane : of_kind)
+      planes.push_back({{"wall", plane.wall},
+                        {"kind", kind},
+                        {"normal", to_json(plane.plane.normal)},
+                        {"offset", plane.plane.offset}});
+  };
+  append("speed", wall_planes.speeds);
+  append("obstacle", wall_planes.obstacles);
+  return planes;
+}
+
+Json wall_constraints_of(const Decision& decision) {
+  Json constraints = Json::array();
+  for (const avo::WallConstraint& constraint : decision.wall_constraints)
+    constraints.push_back({{"wall", constraint.wall},
+                           {"held", constraint.held},
+                           {"distance", constraint.distance},
+                           {"normal", to_json(constraint.normal)}});
   return constraints;
 }
 
@@ -122,10 +158,13 @@ Json to_json(const Decision& decision) {
             {"max_acceleration", self.max_acceleration},
             {"obstacles", obstacles},
             {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
-            {"half_planes", half_planes}};
+            {"half_planes", half_planes},
+            {"walls", walls_of(decision)},
+            {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
   if (decision.method == avo::Method::avo) {
     json["certificate_kind"] = avo::to_string(decision.certificate);
     json["certificate"] = constraints_of(decision);
+    json["wall_certificate"] = wall_constraints_of(decision);
     json["detour"] = seen.detour.angle;
   }
   const Json rest{{"acceleration_disc", to_json(decision.acceleration_disc)},
@@ -140,12 +179,39 @@ Json to_json(const Decision& decision) {
 }
 
 std::string text(Vec2 v) {
-  return fmt::format("({:.6g}, {:.6g})", v.x, v.y);
+  return fmt::format("({:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0);  // no -0
 }
 
 std::string text_of(int source) {
   return source >= 0 ? fmt::format("robot {}", source)
                      : fmt::format("moving obstacle {}", -1 - source);
+}
+
+std::string text_of(const avo::Wall& wall) {
+  const std::string thick = wall.radius > 0.0 ? fmt::format(", radius {:.6g}", wall.radius) : "";
+  return wall.a == wall.b
+             ? fmt::format("the disc at {}{}", text(wall.a), thick)
+             : fmt::format("the wall from {} to {}{}", text(wall.a), text(wall.b), thick);
+}
+
+/// A line on each of the half-planes of walls that may cut, and on what the certificate keeps.
+void append_walls(const Decision& decision,
+                  const std::function<void(const char*, const std::string&)>& line) {
+  const auto wall_of = [&decision](int index) {
+    return text_of(decision.seen.walls[static_cast<std::size_t>(index)]);
+  };
+  const auto append = [&](const char* name, const std::vector<avo::WallPlane>& planes) {
+    for (const avo::WallPlane& plane : planes)
+      line(name, fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal),
+                             plane.plane.offset, wall_of(plane.wall)));
+  };
+  const bool is_avo = decision.method == avo::Method::avo;
+  append("speed before wall", decision.wall_planes.speeds);
+  append(is_avo ? "wall's obstacle" : "half-plane", decision.wall_planes.obstacles);
+  for (const avo::WallConstraint& constraint : decision.wall_constraints)
+    line("wall constraint",
+         fmt::format("{:.6g} m from {}, braking leaves {:.6g} m", constraint.held,
+                     wall_of(constraint.wall), constraint.distance));
 }
 
 /// How many constraints there are, and the first one of each of the nearest neighbors.
@@ -193,6 +259,7 @@ std::string readable(const Decision& decision) {
     line("half-plane",
          fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal), plane.plane.offset,
                      text_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])));
+  append_walls(decision, line);
   if (decision.method == avo::Method::avo) append_certificate(decision, line);
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
   line("new velocity", text(decision.plan.new_velocity) + " m/s");

@@ -2,6 +2,9 @@
 // The rows of the table.
 #include "families.h"
 
+#include "passage_scenes.h"
+#include "wall_scenes.h"
+
 namespace avo::safety {
 namespace {
 
@@ -26,9 +29,43 @@ void add_circles(std::vector<Family>& all) {
                               {100, 46.0, {}, {}, 0.2}));
 }
 
+void add_passages(std::vector<Family>& all) {
+  constexpr int kScenes = 20;
+  const auto add = [&](const char* name, const char* what, auto make) {
+    all.push_back({name, what, kScenes, true, make});
+  };
+  add("doorway-1.6", "50 robots both ways through a door of 1.6 m",
+      [](std::uint64_t seed) { return narrow_doorway(1.6, seed); });
+  add("corridor-1.6", "50 robots both ways through a corridor with one lane",
+      [](std::uint64_t seed) { return narrow_corridor(1.6, seed); });
+  add("corridor-2.4", "the same with two lanes",
+      [](std::uint64_t seed) { return narrow_corridor(2.4, seed); });
+  add("office-1.6", "50 robots to random rooms with doors of 1.6 m",
+      [](std::uint64_t seed) { return office(1.6, seed); });
+  add("office-1.2", "the same with doors of 1.2 m",
+      [](std::uint64_t seed) { return office(1.2, seed); });
+  add("maze", "50 robots from and to anywhere in a maze", maze);
+}
+
+void add_walls(std::vector<Family>& all, double robot_steps) {
+  constexpr int kScenes = 20;
+  const double of_each = robot_steps / kScenes;
+  const auto add = [&](const char* name, const char* what, Scene (*make)(double, std::uint64_t)) {
+    all.push_back({name, what, kScenes, true,
+                   [make, of_each](std::uint64_t seed) { return make(of_each, seed); }});
+  };
+  add("walls-random", "30 unequal robots among random segments", random_walls);
+  add("walls-cars", "the same, every other one a car", walls_and_cars);
+  add("walls-corners", "30 unequal robots sent into one sharp corner after the other",
+      wall_corners);
+  add("walls-gaps", "the same through gaps of 2r + 1e-6 m", wall_gaps);
+  all.push_back({"walls-movers", "20 among random segments and obstacles that keep their velocity",
+                 100, true, walls_and_movers});
+}
+
 }  // namespace
 
-std::vector<Family> families(double crush_steps) {
+std::vector<Family> families(double soak_steps) {
   std::vector<Family> all;
   add_circles(all);
   for (const int n : {2, 10, 30, 60}) {
@@ -47,15 +84,17 @@ std::vector<Family> families(double crush_steps) {
                  [](std::uint64_t) { return doorway(); }});
   all.push_back(
       {"movers", "robots among obstacles that keep their velocity", 20, true, among_movers});
+  add_passages(all);
   constexpr int kCrushes = 4;
   for (const bool packed : {false, true}) {
     all.push_back({packed ? "crush-packed" : "crush",
                    packed ? "the same from four fifths of the densest packing"
                           : "200 unequal robots sent to one point",
-                   kCrushes, true, [packed, crush_steps](std::uint64_t seed) {
-                     return crush(packed, crush_steps / kCrushes, seed);
+                   kCrushes, true, [packed, soak_steps](std::uint64_t seed) {
+                     return crush(packed, soak_steps / kCrushes, seed);
                    }});
   }
+  add_walls(all, soak_steps);
   add_sensing(all);
   return all;
 }

@@ -18,9 +18,9 @@ struct Family {
   std::function<Scene(std::uint64_t seed)> make;
 };
 
-/// All rows, in the order of the table. `crush_steps` is what each crush lasts in all its scenes,
-/// in robot-steps.
-std::vector<Family> families(double crush_steps);
+/// All rows, in the order of the table. `soak_steps` is what each crush and each row of walls-
+/// lasts in all its scenes, in robot-steps.
+std::vector<Family> families(double soak_steps);
 /// Appends the rows in which robots sense each other wrongly, late or not at all.
 void add_sensing(std::vector<Family>& all);
 

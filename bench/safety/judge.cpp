@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "arcs.h"
+
 namespace avo::safety {
 namespace {
 
@@ -28,6 +30,7 @@ Check make_check(const Scenario& scenario) {
     robot.max_speed = setup.max_speed;
     robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
     robot.straight = adopts_at_once(options.method);
+    robot.car = setup.car.has_value();
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
@@ -44,6 +47,11 @@ Check make_check(const Scenario& scenario) {
   return check;
 }
 
+bool has_cars(const Scenario& scenario) {
+  return std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                     [](const RobotSetup& robot) { return robot.car.has_value(); });
+}
+
 void name_first(const char* what, const CheckCount& count, std::string& text) {
   if (!count.first) return;
   const CheckViolation& first = *count.first;
@@ -58,6 +66,10 @@ void name_first(const char* what, const CheckCount& count, std::string& text) {
 
 }  // namespace
 
+std::optional<double> least_of(std::optional<double> a, std::optional<double> b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
 void Verdict::add(const Verdict& later) {
   overlapping_pairs += later.overlapping_pairs;
   moving_contacts += later.moving_contacts;
@@ -67,23 +79,35 @@ void Verdict::add(const Verdict& later) {
   acceleration_violations += later.acceleration_violations;
   speed_violations += later.speed_violations;
   jumps += later.jumps;
-  if (later.least_clearance) {
-    least_clearance =
-        std::min(least_clearance.value_or(*later.least_clearance), *later.least_clearance);
-  }
+  least_clearance = least_of(least_clearance, later.least_clearance);
+  least_static_clearance = least_of(least_static_clearance, later.least_static_clearance);
+  interpolation_error = std::max(interpolation_error, later.interpolation_error);
   if (violations.empty()) violations = later.violations;
 }
 
 struct Judge::State {
   Check check;
-  std::vector<CheckedState> rows;
+  double time_step = 0.0;  // s
+  // Cubics through the ends of a step may be a millimeter off a car's arc, that of an eighth of it
+  // 4096 times less.
+  int parts = 1;  // that a step is judged in
+  std::vector<CheckedState> rows = {};
+  std::vector<Pose> before = {};  // where a step is judged in parts
 };
 
-Judge::Judge(const Scenario& scenario) : state_(new State{make_check(scenario), {}}) {}
+Judge::Judge(const Scenario& scenario)
+    : state_(new State{make_check(scenario), scenario.time_step, has_cars(scenario) ? 8 : 1}) {}
 Judge::~Judge() = default;
 
 void Judge::observe(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
+  const double start = simulation.time() - state_->time_step;
+  for (int k = 1; k < state_->parts && !state_->before.empty(); ++k) {
+    const double part = static_cast<double>(k) / state_->parts;
+    state_->check.add(start + part * state_->time_step,
+                      states_within(state_->before, fleet, state_->time_step, part));
+  }
+  if (state_->parts > 1) state_->before = poses(fleet);
   state_->rows.clear();
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     state_->rows.push_back(
@@ -108,6 +132,8 @@ Verdict Judge::verdict() const {
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;
   verdict.least_clearance = report.least_clearance;
+  verdict.least_static_clearance = report.least_static_clearance;
+  verdict.interpolation_error = report.interpolation_error;
   name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
   name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
              verdict.violations);

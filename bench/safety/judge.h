@@ -20,8 +20,10 @@ struct Verdict {
   double deepest_contact = 0.0;       ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-states
   std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
-  std::optional<double> least_clearance;  ///< m
-  std::string violations;                 ///< in words, empty where there is none
+  std::optional<double> least_clearance;         ///< m, of two robots
+  std::optional<double> least_static_clearance;  ///< m, of a robot and a static obstacle
+  double interpolation_error = 0.0;  ///< m, that judged paths may be off: see CheckReport
+  std::string violations;            ///< in words, empty where there is none
 
   [[nodiscard]] bool safe() const {
     return overlapping_pairs + moving_contacts + static_contacts + acceleration_violations +
@@ -31,6 +33,9 @@ struct Verdict {
   /// What happened after it, to the same robots.
   void add(const Verdict& later);
 };
+
+/// The least one of those that are there.
+std::optional<double> least_of(std::optional<double> a, std::optional<double> b);
 
 /// Call observe() once before the first step and once after every step.
 class Judge {

@@ -115,7 +115,7 @@ class Harness {
 };
 
 std::vector<Row> rows_asked_for(const Options& options) {
-  const std::vector<Family> all = families(options.crush_steps);
+  const std::vector<Family> all = families(options.soak_steps);
   std::vector<std::string> names;
   names.reserve(all.size());
   for (const Family& family : all) names.push_back(family.name);

@@ -88,7 +88,7 @@ bool take(Options& o, const std::string& option, const std::string& text) {
   } else if (option == "--first-seed") {
     o.first_seed = static_cast<std::uint64_t>(whole(option, text, 0, kMost));
   } else if (option == "--robot-steps") {
-    o.crush_steps = number(option, text, 1.0, 1e12, "a number from 1 to 1e12");
+    o.soak_steps = number(option, text, 1.0, 1e12, "a number from 1 to 1e12");
   } else if (option == "--threads") {
     o.threads = static_cast<int>(whole(option, text, 1, 1024));
   } else if (option == "--json") {
@@ -129,7 +129,8 @@ const char* usage() {
   --list              names the rows and ends
   --scenes N          scenes of each row whose scenes differ
   --first-seed S      seed of the first scene of each row, default 1
-  --robot-steps X     robot-steps of each crush in all its scenes, default 1e7
+  --robot-steps X     robot-steps of each crush and each row of walls- but
+                      walls-movers, in all its scenes, default 1e7
   --method NAME       avo, avo_paper, velocity_obstacle, orca
   --certificate NAME  none, stopping_capsules, braking_trajectories
   --motion NAME       held, exponential
@@ -145,17 +146,20 @@ Columns, over all scenes of a row:
   a or v              robot-steps above a_max, or whose positions do not follow their velocities;
                       states above v_max
   clear mm            least distance of two robots, less their radii
-  unsafe              scenes with any of it, or with an obstacle touched by a robot in motion; where
-                      there are none, the rate that 95 % confidence leaves (three by the scenes)
+  unsafe              scenes with any of it, with a wall touched, or with an obstacle touched by a
+                      robot in motion; where there are none, the rate that 95 % confidence leaves
+                      (three by the scenes)
   arrive%, at end%    robots that were ever within 0.5 m of their goal; that were at the end
   last s, 99% s       until all, until 99 % had arrived
   ratio, 99%          the same by the row's own time: the target of circles (aim 1), 60 s of random
-                      squares and movers (aim 1), of the others the longest straight way's time (aim
-                      3, at most 4.5)
-  late                scenes where too few arrived in time: all by the target or 60 s, or 99 % by 4.5
-                      straight ways
+                      squares and movers (aim 1), 600 s of passages, of the others the longest
+                      straight way's time (aim 3, at most 4.5)
+  late                scenes where too few arrived in time: all by the target or 60 s, 98 % by 600 s,
+                      or 99 % by 4.5 straight ways
   us, worst           CPU microseconds of Simulation::step a robot-step: mean, and mean of the worst
                       second; includes about 0.3 us a step for reading the clock
+Lines below a row: in how many scenes all arrive, the fewest that do in one, the median of the scenes'
+last arrivals (who never arrives counts as the scene's duration); walls; decisions.
 
 Exit status: 0; 1 where anything happened that a certificate rules out; 2 usage; 3 scene; 4 output.
 )";

@@ -21,7 +21,7 @@ struct Options {
   std::vector<std::string> rows;  ///< names or their beginnings; none: all
   std::optional<int> scenes;      ///< of each row whose scenes differ
   std::uint64_t first_seed = 1;
-  double crush_steps = 1e7;  ///< robot-steps of each crush
+  double soak_steps = 1e7;  ///< see families()
   int threads = 1;
   std::string json, record;  ///< paths; empty: none
   std::optional<Method> method;

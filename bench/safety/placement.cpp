@@ -2,6 +2,8 @@
 // Where robots start and go: circles, blocks, random places.
 #include "placement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -20,18 +22,31 @@ bool is_clear(std::span<const Vec2> placed, std::span<const double> radii, Vec2 
   return true;
 }
 
-// As many as find room.
-std::vector<Vec2> try_places(std::span<const double> radii, double side, double clearance,
-                             Random& random) {
-  constexpr int kTries = 20000;  // for one disc
+// As many of `count` as find room: `draw` proposes a place, `is_clear` judges it beside those that
+// are taken.
+template <class Draw, class IsClear>
+std::vector<Vec2> try_places(std::size_t count, Draw draw, IsClear is_clear) {
+  constexpr int kTries = 20000;  // for one place
   std::vector<Vec2> placed;
-  for (int tries = 0; placed.size() < radii.size() && tries < kTries; ++tries) {
-    const Vec2 center = random.in_square(side);
-    if (!is_clear(placed, radii, center, clearance)) continue;
-    placed.push_back(center);
+  for (int tries = 0; placed.size() < count && tries < kTries; ++tries) {
+    const Vec2 place = draw();
+    if (!is_clear(placed, place)) continue;
+    placed.push_back(place);
     tries = 0;
   }
   return placed;
+}
+
+// All of `count`. `room` says in words what they have to fit.
+template <class Draw, class IsClear>
+std::vector<Vec2> find_places(std::size_t count, const std::string& room, Draw draw,
+                              IsClear is_clear) {
+  constexpr int kStarts = 200;
+  for (int start = 0; start < kStarts; ++start) {
+    std::vector<Vec2> placed = try_places(count, draw, is_clear);
+    if (placed.size() == count) return placed;
+  }
+  throw Error("placement: found no room for " + std::to_string(count) + " discs, must fit " + room);
 }
 
 }  // namespace
@@ -74,13 +89,41 @@ std::vector<Vec2> triangular_block(int columns, int rows, double spacing) {
 
 std::vector<Vec2> random_places(std::span<const double> radii, double side, double clearance,
                                 Random& random) {
-  constexpr int kStarts = 200;
-  for (int start = 0; start < kStarts; ++start) {
-    std::vector<Vec2> placed = try_places(radii, side, clearance, random);
-    if (placed.size() == radii.size()) return placed;
-  }
-  throw Error("placement: found no room for " + std::to_string(radii.size()) +
-              " discs, must fit a square of " + std::to_string(side) + " m");
+  return find_places(
+      radii.size(), "a square of " + std::to_string(side) + " m",
+      [&] { return random.in_square(side); },
+      [&](const std::vector<Vec2>& placed, Vec2 center) {
+        return is_clear(placed, radii, center, clearance);
+      });
+}
+
+double wall_clearance(Vec2 place, const Wall& wall) {
+  const Vec2 along = wall.b - wall.a;
+  const double length_squared = norm_squared(along);
+  const double part = length_squared > 0.0
+                          ? std::clamp(dot(place - wall.a, along) / length_squared, 0.0, 1.0)
+                          : 0.0;
+  return norm(place - (wall.a + part * along)) - wall.radius;
+}
+
+std::vector<Vec2> places_among(std::span<const Wall> walls, const Area& area, int count,
+                               const Spacing& spacing, Random& random,
+                               const std::function<bool(Vec2)>& fits) {
+  const auto draw = [&] {
+    const double x = random.between(area.low.x, area.high.x);
+    return Vec2{x, random.between(area.low.y, area.high.y)};
+  };
+  const auto is_clear = [&](const std::vector<Vec2>& placed, Vec2 place) {
+    if (fits && !fits(place)) return false;
+    for (const Wall& wall : walls) {
+      if (wall_clearance(place, wall) < spacing.to_walls) return false;
+    }
+    for (const Vec2 other : placed) {
+      if (norm(place - other) < spacing.to_others) return false;
+    }
+    return true;
+  };
+  return find_places(static_cast<std::size_t>(count), "their area among walls", draw, is_clear);
 }
 
 std::vector<Vec2> dealt_anew(std::vector<Vec2> points, Random& random) {

@@ -2,11 +2,13 @@
 // Where robots start and go: circles, blocks, random places. Same bits on every machine.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <span>
 #include <vector>
 
 #include "avo/vec.h"
+#include "avo/wall.h"
 
 namespace avo::safety {
 
@@ -48,6 +50,25 @@ std::vector<Vec2> triangular_block(int columns, int rows, double spacing);
 /// discs. Starts anew where one finds no room; throws Error where that goes on.
 std::vector<Vec2> random_places(std::span<const double> radii, double side, double clearance,
                                 Random& random);
+
+/// From `low` to `high` along each axis, m.
+struct Area {
+  Vec2 low, high;
+};
+
+/// Least distances of a place, m.
+struct Spacing {
+  double to_others, to_walls;
+};
+
+/// `count` places, uniform in those points of the area that have these distances and that `fits`
+/// accepts, if there is one. Starts anew and throws Error like random_places().
+std::vector<Vec2> places_among(std::span<const Wall> walls, const Area& area, int count,
+                               const Spacing& spacing, Random& random,
+                               const std::function<bool(Vec2)>& fits = {});
+
+/// m, from a place to what the wall covers; negative inside.
+double wall_clearance(Vec2 place, const Wall& wall);
 
 /// The points dealt anew so that none stays (one cycle through all). Needs two or more.
 std::vector<Vec2> dealt_anew(std::vector<Vec2> points, Random& random);

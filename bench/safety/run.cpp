@@ -31,11 +31,22 @@ void rally(const Scene& scene, Random& random, Simulation& simulation) {
   for (const RobotId robot : robots) simulation.set_goal(robot, goal);
 }
 
-void note_arrivals(const Simulation& simulation, double distance, Outcome& outcome) {
-  const FleetView fleet = simulation.fleet();
+// Sends every robot on that is where it was sent, or has tried for 20 s.
+void send_on(const Scene& scene, Random& random, Simulation& simulation) {
+  if (scene.errands.empty()) return;
+  const std::int64_t patience = last_step(scene.scenario, 20.0);
+  for (std::size_t i = 0; i < scene.scenario.robots.size(); ++i) {
+    const auto own = static_cast<std::int64_t>(i);
+    if ((simulation.steps() + own) % patience != 0 && !simulation.is_at_goal(i)) continue;
+    const std::vector<Vec2>& places = scene.errands[i % scene.errands.size()];
+    simulation.set_goal(RobotId{i}, places[random.below(places.size())]);
+  }
+}
+
+void note_arrivals(const Simulation& simulation, Outcome& outcome) {
   outcome.at_goal_at_end = 0;
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    if (!(norm(fleet.goal[i] - fleet.position[i]) <= distance)) continue;
+  for (std::size_t i = 0; i < outcome.arrival.size(); ++i) {
+    if (!simulation.is_at_goal(i)) continue;
     ++outcome.at_goal_at_end;
     outcome.arrival[i] = std::min(outcome.arrival[i], simulation.time());
   }
@@ -91,7 +102,7 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   const auto observe = [&] {
     judge.observe(simulation);
     if (recording) recording->add(simulation);
-    note_arrivals(simulation, scenario.arrival_distance, outcome);
+    note_arrivals(simulation, outcome);
   };
   observe();
   Random random(outcome.seed, 7);
@@ -99,9 +110,11 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   StepClock clock(second, static_cast<double>(robots));
   const std::int64_t steps = last_step(scenario, scenario.duration);
   // once all are at rest at their goals nothing more happens, unless something comes by
-  const bool may_end = scene.rallies.empty() && scenario.moving_obstacles.empty();
+  const bool may_end =
+      scene.rallies.empty() && scene.errands.empty() && scenario.moving_obstacles.empty();
   while (simulation.steps() < steps) {
     rally(scene, random, simulation);
+    send_on(scene, random, simulation);
     clock.step(simulation);
     observe();
     note_decisions(simulation, outcome);
@@ -126,6 +139,7 @@ Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& rec
   outcome.unit = scene.unit;
   outcome.limit = scene.limit;
   outcome.share = scene.share;
+  outcome.duration = scene.scenario.duration;
   if (scene.sensing) {
     run_sensing(scene, record, outcome);
   } else {

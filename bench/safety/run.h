@@ -26,6 +26,7 @@ struct Outcome {
   std::vector<double> arrival;      ///< s, of each robot: first within arrival_distance; kNever
   std::int64_t at_goal_at_end = 0;  ///< robots within arrival_distance
   double unit = 0.0, limit = 0.0, share = 0.0;             ///< see Scene
+  double duration = 0.0;                                   ///< s, of the scene
   std::array<std::int64_t, kMostStatuses> decisions = {};  ///< robot-steps by PlanStatus
   double seconds = 0.0;                                    ///< CPU time in Simulation::step
   double worst_second = 0.0;  ///< CPU s a robot-step over the worst second simulated

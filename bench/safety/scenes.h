@@ -18,6 +18,9 @@ struct Scene {
   double share = 1.0;  ///< of the robots that have to
   std::vector<Vec2> rallies = {};  ///< all robots are sent to one of them, then to another
   double rally_period = 5.0;       ///< s
+  /// Robot i goes to one of errands[i % size], and to another one when it is there or has tried for
+  /// long enough.
+  std::vector<std::vector<Vec2>> errands = {};
   /// Unset: all know each other exactly and do as they decide, as Simulation has it.
   std::optional<Sensing> sensing = {};
   Acting acting = {};  ///< read only where `sensing` is set

@@ -47,6 +47,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.overlapping_pairs += verdict.overlapping_pairs;
   row.moving_contacts += verdict.moving_contacts;
   row.resting_contacts += verdict.resting_contacts;
+  row.static_contacts += verdict.static_contacts;
   row.deepest_contact = std::max(row.deepest_contact, verdict.deepest_contact);
   row.acceleration_violations += verdict.acceleration_violations;
   row.speed_violations += verdict.speed_violations;
@@ -54,9 +55,29 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.unsafe_scenes += verdict.safe() ? 0 : 1;
   row.certified =
       row.certified || (outcome.promised && outcome.planner.certificate != Certificate::none);
-  if (verdict.least_clearance) {
-    row.least_clearance = std::min(row.least_clearance.value_or(kNever), *verdict.least_clearance);
+  row.least_clearance = least_of(row.least_clearance, verdict.least_clearance);
+  row.least_static_clearance = least_of(row.least_static_clearance, verdict.least_static_clearance);
+  row.interpolation_error = std::max(row.interpolation_error, verdict.interpolation_error);
+}
+
+// Of an even number the mean of the two in the middle.
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
+  row.fewest_arrived = row.robots;
+  std::vector<double> lasts;
+  for (const Outcome& outcome : outcomes) {
+    const auto never = std::count(outcome.arrival.begin(), outcome.arrival.end(), kNever);
+    const std::int64_t arrived = static_cast<std::int64_t>(outcome.arrival.size()) - never;
+    row.full_scenes += never == 0 ? 1 : 0;
+    row.fewest_arrived = std::min(row.fewest_arrived, arrived);
+    lasts.push_back(std::min(last_arrival(outcome), outcome.duration));
   }
+  row.median_last = median(std::move(lasts));
 }
 
 std::string time_text(double value, int width) {
@@ -88,6 +109,12 @@ std::string decision_text(const RowResult& row) {
 
 }  // namespace
 
+double last_arrival(const Outcome& outcome) {
+  double last = 0.0;
+  for (const double time : outcome.arrival) last = std::max(last, time);
+  return last;
+}
+
 RowResult summarize(const std::string& name, const std::vector<Outcome>& outcomes) {
   RowResult row;
   row.name = name;
@@ -114,6 +141,7 @@ RowResult summarize(const std::string& name, const std::vector<Outcome>& outcome
     row.worst_microseconds = std::max(row.worst_microseconds, 1e6 * outcome.worst_second);
     row.density = std::max(row.density, outcome.density);
   }
+  compare_scenes(outcomes, row);
   row.late = late_quantile(std::move(arrivals));
   row.late_ratio = late_quantile(std::move(ratios));
   row.microseconds =
@@ -146,6 +174,22 @@ std::string table_lines(const RowResult& row) {
     line += format(" %7s %7s %6s %6s %6s %6s %5s", "-", "-", "-", "-", "-", "-", "-");
   }
   line += format(" %6.2f %6.2f\n", row.microseconds, row.worst_microseconds);
+  if (row.has_goals && row.scenes > 1) {
+    line += format(
+        "  scenes: all arrive in %lld of %lld, the fewest in one are %lld; median of the last "
+        "arrivals %.1f s\n",
+        static_cast<long long>(row.full_scenes), static_cast<long long>(row.scenes),
+        static_cast<long long>(row.fewest_arrived), row.median_last);
+  }
+  if (row.least_static_clearance) {
+    line += format("  walls: touched by %lld robots, least clearance %.4g mm",
+                   static_cast<long long>(row.static_contacts), 1e3 * *row.least_static_clearance);
+    if (row.interpolation_error > 0.0) {
+      line += format("; the paths judged are within %.2g mm of the true ones",
+                     1e3 * row.interpolation_error);
+    }
+    line += "\n";
+  }
   line += "  decisions: " + decision_text(row) + "\n";
   if (row.density > 0.0) {
     line +=

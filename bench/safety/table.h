@@ -14,22 +14,30 @@ namespace avo::safety {
 struct RowResult {
   std::string name;
   std::int64_t scenes = 0, robots = 0, robot_steps = 0;
-  std::int64_t overlapping_pairs = 0, moving_contacts = 0, resting_contacts = 0;
+  std::int64_t overlapping_pairs = 0, moving_contacts = 0, resting_contacts = 0,
+               static_contacts = 0;
   double deepest_contact = 0.0;  ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0, jumps = 0;
   std::int64_t unsafe_scenes = 0;
-  bool certified = false;                 ///< a certificate rules out what is unsafe
-  std::optional<double> least_clearance;  ///< m
+  bool certified = false;  ///< a certificate rules out what is unsafe
+  std::optional<double> least_clearance, least_static_clearance;  ///< m
+  double interpolation_error = 0.0;  ///< m, that the judged paths may be off
   bool has_goals = true;
   std::int64_t arrived = 0, at_goal_at_end = 0;  ///< robots
-  double last = 0.0, late = 0.0;                 ///< s: the last arrival, and the 99 % quantile
-  double last_ratio = 0.0, late_ratio = 0.0;     ///< the same in the scenes' units
-  double limit = 0.0;                            ///< units
-  std::int64_t late_scenes = 0;                  ///< where too few arrived within the limit
+  std::int64_t full_scenes = 0;                  ///< in which all arrive
+  std::int64_t fewest_arrived = 0;               ///< of the scenes, robots
+  double median_last = 0.0;  ///< s, of the scenes' last arrivals; never counts as their duration
+  double last = 0.0, late = 0.0;              ///< s: the last arrival, and the 99 % quantile
+  double last_ratio = 0.0, late_ratio = 0.0;  ///< the same in the scenes' units
+  double limit = 0.0;                         ///< units
+  std::int64_t late_scenes = 0;               ///< where too few arrived within the limit
   std::array<std::int64_t, kMostStatuses> decisions = {};
   double microseconds = 0.0, worst_microseconds = 0.0;  ///< CPU, a robot-step
   double density = 0.0;
 };
+
+/// s; kNever where a robot does not arrive.
+double last_arrival(const Outcome& outcome);
 
 RowResult summarize(const std::string& name, const std::vector<Outcome>& outcomes);
 

@@ -61,19 +61,19 @@ std::string decisions_json(const RowResult& row) {
 }
 
 std::string scene_json(const Outcome& outcome) {
-  double last = 0.0;
   std::vector<std::int64_t> missing;
   for (std::size_t i = 0; i < outcome.arrival.size(); ++i) {
-    last = std::max(last, outcome.arrival[i]);
     if (!std::isfinite(outcome.arrival[i])) missing.push_back(static_cast<std::int64_t>(i));
   }
   JsonObject object;
   object.add("seed", static_cast<std::int64_t>(outcome.seed))
       .add("overlapping_pairs", outcome.verdict.overlapping_pairs)
-      .add("least_clearance", outcome.verdict.least_clearance.value_or(kNever));
+      .add("least_clearance", outcome.verdict.least_clearance.value_or(kNever))
+      .add("static_contacts", outcome.verdict.static_contacts)
+      .add("least_static_clearance", outcome.verdict.least_static_clearance.value_or(kNever));
   if (outcome.unit > 0.0) {
     object.add("unit", outcome.unit)
-        .add("last_arrival", last)
+        .add("last_arrival", last_arrival(outcome))
         .add_raw("not_arrived",
                  json_array(missing, [](std::int64_t i) { return std::to_string(i); }));
   }
@@ -92,16 +92,22 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
       .add("overlapping_pairs", row.overlapping_pairs)
       .add("moving_contacts", row.moving_contacts)
       .add("resting_contacts", row.resting_contacts)
+      .add("static_contacts", row.static_contacts)
       .add("acceleration_violations", row.acceleration_violations)
       .add("speed_violations", row.speed_violations)
       .add("jumps", row.jumps)
       .add("unsafe_scenes", row.unsafe_scenes)
       .add("unsafe_bound_95",
            row.unsafe_scenes == 0 ? 3.0 / static_cast<double>(row.scenes) : kNever)
-      .add("least_clearance", row.least_clearance.value_or(kNever));
+      .add("least_clearance", row.least_clearance.value_or(kNever))
+      .add("least_static_clearance", row.least_static_clearance.value_or(kNever))
+      .add("interpolation_error", row.interpolation_error);
   if (row.has_goals) {
     object.add("arrived", row.arrived)
         .add("at_goal_at_end", row.at_goal_at_end)
+        .add("full_scenes", row.full_scenes)
+        .add("fewest_arrived", row.fewest_arrived)
+        .add("median_last_arrival", row.median_last)
         .add("last_arrival", row.last)
         .add("arrival_99", row.late)
         .add("last_ratio", row.last_ratio)

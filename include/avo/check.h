@@ -89,9 +89,9 @@ struct CheckReport {
   double largest_acceleration = 0.0;             ///< m/s^2
   double largest_speed = 0.0;                    ///< m/s
   std::int64_t with_goal = 0;                    ///< of the robots given
-  std::int64_t arrived = 0;               ///< in some row within the arrival distance of their goal
-  std::int64_t at_goal_at_end = 0;        ///< in their last row
-  std::optional<double> last_arrival;     ///< s; none unless all arrived
+  std::int64_t arrived = 0;            ///< in a row within arrival_distance of the goal, in sight
+  std::int64_t at_goal_at_end = 0;     ///< in their last row
+  std::optional<double> last_arrival;  ///< s; none unless all arrived
   std::vector<std::int64_t> not_arrived;  ///< ascending
 
   /// No overlap, no contact with walls or in motion, no limit exceeded.

@@ -111,6 +111,22 @@ struct HalfPlanes {
   bool overlapping = false;           ///< a neighbor is in contact already
 };
 
+/// A's half-plane in v'_A against one wall.
+struct WallPlane {
+  int wall = 0;  ///< index into the walls given
+  HalfPlane plane;
+  double excess = 0.0;  ///< m/s, by how much more than the acceleration allows it asks for
+};
+
+/// The half-planes of walls in one decision.
+struct WallPlanes {
+  /// Method avo: no more speed towards a wall than braking takes off before it.
+  std::vector<WallPlane> speeds;
+  /// Of the walls' obstacles: what the other methods choose in. Method avo does not look at them.
+  std::vector<WallPlane> obstacles;
+  bool overlapping = false;  ///< a wall is in contact already
+};
+
 /// What a robot remembers from one decision to the next, to get around a jam and to come to rest.
 /// Method avo only.
 struct Detour {
@@ -128,6 +144,15 @@ struct CertificateConstraint {
   int interval = 0;
   Vec2 normal;  ///< unit, from B to A
   double offset = 0.0;
+};
+
+/// What the certificate demands of A beside one wall: neither its next step nor braking from there
+/// on comes nearer to the wall's segment than `held`.
+struct WallConstraint {
+  int wall = 0;           ///< index into the walls given
+  double held = 0.0;      ///< m, of A's center: both radii, or what braking still keeps of them
+  double distance = 0.0;  ///< m, of what A needs to stop now, from the segment
+  Vec2 normal;            ///< unit, from the segment to there; 0 where they meet
 };
 
 /// Scratch memory of a Planner; reuse it and nothing is allocated once it has grown. One per
@@ -173,7 +198,9 @@ class AVO_API Planner {
   /// decides and is behind such a wall does not count where nobody can come round an end of it
   /// before both have stopped: it is taken to keep clear of that wall likewise
   /// (docs/certificate.md, "Neighbors behind walls"). A wall that is not finite is invalid_input.
-  /// Method avo alone looks at walls. Without a certificate they only slow its target.
+  /// Without a certificate walls only slow the target of method avo. The other methods choose in
+  /// the half-planes of the walls' obstacles, to which those of neighbors yield; they need all
+  /// walls within r + τ max(|v|, v_max), count all neighbors, and promise nothing.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Wall> walls = {}) const;
@@ -185,14 +212,25 @@ class AVO_API Planner {
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 
-  /// The half-planes of plan(); none where plan() says invalid_input.
+  /// The half-planes of plan() with those walls, behind which neighbors may not count; none where
+  /// plan() says invalid_input.
   void collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
-                           PlanWorkspace& workspace, HalfPlanes& half_planes) const;
+                           PlanWorkspace& workspace, HalfPlanes& half_planes,
+                           std::span<const Wall> walls = {}) const;
 
-  /// The constraints of the certificate that can refuse anything.
+  /// Those of walls: of all that are in reach and may cut into what the robot may choose.
+  void collect_half_planes(const Robot& robot, std::span<const Wall> walls,
+                           WallPlanes& half_planes) const;
+
+  /// The constraints of the certificate that can refuse anything, likewise.
   void collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
                            PlanWorkspace& workspace,
-                           std::vector<CertificateConstraint>& constraints) const;
+                           std::vector<CertificateConstraint>& constraints,
+                           std::span<const Wall> walls = {}) const;
+  /// Those of walls, by index; none where there is no certificate.
+  void collect_certificate(const Robot& robot, std::span<const Wall> walls,
+                           PlanWorkspace& workspace,
+                           std::vector<WallConstraint>& constraints) const;
 
   /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
   /// radius).

@@ -129,7 +129,8 @@ void Check::State::judge_arrival(double time, const CheckedState& row) {
   const std::optional<Vec2>& goal = robots[index].goal;
   if (!goal) return;
   Seen& mine = seen[index];
-  mine.at_goal = norm(*goal - row.position) <= options.arrival_distance;
+  mine.at_goal =
+      norm(*goal - row.position) <= options.arrival_distance && !walls.hides(row.position, *goal);
   if (!mine.at_goal || mine.arrived) return;
   mine.arrived = true;
   last_arrival = time;

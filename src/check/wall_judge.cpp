@@ -77,6 +77,24 @@ void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
        {step.from + fraction * step.duration, robot.index, static_cast<std::int64_t>(wall), depth});
 }
 
+bool WallJudge::hides(Vec2 from, Vec2 to) const {
+  constexpr double kRounding = 1e-12;  // ten times what nearest_instant() may err
+  const auto [left, right] = std::minmax(from.x, to.x);
+  const auto [bottom, top] = std::minmax(from.y, to.y);
+  const Vec2 third = (to - from) / 3.0;
+  bool is_hidden = false;
+  tree_.visit(
+      {{left, bottom}, {right, top}}, [] { return std::numeric_limits<double>::min(); },
+      [&](std::size_t k) {
+        const auto& [a, b, radius] = walls_[k];
+        const Vec2 start = from - a, end = to - a;
+        const WallPath sight{{{start, start + third, end - third, end}}, b - a};
+        const double rounding = kRounding * (norm(start) + norm(end) + norm(b - a));
+        is_hidden = is_hidden || nearest_instant(sight).distance <= radius + rounding;
+      });
+  return is_hidden;
+}
+
 void WallJudge::write(CheckReport& report) const {
   report.static_contacts = contacts_;
   report.least_static_clearance = least_clearance_;

@@ -22,6 +22,8 @@ class WallJudge {
   void set_walls(std::vector<CheckedWall> walls);
   /// One robot over the step.
   void judge(const Mover& robot, const Step& step);
+  /// Whether a wall touches the segment between the two places.
+  [[nodiscard]] bool hides(Vec2 from, Vec2 to) const;
   /// What there is to say of it all.
   void write(CheckReport& report) const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "metrics/separation.h"
 
@@ -16,6 +17,7 @@ struct Body {
   Vec2 w;             // v' - v, m/s
   bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
   StepPath path;
+  std::optional<ArcPath> arc = {};  // the path of a car, which `path` interpolates
 };
 
 /// Bounds how far the body goes in the step, m.

@@ -22,6 +22,7 @@ void LastSeen::look_at(const Simulation& simulation) {
                       .position = fleet.position[i],
                       .velocity = fleet.velocity[i],
                       .goal = fleet.goal[i],
+                      .heading = fleet.heading[i],
                       .radius = fleet.setup[i].radius,
                       .status = fleet.plan[i].status,
                       .detour = fleet.detour[i].angle});

@@ -13,6 +13,7 @@ struct LastSeen {
   struct Robot {
     RobotId id;
     Vec2 position, velocity, goal;
+    double heading;  // rad, of cars
     double radius;
     PlanStatus status;
     double detour;  // rad

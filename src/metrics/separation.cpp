@@ -3,7 +3,11 @@
 #include "metrics/separation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "core/elementary.h"
 
 namespace avo {
 namespace {
@@ -19,7 +23,7 @@ Vec2 middle(Vec2 a, Vec2 b) {
   return 0.5 * (a + b);
 }
 
-std::array<Piece, 2> halves(const Piece& piece) {
+std::array<Piece, 2> halve_cubic(const Piece& piece) {
   const auto& b = piece.b;
   const Vec2 b01 = middle(b[0], b[1]), b12 = middle(b[1], b[2]), b23 = middle(b[2], b[3]);
   const Vec2 b012 = middle(b01, b12), b123 = middle(b12, b23);
@@ -38,6 +42,27 @@ Piece piece_of(const ResponsePath& path, double from, double to) {
   const Vec2 first = at(start), last = at(end);
   const Vec2 velocity = path.velocity + path.response.rate(start) * path.w;
   return {{first, first + (end - start) * velocity, last, last}, from, to};
+}
+
+// The chord of an arc that turns by twice that, by the arc's length: sin x/x.
+double chord_of_arc(double half_turn) {
+  return std::abs(half_turn) < 1e-8 ? 1.0 : elementary::sin(half_turn) / half_turn;
+}
+
+Vec2 point_at(const ArcPath& path, double part) {
+  const double half = 0.5 * part * path.turn;
+  const double chord = part * path.length * chord_of_arc(half);
+  return path.position + chord * elementary::direction(path.heading + half);
+}
+
+// An arc lies between its chord and its tangents; `from` and `to` are parts of its length.
+Piece piece_of(const ArcPath& path, double from, double to) {
+  const Vec2 first = point_at(path, from), last = point_at(path, to);
+  const double half = 0.5 * (to - from) * path.turn;
+  const double tangent =
+      0.5 * (to - from) * path.length * chord_of_arc(half) / elementary::direction(half).x;
+  const Vec2 apex = first + tangent * elementary::direction(path.heading + from * path.turn);
+  return {{first, apex, apex, last}, from, to};
 }
 
 // A curve lies in the hull of its control points, so in any direction none of it is nearer to the
@@ -114,6 +139,14 @@ double from_segment(const Piece& whole, const Halves& halve, const Segment& segm
       .distance;
 }
 
+template <typename Path>
+auto halves_of(const Path& path) {
+  return [&path](const Piece& piece) {
+    const double half = 0.5 * (piece.from + piece.to);
+    return std::array<Piece, 2>{piece_of(path, piece.from, half), piece_of(path, half, piece.to)};
+  };
+}
+
 Piece relative_path(const StepPath& a, const StepPath& b) {
   Piece piece{{}, 0.0, 1.0};
   for (std::size_t k = 0; k < 4; ++k) piece.b[k] = a.control[k] - b.control[k];
@@ -136,23 +169,29 @@ StepPath hermite_path(Vec2 position, Vec2 velocity, Vec2 next_position, Vec2 nex
            next_position}};
 }
 
+ArcPath arc_path(Vec2 position, double heading, Vec2 next_position, double next_heading) {
+  const double turn = std::remainder(next_heading - heading, 2.0 * std::numbers::pi);
+  const double chord = norm(next_position - position);
+  return {position, heading, turn, chord / chord_of_arc(0.5 * turn)};
+}
+
 Separation separation(const StepPath& a, const StepPath& b, double cutoff) {
   const Piece whole = relative_path(a, b);
   return least(
-      whole, halves, [](Vec2 point) { return norm(point); },
+      whole, halve_cubic, [](Vec2 point) { return norm(point); },
       [](const Piece& piece) { return lower_bound(piece); }, cutoff, 1e-13 * size_of(whole, {}));
 }
 
 double separation(const StepPath& path, const Segment& segment, double cutoff) {
-  return from_segment({path.control, 0.0, 1.0}, halves, segment, cutoff);
+  return from_segment({path.control, 0.0, 1.0}, halve_cubic, segment, cutoff);
 }
 
 double separation(const ResponsePath& path, const Segment& segment, double cutoff) {
-  const auto halve = [&path](const Piece& piece) {
-    const double half = 0.5 * (piece.from + piece.to);
-    return std::array<Piece, 2>{piece_of(path, piece.from, half), piece_of(path, half, piece.to)};
-  };
-  return from_segment(piece_of(path, 0.0, 1.0), halve, segment, cutoff);
+  return from_segment(piece_of(path, 0.0, 1.0), halves_of(path), segment, cutoff);
+}
+
+double separation(const ArcPath& path, const Segment& segment, double cutoff) {
+  return from_segment(piece_of(path, 0.0, 1.0), halves_of(path), segment, cutoff);
 }
 
 double first_below(const StepPath& a, const StepPath& b, double distance, double fraction) {

@@ -25,6 +25,16 @@ struct ResponsePath {
   double time_step;  // s
 };
 
+/// A car's path over one step: an arc of a circle that begins along the heading.
+struct ArcPath {
+  Vec2 position;         // m
+  double heading, turn;  // rad
+  double length;         // m
+};
+
+/// That of a car from one place and heading to the next ones, with less than half a turn.
+ArcPath arc_path(Vec2 position, double heading, Vec2 next_position, double next_heading);
+
 struct Separation {
   double distance = 0.0;  // m, smallest
   double fraction = 0.0;  // of the step, where it is smallest
@@ -37,6 +47,7 @@ Separation separation(const StepPath& a, const StepPath& b, double cutoff);
 /// Smallest distance from the segment, likewise.
 double separation(const StepPath& path, const Segment& segment, double cutoff);
 double separation(const ResponsePath& path, const Segment& segment, double cutoff);
+double separation(const ArcPath& path, const Segment& segment, double cutoff);
 
 /// First fraction of the step at which the distance falls below `distance`, given that it does at
 /// `fraction`.

@@ -22,17 +22,19 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
     least = std::min(least, apart - robots[0].radius - wall.radius);
   }
   search.prepare(reach + thickest + std::max(least, 0.0));
+  const auto separation_from = [&](const Body& robot, const Segment& segment, double cutoff) {
+    if (robot.arc) return separation(*robot.arc, segment, cutoff);
+    if (!response || !robot.exact) return separation(robot.path, segment, cutoff);
+    const ResponsePath path{robot.position, robot.velocity, robot.w, *response, time_step};
+    return separation(path, segment, cutoff);
+  };
   for (const Body& robot : robots) {
     for (const std::size_t k : search.near(robot.position)) {
       const Segment segment{walls[k].a, walls[k].b};
       const double contact = robot.radius + walls[k].radius;
       const double cutoff = contact + std::max(least, 0.0);
       if (distance(robot.position, segment) - way_of(robot) > cutoff) continue;
-      const bool responds = response && robot.exact;
-      const double nearest = responds ? separation(ResponsePath{robot.position, robot.velocity,
-                                                                robot.w, *response, time_step},
-                                                   segment, cutoff)
-                                      : separation(robot.path, segment, cutoff);
+      const double nearest = separation_from(robot, segment, cutoff);
       least = std::min(least, nearest - contact);
       if (nearest < contact * (1.0 - kContact)) touched.insert(robot.name);
     }

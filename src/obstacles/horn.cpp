@@ -18,9 +18,6 @@ using Real = scalar::Pack<double>;
 using Vec = scalar::Vec<Real>;
 using Side = scalar::NearSide<Real>;
 
-// |b| turns five times at most (three signs of `tangential`, two cusps): six pieces with a crossing
-// each, three ends of the first disc.
-constexpr std::size_t kMaxPoints = 9;
 constexpr double kTurnTolerance = 1e-7;  // relative; every use is of second order in the time
 
 struct Search {
@@ -49,23 +46,8 @@ double beyond(const Search& search, double t) {
   return (search.horn.gap2 + search.horn.rise(Real(search.speed * t))).value;
 }
 
-// The corners of the hull on the near side, in the order of walking along it with the obstacle on
-// the right: the crossings of the circle by ascending time.
-struct Corners {
-  std::array<Vec, kMaxPoints> points{};
-  std::size_t count = 0;
-
-  void add(Vec point) {
-    if (count < kMaxPoints) points[count++] = point;
-  }
-  void add(const scalar::TwoPoints<Real>& ends) {
-    add(ends.near);
-    add(ends.far);
-  }
-};
-
 // The crossing of a piece that has one at most, if there is one.
-void cross(const Search& search, const Touch& from, const Touch& to, Corners& corners) {
+void cross(const Search& search, const Touch& from, const Touch& to, NearCorners& corners) {
   if (from.outside == to.outside) return;
   // |b|^{-1/2} is nearly linear in time; the limit keeps the step in balance
   const auto f = [&](double length) { return std::sqrt(std::min(search.R / length, 9.0)) - 1.0; };
@@ -112,7 +94,7 @@ bool changes(const Touch& from, const Touch& to, Real Side::*sign) {
 }
 
 // The crossings of a piece on which |b| may turn once by either sign.
-void cross_turning(const Search& search, const Touch& from, const Touch& to, Corners& corners) {
+void cross_turning(const Search& search, const Touch& from, const Touch& to, NearCorners& corners) {
   const bool one = changes(from, to, &Side::tangential), other = changes(from, to, &Side::cusp);
   const bool falls = (from.side.tangential.value < 0.0) == (from.side.cusp.value < 0.0);
   // no turn; or one, and not through R and back: down from outside, or up from inside
@@ -142,7 +124,7 @@ bool stays_in_reach(const Search& search, const Touch& touch) {
 // All crossings of the near side. |b| falls up to the closest approach t_m. Past the cusps it can
 // cross R outwards only while R g' < |v|, and then falls wherever it exceeds R. So only times
 // between those two are searched for turning points.
-void find_crossings(const Search& search, Corners& corners) {
+void find_crossings(const Search& search, NearCorners& corners) {
   const double tau = search.table.end, first = std::min(search.first, tau);
   Touch from = touch_at(search, first);
   if (search.R * from.side.at.gain.value * (2.0 * search.horn.pair.r.value) >
@@ -181,14 +163,18 @@ Search search_of(const scalar::Local<Real>& pair, const Horizon& horizon) {
 
 }  // namespace
 
+NearCorners near_corners(const scalar::Local<Real>& pair, const Horizon& horizon) {
+  NearCorners corners;
+  find_crossings(search_of(pair, horizon), corners);
+  return corners;
+}
+
 scalar::HornPlane<Real> searched_horn(const scalar::Local<Real>& pair, const Horizon& horizon) {
-  const Search search = search_of(pair, horizon);
   const scalar::At<Real> end = scalar::constant<Real>(horizon.end());
-  auto hull = scalar::hull_of<kMaxPoints>(search.horn, end, horizon.end());
-  Corners corners;
-  find_crossings(search, corners);
+  auto hull = scalar::hull_of<NearCorners::kMost>(scalar::horn_of(pair), end, horizon.end());
+  const NearCorners corners = near_corners(pair, horizon);
   hull.crossing = corners.points;
-  for (std::size_t k = 0; k < kMaxPoints; ++k) hull.has_crossing[k] = {k < corners.count};
+  for (std::size_t k = 0; k < NearCorners::kMost; ++k) hull.has_crossing[k] = {k < corners.count};
   return {scalar::least_support(hull), {true}, !(hull.disc_in_reach | hull.has_crossing[0])};
 }
 

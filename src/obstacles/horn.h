@@ -1,10 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // The general search for the half-plane in the horn case, and where half_planes() asks for it.
 #pragma once
+#include <array>
+#include <cstddef>
+
 #include "avo/half_plane.h"
 #include "obstacles/half_planes_kernel.h"
 
 namespace avo {
+
+/// Corners of the hull on one side of a horn: where that side crosses the circle |w| = R, in the
+/// order of walking along it with the obstacle on the right, by ascending time.
+struct NearCorners {
+  // |b| turns five times at most (three signs of `tangential`, two cusps): six pieces with a
+  // crossing each, three ends of the first disc.
+  static constexpr std::size_t kMost = 9;
+  using Point = scalar::Vec<scalar::Pack<double>>;
+  std::array<Point, kMost> points{};
+  std::size_t count = 0;
+
+  void add(Point point) {
+    if (count < kMost) points[count++] = point;
+  }
+  void add(const scalar::TwoPoints<scalar::Pack<double>>& ends) {
+    add(ends.near);
+    add(ends.far);
+  }
+};
+
+/// Of the side on the left of p, as the pair's frame has it, along which n . v >= 0: v.y >= 0, or
+/// v.x >= 0 and a miss distance below r.
+NearCorners near_corners(const scalar::Local<scalar::Pack<double>>& pair, const Horizon& horizon);
 
 /// The horn case: v does not lead into a collision (p . v >= 0 or a miss distance >= r, and
 /// d >= r), and the disc of τ alone is not nearest. Settled always.

@@ -87,6 +87,12 @@ void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& t
   }
 }
 
+bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
+               const StepLaw& law) {
+  return law.sensing_error == SensingError{} &&
+         is_hidden(robot, reach_of(robot, law), neighbor, walls, law);
+}
+
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {
   const double reach =
       robot.radius + wall_reach(robot.max_speed, robot.max_speed, robot.max_acceleration, law);

@@ -14,6 +14,10 @@ namespace avo {
 /// come to touch are looked at. With sensing errors all neighbors count.
 void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile);
 
+/// Whether it takes the neighbor out.
+bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
+               const StepLaw& law);
+
 /// Whether the robot at its max_speed could come to touch any of them, by one step and braking.
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law);
 

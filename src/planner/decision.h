@@ -62,6 +62,17 @@ struct Wished {
   bool overlapping = false;  ///< with whom it does not matter
 };
 
+/// m/s: the program's violation, with what no program sees. A neighbor or a wall with which
+/// everything within reach collides leaves CA_A empty.
+inline double with_excess(std::span<const HalfPlane> planes, std::span<const double> excess,
+                          Vec2 v_new, double worst) {
+  for (std::size_t k = 0; k < excess.size(); ++k) {
+    if (excess[k] > 0.0)
+      worst = std::max(worst, excess[k] + std::max(0.0, violation(planes[k], v_new)));
+  }
+  return worst;
+}
+
 /// The status of a choice that the program made and that is kept.
 inline PlanStatus status_of(bool overlapping, double violation) {
   if (overlapping) return PlanStatus::overlapping;

@@ -266,6 +266,14 @@ void append_limit(const PassiveObstacle& mover, const Disc& acceleration, const 
   limits.push_back(limit);
 }
 
+void append_limit(const HalfPlane& plane, std::vector<Limit>& limits) {
+  Limit limit;
+  limit.kind = Limit::Kind::line;
+  limit.slack = kSlackUlps * kEpsilon * (1.0 + std::abs(plane.offset));
+  limit.line = {plane.normal, plane.offset + limit.slack};
+  limits.push_back(limit);
+}
+
 void append_limit(const Disc& disc, std::vector<Limit>& limits) {
   if (!std::isfinite(disc.radius)) return;
   Limit limit;

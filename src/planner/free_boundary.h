@@ -76,6 +76,9 @@ struct Piece {
 void append_limit(const PassiveObstacle& mover, const Disc& acceleration, const Disc& speed,
                   std::vector<Limit>& limits);
 
+/// Appends a half-plane that v'_A must stay in.
+void append_limit(const HalfPlane& plane, std::vector<Limit>& limits);
+
 /// Appends a disc that v'_A must stay in; nothing if its radius is infinite.
 void append_limit(const Disc& disc, std::vector<Limit>& limits);
 

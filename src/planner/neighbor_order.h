@@ -42,15 +42,4 @@ inline std::span<const Neighbor> nearest_first(const Robot& robot,
   return scratch.ordered;
 }
 
-// Which of the neighbors get a half-plane, in the order in which they are given.
-inline std::span<const std::uint32_t> list_nearest(const PlannerOptions& options,
-                                                   const Robot& robot,
-                                                   std::span<const Neighbor> neighbors,
-                                                   PlanWorkspace::Scratch& scratch) {
-  rank(robot, neighbors, scratch);
-  scratch.order.resize(planned_with(options, neighbors.size()));
-  std::sort(scratch.order.begin(), scratch.order.end());
-  return scratch.order;
-}
-
 }  // namespace avo

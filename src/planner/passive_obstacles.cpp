@@ -245,7 +245,8 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
 
 PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
                                      const Disc& acceleration, const Disc& speed, Vec2 preferred,
-                                     PassiveWorkspace& workspace) {
+                                     PassiveWorkspace& workspace,
+                                     std::span<const HalfPlane> walls) {
   const Lens lens = make_lens(acceleration, speed.radius);
   if (lens.empty) return {{}, lens.gap, PassiveState::discs_disjoint};
   auto& [limits, curves, points, pieces] = workspace;
@@ -254,6 +255,7 @@ PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
   points.clear();
   pieces.clear();
   for (const PassiveObstacle& mover : obstacles) append_limit(mover, acceleration, speed, limits);
+  for (const HalfPlane& wall : walls) append_limit(wall, limits);
 
   // the preferred velocity itself, or its projection on the discs
   const Vec2 allowed = nearest(lens, preferred);

@@ -12,6 +12,7 @@
 #include "planner/decision_columns.h"
 #include "planner/passive_obstacles.h"
 #include "planner/together.h"
+#include "planner/wall_planes.h"
 
 namespace avo {
 
@@ -22,7 +23,8 @@ struct PlanWorkspace::Scratch {
   DecisionColumns decisions;
   ProgramBatch programs;
   ProgramRows rows;
-  std::vector<HalfPlane> wall_planes;  // of one robot, its other ones behind them
+  WallDemands walls;                     // of one robot
+  std::vector<HalfPlane> hard_and_soft;  // those of its walls, and its other ones behind them
   std::vector<PassiveObstacle> obstacles;
   // of the neighbors given: numbers, and themselves sorted by distance
   std::vector<std::uint32_t> order;
@@ -35,7 +37,7 @@ struct PlanWorkspace::Scratch {
   /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);
   /// The same beside so many walls.
-  void reserve_walls(std::size_t neighbors, std::size_t walls);
+  void reserve_walls(std::size_t neighbors, std::size_t most_walls);
 };
 
 }  // namespace avo

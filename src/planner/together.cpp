@@ -17,20 +17,6 @@
 namespace avo {
 namespace {
 
-// The program's choice, with what no program sees: a neighbor with which everything within reach
-// collides leaves CA_A empty.
-double worst_violation(const SoftPlanes& soft, std::size_t i, Vec2 target, double worst) {
-  const std::span<const HalfPlane> planes = soft.of(i);
-  const std::span<const double> excess = soft.excess_of(i);
-  if (!soft.exceeding) return worst;
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    if (excess[k] > 0.0) {
-      worst = std::max(worst, excess[k] + std::max(0.0, violation(planes[k], target)));
-    }
-  }
-  return worst;
-}
-
 // One by one: those that lanes leave out, and robots that decide alone.
 ProgramResult solve_program(const Planner& planner, const Robot& robot,
                             std::span<const HalfPlane> planes, Vec2 wish, ProgramRows& rows) {
@@ -69,38 +55,40 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   }
 }
 
-// The half-planes of robot i: those of its walls, so many as are returned, and those of neighbors.
-std::size_t collect_hard_and_soft(const Robot& robot, const Tile& tile, std::size_t i,
-                                  const StepLaw& law, const SoftPlanes& soft,
-                                  std::vector<HalfPlane>& planes) {
-  planes.clear();
-  append_speed_planes(robot, tile.walls_of(i), law, planes);
-  const std::size_t walls = planes.size();
-  planes.insert(planes.end(), soft.of(i).begin(), soft.of(i).end());
-  return walls;
+// The half-planes of robot i: those of its walls, which are scratch.walls, and those of neighbors.
+std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const Robot& robot,
+                                                 const Tile& tile, std::size_t i,
+                                                 const StepLaw& law,
+                                                 PlanWorkspace::Scratch& scratch) {
+  collect_wall_demands(planner, robot, tile.walls_of(i), law, scratch.walls);
+  const std::vector<HalfPlane>& hard = scratch.walls.planes;
+  const std::span<const HalfPlane> soft = scratch.soft.of(i);
+  std::vector<HalfPlane>& planes = scratch.hard_and_soft;
+  planes.assign(hard.begin(), hard.end());
+  planes.insert(planes.end(), soft.begin(), soft.end());
+  return planes;
 }
 
-// Walls are hard: where a target drives at one too fast, Eq. (23) is asked again with the walls'
-// half-planes, and where that has no solution the half-planes of neighbors yield.
-void slow_before_walls(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch) {
+// Walls are hard: where a target does not keep to their half-planes, Eq. (23) is asked again with
+// these, and where that has no solution the half-planes of neighbors yield.
+void keep_off_walls(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch) {
   const StepLaw law = certificate_law(planner).step;
   DecisionColumns& decisions = scratch.decisions;
-  std::vector<HalfPlane>& planes = scratch.wall_planes;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
     if (tile.walls_of(i).empty() || decisions.state[i] == ProgramState::discs_disjoint) continue;
     const Robot robot = tile.robots.robot(i);
     const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-    const std::size_t walls = collect_hard_and_soft(robot, tile, i, law, scratch.soft, planes);
-    const std::span<const HalfPlane> hard = std::span(planes).first(walls);
-    if (std::all_of(hard.begin(), hard.end(),
-                    [&](const HalfPlane& plane) { return violation(plane, target) <= 0.0; }))
-      continue;
+    const auto planes = collect_hard_and_soft(planner, robot, tile, i, law, scratch);
+    const WallDemands& walls = scratch.walls;
+    if (walls.overlapping) scratch.soft.overlapping[i] = 1;
+    if (is_kept(walls, target)) continue;
     ProgramResult result = solve_program(planner, robot, planes, decisions.wish(i), scratch.rows);
     if (result.state == ProgramState::least_unsafe) {
-      result = solve_program(planner, robot, hard, target, scratch.rows);
+      result = solve_program(planner, robot, walls.planes, target, scratch.rows);
       for (const HalfPlane& plane : scratch.soft.of(i))
         result.violation = std::max(result.violation, violation(plane, result.point));
     }
+    result.violation = with_excess(walls.planes, walls.excess, result.point, result.violation);
     decisions.take(i, result);
   }
 }
@@ -194,9 +182,8 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
     }
     std::span<const HalfPlane> planes = soft.of(i), hard;
     if (!tile.walls_of(i).empty()) {
-      const std::size_t count =
-          collect_hard_and_soft(robots.robot(i), tile, i, law.step, soft, scratch.wall_planes);
-      planes = scratch.wall_planes, hard = planes.first(count);
+      planes = collect_hard_and_soft(planner, robots.robot(i), tile, i, law.step, scratch);
+      hard = scratch.walls.planes;
     }
     const Wished wished{planes,
                         hard,
@@ -219,7 +206,8 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
       continue;
     }
     const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-    const double worst = worst_violation(scratch.soft, i, target, decisions.violation[i]);
+    const SoftPlanes& soft = scratch.soft;
+    const double worst = with_excess(soft.of(i), soft.excess_of(i), target, decisions.violation[i]);
     const PlanStatus status = status_of(scratch.soft.overlapping[i] != 0, worst);
     plan = plan_of(planner.options(), tile.robots.velocity(i), target, status, worst);
   }
@@ -275,8 +263,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_wishes(planner, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
-  if (options.method == Method::avo && !tile.walls.empty())
-    slow_before_walls(planner, tile, scratch);
+  if (!tile.walls.empty()) keep_off_walls(planner, tile, scratch);
   clock.lap(Stage::program);
   if (options.method == Method::avo) {
     decide(planner, tile, scratch);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speeds with which a robot can still stop before a wall.
+// Speeds with which a robot can still stop before a wall, and obstacles of walls.
 #include "planner/wall_planes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "certificate/wall_constraints.h"
+#include "obstacles/wall_half_plane.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -34,6 +36,49 @@ void append_speed_planes(const Robot& robot, std::span<const Wall> walls, const 
     const double speed = speed_before(gap, robot.max_acceleration, law);
     half_planes.push_back({away / distance, -std::min(speed, robot.max_speed)});
   }
+}
+
+std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Horizon& horizon,
+                                        const Robot& robot, const Wall& wall, int index,
+                                        bool& overlapping) {
+  const double away = distance(robot.position, {wall.a, wall.b});
+  const double reach = obstacle_reach(norm(robot.velocity), robot.max_speed, options);
+  if (!(away - robot.radius - wall.radius <= reach)) return {};
+  const WallPair pair = relative(robot, wall);
+  const RelativeHalfPlane relative =
+      adopts_at_once(options.method)
+          ? orca_wall_half_plane(pair, options.time_horizon, options.time_step)
+          : wall_half_plane(pair, options.control_time * robot.max_acceleration, horizon);
+  const bool coincident = relative.state == PairState::coincident;
+  if (coincident || relative.state == PairState::overlapping) overlapping = true;
+  if (coincident || relative.state == PairState::free) return {};
+  // near contact it has no bound; finite all the same
+  const double excess = std::min(relative.excess, std::numeric_limits<double>::max());
+  return WallPlane{index, apportion(relative.plane, robot.velocity, 1.0), excess};
+}
+
+void collect_wall_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
+                          const StepLaw& law, WallDemands& demands) {
+  demands.clear();
+  const PlannerOptions& options = planner.options();
+  if (options.method == Method::avo) {
+    append_speed_planes(robot, walls, law, demands.planes);
+    return;
+  }
+  for (const Wall& wall : walls) {
+    const auto own =
+        obstacle_plane(options, planner.horizon(), robot, wall, 0, demands.overlapping);
+    if (!own) continue;
+    demands.planes.push_back(own->plane);
+    demands.excess.push_back(own->excess);
+  }
+}
+
+bool is_kept(const WallDemands& demands, Vec2 v_new) {
+  const auto exceeds = [](double excess) { return excess > 0.0; };
+  return std::none_of(demands.excess.begin(), demands.excess.end(), exceeds) &&
+         std::all_of(demands.planes.begin(), demands.planes.end(),
+                     [&](const HalfPlane& plane) { return violation(plane, v_new) <= 0.0; });
 }
 
 }  // namespace avo

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What walls ask of the target of the first program: no more speed towards one than braking can
-// take off before it.
+// What walls ask of the target of the first program. Of method avo: no more speed towards one than
+// braking can take off before it. Of the others: the half-planes of the walls' obstacles.
 #pragma once
+#include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "avo/geometry.h"
+#include "avo/planner.h"
 #include "avo/robot.h"
 #include "avo/wall.h"
 #include "certificate/braking_path.h"
@@ -19,5 +22,34 @@ double speed_before(double gap, double max_acceleration, const StepLaw& law);
 /// it, V by its gap. 0 is in all of them.
 void append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                          std::vector<HalfPlane>& half_planes);
+
+/// m, from its surface: no farther wall can be touched before τ by a robot that is so fast now.
+inline double obstacle_reach(double speed, double max_speed, const PlannerOptions& options) {
+  return options.time_horizon * std::max(speed, max_speed);
+}
+
+/// The half-plane of the wall's obstacle, in v', all of it the robot's: that of its
+/// acceleration-velocity obstacle, or of the limit δ -> 0 where v' is adopted at once. None of a
+/// wall out of reach. Sets `overlapping` where the robot touches it already.
+std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Horizon& horizon,
+                                        const Robot& robot, const Wall& wall, int index,
+                                        bool& overlapping);
+
+/// What a decision is to keep to beside walls. Scratch memory; allocates only while it grows.
+struct WallDemands {
+  std::vector<HalfPlane> planes;
+  std::vector<double> excess;  ///< m/s, of each, see WallPlane; none of speed planes
+  bool overlapping = false;    ///< with a wall
+
+  void clear() { planes.clear(), excess.clear(), overlapping = false; }
+  void reserve(std::size_t walls) { planes.reserve(walls), excess.reserve(walls); }
+};
+
+/// Replaces the demands by those of all walls in reach, of method avo the speed planes.
+void collect_wall_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
+                          const StepLaw& law, WallDemands& demands);
+
+/// Whether v' keeps to them, as far as that is possible at all.
+bool is_kept(const WallDemands& demands, Vec2 v_new);
 
 }  // namespace avo

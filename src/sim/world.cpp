@@ -8,6 +8,7 @@
 
 #include "planner/certify.h"
 #include "planner/scratch.h"
+#include "planner/wall_planes.h"
 
 namespace avo {
 namespace {
@@ -94,12 +95,17 @@ void find_walls(World& world) {
   StaticWorld& statics = world.statics;
   if (statics.walls.empty()) return;
   find_passages(world);
-  if (world.planner.options().method != Method::avo) return;
+  const PlannerOptions& options = world.planner.options();
   const StepLaw law = certificate_law(world.planner).step;
   const Fleet& fleet = world.fleet;
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    needs.include(fleet.traits[slot], norm(fleet.velocity[slot]), law);
+    const RobotTraits& traits = fleet.traits[slot];
+    const double speed = norm(fleet.velocity[slot]);
+    needs.include(traits, speed, law);
+    if (options.method == Method::avo) continue;
+    needs.reach =
+        std::max(needs.reach, traits.radius + obstacle_reach(speed, traits.max_speed, options));
   }
   if (statics.needs && statics.needs->cover(needs)) return;
   statics.grid = grid_of(statics.walls, needs);

@@ -331,9 +331,10 @@ TEST(BadScene, files_that_are_no_files) {
   EXPECT_EQ(missing.exit_code, 4);
   EXPECT_EQ(
       missing.err,
-      "circel-10: found no such file and no scene of that name, scenes are arena, cars-100, "
-      "circle-N, corridor, crossing-streams, doorway, moving-obstacle, office, "
-      "permutation-100, positions-exchange, swap-blocks, uniform-N; did you mean \"circle-N\"?\n");
+      "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
+      "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
+      "maze, moving-obstacle, office, permutation-100, positions-exchange, swap-blocks, uniform-N, "
+      "warehouse; did you mean \"circle-N\"?\n");
 }
 
 TEST(BadScene, size_is_limited_before_reading_on) {

@@ -186,6 +186,52 @@ TEST(Explain, draws_velocity_space) {
   EXPECT_EQ(files_in(folder()), (Strings{"a.pdf", "a.png", "a.svg"}));
 }
 
+// Robot 3 of the office, on its way through a door.
+TEST(Explain, lists_half_planes_of_walls_and_what_the_certificate_keeps) {
+  for (const char* method : {"method=avo", "method=avo_paper", "method=orca"}) {
+    const bool is_avo = std::string(method) == "method=avo";
+    const Json json = explained({"office", "--robot", "3", "--time", "8", "--set", method});
+    const avo::Simulation simulation = simulated(avo_io::load_scenario("office", {method}), 80);
+    const auto seen = simulation.perceive(3);
+    ASSERT_EQ(json["walls"].size(), seen.walls.size());
+    ASSERT_GT(seen.walls.size(), 1U);
+    EXPECT_EQ(point(json["walls"][1]["a"]), seen.walls[1].a);
+    EXPECT_EQ(point(json["walls"][1]["b"]), seen.walls[1].b);
+    EXPECT_EQ(json["walls"][1]["radius"], seen.walls[1].radius);
+
+    avo::WallPlanes planes;
+    simulation.planner().collect_half_planes(seen.robot, seen.walls, planes);
+    EXPECT_EQ(planes.speeds.empty(), !is_avo);
+    ASSERT_GT(planes.obstacles.size(), 1U);
+    ASSERT_EQ(json["wall_half_planes"].size(), planes.speeds.size() + planes.obstacles.size());
+    for (std::size_t k = 0; k < json["wall_half_planes"].size(); ++k) {
+      const Json& plane = json["wall_half_planes"][k];
+      const bool is_speed = k < planes.speeds.size();
+      const avo::WallPlane& expected =
+          is_speed ? planes.speeds[k] : planes.obstacles[k - planes.speeds.size()];
+      EXPECT_EQ(plane["kind"], is_speed ? "speed" : "obstacle");
+      EXPECT_EQ(plane["wall"], expected.wall);
+      EXPECT_EQ(point(plane["normal"]), expected.plane.normal);
+      EXPECT_EQ(plane["offset"], expected.plane.offset);
+    }
+    ASSERT_EQ(json.contains("wall_certificate"), is_avo);
+    if (!is_avo) continue;
+    ASSERT_GT(json["wall_certificate"].size(), 0U);
+    for (const Json& constraint : json["wall_certificate"]) {
+      EXPECT_EQ(constraint["held"], 0.5) << "the robot's radius, and walls have none";
+      EXPECT_GT(constraint["distance"].get<double>(), 0.5);
+      EXPECT_NEAR(norm(point(constraint["normal"])), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(Explain, names_walls) {
+  const ProcessResult result = run_avo({"explain", "office", "--robot", "3", "--time", "8"});
+  for (const char* words : {"  speed before wall   (", "  wall's obstacle     (",
+                            "  wall constraint     0.5 m from the wall from ("})
+    EXPECT_NE(result.out.find(words), std::string::npos) << words << result.out;
+}
+
 TEST(Explain, speaks_without_json) {
   const ProcessResult result =
       run_avo({"explain", "circle-10", "--robot", "3", "--time", "6", "--set", kPaper});

@@ -280,8 +280,15 @@ TEST(Obstacles, the_schema_knows_every_form) {
 }
 
 TEST(Obstacles, built_in_scenes_have_walls_and_start_clear_of_them) {
-  for (const auto& [name, robots] :
-       {std::pair{"doorway", 20}, {"corridor", 20}, {"office", 20}, {"arena", 20}}) {
+  for (const auto& [name, robots] : {std::pair{"doorway", 20},
+                                     {"doorway-narrow", 20},
+                                     {"corridor", 20},
+                                     {"corridor-one-lane", 20},
+                                     {"bottleneck", 40},
+                                     {"office", 20},
+                                     {"warehouse", 30},
+                                     {"maze", 30},
+                                     {"arena", 20}}) {
     const Scenario scenario = avo_io::load_scenario(name);
     EXPECT_EQ(scenario.robots.size(), static_cast<std::size_t>(robots)) << name;
     EXPECT_GE(avo::walls_of(scenario.obstacles).size(), 6U) << name;

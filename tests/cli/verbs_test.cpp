@@ -35,10 +35,23 @@ TEST(Verbs, scenes_are_listed_and_printed) {
   const std::vector<std::string> lines = lines_of(list.out);
   ASSERT_EQ(lines.size(), avo_io::builtin_scenes().size());
   const auto json = nlohmann::ordered_json::parse(run_avo({"scenes", "--json"}).out);
-  const std::vector<std::string> names{
-      "arena",       "cars-100",        "circle-N", "corridor",        "crossing-streams",
-      "doorway",     "moving-obstacle", "office",   "permutation-100", "positions-exchange",
-      "swap-blocks", "uniform-N"};
+  const std::vector<std::string> names{"arena",
+                                       "bottleneck",
+                                       "cars-100",
+                                       "circle-N",
+                                       "corridor",
+                                       "corridor-one-lane",
+                                       "crossing-streams",
+                                       "doorway",
+                                       "doorway-narrow",
+                                       "maze",
+                                       "moving-obstacle",
+                                       "office",
+                                       "permutation-100",
+                                       "positions-exchange",
+                                       "swap-blocks",
+                                       "uniform-N",
+                                       "warehouse"};
   for (const std::string file : {"arena.map", "arena.scen"})
     write_file(path_of(file), run_avo({"scenes", file}).out);
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -3,14 +3,17 @@
 #include "run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 
+#include "arcs.h"
 #include "options.h"
 #include "output.h"
 #include "table.h"
+#include "wall_scenes.h"
 
 namespace avo::safety {
 namespace {
@@ -80,6 +83,120 @@ TEST(RunScene, sends_all_robots_to_one_point_after_the_other) {
   EXPECT_GT(*std::max_element(speeds.begin(), speeds.end()), 0.5);
 }
 
+TEST(RunScene, sends_robots_on_that_are_where_they_were_sent) {
+  Scene scene = two_robots(3.0, 60.0);
+  scene.unit = 0.0;
+  scene.errands = {{{0.0, 3.0}, {0.0, 6.0}}, {{4.0, 8.0}}};
+  const std::string path = testing::TempDir() + "errands.csv";
+  run_scene(scene, 1, path);
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  int visits = 0, at = 0;  // of the first robot, to either place
+  Vec2 last;               // of the second one
+  while (std::getline(file, line)) {
+    double time = 0.0, x = 0.0, y = 0.0;
+    int robot = 0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%d,%lf,%lf", &time, &robot, &x, &y), 4);
+    if (robot == 1) last = {x, y};
+    const int here = y < 3.5 ? 1 : y > 5.5 ? 2 : at;
+    if (robot == 0 && here != at) ++visits, at = here;
+  }
+  EXPECT_GE(visits, 5);
+  EXPECT_LE(norm(last - Vec2{4.0, 8.0}), 0.5);  // that it has no other place to go to is no harm
+}
+
+Scene before_a_wall() {
+  Scene scene = two_robots(3.0, 4.0);
+  scene.scenario.obstacles = {{{Chain{{{-1.0, 3.0}, {1.0, 3.0}}}}}};  // of the first robot
+  scene.scenario.navigation = false;
+  return scene;
+}
+
+TEST(RunScene, nobody_arrives_behind_a_wall) {
+  Scene scene = before_a_wall();
+  scene.scenario.robots[0].goal = {0.0, 3.2};
+  scene.scenario.robots[1].goal = {4.0, 3.2};
+  scene.scenario.arrival_distance = 0.9;
+  scene.scenario.duration = 20.0;
+  const Outcome outcome = run_scene(scene, 1, "");
+  EXPECT_TRUE(outcome.verdict.safe());
+  EXPECT_EQ(outcome.arrival[0], kNever);
+  EXPECT_LT(outcome.arrival[1], 20.0);
+  EXPECT_EQ(outcome.at_goal_at_end, 1);
+}
+
+TEST(Judge, finds_who_touches_a_wall) {
+  Scene scene = before_a_wall();
+  Verdict verdict = run_scene(scene, 1, "").verdict;
+  EXPECT_TRUE(verdict.safe()) << verdict.violations;
+  EXPECT_GT(*verdict.least_static_clearance, 0.0);
+  EXPECT_LT(*verdict.least_static_clearance, 0.5);
+
+  scene.scenario.certificate = Certificate::none;
+  scene.scenario.robots[0].velocity = {0.0, 2.0};  // too late to stop
+  scene.scenario.robots[0].position = {0.0, 1.5};
+  const Outcome outcome = run_scene(scene, 1, "");
+  verdict = outcome.verdict;
+  EXPECT_EQ(verdict.static_contacts, 1);
+  EXPECT_FALSE(verdict.safe());
+  EXPECT_NE(verdict.violations.find("touched a wall"), std::string::npos);
+  EXPECT_EQ(*verdict.least_static_clearance, -0.5);  // it crosses the wall
+  const RowResult row = summarize("row", {outcome});
+  EXPECT_EQ(row.unsafe_scenes, 1);
+  EXPECT_NE(table_lines(row).find("walls: touched by 1 robots, least clearance -500 mm"),
+            std::string::npos)
+      << table_lines(row);
+}
+
+// The car's own equations in small steps: p' = v (cos θ, sin θ), θ' = v κ, v' held.
+Pose driven(Pose pose, double next_speed, double curvature, double time_step, double part) {
+  constexpr int kSteps = 2000;
+  const double speed = norm(pose.velocity), dt = part * time_step / kSteps;
+  for (int k = 0; k < kSteps; ++k) {
+    const double v = speed + (next_speed - speed) * part * (k + 0.5) / kSteps;
+    const double middle = pose.heading + 0.5 * v * curvature * dt;
+    pose.position = pose.position + v * dt * Vec2{std::cos(middle), std::sin(middle)};
+    pose.heading += v * curvature * dt;
+  }
+  return pose;
+}
+
+TEST(StatesWithin, of_cars_are_on_their_arcs) {
+  Scenario scenario = usual_scenario();
+  scenario.robots = {usual_robot({}, {1.0, 4.0}, 1.5), usual_robot({0.0, -3.0}, {9.0, -4.0}, 1.5)};
+  scenario.robots[0].car = CarSetup{1.0, 0.0};
+  Simulation simulation(scenario, 1);
+  int turns = 0;
+  while (simulation.steps() < 80) {
+    const std::vector<Pose> before = poses(simulation.fleet());
+    simulation.step();
+    const FleetView now = simulation.fleet();
+    const std::vector<CheckedState> end = states_within(before, now, 0.1, 1.0);
+    for (std::size_t i = 0; i < end.size(); ++i) {
+      EXPECT_LE(norm(end[i].position - now.position[i]), 1e-12);
+      EXPECT_LE(norm(end[i].velocity - now.velocity[i]), 1e-12);
+    }
+    const double speed = norm(before[0].velocity), next = norm(now.velocity[0]);
+    const double turn = now.heading[0] - before[0].heading, length = 0.05 * (speed + next);
+    if (!(length > 0.0)) continue;
+    turns += std::abs(turn) > 0.002 ? 1 : 0;
+    for (const double part : {0.25, 0.5}) {
+      const Vec2 arc = driven(before[0], next, turn / length, 0.1, part).position;
+      EXPECT_LE(norm(states_within(before, now, 0.1, part)[0].position - arc), 1e-9);
+    }
+  }
+  EXPECT_GT(turns, 5);
+}
+
+TEST(Judge, finds_cars_no_nearer_to_walls_than_they_are) {
+  // cubics through the ends of these cars' steps cut into walls, by 1e-6 m
+  const Outcome outcome = run_scene(walls_and_cars(5e4, 1), 1, "");
+  EXPECT_TRUE(outcome.verdict.safe()) << outcome.verdict.violations;
+  EXPECT_GT(*outcome.verdict.least_static_clearance, 0.0);
+  EXPECT_LT(*outcome.verdict.least_static_clearance, 1e-9);
+}
+
 TEST(Judge, finds_overlaps_and_broken_limits) {
   EXPECT_EQ(run_scene(two_robots(-0.01, 1.0), 1, "").verdict.overlapping_pairs, 1);
   Scene fast = two_robots(3.0, 1.0);
@@ -135,6 +252,22 @@ TEST(Table, takes_the_99_percent_of_all_robots) {
   arrival[0] = 20.1;  // later than twice the unit
   EXPECT_EQ(summarize("row", {outcome_of(arrival)}).late_scenes, 1);
   EXPECT_DOUBLE_EQ(summarize("row", {outcome_of(arrival)}).late, 20.1);
+}
+
+TEST(Table, compares_the_scenes_of_a_row) {
+  Outcome all = outcome_of({5.0, 7.0, 9.0}), some = outcome_of({5.0, kNever, kNever});
+  Outcome most = outcome_of({5.0, 6.0, kNever});
+  all.duration = some.duration = most.duration = 60.0;
+  RowResult row = summarize("row", {all, some, most});
+  EXPECT_EQ(row.full_scenes, 1);
+  EXPECT_EQ(row.fewest_arrived, 1);
+  EXPECT_EQ(row.median_last, 60.0);
+  row = summarize("row", {all, some, all, outcome_of({11.0})});
+  EXPECT_EQ(row.full_scenes, 3);
+  EXPECT_NE(table_lines(row).find("all arrive in 3 of 4, the fewest in one are 1; median of the "
+                                  "last arrivals 9.0 s"),
+            std::string::npos)
+      << table_lines(row);
 }
 
 TEST(Table, names_what_failed_and_how_to_repeat_it) {

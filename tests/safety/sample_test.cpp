@@ -82,10 +82,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Sample{"swap-jitter", 3, 0.98}, Sample{"streams", 1, 0.99},
                     Sample{"permutation", 4, 0.99}, Sample{"mixed", 6, 0.98},
                     Sample{"movers", 6, 0.99}, Sample{"crush", 1, 0.0},
-                    Sample{"crush-packed", 1, 0.0}),
+                    Sample{"crush-packed", 1, 0.0}, Sample{"doorway-1.6", 2, 0.98},
+                    Sample{"corridor-1.6", 2, 0.98}, Sample{"corridor-2.4", 2, 0.98},
+                    Sample{"office-1.6", 2, 0.98}, Sample{"office-1.2", 2, 0.97},
+                    Sample{"maze", 2, 0.97}, Sample{"walls-random", 4, 0.0},
+                    Sample{"walls-cars", 4, 0.0}, Sample{"walls-corners", 4, 0.0},
+                    Sample{"walls-gaps", 4, 0.0}, Sample{"walls-movers", 2, 0.0}),
     [](const auto& kind) {
       std::string name = kind.param.family;
-      std::replace(name.begin(), name.end(), '-', '_');
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
       return name;
     });
 
@@ -98,8 +104,10 @@ class EveryCertificate : public testing::TestWithParam<Kind> {};
 
 TEST_P(EveryCertificate, is_safe_and_lets_arrive) {
   const auto [certificate, motion] = GetParam();
-  for (const Sample& sample : {Sample{"circle-50", 1, 0.9}, Sample{"random-30", 5, 0.99},
-                               Sample{"mixed", 2, 0.9}, Sample{"crush", 1, 0.0}}) {
+  for (const Sample& sample :
+       {Sample{"circle-50", 1, 0.9}, Sample{"random-30", 5, 0.99}, Sample{"mixed", 2, 0.9},
+        Sample{"crush", 1, 0.0}, Sample{"walls-random", 2, 0.0}, Sample{"walls-corners", 2, 0.0},
+        Sample{"walls-gaps", 2, 0.0}}) {
     const Arrivals arrivals = run(sample, certificate, motion);
     EXPECT_GE(static_cast<double>(arrivals.in_time),
               sample.arrive * static_cast<double>(arrivals.robots))

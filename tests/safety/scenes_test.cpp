@@ -12,7 +12,9 @@
 #include "avo/simulation.h"
 #include "density.h"
 #include "families.h"
+#include "passage_scenes.h"
 #include "placement.h"
+#include "wall_scenes.h"
 
 namespace avo::safety {
 namespace {
@@ -48,6 +50,9 @@ TEST(Families, have_names_of_their_own_and_start_clear_and_at_rest) {
       }
       for (const MovingObstacle& obstacle : scenario.moving_obstacles) {
         EXPECT_GT(norm(robots[i].position - obstacle.position), robots[i].radius + obstacle.radius);
+      }
+      for (const Wall& wall : walls_of(scenario.obstacles)) {
+        EXPECT_GT(wall_clearance(robots[i].position, wall), robots[i].radius + 0.04) << family.name;
       }
     }
   }
@@ -101,6 +106,84 @@ TEST(Families, unequal_robots_see_as_far_as_they_need) {
     }
   }
   EXPECT_GT(most, 15.0);  // the others' radius would not do
+}
+
+TEST(Families, among_walls_keep_what_their_certificate_assumes) {
+  for (const Family& family : families(1e4)) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      Scenario scenario = family.make(seed).scenario;
+      if (scenario.obstacles.empty()) continue;
+      scenario.certificate = Certificate::braking_trajectories;
+      EXPECT_TRUE(broken_assumptions(scenario).none()) << family.name << " " << seed;
+    }
+  }
+}
+
+// One robot of that radius in the scene's walls, from one place to another.
+bool gets_through(const Scene& scene, double radius, Vec2 from, Vec2 to) {
+  Scenario scenario = scene.scenario;
+  scenario.certificate = Certificate::none;
+  scenario.robots.resize(1);
+  scenario.robots[0].position = from;
+  scenario.robots[0].goal = to;
+  scenario.robots[0].radius = radius;
+  return Simulation(scenario, 1).unreachable().empty();
+}
+
+TEST(Families, passages_are_as_wide_as_they_say) {
+  const auto expect_width = [](const Scene& scene, double width, Vec2 from, Vec2 to) {
+    EXPECT_TRUE(gets_through(scene, 0.5 * width - 1e-8, from, to)) << width;
+    EXPECT_FALSE(gets_through(scene, 0.5 * width + 1e-8, from, to)) << width;
+  };
+  expect_width(narrow_doorway(1.6, 1), 1.6, {-8.0, 3.0}, {8.0, -3.0});
+  expect_width(narrow_corridor(1.6, 1), 1.6, {-12.0, 3.0}, {12.0, -3.0});
+  expect_width(narrow_corridor(2.4, 1), 2.4, {-12.0, 3.0}, {12.0, -3.0});
+  expect_width(office(1.2, 1), 1.2, {3.0, 4.5}, {27.0, -4.5});
+  expect_width(office(3.5, 1), 3.0, {3.0, 4.5}, {27.0, -4.5});  // the corridor
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    // a spanning tree leads from every cell to every other one
+    for (const Vec2 cell : {Vec2{1.5, 28.5}, {28.5, 1.5}, {28.5, 28.5}, {13.5, 16.5}}) {
+      expect_width(maze(seed), 3.0, {1.5, 1.5}, cell);
+    }
+  }
+  // of gaps between walls, only robots that fit get through; the widest gap is for 0.5 m
+  expect_width(wall_gaps(1e3, 1), 1.0 + 1e-6, {-5.0, 0.0}, {5.0, 0.0});
+}
+
+TEST(Families, passages_are_used_both_ways) {
+  for (const Scene& scene : {narrow_doorway(1.6, 2), narrow_corridor(1.6, 2)}) {
+    int to_the_right = 0, to_the_left = 0;
+    for (const RobotSetup& robot : scene.scenario.robots) {
+      EXPECT_LT(robot.position.x * robot.goal.x, 0.0);
+      ++(robot.goal.x > 0.0 ? to_the_right : to_the_left);
+    }
+    EXPECT_EQ(to_the_right, 25);
+    EXPECT_EQ(to_the_left, 25);
+  }
+  for (const RobotSetup& robot : office(1.6, 2).scenario.robots) {
+    EXPECT_GT(std::abs(robot.goal.y), 1.5 + 1.5);  // neither in the corridor nor before a door
+  }
+}
+
+TEST(Families, a_maze_has_a_tenth_of_its_inner_walls_left_out) {
+  // 180 walls between cells, of which a tree opens 99 and chance a tenth of the other 81
+  double walls = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    walls += static_cast<double>(walls_of(maze(seed).scenario.obstacles).size() - 4) / 20.0;
+  }
+  EXPECT_NEAR(walls, 0.9 * 81.0, 2.5);
+}
+
+TEST(Families, among_walls_come_with_both_motions_and_with_cars) {
+  int held = 0, cars = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    held += random_walls(1e3, seed).scenario.motion == Motion::held ? 1 : 0;
+    for (const RobotSetup& robot : walls_and_cars(1e3, seed).scenario.robots) {
+      cars += robot.car ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(held, 10);
+  EXPECT_EQ(cars, 20 * 15);
 }
 
 TEST(Placement, permutations_leave_nobody_in_place) {

@@ -124,6 +124,31 @@ TEST(Walls, one_at_rest_almost_in_contact_leaves_along_the_wall_in_one_step) {
   }
 }
 
+TEST(Walls, a_post_inside_of_the_steps_triangle_is_seen) {
+  // All three sides pass the post by 12 radii, and the motion runs over it: p + v t + a t²/2 with
+  // a = (0, 10) is (0.1, 0.0125) in the middle of the step.
+  Robot robot;
+  robot.radius = 0.001;
+  robot.velocity = {2.0, 0.0};
+  robot.max_acceleration = 10.0;
+  robot.max_speed = 3.0;
+  const PlannerOptions options =
+      options_of(Certificate::braking_trajectories, Motion::held, 0.1, 2.0);
+  const CertificateLaw law = law_of(options);
+  const Vec2 next{2.0, 1.0};
+  const auto is_admitted_beside = [&](Vec2 post) {
+    const Wall wall{post, post};
+    CertificateConstraints constraints;
+    collect_constraints(robot, {}, law, constraints, {&wall, 1});
+    EXPECT_FALSE(constraints.walls.broken);
+    return admits(robot, next, law, constraints);
+  };
+  const Vec2 inside{0.1, 0.0125};
+  EXPECT_LT(least_gap({robot.position, robot.velocity, next}, Wall{inside, inside}, options), 1e-9);
+  EXPECT_FALSE(is_admitted_beside(inside));
+  EXPECT_TRUE(is_admitted_beside({0.1, 1.0}));  // beyond all of the path
+}
+
 TEST(Walls, braking_is_always_admitted) {
   const CertificateLaw law =
       law_of(options_of(Certificate::braking_trajectories, Motion::held, 0.1, 2.0));

@@ -72,6 +72,41 @@ TEST(CheckWalls, a_disc_is_a_wall_without_length) {
   EXPECT_NEAR(*report.least_static_clearance, 0.5 - 0.6, 1e-14);
 }
 
+// Robots at rest 0.4 m from their goals.
+struct Waiting {
+  Vec2 position, goal;
+};
+
+CheckReport arrivals(const std::vector<Waiting>& waiting, std::vector<CheckedWall> walls) {
+  std::vector<CheckedRobot> robots;
+  std::vector<CheckedState> rows;
+  for (const Waiting& robot : waiting) {
+    rows.push_back({static_cast<std::int64_t>(robots.size()), robot.position, {}});
+    robots.push_back(free_robot(0.1));
+    robots.back().goal = robot.goal;
+  }
+  return against(robots, {{0.0, rows}}, std::move(walls));
+}
+
+TEST(CheckWalls, nobody_arrives_where_a_wall_lies_before_the_goal) {
+  const CheckReport report = arrivals({{{0, 0.2}, {0, -0.2}},        // across the wall
+                                       {{3, 0.2}, {3, 0.6}},         // beside it
+                                       {{10.2, 0.2}, {10.2, -0.2}},  // past its end
+                                       {{4, 0.5}, {4, 0.5}}},        // at the goal itself
+                                      {kAxis, {{-9, 5}, {9, 5}}});
+  EXPECT_EQ(report.arrived, 3);
+  EXPECT_EQ(report.at_goal_at_end, 3);
+  EXPECT_EQ(report.not_arrived, std::vector<std::int64_t>{0});
+  EXPECT_FALSE(report.last_arrival);
+}
+
+TEST(CheckWalls, thick_walls_hide_goals_that_their_lines_do_not) {
+  const std::vector<Waiting> past_the_end{{{10.2, 0.2}, {10.2, -0.2}}};
+  EXPECT_EQ(arrivals(past_the_end, {kAxis}).arrived, 1);
+  EXPECT_EQ(arrivals(past_the_end, {{kAxis.a, kAxis.b, 0.19}}).arrived, 1);
+  EXPECT_EQ(arrivals(past_the_end, {{kAxis.a, kAxis.b, 0.21}}).arrived, 0);
+}
+
 // Past the end of a wall only the end counts.
 TEST(CheckWalls, end_points_are_round) {
   const CheckedWall to_the_left{{0.3, 0.25 - 0.4}, {20, 0.25 - 0.4}};

@@ -93,6 +93,37 @@ TEST(Perception, the_choice_lies_outside_of_the_drawn_obstacles) {
   EXPECT_TRUE(touched);  // the nearest allowed point lies on a boundary
 }
 
+// Above the wall it would pass the ones ahead below.
+TEST(Perception, walls_are_drawn_and_planned_with) {
+  for (const bool among_movers : {false, true}) {
+    for (const Method method : {Method::avo, Method::avo_paper, Method::orca}) {
+      Simulation::Perception seen = some_perception();
+      seen.walls = {{{-9.0, 30.0}, {9.0, 30.0}}, {{-9.0, -0.6}, {9.0, -0.6}}};
+      seen.among_movers = among_movers;
+      if (among_movers)
+        for (Neighbor& neighbor : seen.neighbors) neighbor.behavior = Behavior::moves_on;
+      seen.robot.preferred_velocity = {1.6, -0.9};
+      const Planner planner(default_options(method));
+      const VelocitySpace space = velocity_space(seen, planner);
+      PlanWorkspace workspace;
+      Detour detour = seen.detour;
+      const Plan plan = planner.plan(seen.robot, seen.neighbors, workspace, &detour, seen.walls);
+      EXPECT_EQ(space.points[2].at, plan.new_velocity);
+      int forbidding = 0, others = 0;
+      for (const LabeledPlane& labeled : space.half_planes) {
+        if (labeled.label != "w1") continue;
+        ++(labeled.forbids ? forbidding : others);
+        if (labeled.forbids && method != Method::avo) {
+          EXPECT_LE(violation(labeled.plane, plan.new_velocity), 1e-9);
+        }
+      }
+      // of method avo the speed, and dashed the obstacle
+      EXPECT_EQ(forbidding, method == Method::avo && among_movers ? 0 : 1) << to_string(method);
+      EXPECT_EQ(others, method != Method::avo ? 0 : among_movers ? 2 : 1) << to_string(method);
+    }
+  }
+}
+
 TEST(Perception, velocity_obstacles_are_drawn_as_such) {
   const Planner planner(default_options(Method::velocity_obstacle));
   const VelocitySpace space = velocity_space(some_perception(), planner);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 
 #include "support/brute_force.h"
 
@@ -173,6 +174,30 @@ TEST(Separation, from_a_segment_by_the_response) {
     };
     EXPECT_NEAR(separation(path, segment, kNoCutoff), sampled_from(at, segment), 1e-7);
   }
+}
+
+TEST(Separation, from_a_segment_of_a_cars_arc) {
+  Random random(9);
+  for (int k = 0; k < 3'000 && !HasFailure(); ++k) {
+    const double size = random.log_uniform(1e-3, 1e3), heading = random.uniform(-3.0, 3.0);
+    const double turn = random.below(4) == 0 ? random.uniform(-1e-9, 1e-9) : random.uniform(-2, 2);
+    const Vec2 start = test::in_disc(random, size);
+    const auto at = [&](double part) {
+      const double half = 0.5 * part * turn;
+      const double chord = part * size * (half == 0.0 ? 1.0 : std::sin(half) / half);
+      return start + chord * Vec2{std::cos(heading + half), std::sin(heading + half)};
+    };
+    const ArcPath path = arc_path(start, heading, at(1.0), heading + turn + 2.0 * std::numbers::pi);
+    EXPECT_NEAR(path.length, size, 1e-12 * size);
+    const Vec2 a = test::in_disc(random, size);
+    const Segment segment{a, a + random.uniform(0.0, 2.0) * size * random.direction()};
+    EXPECT_NEAR(separation(path, segment, kNoCutoff), sampled_from(at, segment), 1e-9 * size);
+  }
+}
+
+TEST(Separation, from_a_segment_of_a_car_that_turns_in_place) {
+  const ArcPath path = arc_path({1, 2}, 0.0, {1, 2}, 3.0);
+  EXPECT_EQ(separation(path, {{-5, 0}, {5, 0}}, kNoCutoff), 2.0);
 }
 
 TEST(Separation, from_a_segment_beyond_the_cutoff_is_above_it) {

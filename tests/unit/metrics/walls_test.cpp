@@ -112,6 +112,26 @@ TEST(Metrics, min_obstacle_clearance_is_that_of_all_walls) {
   }
 }
 
+// Cars push into the corners of a room. Cubics through the ends of their steps cut the walls.
+TEST(Metrics, cars_touch_no_wall_that_their_arcs_do_not_touch) {
+  Scenario scene;
+  test::Random random(4);
+  for (int k = 0; k < 12; ++k) {
+    const Vec2 start{1.5 * (k % 4), 1.5 * (k / 4)};
+    RobotSetup car = robot_at(start, start + 30.0 * random.direction());
+    car.radius = random.uniform(0.2, 0.5);
+    car.max_acceleration = random.uniform(0.5, 3.0);
+    car.car = CarSetup{2.0 * car.radius, random.uniform(-3.0, 3.0)};
+    scene.robots.push_back(car);
+  }
+  scene.navigation = false;
+  scene.obstacles = {{{{{{-2, -2}, {7, -2}, {8, 3}, {4, 8}, {-3, 4}}, true}}}};
+  const RunSummary summary = run(scene, 400);
+  EXPECT_EQ(summary.collision_obstacles, 0);
+  EXPECT_GT(*summary.min_obstacle_clearance, 0.0);
+  EXPECT_LT(*summary.min_obstacle_clearance, 1e-9);
+}
+
 // A robot turns round before a wall within one long step, where the cubic is millimeters off.
 TEST(Metrics, static_obstacles_are_approached_by_the_equations_of_motion) {
   Scenario scene = blind({robot_at({0, 0}, {0, 100})});

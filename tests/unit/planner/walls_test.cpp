@@ -2,6 +2,7 @@
 // What walls make of the target of the first program.
 #include "support/walls.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -112,6 +113,36 @@ TEST(PushAmongWalls, who_is_on_its_way_beside_a_wall_is_not_pushed) {
   EXPECT_NEAR(speed({{{-9.0, 0.0}, {9.0, 0.0}}}), 0.05, 1e-9);
   robot.distance_to_goal = 0.1;
   EXPECT_GT(speed({{{-9.0, 0.0}, {9.0, 0.0}}}), 0.09);
+}
+
+// A neighbor on the other side of a wall demands nothing of either, and is not listed.
+TEST(HiddenNeighbors, are_not_listed_either) {
+  const Planner planner(options_with(Certificate::braking_trajectories));
+  Robot robot = before_the_wall();
+  robot.velocity = {0.9, 0.0};
+  const Neighbor others[] = {{{2.01, 0.0}, {-0.9, 0.0}}, {{0.0, 1.02}, {0.0, -0.1}}};
+  PlanWorkspace workspace;
+  HalfPlanes half_planes;
+  std::vector<CertificateConstraint> constraints;
+  const auto count = [&](std::span<const Wall> walls, int neighbor) {
+    planner.collect_half_planes(robot, others, workspace, half_planes, walls);
+    planner.collect_certificate(robot, others, workspace, constraints, walls);
+    return std::pair(
+        std::count_if(half_planes.planes.begin(), half_planes.planes.end(),
+                      [&](const NeighborPlane& plane) { return plane.neighbor == neighbor; }),
+        std::count_if(constraints.begin(), constraints.end(),
+                      [&](const auto& constraint) { return constraint.neighbor == neighbor; }));
+  };
+  for (const int neighbor : {0, 1}) {
+    EXPECT_GT(count({}, neighbor).first, 0);
+    EXPECT_GT(count({}, neighbor).second, 0);
+  }
+  const Wall between[] = {{{1.0, -9.0}, {1.0, 9.0}}};
+  const std::span<const Wall> walls = between;
+  EXPECT_EQ(count(walls, 0).first, 0);
+  EXPECT_EQ(count(walls, 0).second, 0);
+  EXPECT_GT(count(walls, 1).first, 0);
+  EXPECT_GT(count(walls, 1).second, 0);
 }
 
 }  // namespace

@@ -120,6 +120,22 @@ TEST(Allocation, none_per_step_of_one_robot_among_movers) {
   }
 }
 
+TEST(Allocation, none_per_step_beside_walls) {
+  for (const Method method :
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+    Scenario scene = test::dense_scene(60, Motion::held);
+    scene.method = method;
+    scene.certificate.reset();
+    scene.max_neighbors = 6;
+    scene.navigation = false;
+    for (int k = 0; k < 60; ++k) {
+      const Vec2 a{0.5 * k - 15.0, 1.5 * (k % 21) - 15.0};
+      scene.obstacles.push_back({{{{a, a + Vec2{0.4, 0.2}}, false}}, 0.0});
+    }
+    EXPECT_EQ(allocations_when_warm(scene, 1, 60, 40), 0) << to_string(method);
+  }
+}
+
 // Robots jostle each other off their ways, lose sight of where they were going, and look for
 // something else.
 TEST(Allocation, none_per_step_among_walls) {

@@ -119,6 +119,49 @@ TEST(WalledFleets, without_walls_some_would_be_touched) {
   EXPECT_LT(least, -0.1);
 }
 
+// Their half-planes are harder than those of neighbors. Those of orca always allow to stop, those
+// of avo_paper promise nothing.
+TEST(WalledFleets, without_certificate_they_see_walls_as_well) {
+  for (const Method method : {Method::avo_paper, Method::orca}) {
+    Scenario scene = walled_scene(3, 15, Motion::held);
+    scene.method = method;
+    scene.certificate = Certificate::none;
+    const std::vector<Wall> walls = walls_of(scene.obstacles);
+    Simulation simulation(scene, 2);
+    double least = 1e300;
+    for (int k = 0; k < 300; ++k) least = std::min(least, step_and_measure(simulation, walls));
+    EXPECT_GT(least, -1e-9) << to_string(method);
+    EXPECT_LT(least, 0.05) << to_string(method);
+  }
+}
+
+// All that can be touched within the horizon: more walls change no bit.
+TEST(WalledFleets, without_certificate_they_know_the_walls_of_the_horizon) {
+  for (const Method method : {Method::avo_paper, Method::orca}) {
+    Scenario scene = walled_scene(4, 8, Motion::held);
+    scene.obstacles = {piece({{-30.0, -30.0}, {-30.0, 40.0}}), piece({{24.0, -30.0}, {24.0, 40.0}}),
+                       piece({{31.0, 0.0}, {31.0, 0.0}, 0.5})};
+    scene.method = method;
+    scene.certificate = Certificate::none;
+    scene.navigation = false;
+    for (RobotSetup& setup : scene.robots) setup.goal.x = 60.0;
+    const std::vector<Wall> walls = walls_of(scene.obstacles);
+    Simulation simulation(scene, 1);
+    PlanWorkspace workspace;
+    int cut = 0;
+    for (int k = 0; k < 60; ++k) simulation.step();
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+      const auto seen = simulation.perceive(i);
+      const auto plan = [&](std::span<const Wall> near) {
+        return simulation.planner().plan(seen.robot, seen.neighbors, workspace, nullptr, near);
+      };
+      EXPECT_EQ(plan(seen.walls).new_velocity, plan(walls).new_velocity);
+      cut += plan({}).new_velocity == plan(walls).new_velocity ? 0 : 1;
+    }
+    EXPECT_GT(cut, 0) << to_string(method);
+  }
+}
+
 TEST(WalledFleets, any_number_of_threads_and_a_saved_state_go_on_alike) {
   const Scenario scene = walled_scene(7, 300, Motion::held);
   Simulation one(scene, 1), two(scene, 2);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a robot that keeps its velocity passes a wall.
+#pragma once
+#include <array>
+
+#include "obstacles/wall_half_plane.h"
+
+namespace avo {
+
+/// Supports that differ by less than this part of the reach are equal but for rounding: a tie,
+/// which the one offered first wins.
+inline constexpr double kEqualSupports = 0x1p-40;
+
+/// [p - q] m for both ends q.
+inline std::array<Vec2, 2> ends_of(const WallPair& pair) {
+  return {pair.from_a, pair.from_b};
+}
+
+/// m, from the nearest point of the wall to where the robot is after it has moved by `way`.
+Vec2 away_from_wall(const WallPair& pair, Vec2 way);
+
+/// m, from the nearest point of the wall to that of the ray on which the robot keeps its velocity;
+/// 0 where the ray crosses the wall.
+Vec2 nearest_pass(const WallPair& pair);
+
+/// The unit normal of the wall's line on whose side the robot is, and its distance from the line.
+struct Facing {
+  Vec2 normal;
+  double distance = 0.0;  // m, >= 0
+};
+Facing facing(const WallPair& pair);
+
+/// The pair to part where the two overlap: away from the wall's nearest point; where the robot's
+/// center is on it, across it to the side that it moves to.
+Pair pair_in_contact(const WallPair& pair, Vec2 away);
+
+}  // namespace avo

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slow answers about a robot and a wall by dense sampling of times and normals, and situations to
+// ask them in; shares no formula with the library but the response written out.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+#include "obstacles/wall_half_plane.h"
+#include "support/brute_force.h"
+
+namespace avo::test {
+
+/// A robot beside a wall and what it is planned with.
+struct WallSituation {
+  WallPair pair;
+  double reach = 0.0;         // m/s
+  double control_time = 0.0;  // s
+  double time_horizon = 0.0;  // s
+};
+
+inline std::ostream& operator<<(std::ostream& out, const WallSituation& s) {
+  out.precision(17);
+  return out << "from a {" << s.pair.from_a.x << ", " << s.pair.from_a.y << "} from b {"
+             << s.pair.from_b.x << ", " << s.pair.from_b.y << "} v {" << s.pair.velocity.x << ", "
+             << s.pair.velocity.y << "} r " << s.pair.radius << " reach " << s.reach << " delta "
+             << s.control_time << " tau " << s.time_horizon;
+}
+
+/// m, from a point to the segment from a to b.
+inline double slow_segment_distance(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  const double squared = norm_squared(d);
+  const double part = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
+  return norm(p - (a + part * d));
+}
+
+/// Smallest distance of the robot from the wall over (0, τ].
+inline double slow_distance(const WallSituation& s, Vec2 w, int samples = 4000) {
+  const Vec2 b = s.pair.from_a - s.pair.from_b;
+  const auto nearness = [&](double t) {
+    const double g = static_cast<double>(slow_gain(t, s.control_time));
+    return -slow_segment_distance(s.pair.from_a + t * s.pair.velocity + g * w, {}, b);
+  };
+  std::vector<double> time, value;
+  for (int k = 0; k <= samples; ++k) {
+    const double part = static_cast<double>(k) / samples;
+    time.push_back(s.time_horizon * part * part);
+    value.push_back(nearness(time.back()));
+  }
+  double best = std::max(value.front(), value.back());
+  for (std::size_t k = 1; k + 1 < time.size(); ++k) {
+    if (value[k] >= value[k - 1] && value[k] >= value[k + 1])
+      best = std::max(best, golden_section(nearness, time[k - 1], time[k + 1], 60));
+  }
+  return -best;
+}
+
+/// Support function of D(0, reach) ∩ AVO of a wall about w = 0: the largest n . w over all times.
+class SlowWallHull {
+ public:
+  explicit SlowWallHull(const WallSituation& s, int samples = 80) : s_(s) {
+    const double first = 1e-5 * s.time_horizon;
+    for (int k = 0; k <= samples; ++k) {
+      const double part = static_cast<double>(k) / samples;
+      times_.push_back(s.time_horizon * std::max(part * part, 1e-5));
+      times_.push_back(first * std::pow(s.time_horizon / first, part));
+    }
+    std::sort(times_.begin(), times_.end());
+    for (const double t : times_) walls_.push_back(wall_at(t));
+  }
+
+  [[nodiscard]] bool empty() const {
+    return std::all_of(walls_.begin(), walls_.end(), [](const WallAt& at) { return !at.in_reach; });
+  }
+
+  [[nodiscard]] double support(Vec2 n, bool refined = true) const {
+    std::vector<double>& value = scratch_;
+    value.clear();
+    for (const WallAt& at : walls_) value.push_back(support_of(at, n));
+    double best = *std::max_element(value.begin(), value.end());
+    if (!refined) return best;
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      const std::size_t left = k > 0 ? k - 1 : k, right = k + 1 < value.size() ? k + 1 : k;
+      if (value[k] == -kInfinity || value[k] < value[left] || value[k] < value[right]) continue;
+      const auto f = [&](double t) { return support_of(wall_at(t), n); };
+      best = std::max(best, golden_section(f, times_[left], times_[right], 32));
+    }
+    return best;
+  }
+
+  /// The unit normal of least support, and that support.
+  [[nodiscard]] std::pair<Vec2, double> least() const {
+    constexpr int kDirections = 120;
+    constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
+    std::vector<double> value;
+    for (int k = 0; k < kDirections; ++k) value.push_back(support(direction(k * kStep), false));
+    std::vector<std::pair<double, int>> minima;
+    for (int k = 0; k < kDirections; ++k) {
+      const double left = value[static_cast<std::size_t>((k + kDirections - 1) % kDirections)];
+      const double right = value[static_cast<std::size_t>((k + 1) % kDirections)];
+      const double here = value[static_cast<std::size_t>(k)];
+      if (here <= left && here <= right) minima.emplace_back(here, k);
+    }
+    std::sort(minima.begin(), minima.end());
+    double best = kInfinity, best_angle = 0.0;
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, minima.size()); ++k) {
+      const double angle = minima[k].second * kStep;
+      const auto f = [&](double x) {
+        const double h = support(direction(x));
+        if (h < best) best = h, best_angle = x;
+        return -h;
+      };
+      golden_section(f, angle - kStep, angle + kStep, 32);
+    }
+    return {direction(best_angle), best};
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // All w that collide at one time: within `radius` of the segment between two centers.
+  struct WallAt {
+    Vec2 a, b;
+    double radius;
+    bool in_reach;
+  };
+
+  static Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+  [[nodiscard]] WallAt wall_at(double t) const {
+    const double g = static_cast<double>(slow_gain(t, s_.control_time));
+    const Vec2 a = (-1.0 / g) * (s_.pair.from_a + t * s_.pair.velocity);
+    const Vec2 b = (-1.0 / g) * (s_.pair.from_b + t * s_.pair.velocity);
+    const double radius = s_.pair.radius / g;
+    return {a, b, radius, slow_segment_distance({}, a, b) < radius + s_.reach};
+  }
+
+  [[nodiscard]] double support_of(const WallAt& at, Vec2 n) const {
+    if (!at.in_reach) return -kInfinity;
+    const double R = s_.reach;
+    double best = -kInfinity;
+    const auto try_point = [&](Vec2 w) {
+      if (norm(w) <= R * (1.0 + 1e-12) &&
+          slow_segment_distance(w, at.a, at.b) <= at.radius * (1.0 + 1e-9))
+        best = std::max(best, dot(n, w));
+    };
+    try_point(at.a + at.radius * n);
+    try_point(at.b + at.radius * n);
+    try_point(R * n);
+    if (best >= R) return best;
+    // where the circle |w| = R cuts the edge
+    for (const Vec2 center : {at.a, at.b}) {
+      const double c = norm(center);
+      const double along = (c * c + R * R - at.radius * at.radius) / (2.0 * c);
+      if (!(std::abs(along) <= R)) continue;
+      const double across = std::sqrt(R * R - along * along);
+      for (const double sign : {1.0, -1.0})
+        try_point((along / c) * center + (sign * across / c) * perpendicular(center));
+    }
+    const Vec2 d = (1.0 / norm(at.b - at.a)) * (at.b - at.a);
+    for (const double side : {at.radius, -at.radius}) {
+      const double miss = cross(d, at.a) + side;
+      if (!(std::abs(miss) <= R)) continue;
+      const double half = std::sqrt(R * R - miss * miss);
+      for (const double sign : {half, -half}) try_point(sign * d + miss * perpendicular(d));
+    }
+    return best;
+  }
+
+  WallSituation s_;
+  std::vector<double> times_;
+  std::vector<WallAt> walls_;
+  mutable std::vector<double> scratch_;
+};
+
+/// Apart, over wide ranges of all numbers.
+inline WallSituation any_wall_situation(Random& random) {
+  WallSituation s;
+  s.control_time = random.log_uniform(0.05, 10.0);
+  s.time_horizon = random.log_uniform(0.2, 20.0);
+  s.reach = random.below(2) == 0 ? s.control_time * random.uniform(0.3, 6.0)
+                                 : random.log_uniform(0.05, 40.0);
+  s.pair.radius = random.log_uniform(0.03, 3.0);
+  const double length = random.below(3) == 0 ? s.pair.radius * random.log_uniform(1e-3, 2.0)
+                                             : random.log_uniform(0.3, 50.0);
+  // a place of the wall, and the robot off it in some direction
+  const Vec2 along = random.direction();
+  const double gap = random.below(2) == 0 ? s.pair.radius * random.log_uniform(1e-3, 30.0)
+                                          : random.uniform(0.0, 14.0);
+  const double part = random.below(3) == 0 ? 0.0 : random.uniform(0.0, 1.0);
+  const Vec2 out = part == 0.0 ? random.direction() : perpendicular(along);
+  const Vec2 from_place = (s.pair.radius + gap) * out;
+  s.pair.from_a = from_place + (part * length) * along;
+  s.pair.from_b = from_place - ((1.0 - part) * length) * along;
+  s.pair.velocity = in_disc(random, 5.0);
+  if (random.below(2) == 0) std::swap(s.pair.from_a, s.pair.from_b);
+  return s;
+}
+
+inline bool is_apart(const WallSituation& s, double margin = 0.0) {
+  const double d = slow_segment_distance(s.pair.from_a, {}, s.pair.from_a - s.pair.from_b);
+  return d >= s.pair.radius * (1.0 + margin);
+}
+
+/// Next to a special case, or exactly in it.
+inline WallSituation degenerate_wall_situation(Random& random) {
+  for (;;) {
+    WallSituation s = any_wall_situation(random);
+    WallPair& pair = s.pair;
+    const Vec2 along = pair.from_a - pair.from_b;
+    const double length = norm(along), speed = norm(pair.velocity);
+    const Vec2 e = along / length, n = perpendicular(e);
+    const double near = random.near_zero();
+    switch (random.below(8)) {
+      case 0:
+        pair.velocity = {};
+        break;
+      case 1:  // along the wall
+        pair.velocity = speed * (e + near * n);
+        break;
+      case 2:  // straight at it, in front of its middle
+        pair.from_a = (pair.radius + random.uniform(0.1, 5.0)) * n + (0.5 * length) * e;
+        pair.from_b = pair.from_a - along;
+        pair.velocity = speed * (near * e - n);
+        break;
+      case 3:  // on the extension of its line
+        pair.from_b = (pair.radius + random.uniform(0.1, 5.0)) * e + (near * pair.radius) * n;
+        pair.from_a = pair.from_b + along;
+        break;
+      case 4: {  // in contact beside it, with any velocity
+        const double beside = pair.radius * (1.0 + std::abs(near));
+        pair.from_a = beside * n + (random.uniform(0.0, 1.0) * length) * e;
+        pair.from_b = pair.from_a - along;
+        if (random.below(2) == 0) pair.velocity = speed * (e + random.near_zero() * n);
+        break;
+      }
+      case 5: {  // straight at an end, or past it at a miss distance of r
+        const Vec2 to_end = -pair.from_a;
+        const double d = norm(to_end);
+        const double sine =
+            std::min(1.0, random.below(2) == 0 ? std::abs(near) : pair.radius / d * (1.0 + near));
+        pair.velocity =
+            (speed / d) * (std::sqrt(1.0 - sine * sine) * to_end + sine * perpendicular(to_end));
+        break;
+      }
+      case 6:  // away from an end
+        pair.velocity =
+            (speed / norm(pair.from_a)) * (pair.from_a + near * perpendicular(pair.from_a));
+        break;
+      default:
+        s.reach = random.below(2) == 0 ? 1e-3 : 1e3;
+        break;
+    }
+    if (is_apart(s)) return s;
+  }
+}
+
+}  // namespace avo::test
