@@ -183,8 +183,8 @@ std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot&
                                             std::span<const Wall> walls,
                                             PlanWorkspace::Scratch& scratch) {
   rank(robot, neighbors, scratch);
-  leave_out_hidden(planner, robot, neighbors, walls, scratch.order);
   scratch.order.resize(planned_with(planner.options(), scratch.order.size()));
+  leave_out_hidden(planner, robot, neighbors, walls, scratch.order);
   std::sort(scratch.order.begin(), scratch.order.end());
   return scratch.order;
 }

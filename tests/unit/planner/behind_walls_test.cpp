@@ -137,6 +137,14 @@ TEST(BehindWalls, TheyCountAmongTheNearest) {
   const Plan alone = plan_of(planner, robot, {}, walls);
   EXPECT_FALSE(is_same(plan_of(planner, robot, {ahead}, walls), alone));
   EXPECT_TRUE(is_same(plan_of(planner, robot, {hidden, ahead}, walls), alone));
+  const auto planes = [&](const std::vector<Neighbor>& neighbors) {
+    PlanWorkspace workspace;
+    HalfPlanes half_planes;
+    planner.collect_half_planes(robot, neighbors, workspace, half_planes, walls);
+    return half_planes.planes.size();
+  };
+  EXPECT_EQ(planes({ahead}), 1u);
+  EXPECT_EQ(planes({hidden, ahead}), 0u) << "listed as they are planned with";
   EXPECT_TRUE(
       is_same(plan_of(all, robot, {hidden, ahead}, walls), plan_of(all, robot, {ahead}, walls)));
 }
