@@ -10,7 +10,8 @@
 namespace avo {
 namespace {
 
-constexpr double kLeavesLane = 1.0;  // rad: who has turned off by more is in a jam
+constexpr double kLeavesLane = 1.0;     // rad: who has turned off by more is in a jam
+constexpr std::size_t kMostClaims = 4;  // of a robot; of more, memory grows when it is needed
 
 const Travel& travel_of(const World& world, std::size_t slot) {
   return world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
@@ -53,7 +54,7 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
   parallel_for(executor, parts, [&](std::size_t part, std::size_t) {
     std::vector<Claimant>& own = claims.parts[part];
     own.clear();
-    own.reserve(robots / parts + 1);
+    own.reserve(kMostClaims * (robots / parts + 1));
     for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k)
       append_claims(world, world.fleet.slot_of[k], own);
   });
@@ -66,6 +67,7 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
   };
   for_each([&](const Claimant& claimant) { ++first[claimant.claim.passage + 1]; });
   for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+  claims.claimants.reserve(kMostClaims * robots);
   claims.claimants.resize(first.back());
   // each first becomes the next one's, and then its own again
   for_each([&](const Claimant& claimant) {

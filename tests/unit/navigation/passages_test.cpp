@@ -144,6 +144,16 @@ TEST(Passages, WhereThreeWaysMeetThreeEnd) {
   }
 }
 
+// Two gaps beside the end of a wall that divides the way do not see each other.
+TEST(Passages, OneEndsWhereItBranches) {
+  const Passages passages =
+      passages_of({{{-10, 0}, {20, 0}}, {{20, 2.4}, {-10, 2.4}}, {{0, 1.2}, {10, 1.2}}}, {0.56});
+  ASSERT_EQ(passages.size(), 4u);
+  int branches = 0;
+  for (std::uint32_t k = 0; k < 4; ++k) branches += passages[k].axis.size() == 4 ? 1 : 0;
+  EXPECT_EQ(branches, 2);
+}
+
 // In the middle, a way from corner to corner is wider than those that cross it.
 TEST(Passages, TheDiagonalsOfACrossingAreNoGaps) {
   std::vector<Wall> walls;
@@ -266,6 +276,8 @@ TEST(PassagePlaces, InsideIsBetweenMouthsAndWalls) {
   EXPECT_TRUE(is_in(bent, {8.6, 1.4})) << "round the inner corner";
   EXPECT_FALSE(is_in(bent, {7.3, 2.7})) << "behind it";
   EXPECT_FALSE(is_in(bent, {11.2, -1.2}));
+  EXPECT_FALSE(is_in(bent, {9.2, -1.0})) << "the second leg prolonged";
+  EXPECT_FALSE(is_in(bent, {11.0, 0.8})) << "the first one prolonged";
 }
 
 TEST(PassagePlaces, OneLaneComesBeforeTwo) {
@@ -274,6 +286,12 @@ TEST(PassagePlaces, OneLaneComesBeforeTwo) {
   EXPECT_FALSE(office[*office.at({3, 1.2})].two_lanes) << "in a door, and in the corridor";
   EXPECT_TRUE(office[*office.at({6, 1.2})].two_lanes);
   EXPECT_FALSE(office.at({3, 5}));
+  // nearer to the corridor's axis than to the door's
+  const Passages corridor = passages_of(
+      {{{-10, 1.15}, {-0.8, 1.15}}, {{0.8, 1.15}, {10, 1.15}}, {{-10, -1.15}, {10, -1.15}}});
+  ASSERT_EQ(corridor.size(), 2u);
+  ASSERT_TRUE(corridor.at({0.54, 0.51}));
+  EXPECT_FALSE(corridor[*corridor.at({0.54, 0.51})].two_lanes);
 }
 
 // Three doors in a row, the one in the middle with two lanes.

@@ -94,6 +94,16 @@ TEST(RightOfWay, OfTwoExactlyOneGoesHoweverSymmetric) {
   }
 }
 
+TEST(RightOfWay, OneAboveTheOtherExactlyOneGoes) {
+  Passage passage = straight();
+  for (Vec2& p : passage.axis) p = {0.0, p.x};
+  const Claimant one = outside(passage, true, {0.25, -7}),
+                 other = outside(passage, false, {0.25, 7});
+  EXPECT_NE(goes(passage, one, {one, other}), goes(passage, other, {other, one}));
+  const Claimant up = inside(true, {0.25, -1}), down = inside(false, {0.25, 1});
+  EXPECT_NE(goes(passage, up, {up, down}), goes(passage, down, {up, down}));
+}
+
 TEST(RightOfWay, WhoIsBeyondTheSensingRadiusDoesNotCount) {
   const Passage passage = straight();
   const Claimant robot = outside(passage, true, {-8, 0});
@@ -141,6 +151,18 @@ TEST(RightOfWay, WhoWaitsLeavesTheWayOutClear) {
       EXPECT_GT(out, 0.1) << "in the wall";
     }
   }
+}
+
+TEST(RightOfWay, WhoComesStraightIsStoppedSixRadiiBefore) {
+  const Passage passage = straight();
+  for (const double behind : {0.0, 0.02, 0.5, 3.0}) {
+    const Claimant robot = outside(passage, true, {-8.0 - behind, 0.3});
+    const Course course = course_of(passage, robot, {inside(false, {0, 0})});
+    EXPECT_FALSE(course.target);
+    EXPECT_NEAR(course.max_speed, std::sqrt(2.0 * kMostBraking * behind), 1e-6);
+  }
+  const Claimant near = outside(passage, true, {-7.99, 0.3});
+  EXPECT_TRUE(course_of(passage, near, {inside(false, {0, 0})}).target);
 }
 
 TEST(RightOfWay, WhoIsInTheWayGoesAsideToItsRight) {
@@ -242,6 +264,7 @@ TEST(SeenClaim, InsideIsByMotionAndAtRestByTheNearerMouth) {
   EXPECT_TRUE(seen({-4, 0}, {-0.09, 0})) << "at rest";
   EXPECT_FALSE(seen({4, 0}, {0.09, 0}));
   EXPECT_FALSE(seen({4, 0}, {0.0, 2.0})) << "across";
+  EXPECT_TRUE(seen({-4, 0}, {0.0, 2.0})) << "across";
   EXPECT_TRUE(seen({-0.01, 0}, {}));
   EXPECT_FALSE(seen({0.01, 0}, {}));
 }

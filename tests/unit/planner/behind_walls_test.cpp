@@ -165,7 +165,10 @@ TEST(BehindWalls, WallsBeyondTheReachChangeNoBit) {
     for (int k = 0; k < 6; ++k) {
       Robot other = robot_at(test::free_place(random, walls, 16.0, 0.31),
                              random.uniform(0.0, 0.4) * random.direction(), {}, 0.3);
-      if (norm(other.position - place) > 0.7) neighbors.push_back(seen(other));
+      // one nearly in contact, which pushes
+      if (k == 0) other.position = place + random.uniform(0.61, 0.74) * random.direction();
+      const bool is_free = test::gap_to_all(other.position, walls) > 0.31;
+      if (is_free && norm(other.position - place) > 0.6) neighbors.push_back(seen(other));
     }
     std::vector<Wall> near;
     for (const Wall& wall : walls) {

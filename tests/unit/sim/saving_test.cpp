@@ -361,6 +361,8 @@ TEST(Saving, other_scenes_are_refused_by_what_differs) {
             "saved state: method: found avo_paper, must be orca as in this simulation");
   EXPECT_EQ(refused_by([](Scenario& s) { s.max_neighbors.reset(); }),
             "saved state: max_neighbors: found 10, must be none as in this simulation");
+  EXPECT_EQ(refused_by([](Scenario& s) { s.right_of_way = RightOfWay::told; }),
+            "saved state: right_of_way: found seen, must be told as in this simulation");
   const std::string obstacles =
       "saved state: moving_obstacles: found others, must be those of this simulation";
   EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles.pop_back(); }), obstacles);

@@ -32,4 +32,42 @@ inline Scenario crowded_maze(int robots) {
   return scene;
 }
 
+/// 5 x 5 rooms of 8 m with a door of 1.5 m to each room beside them.
+inline std::vector<Wall> rooms_with_doors() {
+  constexpr double kRoom = 8.0, kDoor = 1.5, kSide = 40.0;
+  std::vector<Wall> walls;
+  for (int line = 0; line <= 5; ++line) {
+    for (int room = 0; room < 5; ++room) {
+      const double at = kRoom * line, from = kRoom * room, door = from + 0.5 * (kRoom - kDoor);
+      const auto add = [&](double begin, double end) {
+        walls.push_back({{at, begin}, {at, end}, 0.0}),
+            walls.push_back({{begin, at}, {end, at}, 0.0});
+      };
+      const bool is_inner = at > 0.0 && at < kSide;
+      add(from, is_inner ? door : from + kRoom);
+      if (is_inner) add(door + kDoor, from + kRoom);
+    }
+  }
+  return walls;
+}
+
+/// Up to twelve robots in each room, on their ways to other rooms.
+inline Scenario crowd_at_doors(int robots, RightOfWay right_of_way) {
+  Scenario scene;
+  scene.obstacles = {pieces(rooms_with_doors())};
+  scene.right_of_way = right_of_way;
+  scene.max_neighbors = 10;
+  const auto place = [](int room, int n) {
+    return Vec2{8.0 * (room % 5) + 1.3 + 1.8 * (n % 4), 8.0 * (room / 5) + 1.7 + 2.3 * (n / 4)};
+  };
+  for (int k = 0; k < robots; ++k) {
+    RobotSetup robot = robot_at(place(k % 25, k / 25), place((7 * k + 3) % 25, (k / 25 + 5) % 12));
+    robot.position.x += 0.001 * k;
+    robot.radius = 0.35;
+    robot.preferred_speed = 1.5;
+    scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
 }  // namespace avo::test

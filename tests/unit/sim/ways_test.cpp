@@ -74,6 +74,17 @@ TEST(Ways, AWallBetweenMeansNotArrived) {
   EXPECT_GT(simulation.time(), 5.0);
 }
 
+// Nor does one in two pieces that touch right between.
+TEST(Ways, AJointOfWallsBetweenMeansNotArrived) {
+  for (const double x : {0.1, 0.3}) {
+    Scenario scene = scene_among({{{0, -5}, {0, 0}, 0}, {{0, 0}, {0, 5}, 0}});
+    RobotSetup robot = test::robot_at({-0.1, 0}, {x, 0});
+    robot.radius = 0.05;
+    scene.robots = {robot};
+    EXPECT_FALSE(Simulation(scene, 1).all_at_goal());
+  }
+}
+
 TEST(Ways, TellsWhoCannotReachItsGoal) {
   Scenario scene = scene_among(test::two_rooms(1.2));
   scene.robots = {test::robot_at({3, 3}, {17, 3}), test::robot_at({3, 6}, {17, 6}),
