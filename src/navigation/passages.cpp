@@ -151,7 +151,9 @@ class Joiner {
     axis.push_back(axis.back() + reach * behind);
     passage.along.push_back(0.0);
     for (std::size_t k = 1; k < axis.size(); ++k) {
-      passage.along.push_back(passage.along.back() + norm(axis[k] - axis[k - 1]));
+      const double length = norm(axis[k] - axis[k - 1]);
+      passage.along.push_back(passage.along.back() + length);
+      passage.direction.push_back((axis[k] - axis[k - 1]) / length);
     }
   }
 
@@ -181,21 +183,30 @@ Wall capsule_of(const Passage& passage) {
 
 PassagePlace place_in(const Passage& passage, Vec2 p) {
   PassagePlace place;
-  double least = std::numeric_limits<double>::infinity();
-  const std::size_t pieces = passage.axis.size() - 1;
+  double least = std::numeric_limits<double>::infinity();  // m², from the axis
+  const std::size_t pieces = passage.direction.size();
   for (std::size_t k = 0; k < pieces; ++k) {
-    const Vec2 from = passage.axis[k];
-    const double length = passage.along[k + 1] - passage.along[k];
-    const Vec2 direction = (passage.axis[k + 1] - from) / length;
+    const Vec2 from = passage.axis[k], direction = passage.direction[k];
     double t = dot(p - from, direction);
     if (k > 0) t = std::max(t, 0.0);
-    if (k + 1 < pieces) t = std::min(t, length);
-    const double off = norm(p - (from + t * direction));
+    if (k + 1 < pieces) t = std::min(t, passage.along[k + 1] - passage.along[k]);
+    const double off = norm_squared(p - (from + t * direction));
     if (off >= least) continue;
     least = off;
     place = {passage.along[k] + t, cross(direction, p - from)};
   }
   return place;
+}
+
+bool is_near_axis(const Passage& passage, Vec2 p) {
+  const double farthest = kAtBends * passage.half_width, limit = farthest * farthest;
+  for (std::size_t k = 0; k < passage.direction.size(); ++k) {
+    const Vec2 from = passage.axis[k], direction = passage.direction[k];
+    const double length = passage.along[k + 1] - passage.along[k];
+    const double t = std::clamp(dot(p - from, direction), 0.0, length);
+    if (norm_squared(p - (from + t * direction)) < limit) return true;
+  }
+  return false;
 }
 
 bool is_inside(const Passage& passage, const PassagePlace& place) {
@@ -211,9 +222,8 @@ AxisPoint axis_point(const Passage& passage, bool forward, double along) {
   if (!forward) along = passage.length() - along;
   std::size_t k = 0;
   while (k + 2 < passage.axis.size() && along > passage.along[k + 1]) ++k;
-  const Vec2 from = passage.axis[k];
-  const Vec2 direction = (passage.axis[k + 1] - from) / (passage.along[k + 1] - passage.along[k]);
-  const Vec2 point = from + (along - passage.along[k]) * direction;
+  const Vec2 direction = passage.direction[k];
+  const Vec2 point = passage.axis[k] + (along - passage.along[k]) * direction;
   return {point, forward ? direction : -1.0 * direction};
 }
 
@@ -251,8 +261,11 @@ std::optional<std::uint32_t> Passages::at(Vec2 p) const {
   if (!axes_) return best;
   axes_->all_near(p, p, [&](std::size_t k) {
     const std::uint32_t number = axis_of_[k];
+    const Wall& piece = axes_->walls()[k];
+    if (number == best || distance(p, {piece.a, piece.b}) >= kAtBends * all_[number].half_width)
+      return true;
     const PassagePlace place = place_in(all_[number], p);
-    if (number == best || !is_inside(all_[number], place)) return true;
+    if (!is_inside(all_[number], place)) return true;
     const bool two_lanes = all_[number].two_lanes;
     if (best && two_lanes != all_[*best].two_lanes ? two_lanes : std::abs(place.aside) >= least)
       return true;

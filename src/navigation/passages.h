@@ -15,10 +15,11 @@ namespace avo {
 /// Its axis begins and ends in the mouths, where the largest robots do not yet hinder anybody in
 /// it, and leads straight from the middle of each gap to that of the next one.
 struct Passage {
-  std::vector<Vec2> axis;     // m, three points at least
-  std::vector<double> along;  // m, of each point of the axis from the first one
-  double half_width = 0.0;    // m, at its narrowest
-  double radius = 0.0;        // m, of the largest robots that fit
+  std::vector<Vec2> axis;       // m, three points at least
+  std::vector<double> along;    // m, of each point of the axis from the first one
+  std::vector<Vec2> direction;  // unit, of each piece of the axis
+  double half_width = 0.0;      // m, at its narrowest
+  double radius = 0.0;          // m, of the largest robots that fit
   bool two_lanes = false;
   [[nodiscard]] double length() const { return along.back(); }
 };
@@ -29,6 +30,9 @@ struct PassagePlace {
   double aside = 0.0;  // m, to the left of the axis
 };
 PassagePlace place_in(const Passage& passage, Vec2 p);
+
+/// Whether p may be inside, which is told sooner than where it is.
+bool is_near_axis(const Passage& passage, Vec2 p);
 
 /// Whether that is between its mouths and its walls, near the mouths not beside the way in.
 bool is_inside(const Passage& passage, const PassagePlace& place);

@@ -10,6 +10,7 @@ namespace avo {
 namespace {
 
 constexpr double kMoves = 0.2;      // radii a second: slower is at rest
+constexpr double kTowards = 0.5;    // cosine: who moves more across does not come
 constexpr double kDeep = 6.0;       // of what is kept clear before a mouth, outwards
 constexpr double kLeft = 1.6;       // and from the axis to the right of who enters
 constexpr double kBay = 3.1;        // from the axis, to the right: where to wait
@@ -106,18 +107,22 @@ Course wait(const Passage& passage, const Claimant& robot, double max_accelerati
 
 std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Vec2 position,
                                 Vec2 velocity) {
-  const PassagePlace place = place_in(passage, position);
   const double least = kMoves * passage.radius;
-  const bool is_first_near = place.along < 0.5 * passage.length();
-  if (is_inside(passage, place)) {
-    const double speed = dot(velocity, axis_point(passage, true, place.along).direction);
-    const bool moves = std::abs(speed) > least;
-    return Claim{number, moves ? speed > 0.0 : is_first_near, true, 0.0};
+  const Vec2 front = passage.axis.front(), back = passage.axis.back();
+  const bool is_first_near = norm_squared(position - front) < norm_squared(position - back);
+  if (is_near_axis(passage, position)) {
+    const PassagePlace place = place_in(passage, position);
+    if (is_inside(passage, place)) {
+      const double speed = dot(velocity, axis_point(passage, true, place.along).direction);
+      const bool came_from_first = place.along < 0.5 * passage.length();
+      return Claim{number, std::abs(speed) > least ? speed > 0.0 : came_from_first, true, 0.0};
+    }
   }
-  const Vec2 way = mouth_of(passage, is_first_near).center - position;
+  const Vec2 way = (is_first_near ? front : back) - position;
+  const double towards = dot(velocity, way), range = kClaimRange * passage.radius;
+  if (!(towards > 0.0) || norm_squared(way) > range * range) return {};
   const double distance = norm(way);
-  if (distance > kClaimRange * passage.radius || !(dot(velocity, way) > least * distance))
-    return {};
+  if (!(towards > distance * std::max(least, kTowards * norm(velocity)))) return {};
   return Claim{number, is_first_near, false, distance};
 }
 

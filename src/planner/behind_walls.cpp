@@ -2,6 +2,7 @@
 #include "planner/behind_walls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -48,18 +49,32 @@ bool keeps_clear(Vec2 p, double radius, const Wall& wall) {
   return distance_to(wall, p) >= radius + wall.radius;
 }
 
-bool is_hidden(const Robot& robot, double reach, const Neighbor& neighbor,
-               std::span<const Wall> walls, const StepLaw& law) {
-  if (neighbor.behavior != Behavior::decides) return false;
-  const Vec2 p = robot.position, q = neighbor.position;
-  return std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
-    if (!crosses(p, q, wall) || distance_to(wall, p) > reach + wall.radius) return false;
-    if (!keeps_clear(p, robot.radius, wall) || !keeps_clear(q, neighbor.radius, wall)) return false;
-    const double round = way_round(p, q, wall);
-    const double lost = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + round;
-    return round > reach + reach_of(neighbor, law) + kRounding * lost;
-  });
-}
+// The walls that may hide somebody from a robot. Of more, the others hide nobody.
+struct HidingWalls {
+  static constexpr std::size_t kMost = 32;
+  std::array<const Wall*, kMost> walls;
+  std::size_t count = 0;
+  double reach;  // m, of the robot
+
+  HidingWalls(const Robot& robot, std::span<const Wall> all, const StepLaw& law)
+      : reach(reach_of(robot, law)) {
+    for (const Wall& wall : all) {
+      const double away = distance_to(wall, robot.position) - wall.radius;
+      if (away >= robot.radius && away <= reach && count < kMost) walls[count++] = &wall;
+    }
+  }
+
+  bool hide(Vec2 p, const Neighbor& neighbor, const StepLaw& law) const {
+    if (neighbor.behavior != Behavior::decides) return false;
+    const Vec2 q = neighbor.position;
+    return std::any_of(walls.begin(), walls.begin() + count, [&](const Wall* wall) {
+      if (!crosses(p, q, *wall) || !keeps_clear(q, neighbor.radius, *wall)) return false;
+      const double round = way_round(p, q, *wall);
+      const double lost = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + round;
+      return round > reach + reach_of(neighbor, law) + kRounding * lost;
+    });
+  }
+};
 
 }  // namespace
 
@@ -70,13 +85,14 @@ void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& t
     const std::span<const Wall> walls = tile.walls_of(i);
     if (walls.empty()) continue;
     const Robot robot = tile.robots.robot(i);
-    const double reach = reach_of(robot, law);
+    const HidingWalls hiding(robot, walls, law);
+    if (hiding.count == 0) continue;
     Neighbors& neighbors = tile.robots.neighbors[i];
     const std::size_t end = neighbors.first + neighbors.count;
     const std::size_t nearest = planned_with(options, neighbors.count);
     std::size_t kept = neighbors.first;
     for (std::size_t k = neighbors.first; k < end; ++k) {
-      if (is_hidden(robot, reach, columns[k], walls, law)) {
+      if (hiding.hide(robot.position, columns[k], law)) {
         if (k - neighbors.first < nearest) ++neighbors.hidden;
         continue;
       }
@@ -90,7 +106,7 @@ void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& t
 bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
                const StepLaw& law) {
   return law.sensing_error == SensingError{} &&
-         is_hidden(robot, reach_of(robot, law), neighbor, walls, law);
+         HidingWalls(robot, walls, law).hide(robot.position, neighbor, law);
 }
 
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {

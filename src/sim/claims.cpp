@@ -10,6 +10,7 @@
 namespace avo {
 namespace {
 
+constexpr double kLeavesLane = 1.0;     // rad: who has turned off by more is in a jam
 constexpr std::size_t kMostClaims = 4;  // of a robot; of more, memory grows when it is needed
 
 const Travel& travel_of(const World& world, std::size_t slot) {
@@ -84,7 +85,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   const auto [claim, lane] = look_ahead(passages, *travel.graph, *travel.map, p, travel.target);
   const double rest = norm(heading.goal - p);
   Heading heeding = heading;
-  if (lane) heeding.goal = beyond(p, *lane, rest);
+  if (lane && world.fleet.detour[slot].angle <= kLeavesLane) heeding.goal = beyond(p, *lane, rest);
   if (!claim) return heeding;
   const RobotTraits& traits = world.fleet.traits[slot];
   const Passage& passage = passages[claim->passage];

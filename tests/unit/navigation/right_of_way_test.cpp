@@ -25,9 +25,14 @@ Vec2 turned(Vec2 p, double angle) {
 
 /// A straight one of 10 m from mouth to mouth, 1.6 m wide, for robots of 0.5 m.
 Passage straight(double angle = 0.0) {
-  Passage passage{
-      {{-5, 0}, {-4.35, 0}, {4.35, 0}, {5, 0}}, {0.0, 0.65, 9.35, 10.0}, 0.8, 0.5, false};
+  Passage passage{{{-5, 0}, {-4.35, 0}, {4.35, 0}, {5, 0}},
+                  {0.0, 0.65, 9.35, 10.0},
+                  {{1, 0}, {1, 0}, {1, 0}},
+                  0.8,
+                  0.5,
+                  false};
   for (Vec2& p : passage.axis) p = turned(p, angle);
+  for (Vec2& direction : passage.direction) direction = turned(direction, angle);
   return passage;
 }
 
