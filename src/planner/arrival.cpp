@@ -90,7 +90,11 @@ bool may_detour(const Robot& robot) {
   return robot.distance_to_goal >= robot.radius;
 }
 
-void turn_off(Detour& detour, const Robot& robot, double time_step) {
+void turn_off(Detour& detour, const Robot& robot, double time_step, bool among_walls) {
+  if (among_walls && detour.angle == kMostDetour) {
+    detour.angle = 0.0;
+    return;
+  }
   detour.angle = std::min(detour.angle + kTurnOff * time_step / time_to_speed(robot), kMostDetour);
 }
 

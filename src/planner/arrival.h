@@ -53,8 +53,9 @@ bool is_near_goal(const Robot& robot);
 /// Whether the robot may leave its way at all: not where it has all but arrived.
 bool may_detour(const Robot& robot);
 
-/// Turns off further while the detour is blocked as well, and back once the way is free.
-void turn_off(Detour& detour, const Robot& robot, double time_step);
+/// Turns off further while the detour is blocked as well, among walls all over again from the way,
+/// and back once the way is free.
+void turn_off(Detour& detour, const Robot& robot, double time_step, bool among_walls);
 void turn_back(Detour& detour, const Robot& robot, double time_step);
 
 }  // namespace avo

@@ -81,7 +81,8 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
     const Vec2 turned = turned_right(wish, detour.angle);
     const Vec2 unhindered = approach(robot.velocity, turned, decision.decrement());
     choice = choose_by_program(decision, decision.walls, turned);
-    if (is_way_blocked(decision, choice, unhindered, turned)) turn_off(detour, robot, time_step);
+    if (is_way_blocked(decision, choice, unhindered, turned))
+      turn_off(detour, robot, time_step, !decision.walls.empty());
     if (choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
   } else if (detour.angle > 0.0) {
     turn_back(detour, robot, time_step);

@@ -115,6 +115,39 @@ TEST(PushAmongWalls, who_is_on_its_way_beside_a_wall_is_not_pushed) {
   EXPECT_GT(speed({{{-9.0, 0.0}, {9.0, 0.0}}}), 0.09);
 }
 
+// Who is blocked in every direction turns off as far as may be. Beside a wall it then tries its way
+// again.
+TEST(DetourAmongWalls, begins_anew_where_all_is_blocked) {
+  const Planner planner(options_with(Certificate::braking_trajectories));
+  Robot robot;
+  robot.position = {0.0, 0.51};
+  robot.preferred_velocity = {1.5, 0.0};
+  const std::vector<Neighbor> ring = [&] {
+    std::vector<Neighbor> around;
+    for (const Vec2 side :
+         {Vec2{1.0, 0.0}, {0.5, 0.87}, {-0.5, 0.87}, {-1.0, 0.0}, {-0.5, -0.87}, {0.5, -0.87}})
+      around.push_back({robot.position + 1.001 * side, {}});
+    return around;
+  }();
+  const auto angles = [&](const std::vector<Wall>& walls) {
+    PlanWorkspace workspace;
+    Detour detour;
+    std::vector<double> after;
+    for (int step = 0; step < 60; ++step) {
+      const Plan plan = planner.plan(robot, ring, workspace, &detour, walls);
+      EXPECT_LT(norm(plan.next_velocity), 0.03);
+      after.push_back(detour.angle);
+    }
+    return after;
+  };
+  const std::vector<double> in_the_open = angles({});
+  EXPECT_TRUE(std::is_sorted(in_the_open.begin(), in_the_open.end()));
+  EXPECT_DOUBLE_EQ(in_the_open.back(), 2.4);
+  const std::vector<double> beside_a_wall = angles({{{-9.0, 0.0}, {9.0, 0.0}}});
+  EXPECT_DOUBLE_EQ(*std::max_element(beside_a_wall.begin(), beside_a_wall.end()), 2.4);
+  EXPECT_LT(beside_a_wall.back(), 1.0);
+}
+
 // A neighbor on the other side of a wall demands nothing of either, and is not listed.
 TEST(HiddenNeighbors, are_not_listed_either) {
   const Planner planner(options_with(Certificate::braking_trajectories));
