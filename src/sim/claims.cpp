@@ -78,16 +78,18 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
 }
 
 Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,
-                      const Travel& travel, const Heading& heading) {
+                      const Travel& travel, const Heading& heading, double nearest) {
   if (!travel.is_known()) return heading;
   const Passages& passages = world.ways.passages;
   const Vec2 p = world.fleet.position[slot];
   const auto [claim, lane] = look_ahead(passages, *travel.graph, *travel.map, p, travel.target);
   const double rest = norm(heading.goal - p);
   Heading heeding = heading;
-  if (lane && world.fleet.detour[slot].angle <= kLeavesLane) heeding.goal = beyond(p, *lane, rest);
-  if (!claim) return heeding;
   const RobotTraits& traits = world.fleet.traits[slot];
+  const bool in_company = nearest <= kClaimRange * traits.radius;
+  if (lane && in_company && world.fleet.detour[slot].angle <= kLeavesLane)
+    heeding.goal = beyond(p, *lane, rest);
+  if (!claim) return heeding;
   const Passage& passage = passages[claim->passage];
   const Course course = right_of_way(passage, {*claim, p}, traits.max_acceleration,
                                      claims.of(claim->passage), world.settings.sensing_radius);

@@ -29,8 +29,9 @@ struct Claims {
 /// Seen, or told, as the scene says. There are passages.
 void collect_claims(const World& world, Executor& executor, Claims& claims);
 
-/// What the rules at passages make of the heading.
+/// What the rules at passages make of the heading. nearest: m, how far off the nearest other one is
+/// that it senses; infinity where there is none.
 Heading heed_passages(const World& world, const Claims& claims, std::size_t slot,
-                      const Travel& travel, const Heading& heading);
+                      const Travel& travel, const Heading& heading, double nearest);
 
 }  // namespace avo

@@ -7,6 +7,12 @@
 namespace avo {
 namespace {
 
+// m: they come nearest first.
+double nearest_of(const Neighbors& neighbors, Vec2 position) {
+  if (neighbors.count == 0) return std::numeric_limits<double>::infinity();
+  return norm(neighbors[0].position - position);
+}
+
 // Around walls: towards what is next on each robot's way, as passages allow.
 void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   const Fleet& fleet = world.fleet;
@@ -16,7 +22,8 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
     Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
                              looks_around(fleet.id[slot], world.steps), worker.legs);
     if (!world.ways.passages.empty())
-      heading = heed_passages(world, world.claims, slot, travel, heading);
+      heading = heed_passages(world, world.claims, slot, travel, heading,
+                              nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]));
     worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
     worker.moving.preferred_speed[k] = heading.preferred_speed;
   }

@@ -50,6 +50,19 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
+// m: the nearest other one that it senses.
+double nearest_to(const World& world, std::size_t slot) {
+  const Vec2 p = world.fleet.position[slot];
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto look = [&](Vec2 other) { nearest = std::min(nearest, norm(other - p)); };
+  for (std::size_t k = 0; k < world.fleet.size(); ++k) {
+    if (k != slot) look(world.fleet.position[k]);
+  }
+  for (const Vec2 obstacle : world.obstacles.position) look(obstacle);
+  return nearest <= world.settings.sensing_radius ? nearest
+                                                  : std::numeric_limits<double>::infinity();
+}
+
 // Where the robot would head for now; it remembers nothing of this.
 Heading heading_of(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
@@ -61,7 +74,7 @@ Heading heading_of(const World& world, std::size_t slot) {
   Claims claims;
   SerialExecutor serial;
   collect_claims(world, serial, claims);
-  return heed_passages(world, claims, slot, travel, heading);
+  return heed_passages(world, claims, slot, travel, heading, nearest_to(world, slot));
 }
 
 void find_passages(World& world) {
