@@ -45,8 +45,12 @@ double way_round(Vec2 p, Vec2 q, const Wall& wall) {
   return std::min(norm(p - wall.a) + norm(wall.a - q), norm(p - wall.b) + norm(wall.b - q));
 }
 
-bool keeps_clear(Vec2 p, double radius, const Wall& wall) {
-  return distance_to(wall, p) >= radius + wall.radius;
+// Whether what it needs in order to stop does.
+bool keeps_clear(Vec2 p, Vec2 velocity, double max_acceleration, double radius, const Wall& wall,
+                 const StepLaw& law) {
+  const double speed = norm(velocity), u = braking_decrement(max_acceleration, law);
+  const Vec2 way = speed > 0.0 ? (stopping_length(speed, u, law) / speed) * velocity : Vec2{};
+  return distance(Segment{p, p + way}, {wall.a, wall.b}) >= radius + wall.radius;
 }
 
 // The walls that may hide somebody from a robot. Of more, the others hide nobody.
@@ -59,8 +63,11 @@ struct HidingWalls {
   HidingWalls(const Robot& robot, std::span<const Wall> all, const StepLaw& law)
       : reach(reach_of(robot, law)) {
     for (const Wall& wall : all) {
-      const double away = distance_to(wall, robot.position) - wall.radius;
-      if (away >= robot.radius && away <= reach && count < kMost) walls[count++] = &wall;
+      if (count == kMost) break;
+      if (distance_to(wall, robot.position) > reach + wall.radius) continue;
+      if (keeps_clear(robot.position, robot.velocity, robot.max_acceleration, robot.radius, wall,
+                      law))
+        walls[count++] = &wall;
     }
   }
 
@@ -68,7 +75,10 @@ struct HidingWalls {
     if (neighbor.behavior != Behavior::decides) return false;
     const Vec2 q = neighbor.position;
     return std::any_of(walls.begin(), walls.begin() + count, [&](const Wall* wall) {
-      if (!crosses(p, q, *wall) || !keeps_clear(q, neighbor.radius, *wall)) return false;
+      if (!crosses(p, q, *wall)) return false;
+      if (!keeps_clear(q, neighbor.velocity, neighbor.max_acceleration, neighbor.radius, *wall,
+                       law))
+        return false;
       const double round = way_round(p, q, *wall);
       const double lost = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + round;
       return round > reach + reach_of(neighbor, law) + kRounding * lost;

@@ -171,7 +171,7 @@ namespace {
 void leave_out_hidden(const Planner& planner, const Robot& robot,
                       std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                       std::vector<std::uint32_t>& numbers) {
-  if (planner.options().method != Method::avo || walls.empty()) return;
+  if (planner.options().certificate == Certificate::none || walls.empty()) return;
   const StepLaw law = certificate_law(planner).step;
   const auto hidden = [&](std::uint32_t k) { return is_hidden(robot, neighbors[k], walls, law); };
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), hidden), numbers.end());

@@ -256,7 +256,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
   set_apart(planner, tile, scratch);
-  if (options.method == Method::avo && !tile.walls.empty())
+  if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);
   collect_soft_planes(options, planner.horizon(), tile, scratch.soft);
   clock.lap(Stage::half_planes);
