@@ -97,7 +97,7 @@ TEST(RobotsAtPassages, OncomingRobotsPassInTheirLanes) {
   }
   EXPECT_TRUE(simulation.all_at_goal());
   EXPECT_TRUE(passed);
-  EXPECT_GT(least, 1.2);
+  EXPECT_GT(least, 1.0);
   EXPECT_LT(simulation.time(), 24.0 / 1.5 + 5.0);
 }
 
