@@ -207,8 +207,9 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
     }
     const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
     const SoftPlanes& soft = scratch.soft;
-    const double worst = with_excess(soft.of(i), soft.excess_of(i), target, decisions.violation[i]);
-    const PlanStatus status = status_of(scratch.soft.overlapping[i] != 0, worst);
+    double worst = decisions.violation[i];
+    if (soft.exceeding) worst = with_excess(soft.of(i), soft.excess_of(i), target, worst);
+    const PlanStatus status = status_of(soft.overlapping[i] != 0, worst);
     plan = plan_of(planner.options(), tile.robots.velocity(i), target, status, worst);
   }
 }
