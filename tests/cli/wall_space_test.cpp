@@ -10,6 +10,7 @@
 
 #include "avo_io/scene.h"
 #include "support/generators.h"
+#include "support/segment_distance.h"
 
 namespace avo_test {
 namespace {
@@ -22,10 +23,7 @@ using avo::Wall;
 using avo::test::Random;
 
 double distance(Vec2 p, const Wall& wall) {
-  const Vec2 d = wall.b - wall.a;
-  const double square = dot(d, d);
-  const double along = square > 0.0 ? std::clamp(dot(p - wall.a, d) / square, 0.0, 1.0) : 0.0;
-  return norm(p - wall.a - along * d) - wall.radius;
+  return avo::test::slow_segment_distance(p, wall.a, wall.b) - wall.radius;
 }
 
 // By the angle that the chain turns around the point, not by counting crossings.

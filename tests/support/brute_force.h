@@ -67,6 +67,36 @@ inline double slow_distance(const Situation& s, Vec2 w, int samples = 2000) {
   return -best;
 }
 
+/// The unit normal of least support, and that support: support(normal, refined) is looked at in so
+/// many directions and then, refined, around the lowest `tries` of its minima.
+template <typename Support>
+std::pair<Vec2, double> least_support(const Support& support, int directions, int tries,
+                                      int steps) {
+  const double step = 2.0 * std::numbers::pi / directions;
+  const auto direction = [](double angle) { return Vec2{std::cos(angle), std::sin(angle)}; };
+  std::vector<double> value;
+  for (int k = 0; k < directions; ++k) value.push_back(support(direction(k * step), false));
+  const auto value_at = [&](int k) { return value[static_cast<std::size_t>(k % directions)]; };
+  std::vector<std::pair<double, int>> minima;
+  for (int k = 0; k < directions; ++k) {
+    const double here = value_at(k);
+    if (here <= value_at(k + 1) && here <= value_at(k + directions - 1))
+      minima.emplace_back(here, k);
+  }
+  std::sort(minima.begin(), minima.end());
+  double best = std::numeric_limits<double>::infinity(), best_angle = 0.0;
+  for (std::size_t k = 0; k < std::min(static_cast<std::size_t>(tries), minima.size()); ++k) {
+    const double angle = minima[k].second * step;
+    const auto f = [&](double x) {
+      const double h = support(direction(x), true);
+      if (h < best) best = h, best_angle = x;
+      return -h;
+    };
+    golden_section(f, angle - step, angle + step, steps);
+  }
+  return {direction(best_angle), best};
+}
+
 /// Support function of D(0, reach) ∩ AVO about w = 0: the largest n . w over all times of the
 /// discs' parts within reach, sampled in time and refined between the samples.
 class SlowHull {
@@ -122,30 +152,7 @@ class SlowHull {
 
   /// The unit normal of least support, and that support.
   [[nodiscard]] std::pair<Vec2, double> least() const {
-    constexpr int kDirections = 96;
-    constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
-    std::vector<std::pair<double, int>> minima;
-    std::vector<double> value;
-    for (int k = 0; k < kDirections; ++k) value.push_back(support(direction(k * kStep), false));
-    for (int k = 0; k < kDirections; ++k) {
-      const double here = value[static_cast<std::size_t>(k)];
-      if (here <= value[static_cast<std::size_t>((k + 1) % kDirections)] &&
-          here <= value[static_cast<std::size_t>((k + kDirections - 1) % kDirections)]) {
-        minima.emplace_back(here, k);
-      }
-    }
-    std::sort(minima.begin(), minima.end());
-    double best = kInfinity, best_angle = 0.0;
-    for (std::size_t k = 0; k < std::min<std::size_t>(2, minima.size()); ++k) {
-      double angle = minima[k].second * kStep;
-      const auto f = [&](double x) {
-        const double h = support(direction(x));
-        if (h < best) best = h, best_angle = x;
-        return -h;
-      };
-      golden_section(f, angle - kStep, angle + kStep, 36);
-    }
-    return {direction(best_angle), best};
+    return least_support([this](Vec2 n, bool refined) { return support(n, refined); }, 96, 2, 36);
   }
 
  private:
@@ -159,7 +166,6 @@ class SlowHull {
     Vec2 corner[2];
   };
 
-  static Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
   [[nodiscard]] double gain(double t) const {
     return static_cast<double>(slow_gain(t, s_.control_time));
   }

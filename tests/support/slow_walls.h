@@ -13,6 +13,7 @@
 
 #include "obstacles/wall_half_plane.h"
 #include "support/brute_force.h"
+#include "support/segment_distance.h"
 
 namespace avo::test {
 
@@ -30,14 +31,6 @@ inline std::ostream& operator<<(std::ostream& out, const WallSituation& s) {
              << s.pair.from_b.x << ", " << s.pair.from_b.y << "} v {" << s.pair.velocity.x << ", "
              << s.pair.velocity.y << "} r " << s.pair.radius << " reach " << s.reach << " delta "
              << s.control_time << " tau " << s.time_horizon;
-}
-
-/// m, from a point to the segment from a to b.
-inline double slow_segment_distance(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double squared = norm_squared(d);
-  const double part = squared > 0.0 ? std::clamp(dot(p - a, d) / squared, 0.0, 1.0) : 0.0;
-  return norm(p - (a + part * d));
 }
 
 /// Smallest distance of the robot from the wall over (0, τ].
@@ -96,29 +89,7 @@ class SlowWallHull {
 
   /// The unit normal of least support, and that support.
   [[nodiscard]] std::pair<Vec2, double> least() const {
-    constexpr int kDirections = 120;
-    constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
-    std::vector<double> value;
-    for (int k = 0; k < kDirections; ++k) value.push_back(support(direction(k * kStep), false));
-    std::vector<std::pair<double, int>> minima;
-    for (int k = 0; k < kDirections; ++k) {
-      const double left = value[static_cast<std::size_t>((k + kDirections - 1) % kDirections)];
-      const double right = value[static_cast<std::size_t>((k + 1) % kDirections)];
-      const double here = value[static_cast<std::size_t>(k)];
-      if (here <= left && here <= right) minima.emplace_back(here, k);
-    }
-    std::sort(minima.begin(), minima.end());
-    double best = kInfinity, best_angle = 0.0;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, minima.size()); ++k) {
-      const double angle = minima[k].second * kStep;
-      const auto f = [&](double x) {
-        const double h = support(direction(x));
-        if (h < best) best = h, best_angle = x;
-        return -h;
-      };
-      golden_section(f, angle - kStep, angle + kStep, 32);
-    }
-    return {direction(best_angle), best};
+    return least_support([this](Vec2 n, bool refined) { return support(n, refined); }, 120, 3, 32);
   }
 
  private:
@@ -129,8 +100,6 @@ class SlowWallHull {
     double radius;
     bool in_reach;
   };
-
-  static Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
   [[nodiscard]] WallAt wall_at(double t) const {
     const double g = static_cast<double>(slow_gain(t, s_.control_time));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "support/brute_force.h"
+#include "support/segment_distance.h"
 
 namespace avo {
 namespace {
@@ -112,9 +113,7 @@ template <typename PointAt>
 double sampled_from(const PointAt& at, const Segment& segment) {
   constexpr int kSamples = 400;
   const auto nearness = [&](double u) {
-    const Vec2 d = segment.b - segment.a, p = at(u) - segment.a;
-    const double along = dot(d, d) > 0.0 ? std::clamp(dot(p, d) / dot(d, d), 0.0, 1.0) : 0.0;
-    return -norm(p - along * d);
+    return -test::slow_segment_distance(at(u), segment.a, segment.b);
   };
   double best = -std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kSamples; ++k) {

@@ -10,6 +10,7 @@
 #include "avo/metrics.h"
 #include "runs.h"
 #include "support/generators.h"
+#include "support/segment_distance.h"
 
 namespace avo {
 namespace {
@@ -64,12 +65,8 @@ double slow_wall_clearance(const Scenario& scene, int steps, std::set<std::size_
       for (int n = 0; n <= 200; ++n) {
         const Vec2 at = place(i, scene.time_step * n / 200.0);
         for (const Wall& wall : walls) {
-          const Vec2 d = wall.b - wall.a;
-          const double squared = dot(d, d);
-          const double along =
-              squared > 0.0 ? std::clamp(dot(at - wall.a, d) / squared, 0.0, 1.0) : 0.0;
           const double clearance =
-              norm(at - wall.a - along * d) - wall.radius - fleet.setup[i].radius;
+              test::slow_segment_distance(at, wall.a, wall.b) - wall.radius - fleet.setup[i].radius;
           least = std::min(least, clearance);
           if (clearance < -1e-3) touched.insert(i);
         }
