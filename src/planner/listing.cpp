@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a decision is made from, listed for whoever wants to see it: half-planes, and what the
+// certificate demands, of neighbors and of walls.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "avo/planner.h"
+#include "lp/lens.h"
+#include "planner/behind_walls.h"
+#include "planner/certify.h"
+#include "planner/decision.h"
+#include "planner/neighbor_order.h"
+#include "planner/scratch.h"
+#include "planner/soft_planes.h"
+#include "planner/wall_planes.h"
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+// As plan() does, of those whose numbers are given.
+void leave_out_hidden(const Planner& planner, const Robot& robot,
+                      std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                      std::vector<std::uint32_t>& numbers) {
+  if (planner.options().certificate == Certificate::none || walls.empty()) return;
+  const StepLaw law = certificate_law(planner).step;
+  const auto hidden = [&](std::uint32_t k) { return is_hidden(robot, neighbors[k], walls, law); };
+  numbers.erase(std::remove_if(numbers.begin(), numbers.end(), hidden), numbers.end());
+}
+
+// Which of the neighbors get a half-plane, in the order in which they are given.
+std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot& robot,
+                                            std::span<const Neighbor> neighbors,
+                                            std::span<const Wall> walls,
+                                            PlanWorkspace::Scratch& scratch) {
+  rank(robot, neighbors, scratch);
+  scratch.order.resize(planned_with(planner.options(), scratch.order.size()));
+  leave_out_hidden(planner, robot, neighbors, walls, scratch.order);
+  std::sort(scratch.order.begin(), scratch.order.end());
+  return scratch.order;
+}
+
+}  // namespace
+
+void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
+                                  PlanWorkspace& workspace, HalfPlanes& half_planes,
+                                  std::span<const Wall> walls) const {
+  half_planes.planes.clear();
+  half_planes.overlapping = false;
+  if (!all_valid(robot, neighbors) || !follows_heading(robot) || !can_follow(robot, options_))
+    return;
+  const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
+  for (const std::uint32_t k :
+       list_planned(*this, robot, neighbors, walls, PlanWorkspace::Scratch::of(workspace))) {
+    const auto own = own_half_plane(options_, *horizon_, robot, neighbors[k], static_cast<int>(k),
+                                    half_planes.overlapping);
+    if (!own) continue;
+    if (own->excess <= 0.0 && lens_support_min(own->plane.normal, allowed) >= own->plane.offset) {
+      continue;
+    }
+    half_planes.planes.push_back(*own);
+  }
+}
+
+void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> walls,
+                                  WallPlanes& half_planes) const {
+  half_planes.speeds.clear();
+  half_planes.obstacles.clear();
+  half_planes.overlapping = false;
+  if (!is_valid(robot) || !follows_heading(robot) || !can_follow(robot, options_)) return;
+  const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
+  const auto cuts = [&allowed](const HalfPlane& plane) {
+    return lens_support_min(plane.normal, allowed) < plane.offset;
+  };
+  std::vector<HalfPlane> speeds;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!is_valid(walls[k])) continue;
+    const int index = static_cast<int>(k);
+    speeds.clear();
+    if (options_.method == Method::avo)
+      append_speed_planes(robot, walls.subspan(k, 1), certificate_law(*this).step, speeds);
+    if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
+    const auto own =
+        obstacle_plane(options_, *horizon_, robot, walls[k], index, half_planes.overlapping);
+    if (own && (own->excess > 0.0 || cuts(own->plane))) half_planes.obstacles.push_back(*own);
+  }
+}
+
+void Planner::collect_certificate(const Robot& robot, std::span<const Wall> walls,
+                                  PlanWorkspace& workspace,
+                                  std::vector<WallConstraint>& constraints) const {
+  constraints.clear();
+  if (options_.certificate == Certificate::none || !is_valid(robot)) return;
+  WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!is_valid(walls[k])) continue;
+    begin_walls(robot, walls.subspan(k, 1), certificate_law(*this).step, own);
+    if (own.near.empty()) continue;
+    const NearWall& wall = own.near[0];
+    const NearestPoints nearest = nearest_points({{}, own.stop}, wall.segment);
+    const Vec2 away = nearest.on_first - nearest.on_second;
+    constraints.push_back({static_cast<int>(k), wall.held, nearest.distance,
+                           nearest.distance > 0.0 ? away / nearest.distance : Vec2{}});
+  }
+}
+
+void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
+                                  PlanWorkspace& workspace,
+                                  std::vector<CertificateConstraint>& constraints,
+                                  std::span<const Wall> walls) const {
+  PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+  rank(robot, neighbors, scratch);
+  std::sort(scratch.order.begin(), scratch.order.end());
+  leave_out_hidden(*this, robot, neighbors, walls, scratch.order);
+  scratch.listed.clear();
+  for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
+  CertificateConstraints& own = scratch.certified.constraints;
+  collect_constraints(robot, scratch.listed, certificate_law(*this), own);
+  list_constraints(own, robot.position, constraints);
+  for (CertificateConstraint& constraint : constraints)
+    constraint.neighbor =
+        static_cast<int>(scratch.order[static_cast<std::size_t>(constraint.neighbor)]);
+}
+
+}  // namespace avo
