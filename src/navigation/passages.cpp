@@ -187,26 +187,17 @@ PassagePlace place_in(const Passage& passage, Vec2 p) {
   const std::size_t pieces = passage.direction.size();
   for (std::size_t k = 0; k < pieces; ++k) {
     const Vec2 from = passage.axis[k], direction = passage.direction[k];
-    double t = dot(p - from, direction);
+    const double straight_on = dot(p - from, direction);
+    double t = straight_on;
     if (k > 0) t = std::max(t, 0.0);
     if (k + 1 < pieces) t = std::min(t, passage.along[k + 1] - passage.along[k]);
     const double off = norm_squared(p - (from + t * direction));
     if (off >= least) continue;
     least = off;
-    place = {passage.along[k] + t, cross(direction, p - from)};
+    const double left = cross(direction, p - from);
+    place = {passage.along[k] + t, t == straight_on ? left : std::copysign(std::sqrt(off), left)};
   }
   return place;
-}
-
-bool is_near_axis(const Passage& passage, Vec2 p) {
-  const double farthest = kAtBends * passage.half_width, limit = farthest * farthest;
-  for (std::size_t k = 0; k < passage.direction.size(); ++k) {
-    const Vec2 from = passage.axis[k], direction = passage.direction[k];
-    const double length = passage.along[k + 1] - passage.along[k];
-    const double t = std::clamp(dot(p - from, direction), 0.0, length);
-    if (norm_squared(p - (from + t * direction)) < limit) return true;
-  }
-  return false;
 }
 
 bool is_inside(const Passage& passage, const PassagePlace& place) {

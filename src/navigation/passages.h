@@ -27,12 +27,9 @@ struct Passage {
 /// Where a point lies with respect to a passage.
 struct PassagePlace {
   double along = 0.0;  // m, from the first mouth; negative before it, more than length() behind
-  double aside = 0.0;  // m, to the left of the axis
+  double aside = 0.0;  // m, from the axis, to its left
 };
 PassagePlace place_in(const Passage& passage, Vec2 p);
-
-/// Whether p may be inside, which is told sooner than where it is.
-bool is_near_axis(const Passage& passage, Vec2 p);
 
 /// Whether that is between its mouths and its walls, near the mouths not beside the way in.
 bool is_inside(const Passage& passage, const PassagePlace& place);

@@ -108,16 +108,14 @@ Course wait(const Passage& passage, const Claimant& robot, double max_accelerati
 std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Vec2 position,
                                 Vec2 velocity) {
   const double least = kMoves * passage.radius;
+  const PassagePlace place = place_in(passage, position);
+  if (is_inside(passage, place)) {
+    const double speed = dot(velocity, axis_point(passage, true, place.along).direction);
+    const bool came_from_first = place.along < 0.5 * passage.length();
+    return Claim{number, std::abs(speed) > least ? speed > 0.0 : came_from_first, true, 0.0};
+  }
   const Vec2 front = passage.axis.front(), back = passage.axis.back();
   const bool is_first_near = norm_squared(position - front) < norm_squared(position - back);
-  if (is_near_axis(passage, position)) {
-    const PassagePlace place = place_in(passage, position);
-    if (is_inside(passage, place)) {
-      const double speed = dot(velocity, axis_point(passage, true, place.along).direction);
-      const bool came_from_first = place.along < 0.5 * passage.length();
-      return Claim{number, std::abs(speed) > least ? speed > 0.0 : came_from_first, true, 0.0};
-    }
-  }
   const Vec2 way = (is_first_near ? front : back) - position;
   const double towards = dot(velocity, way), range = kClaimRange * passage.radius;
   if (!(towards > 0.0) || norm_squared(way) > range * range) return {};

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -186,8 +188,11 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     find_walls(state);
   }
   const std::uint32_t slot = state.fleet.slot_of[robot];
-  Perception seen{state.robot(slot), {}, {}, state.fleet.detour[slot], false, {}};
-  for (const NeighborHit& hit : all_hits(state, slot)) {
+  const std::vector<NeighborHit> hits = all_hits(state, slot);
+  const double nearest = hits.empty() ? std::numeric_limits<double>::infinity()
+                                      : std::sqrt(hits.front().distance_squared);
+  Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}};
+  for (const NeighborHit& hit : hits) {
     if (!state.all_matter() && seen.source.size() == state.most_nearest()) break;
     const auto k = static_cast<std::size_t>(hit.index);
     const bool is_obstacle = hit.place != 0;

@@ -50,21 +50,8 @@ void reserve(const World& world, Worker& worker) {
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
 }
 
-// m: the nearest other one that it senses.
-double nearest_to(const World& world, std::size_t slot) {
-  const Vec2 p = world.fleet.position[slot];
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto look = [&](Vec2 other) { nearest = std::min(nearest, norm(other - p)); };
-  for (std::size_t k = 0; k < world.fleet.size(); ++k) {
-    if (k != slot) look(world.fleet.position[k]);
-  }
-  for (const Vec2 obstacle : world.obstacles.position) look(obstacle);
-  return nearest <= world.settings.sensing_radius ? nearest
-                                                  : std::numeric_limits<double>::infinity();
-}
-
 // Where the robot would head for now; it remembers nothing of this.
-Heading heading_of(const World& world, std::size_t slot) {
+Heading heading_of(const World& world, std::size_t slot, double nearest) {
   const Fleet& fleet = world.fleet;
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
@@ -74,7 +61,7 @@ Heading heading_of(const World& world, std::size_t slot) {
   Claims claims;
   SerialExecutor serial;
   collect_claims(world, serial, claims);
-  return heed_passages(world, claims, slot, travel, heading, nearest_to(world, slot));
+  return heed_passages(world, claims, slot, travel, heading, nearest);
 }
 
 void find_passages(World& world) {
@@ -143,11 +130,11 @@ bool World::is_fast(std::size_t slot) const {
   return !(norm_squared(fleet.velocity[slot]) <= limit * limit);
 }
 
-Robot World::robot(std::size_t slot) const {
+Robot World::robot(std::size_t slot, double nearest) const {
   const RobotTraits& robot_traits = fleet.traits[slot];
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Heading heading{goal, robot_traits.preferred_speed};
-  if (!ways.empty()) heading = heading_of(*this, slot);
+  if (!ways.empty()) heading = heading_of(*this, slot, nearest);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{.position = p,

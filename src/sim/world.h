@@ -73,7 +73,8 @@ struct World {
   /// A certificate has to know all others within the sensing radius as well.
   bool all_matter() const { return planner.options().certificate != Certificate::none; }
   bool is_fast(std::size_t slot) const;
-  Robot robot(std::size_t slot) const;
+  /// nearest: m, see heed_passages().
+  Robot robot(std::size_t slot, double nearest) const;
 };
 
 /// Builds the grid of walls and finds the passages, where walls are new or a robot is larger or
