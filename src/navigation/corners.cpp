@@ -2,14 +2,13 @@
 #include "navigation/corners.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_set>
 
 #include "core/elementary.h"
 #include "core/hash.h"
-#include "navigation/corner_graph.h"
+#include "navigation/lattice.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -22,7 +21,6 @@ constexpr double kTouching = 1e-3;         // of the radius: walls as near as th
 constexpr double kLeanSlack = 0.1;         // where neighbors of a point are cut off
 constexpr double kRounding = 1e-9;         // of the radius
 constexpr double kWidestGap = 1.15;        // of what points around ends need to pass
-constexpr std::array kSpare{1.0, 0.25, 0.02, 1e-4, 1e-7};  // of kSpareRoom, tried in this order
 
 struct Arc {
   double from = 0.0, angle = 0.0;  // rad, of the outward directions
@@ -91,7 +89,7 @@ class CornerFinder {
     const double lean = elementary::sin(0.5 * step) + kLeanSlack;
     for (double k = 0.5; k < count; k += 1.0) {
       const Vec2 outward = elementary::direction(arc.from + k * step);
-      for (const double part : kSpare) {
+      for (const double part : kSpareParts) {
         const double room = radius_ + part * kSpareRoom;
         const Vec2 point = end + ((room + widest) / cosine * (1.0 + kRounding)) * outward;
         if (!(grid_.clearance(point) >= room)) continue;

@@ -19,8 +19,9 @@ std::optional<std::pair<Vec2, double>> rest_of(const Travel& travel) {
   if (travel.graph == nullptr) return std::nullopt;
   const PathMap& map = *travel.map;
   if (travel.target == PathMap::kGoal && map.is_free) return std::pair(map.goal, 0.0);
-  if (travel.target >= map.length.size()) return std::nullopt;
-  return std::pair(travel.graph->points[travel.target], map.length[travel.target]);
+  if (travel.target >= map.next.size()) return std::nullopt;
+  return std::pair(travel.graph->points[travel.target],
+                   length_from(*travel.graph, map, travel.target));
 }
 
 // Of all in view, the one on the shortest way.
@@ -37,13 +38,9 @@ Travel replanned(const Travel& before, Travel fresh, Vec2 position, double radiu
   Travel first = before;
   first.target = best_target(before, position, radius);
   if (rest_of(first) != rest_of(fresh)) return fresh;
-  const std::vector<Vec2>& points = fresh.graph->points;
   Travel travel = fresh;
-  travel.target = before.target;
-  if (before.target != PathMap::kGoal) {
-    const auto place = std::find(points.begin(), points.end(), kept->first);
-    travel.target = static_cast<std::uint32_t>(place - points.begin());
-  }
+  travel.target =
+      before.target == PathMap::kGoal ? PathMap::kGoal : point_at(*fresh.graph, kept->first);
   return rest_of(travel) == kept ? travel : fresh;
 }
 
@@ -101,18 +98,18 @@ std::shared_ptr<const PathMap> Ways::map_to(const CornerGraph& graph, Vec2 goal)
 }
 
 Travel Ways::plan(double radius, Vec2 position, Vec2 goal) {
-  Travel travel;
-  if (follows_) {
-    for (const double wide : {radius_class(radius), radius}) {
-      if (travel.graph != nullptr && travel.graph->radius == wide) break;
-      travel = resume(radius, goal, PathMap::kNothing, wide == radius);
-      travel.target = best_target(travel, position, radius);
-      if (travel.target != PathMap::kNothing) return travel;
-    }
-  }
+  const auto travel_at = [&](bool is_exact) {
+    Travel travel = resume(radius, goal, PathMap::kNothing, is_exact);
+    if (follows_) travel.target = best_target(travel, position, radius);
+    return travel;
+  };
+  Travel travel = travel_at(false);
+  if (travel.target != PathMap::kNothing) return travel;
   const FreeSpace& space = space_of(radius);
   if (!space.is_free(goal) || !space.are_connected(position, goal))
     travel.target = Travel::kUnreachable;
+  else if (follows_ && radius_class(radius) != radius)
+    travel = travel_at(true);
   return travel;
 }
 
@@ -127,7 +124,9 @@ Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target, bool is_exac
 
 std::size_t Ways::most_targets() const {
   std::size_t most = 0;
-  for (const auto& [radius, graph] : graphs_) most = std::max(most, graph->points.size() + 1);
+  for (const auto& [radius, graph] : graphs_) {
+    if (graph->lattice.empty()) most = std::max(most, graph->points.size() + 1);
+  }
   return most;
 }
 

@@ -15,7 +15,7 @@
 #include "navigation/corner_graph.h"
 #include "navigation/free_space.h"
 #include "navigation/passages.h"
-#include "navigation/path_map.h"
+#include "navigation/leg.h"
 #include "sim/fleet.h"
 
 namespace avo {

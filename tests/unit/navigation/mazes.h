@@ -78,6 +78,32 @@ inline std::vector<Wall> maze(int side, double cell, std::uint64_t seed) {
   return walls;
 }
 
+/// The contours of a square map of side x side cells of 1 m, of which that share is blocked at
+/// random.
+inline std::vector<Wall> noise_map(int side, double share, std::uint64_t seed) {
+  Random random(seed);
+  const auto cells = static_cast<std::size_t>(side);
+  std::vector<char> blocked(cells * cells);
+  for (char& cell : blocked) cell = random.uniform(0.0, 1.0) < share ? 1 : 0;
+  const auto is_blocked = [&](int x, int y) {
+    const bool is_outside = x < 0 || y < 0 || x >= side || y >= side;
+    return !is_outside &&
+           blocked[static_cast<std::size_t>(y) * cells + static_cast<std::size_t>(x)] != 0;
+  };
+  std::vector<Wall> walls;
+  for (int line = 0; line <= side; ++line) {
+    const auto at = static_cast<double>(line);
+    for (int k = 0; k < side; ++k) {
+      const auto from = static_cast<double>(k);
+      if (is_blocked(k, line) != is_blocked(k, line - 1))
+        walls.push_back({{from, at}, {from + 1.0, at}, 0.0});
+      if (is_blocked(line, k) != is_blocked(line - 1, k))
+        walls.push_back({{at, from}, {at, from + 1.0}, 0.0});
+    }
+  }
+  return walls;
+}
+
 /// Two rooms of 10 x 10 m with a door of that width between them.
 inline std::vector<Wall> two_rooms(double door) {
   const double low = 5.0 - 0.5 * door, high = 5.0 + 0.5 * door;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways beside brute force, in mazes and through narrow doors.
-#include "navigation/path_map.h"
-
+// Ways beside brute force, in mazes and through narrow doors: by graphs, and by fields.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "navigation/free_space.h"
+#include "navigation/leg.h"
 #include "unit/navigation/mazes.h"
 #include "walls/segment.h"
 
@@ -15,6 +14,16 @@ namespace avo {
 namespace {
 
 constexpr double kRadius = 0.5;
+
+// Of every map, with all pairs of corners joined and with a lattice.
+class Ways : public testing::TestWithParam<bool> {
+ protected:
+  static CornerGraph graph_of(const std::vector<Wall>& walls, double radius) {
+    return corner_graph(walls, radius, nullptr, GetParam() ? 0 : kMostJoinedCorners);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(PathMap, Ways, testing::Bool(),
+                         [](const auto& kind) { return kind.param ? "field" : "graph"; });
 
 Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
              bool looks_around) {
@@ -63,12 +72,12 @@ double brute_force(const std::vector<Wall>& walls, Vec2 from, Vec2 to, double ro
   return length[1];
 }
 
-TEST(PathMap, IsAsShortAsBruteForce) {
+TEST_P(Ways, AreAsShortAsBruteForce) {
   int ways = 0;
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const std::vector<Wall> walls = test::random_walls(9, 12.0, seed);
-    const CornerGraph graph = corner_graph(walls, kRadius);
+    const CornerGraph graph = graph_of(walls, kRadius);
     test::Random random(seed);
     for (int k = 0; k < 4; ++k) {
       const auto place = [&] {
@@ -113,10 +122,10 @@ double followed(const std::vector<Wall>& walls, const CornerGraph& graph, const 
   return -1.0;
 }
 
-TEST(PathMap, LeadsThroughMazes) {
+TEST_P(Ways, LeadThroughMazes) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const std::vector<Wall> walls = test::maze(10, 3.0, seed);
-    const CornerGraph graph = corner_graph(walls, kRadius);
+    const CornerGraph graph = graph_of(walls, kRadius);
     const PathMap map = path_map(graph, {28.5, 28.5});
     for (int k = 0; k < 99; k += 7) {
       const Vec2 from{1.5 + 3.0 * (k % 10), 1.5 + 3.0 * (k / 10)};
@@ -128,26 +137,26 @@ TEST(PathMap, LeadsThroughMazes) {
   }
 }
 
-TEST(PathMap, LeadsThroughNarrowDoors) {
+TEST_P(Ways, LeadThroughNarrowDoors) {
   for (const double more : {0.3, 0.12, 0.05, 1e-2, 1e-3, 1e-6}) {
     const std::vector<Wall> walls = test::two_rooms(2.0 * kRadius + more);
-    const CornerGraph graph = corner_graph(walls, kRadius);
+    const CornerGraph graph = graph_of(walls, kRadius);
     const PathMap map = path_map(graph, {17, 8});
     const double length = followed(walls, graph, map, {3, 3}, kRadius - 1e-6);
     EXPECT_GT(length, 14.0) << more;
     EXPECT_LT(length, 1.03 * (norm(Vec2{7, 2}) + norm(Vec2{7, 3}))) << more;
   }
-  const CornerGraph graph = corner_graph(test::two_rooms(2.0 * kRadius - 1e-3), kRadius);
+  const CornerGraph graph = graph_of(test::two_rooms(2.0 * kRadius - 1e-3), kRadius);
   const PathMap map = path_map(graph, {17, 8});
   EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
 }
 
 // What the map calls a way is one, and no place that a fair door leads to lacks one.
-TEST(PathMap, HasAWayOnlyWhereThereIsOne) {
+TEST_P(Ways, AreOnlyWhereThereIsOne) {
   int none = 0, lost = 0, some = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const std::vector<Wall> walls = test::random_walls(45, 10.0, seed);
-    const CornerGraph graph = corner_graph(walls, 0.4);
+    const CornerGraph graph = graph_of(walls, 0.4);
     const FreeSpace space(walls, 0.4);
     test::Random random(seed);
     for (int k = 0; k < 100; ++k) {
@@ -167,15 +176,15 @@ TEST(PathMap, HasAWayOnlyWhereThereIsOne) {
   RecordProperty("lost", lost);
 }
 
-TEST(PathMap, AGoalNearerThanTheRadiusToAWallHasNoWay) {
-  const CornerGraph graph = corner_graph(test::two_rooms(2.0), kRadius);
+TEST_P(Ways, AreNoneToAGoalNearerThanTheRadiusToAWall) {
+  const CornerGraph graph = graph_of(test::two_rooms(2.0), kRadius);
   EXPECT_FALSE(path_map(graph, {10.0 - kRadius + 1e-9, 2.0}).is_free);
   EXPECT_TRUE(path_map(graph, {10.0 - kRadius, 2.0}).is_free);
   const PathMap map = path_map(graph, {9.6, 2.0});
   EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
 }
 
-TEST(PathMap, LoosePiecesAreTheWallsThatTheyMakeUp) {
+TEST_P(Ways, AmongLoosePiecesAreThoseAmongTheWallsThatTheyMakeUp) {
   // one wall with a right-angled end, whole, in overlapping pieces, and in pieces end to end
   const std::vector<Wall> whole{{{0, 0}, {10, 0}, 0}, {{10, 0}, {10, 5}, 0}};
   std::vector<Wall> pieces;
@@ -183,7 +192,7 @@ TEST(PathMap, LoosePiecesAreTheWallsThatTheyMakeUp) {
     pieces.push_back({{0.5 * k + 0.5, 0}, {0.5 * k - (k % 2 == 1 ? 0.3 : 0.0), 0}, 0});
     pieces.push_back({{10, 0.25 * k}, {10, 0.25 * k + 0.25}, 0});
   }
-  const CornerGraph graph = corner_graph(whole, kRadius), loose = corner_graph(pieces, kRadius);
+  const CornerGraph graph = graph_of(whole, kRadius), loose = graph_of(pieces, kRadius);
   EXPECT_EQ(graph.points.size(), loose.points.size());
   const Vec2 goal{5, 2}, from{8, -3};
   const double length =
@@ -192,9 +201,9 @@ TEST(PathMap, LoosePiecesAreTheWallsThatTheyMakeUp) {
               1e-6);
 }
 
-TEST(PathMap, SpeedFallsBeforeTurns) {
+TEST_P(Ways, AreSlowBeforeTurns) {
   // around the end of a wall: v² = 2 a W / sin² φ + 1.6 a d, and never more before later turns
-  const CornerGraph graph = corner_graph(std::vector<Wall>{{{0, 0}, {0, 50}, 0}}, kRadius);
+  const CornerGraph graph = graph_of(std::vector<Wall>{{{0, 0}, {0, 50}, 0}}, kRadius);
   const PathMap map = path_map(graph, {0.6, 40});
   const Vec2 from{-0.6, 40};
   const Leg leg = leg_from(graph, map, from, PathMap::kNothing, false);

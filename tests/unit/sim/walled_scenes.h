@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fleets among walls.
 #pragma once
+#include <algorithm>
 #include <vector>
 
+#include "navigation/corner_graph.h"
+#include "navigation/free_space.h"
 #include "unit/navigation/mazes.h"
 #include "unit/sim/scenes.h"
 
@@ -28,6 +31,36 @@ inline Scenario crowded_maze(int robots) {
     robot.position = robot.position + shift;
     robot.radius = k % 2 == 0 ? 0.3 : 0.25;
     scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
+/// A map with so many corners that ways on it come from fields. All goals can be reached.
+inline Scenario noise_scene(int robots) {
+  constexpr int kSide = 72;
+  Random random(3);
+  const std::vector<Wall> walls = noise_map(kSide, 0.12, 11);
+  Scenario scene;
+  scene.obstacles = {pieces(walls)};
+  const double radius = 0.4;
+  const CornerGraph graph = corner_graph(walls, radius);
+  const FreeSpace space(walls, radius);
+  std::vector<Vec2> taken;
+  const auto place = [&] {
+    for (;;) {
+      const Vec2 p{random.uniform(-2.0, kSide + 2.0), random.uniform(-2.0, kSide + 2.0)};
+      const bool is_free =
+          graph.grid.clearance(p) > radius + 0.1 && space.are_connected(p, {-2, -2});
+      const auto is_near = [&](Vec2 other) { return norm(p - other) < 4.0 * radius; };
+      if (!is_free || std::any_of(taken.begin(), taken.end(), is_near)) continue;
+      taken.push_back(p);
+      return p;
+    }
+  };
+  for (int k = 0; k < robots; ++k) {
+    const Vec2 position = place(), goal = place();
+    scene.robots.push_back(robot_at(position, goal));
+    scene.robots.back().radius = radius;
   }
   return scene;
 }

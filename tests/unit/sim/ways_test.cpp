@@ -143,6 +143,28 @@ TEST(Ways, GoOnAfterARestore) {
   EXPECT_EQ(simulation.state_hash(), later);
 }
 
+TEST(Ways, OnMapsOfManyCornersLeadToAllGoals) {
+  Scenario scene = test::noise_scene(24);
+  scene.robots.push_back(test::robot_at({-4, 30}, {-4, -5}));
+  Simulation simulation(scene, 2);
+  EXPECT_TRUE(simulation.unreachable().empty());
+  const CornerGraph graph = corner_graph(walls_of(scene.obstacles), 0.4);
+  ASSERT_FALSE(graph.lattice.empty());
+  while (!simulation.all_at_goal() && simulation.time() < 200.0) simulation.step();
+  EXPECT_TRUE(simulation.all_at_goal());
+}
+
+TEST(Ways, OnMapsOfManyCornersGoOnAfterARestore) {
+  const Scenario scene = test::noise_scene(12);
+  Simulation simulation(scene, 2);
+  for (int k = 0; k < 47; ++k) simulation.step();
+  const std::vector<std::byte> saved = simulation.save();
+  for (int k = 0; k < 80; ++k) simulation.step();
+  Simulation other(saved, 1);
+  for (int k = 0; k < 80; ++k) other.step();
+  EXPECT_EQ(simulation.state_hash(), other.state_hash());
+}
+
 TEST(Ways, RadiiOfTwoDigitsAreClassesAndTheOthersGoUpToThem) {
   for (double scale : {1e-3, 1e-2, 0.1, 1.0}) {
     for (int digits = 10; digits < 100; ++digits) {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/field.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace avo {
+namespace {
+
+// m, of the radius, that a bend at a sample costs: corners are taken wherever there are any.
+constexpr double kOffCorner = 0.25;
+constexpr std::int64_t kGoalRings = 2;  // of cells around the goal that may see it
+
+// Spreads from the goal. Each point hands on what it aims at to those around it that see that, and
+// offers itself to those that do not.
+class Wave {
+ public:
+  Wave(const CornerGraph& graph, PathMap& map)
+      : graph_(graph),
+        map_(map),
+        length_(graph.points.size(), std::numeric_limits<double>::infinity()),
+        unseen_(graph.points.size(), PathMap::kNothing) {}
+
+  void spread() {
+    const Lattice::Place goal = graph_.lattice.place_of(map_.goal);
+    for (std::int64_t away = 0; away <= kGoalRings; ++away) {
+      for_each_point(goal, away, [&](std::uint32_t k) { offer(k, PathMap::kGoal, 0.0); });
+    }
+    while (!open_.empty()) {
+      const auto [length, point] = open_.top();
+      open_.pop();
+      if (length > length_[point]) continue;
+      const Lattice::Place place = graph_.lattice.place_of(graph_.points[point]);
+      for (std::int64_t away = 0; away <= 1; ++away) {
+        for_each_point(place, away, [&](std::uint32_t k) { hand_on(point, k); });
+      }
+    }
+    std::copy_n(length_.begin(), map_.length.size(), map_.length.begin());
+  }
+
+ private:
+  template <typename Visit>
+  void for_each_point(Lattice::Place place, std::int64_t away, const Visit& visit) const {
+    graph_.lattice.for_each_around(place, away, [&](std::size_t cell) {
+      const auto sample = static_cast<std::uint32_t>(graph_.corners() + cell);
+      if (graph_.room[sample] > 0.0) visit(sample);
+      for (const std::uint32_t corner : graph_.lattice.corners_in(cell)) visit(corner);
+    });
+  }
+
+  void hand_on(std::uint32_t from, std::uint32_t to) {
+    if (from == to) return;
+    const bool is_corner = graph_.is_corner(from);
+    if (offer(to, map_.next[from], 0.0) && !is_corner) return;
+    offer(to, from, is_corner ? 0.0 : kOffCorner * graph_.radius);
+  }
+
+  // False where `to` does not see the bend and would go by it.
+  bool offer(std::uint32_t to, std::uint32_t bend, double extra) {
+    const bool is_goal = bend == PathMap::kGoal;
+    const Vec2 q = is_goal ? map_.goal : graph_.points[bend];
+    const double way = norm(graph_.points[to] - q);
+    const double length = (is_goal ? 0.0 : length_[bend]) + way + extra;
+    if (!(length < length_[to])) return true;
+    if (unseen_[to] == bend) return false;
+    const double room = is_goal ? map_.room : graph_.room[bend];
+    const bool is_turn = !is_goal && graph_.is_corner(bend) && graph_.is_corner(to);
+    if (is_turn && !graph_.may_bend(to, (graph_.points[to] - q) / way)) return true;
+    if (!graph_.grid.is_clear(q, graph_.points[to], std::min(room, graph_.room[to]))) {
+      unseen_[to] = bend;
+      return false;
+    }
+    length_[to] = length, map_.next[to] = bend;
+    open_.push({length, to});
+    return true;
+  }
+
+  using Entry = std::pair<double, std::uint32_t>;
+  const CornerGraph& graph_;
+  PathMap& map_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+  std::vector<double> length_;         // m, by point
+  std::vector<std::uint32_t> unseen_;  // by point: the last bend that it was found not to see
+};
+
+}  // namespace
+
+void spread_field(const CornerGraph& graph, PathMap& map) {
+  Wave(graph, map).spread();
+}
+
+}  // namespace avo

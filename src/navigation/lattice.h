@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cells over walls, for maps with too many corners to look at all pairs of them
+// (docs/navigation.md).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "navigation/clearance_grid.h"
+
+namespace avo {
+
+/// m, that ways keep from walls beyond the robot's radius, where there is room for it.
+inline constexpr double kSpareRoom = 0.05;
+inline constexpr std::array kSpareParts{1.0, 0.25, 0.02, 1e-4, 1e-7};  // tried in this order
+
+/// Square cells that cover all walls and one free cell around them. Where they lie depends on the
+/// spacing alone, so that no wall far off changes what there is of a cell.
+struct Lattice {
+  double spacing = 0.0;                          // m
+  std::int64_t first_column = 0, first_row = 0;  // spacings from the origin
+  std::int64_t columns = 0, rows = 0;
+  std::vector<std::uint32_t> first;    // of each cell's corners; one more than cells
+  std::vector<std::uint32_t> corners;  // by cell
+
+  [[nodiscard]] bool empty() const { return columns == 0; }
+  [[nodiscard]] bool covers(Vec2 p) const;
+  [[nodiscard]] Vec2 middle_of(std::size_t cell) const;
+  [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(columns * rows); }
+
+  struct Place {
+    std::int64_t column, row;
+  };
+  /// The nearest cell to p.
+  [[nodiscard]] Place place_of(Vec2 p) const;
+  [[nodiscard]] std::size_t cell_of(Vec2 p) const {
+    const Place place = place_of(p);
+    return static_cast<std::size_t>(place.row * columns + place.column);
+  }
+  /// visit(cell) of those that are so many columns or rows away, not more.
+  template <typename Visit>
+  void for_each_around(Place place, std::int64_t away, const Visit& visit) const;
+  /// visit(cell) of the outermost ones.
+  template <typename Visit>
+  void for_each_on_border(const Visit& visit) const;
+  [[nodiscard]] std::span<const std::uint32_t> corners_in(std::size_t cell) const {
+    return std::span(corners).subspan(first[cell], first[cell + 1] - first[cell]);
+  }
+};
+
+/// Over the walls of the grid, with the corners sorted into it. The radius is the robots'.
+Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, double radius);
+
+/// A place where a robot may be, and what it has to walls, at most radius + kSpareRoom.
+struct Sample {
+  Vec2 point = {};
+  double room = 0.0;  // m
+};
+
+/// One in that cell; none where it is hard to find one, which nearly always means that there is
+/// none.
+std::optional<Sample> sample_in(const Lattice& lattice, std::size_t cell, const ClearanceGrid& grid,
+                                double radius);
+
+template <typename Visit>
+void Lattice::for_each_around(Place place, std::int64_t away, const Visit& visit) const {
+  for (std::int64_t row = place.row - away; row <= place.row + away; ++row) {
+    if (row < 0 || row >= rows) continue;
+    const bool is_edge = row == place.row - away || row == place.row + away;
+    const std::int64_t step = is_edge || away == 0 ? 1 : 2 * away;
+    for (std::int64_t column = place.column - away; column <= place.column + away; column += step) {
+      if (column >= 0 && column < columns) visit(static_cast<std::size_t>(row * columns + column));
+    }
+  }
+}
+
+template <typename Visit>
+void Lattice::for_each_on_border(const Visit& visit) const {
+  for (std::int64_t row = 0; row < rows; ++row) {
+    const bool is_edge = row == 0 || row == rows - 1;
+    for (std::int64_t column = 0; column < columns; column += is_edge ? 1 : columns - 1)
+      visit(static_cast<std::size_t>(row * columns + column));
+  }
+}
+
+}  // namespace avo
