@@ -29,6 +29,7 @@ const OccupancyGrid& map_of(const Reader& reader, const YamlNode& node, const st
     if (name_of(map.file) == name_of(name)) return map.grid;
   if (maps.empty()) reader.fail(node, path, "no map in obstacles", "must have the scenario's");
   std::vector<std::string_view> files;
+  files.reserve(maps.size());
   for (const NamedMap& map : maps) files.push_back(map.file);
   reader.fail(node, path, "a scenario of " + in_quotes(name),
               "must be of a map in obstacles: " + joined(files));
