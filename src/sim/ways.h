@@ -14,8 +14,8 @@
 #include "avo/scenario.h"
 #include "navigation/corner_graph.h"
 #include "navigation/free_space.h"
-#include "navigation/passages.h"
 #include "navigation/leg.h"
+#include "navigation/passages.h"
 #include "sim/fleet.h"
 
 namespace avo {
