@@ -51,6 +51,9 @@ const char* to_string(Motion motion) {
 const char* to_string(RightOfWay right_of_way) {
   return name_of(right_of_way);
 }
+const char* to_string(NoiseDistribution distribution) {
+  return name_of(distribution);
+}
 const char* to_string(PlanStatus status) {
   return name_of(status);
 }

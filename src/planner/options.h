@@ -25,6 +25,8 @@ AVO_LOCAL inline constexpr std::array kNames<Motion>{"held", "exponential"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen", "told"};
 template <>
+AVO_LOCAL inline constexpr std::array kNames<NoiseDistribution>{"gaussian", "uniform"};
+template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"};
 

@@ -45,6 +45,7 @@ void reserve(const World& world, Worker& worker) {
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
   worker.tile.reserve(together, sensed);
+  if (!world.senses.are_exact()) worker.sightings.reserve(seen);
   const std::size_t nearest = std::min(seen, world.most_nearest());
   reserve_together(together, nearest, std::min(together * nearest, kTileCandidates + nearest), seen,
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
@@ -83,11 +84,19 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.reserve(scenario.robots.size());
-  for (const RobotSetup& setup : scenario.robots) fleet.add({next_id++}, setup);
+  senses.depth = generations_needed(scenario.sensing);
+  for (const RobotSetup& setup : scenario.robots) {
+    fleet.add({next_id++}, setup);
+    senses.add(steps);
+  }
+  senses.note(fleet, steps);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
   settings.obstacles = std::vector<StaticObstacle>();
+  // it was made of the robots that there were at first
+  if (planner.options().sensing_error != SensingError{})
+    settings.sensing_error = planner.options().sensing_error;
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
