@@ -100,9 +100,9 @@ const std::vector<Field<SensingModel>>& fields() {
 template <>
 const std::vector<Field<MeasurementNoise>>& fields() {
   static const std::vector<Field<MeasurementNoise>> table{
-      {"position", &MeasurementNoise::position, kOptional, kNotNegative, "m",
+      {"position", &MeasurementNoise::position, kOptional, avo::kNoise, "m",
        "of each coordinate: standard deviation, or bound of uniform noise"},
-      {"velocity", &MeasurementNoise::velocity, kOptional, kNotNegative, "m/s", "likewise"},
+      {"velocity", &MeasurementNoise::velocity, kOptional, avo::kNoise, "m/s", "likewise"},
       {"distribution", &MeasurementNoise::distribution, kOptional, {}, "", "of each coordinate"},
       {"truncated", &MeasurementNoise::truncated, kOptional, avo::kTruncation, "",
        "gaussian noise stays within so many standard deviations", "3"},

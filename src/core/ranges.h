@@ -42,6 +42,8 @@ inline constexpr Range kAtLeastOne{1.0, std::numeric_limits<std::int32_t>::max()
 /// Boundary samples a side: 0 (exact) or from 2. A decision takes time by their square.
 inline constexpr Range kSamples{0.0, 1000.0, false};
 
+/// m, m/s, of measurements: what is declared for it stays in range.
+inline constexpr Range kNoise{0.0, 1e9, false};
 /// Of the measurements that are missed: all would be nobody's sensing.
 inline constexpr Range kShareMissed{0.0, 0.999, false};
 /// Standard deviations.

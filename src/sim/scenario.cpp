@@ -87,8 +87,8 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
 
 void check_sensing(const SensingModel& sensing) {
   const auto& [position, velocity, distribution, truncated] = sensing.noise;
-  require("sensing.noise.position", position, kNotNegative, "m");
-  require("sensing.noise.velocity", velocity, kNotNegative, "m/s");
+  require("sensing.noise.position", position, kNoise, "m");
+  require("sensing.noise.velocity", velocity, kNoise, "m/s");
   if (truncated) require("sensing.noise.truncated", *truncated, kTruncation, "");
   if (truncated && distribution == NoiseDistribution::uniform)
     refuse("sensing.noise.truncated", text(*truncated),

@@ -80,6 +80,33 @@ TEST(Age, movers_are_touched_at_rest_only_whenever_they_were_last_sensed) {
   EXPECT_GT(runs_touched_in_motion({error, error, false, kOldest, false}), 0);
 }
 
+// By interval.
+std::vector<CertificateConstraint> demanded(const SensingError& declared,
+                                            const Neighbor& neighbor) {
+  PlannerOptions options;
+  options.sensing_error = declared;
+  PlanWorkspace workspace;
+  std::vector<CertificateConstraint> constraints;
+  const Robot robot{.velocity = {1.0, 0.2}};
+  Planner(options).collect_certificate(robot, std::span(&neighbor, 1), workspace, constraints);
+  return constraints;
+}
+
+TEST(Age, is_an_error_of_that_neighbor) {
+  Neighbor neighbor{.position = {2.4, 0.1}, .velocity = {-0.7, 0.0}, .max_acceleration = 1.5};
+  const double time = 0.3;
+  const auto older =
+      demanded({0.02 + time * 0.1 + 0.5 * 1.5 * time * time, 0.1 + 1.5 * time}, neighbor);
+  neighbor.age = 3;
+  const auto aged = demanded({0.02, 0.1}, neighbor);
+  const std::size_t both = std::min(older.size(), aged.size());
+  ASSERT_GT(both, 3);
+  for (std::size_t k = 0; k < both; ++k) {
+    EXPECT_EQ(aged[k].interval, older[k].interval);
+    EXPECT_NEAR(aged[k].offset, older[k].offset, 1e-12) << k;
+  }
+}
+
 TEST(Age, out_of_range_is_invalid) {
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;
