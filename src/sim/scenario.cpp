@@ -155,6 +155,12 @@ PlannerOptions planner_options(const Scenario& scenario) {
   } else if (options.certificate == Certificate::braking_trajectories) {
     options.sensing_error = declared_error(scenario);
   }
+  const MeasurementNoise& noise = scenario.sensing.noise;
+  if (noise.distribution == NoiseDistribution::gaussian) {
+    const double carried = scenario.sensing.delay * scenario.time_step * noise.velocity;
+    options.sensing_noise.position = norm(Vec2{noise.position, carried});
+    options.sensing_noise.velocity = noise.velocity;
+  }
   return options;
 }
 
