@@ -206,6 +206,24 @@ TEST(Senses, walls_hide_whoever_has_its_center_behind_them) {
     EXPECT_EQ(sees_all.perceive(0).neighbors.size(), 1U);
 }
 
+// Two that go round the tip of a wall, each to where the other one comes from.
+TEST(Senses, at_first_sight_round_a_corner_it_may_be_too_late) {
+  for (const bool occlusion : {false, true}) {
+    Scenario scene;
+    scene.robots = {robot_at({-0.8, -9.0}, {0.8, -9.0}), robot_at({0.8, -9.0}, {-0.8, -9.0})};
+    scene.obstacles.push_back({{{{{0.0, -12.0}, {0.0, 0.0}}, false}}, 0.0});
+    scene.sensing.occlusion = occlusion;
+    Simulation simulation(scene, 1);
+    int too_late = 0;
+    for (int step = 0; step < 300; ++step) {
+      simulation.step();
+      for (const Plan& plan : simulation.fleet().plan)
+        too_late += plan.status == PlanStatus::overlapping ? 1 : 0;
+    }
+    EXPECT_EQ(too_late > 0, occlusion);
+  }
+}
+
 SensingModel all_at_once() {
   SensingModel model = noisy(0.02, 0.05);
   model.delay = 1;
