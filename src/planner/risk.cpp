@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How likely it is that noise hides a broken half-plane.
-#include <cmath>
 #include <numbers>
 
 #include "avo/planner.h"
+#include "core/elementary.h"
 #include "planner/decision.h"
 #include "planner/soft_planes.h"
 
@@ -14,9 +14,20 @@ constexpr double kMostQuantile = 8.0;  // beyond it the probability is below 1e-
 constexpr int kBisections = 40;
 constexpr double kKept = 1e-9;  // m/s, rounding of a choice on the half-plane
 
-// Of a standard normal variable to exceed q.
+// Of a standard normal variable to exceed q >= 0: by a series about 0, beyond by a continued
+// fraction.
 double tail(double q) {
-  return 0.5 * std::erfc(q / std::numbers::sqrt2);
+  const double root = 1.0 + elementary::expm1(-q * q / 16.0);  // in eight parts, none of them tiny
+  const double square = root * root, fourth = square * square;
+  const double density = fourth * fourth * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2);
+  if (q < 2.0) {
+    double sum = 0.0;
+    for (double n = 61.0; n >= 3.0; n -= 2.0) sum = q * q / n * (1.0 + sum);
+    return 0.5 - density * q * (1.0 + sum);
+  }
+  double rest = q;
+  for (double n = 60.0; n >= 1.0; n -= 1.0) rest = q + n / rest;
+  return density / rest;
 }
 
 }  // namespace

@@ -18,10 +18,14 @@ std::size_t most_braking_steps(const World& world) {
   if (!world.all_matter()) return 0;
   constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
   const double braking_time = world.planner.step_rate() * world.planner.options().control_time;
+  const double error =
+      world.planner.options().sensing_error.velocity;  // m/s that one may be faster
   double most = 0.0;
   for (const RobotTraits& robot_traits : world.fleet.traits) {
-    most = std::max(most, robot_traits.max_speed / (robot_traits.max_acceleration * braking_time));
+    const double fastest = robot_traits.max_speed + error;
+    most = std::max(most, fastest / (robot_traits.max_acceleration * braking_time));
   }
+  if (world.settings.sensing.misses()) most += kMostCarried;
   return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
 }
 

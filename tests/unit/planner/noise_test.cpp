@@ -2,6 +2,7 @@
 // Half-planes that keep quantiles of Gaussian noise in reserve, and what is told of the risk.
 #include <cmath>
 #include <gtest/gtest.h>
+#include <utility>
 #include <vector>
 
 #include "avo/error.h"
@@ -90,6 +91,25 @@ TEST(Noise, quantiles_bound_how_often_the_true_half_plane_is_broken) {
   EXPECT_NEAR(risk, 0.1587, 0.005);
   EXPECT_LT(share_broken(2.0, random, &risk), 0.0228);
   EXPECT_NEAR(risk, 0.0228, 0.002);
+}
+
+// 1 - Φ, by tables.
+TEST(Noise, risk_is_that_of_a_normal_distribution) {
+  const Robot robot{.velocity = {1.0, 0.0}};
+  const Neighbor neighbor{.position = {4.0, 0.3}, .velocity = {-1.0, 0.0}};
+  for (const auto& [quantile, risk] :
+       std::vector<std::pair<double, double>>{{0.5, 0.30853753872598690},
+                                              {1.0, 0.15865525393145705},
+                                              {1.9, 0.02871655981600179},
+                                              {2.1, 0.01786442056281656},
+                                              {4.0, 3.1671241833119924e-05},
+                                              {6.0, 9.8658764503769814e-10}}) {
+    const Planner planner = planner_with({0.01, 0.0, quantile});
+    const HalfPlane plane = *plane_of(planner, {robot, neighbor});
+    const Vec2 choice =
+        robot.velocity + (plane.offset - dot(plane.normal, robot.velocity)) * plane.normal;
+    EXPECT_NEAR(planner.half_plane_risk(robot, neighbor, choice), risk, 1e-6 * risk) << quantile;
+  }
 }
 
 TEST(Noise, risk_grows_towards_the_neighbor) {
