@@ -18,6 +18,7 @@ using avo::Scenario;
 constexpr Need kRequired = Need::required;
 constexpr Need kOptional = Need::optional;
 constexpr std::monostate kNested;
+constexpr avo::Range kNoNumber{};
 constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 constexpr avo::Range kName{1.0, 200.0, false};  // bytes
@@ -39,48 +40,29 @@ const std::vector<Field<Scenario>>& fields() {
        "between centers; who is farther is not seen"},
       {"max_neighbors", &Scenario::max_neighbors, kOptional, kAtLeastOne, "",
        "nearest neighbors that get a half-plane", "no limit"},
-      {"method", &Scenario::method, kOptional, {}, "", "how new velocities are chosen"},
-      {"certificate",
-       &Scenario::certificate,
-       kOptional,
-       {},
-       "",
+      {"method", &Scenario::method, kOptional, kNoNumber, "", "how new velocities are chosen"},
+      {"certificate", &Scenario::certificate, kOptional, kNoNumber, "",
        "what no decision may break; method avo only",
        "braking_trajectories for method avo, else none"},
-      {"motion",
-       &Scenario::motion,
-       kOptional,
-       {},
-       "",
+      {"motion", &Scenario::motion, kOptional, kNoNumber, "",
        "between decisions: acceleration held, or proportional control exactly"},
-      {"precision", kNested, kOptional, {}, "", "double, of all that is computed"},
+      {"precision", kNested, kOptional, kNoNumber, "", "double, of all that is computed"},
       {"samples", &Scenario::samples, kOptional, avo::kSamples, "",
        "of an obstacle's boundary, a side; 0: exact half-planes (1 is refused)"},
       {"arrival_distance", &Scenario::arrival_distance, kOptional, kPositive, "m",
        "from the goal, within which a robot has arrived"},
       {"seed", &Scenario::seed, kOptional, kSeed, "", "of random placements, goals and headings"},
-      {"robots", kNested, kOptional, {}, "", "numbered 0, 1, ... in this order"},
-      {"groups", kNested, kOptional, {}, "", "many like robots each, numbered after `robots`"},
-      {"robots_from",
-       kNested,
-       kOptional,
-       {},
-       "",
+      {"robots", kNested, kOptional, kNoNumber, "", "numbered 0, 1, ... in this order"},
+      {"groups", kNested, kOptional, kNoNumber, "",
+       "many like robots each, numbered after `robots`"},
+      {"robots_from", kNested, kOptional, kNoNumber, "",
        "robots of a MovingAI scenario, numbered after `robots` and before `groups`"},
-      {"moving_obstacles", kNested, kOptional, {}, "", "discs that react to nobody"},
-      {"obstacles", kNested, kOptional, {}, "", "what does not move, and nobody may touch"},
-      {"navigation",
-       &Scenario::navigation,
-       kOptional,
-       {},
-       "",
+      {"moving_obstacles", kNested, kOptional, kNoNumber, "", "discs that react to nobody"},
+      {"obstacles", kNested, kOptional, kNoNumber, "", "what does not move, and nobody may touch"},
+      {"navigation", &Scenario::navigation, kOptional, kNoNumber, "",
        "the preferred velocity follows a path around the obstacles",
        "true where there are obstacles"},
-      {"right_of_way",
-       &Scenario::right_of_way,
-       kOptional,
-       {},
-       "",
+      {"right_of_way", &Scenario::right_of_way, kOptional, kNoNumber, "",
        "with navigation, how robots know who else is about to go through a narrow passage"},
   };
   return table;
@@ -99,7 +81,8 @@ const std::vector<Field<RobotSetup>>& fields() {
        "never exceeded"},
       {"preferred_speed", &RobotSetup::preferred_speed, kOptional, kNotNegative, "m/s",
        "towards the goal", "max_speed"},
-      {"car", kNested, kOptional, {}, "", "makes it a car-like robot, position is its rear axle"},
+      {"car", kNested, kOptional, kNoNumber, "",
+       "makes it a car-like robot, position is its rear axle"},
   };
   return table;
 }
@@ -137,8 +120,8 @@ template <>
 const std::vector<Field<Group>>& fields() {
   static const std::vector<Field<Group>> table{
       {"number", &Group::number, kRequired, kNumber, "", "how many robots"},
-      {"placement", kNested, kRequired, {}, "", "where they start"},
-      {"goals", kNested, kRequired, {}, "", "where they want to come to rest"},
+      {"placement", kNested, kRequired, kNoNumber, "", "where they start"},
+      {"goals", kNested, kRequired, kNoNumber, "", "where they want to come to rest"},
   };
   return table;
 }

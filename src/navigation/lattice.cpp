@@ -70,8 +70,8 @@ Lattice::Place Lattice::place_of(Vec2 p) const {
 
 Vec2 Lattice::middle_of(std::size_t cell) const {
   const auto number = static_cast<std::int64_t>(cell);
-  return spacing * Vec2{static_cast<double>(first_column + number % columns) + 0.5,
-                        static_cast<double>(first_row + number / columns) + 0.5};
+  const std::int64_t column = first_column + number % columns, row = first_row + number / columns;
+  return spacing * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
 }
 
 Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, double radius) {
