@@ -27,8 +27,10 @@ NearestWall nearest_wall(const ClearanceGrid& grid, Vec2 p) {
     const Wall& wall = grid.walls()[k];
     const Vec2 from = p - nearest_on({wall.a, wall.b}, p);
     const double distance = norm(from);
-    if (distance > 0.0 && distance - wall.radius < nearest.clearance)
-      nearest = {distance - wall.radius, from / distance};
+    if (!(distance - wall.radius < nearest.clearance)) return true;
+    const Vec2 along = wall.b - wall.a;
+    const Vec2 aside = along == Vec2{} ? Vec2{1.0, 0.0} : perpendicular(along) / norm(along);
+    nearest = {distance - wall.radius, distance > 0.0 ? from / distance : aside};
     return true;
   });
   return nearest;
