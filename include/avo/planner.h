@@ -196,7 +196,7 @@ class AVO_API Planner {
   explicit Planner(const PlannerOptions& options);
 
   /// Reciprocal collision avoidance (§IV-D): neighbors that decide are taken to do so likewise, at
-  /// the same times. Neighbors may come in any order, which changes no bit but where two are
+  /// the same times unless PlannerOptions::clock is free. Neighbors may come in any order, which changes no bit but where two are
   /// equally far away; those that come nearest first need not be sorted.
   /// A robot among movers none of which decides plans as in plan_among_obstacles, and so does any
   /// of method velocity_obstacle.
