@@ -12,15 +12,19 @@ using avo::kAnyValue;
 using avo::kAtLeastOne;
 using avo::kNotNegative;
 using avo::kPositive;
+using avo::MeasurementNoise;
 using avo::MovingObstacle;
 using avo::RobotSetup;
 using avo::Scenario;
+using avo::SensingError;
+using avo::SensingModel;
 constexpr Need kRequired = Need::required;
 constexpr Need kOptional = Need::optional;
 constexpr std::monostate kNested;
 constexpr avo::Range kNoNumber{};
 constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
+constexpr avo::Range kDelay{0.0, avo::kMostDelay, false};
 constexpr avo::Range kName{1.0, 200.0, false};  // bytes
 
 template <>
@@ -64,6 +68,54 @@ const std::vector<Field<Scenario>>& fields() {
        "true where there are obstacles"},
       {"right_of_way", &Scenario::right_of_way, kOptional, kNoNumber, "",
        "with navigation, how robots know who else is about to go through a narrow passage"},
+      {"sensing", kNested, kOptional, {}, "", "how robots sense others; omitted: as they are"},
+      {"sensing_error",
+       kNested,
+       kOptional,
+       {},
+       "",
+       "what robots declare to braking_trajectories; omitted: what covers noise and delay"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SensingModel>>& fields() {
+  static const std::vector<Field<SensingModel>> table{
+      {"noise", kNested, kOptional, {}, "", "by which a measurement is off"},
+      {"delay", &SensingModel::delay, kOptional, kDelay, "steps",
+       "from a measurement to the decision; carried on meanwhile"},
+      {"dropped", &SensingModel::dropped, kOptional, avo::kShareMissed, "",
+       "share of the measurements that are missed, each by chance"},
+      {"occlusion",
+       &SensingModel::occlusion,
+       kOptional,
+       {},
+       "",
+       "nobody is sensed whose center is behind an obstacle"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<MeasurementNoise>>& fields() {
+  static const std::vector<Field<MeasurementNoise>> table{
+      {"position", &MeasurementNoise::position, kOptional, avo::kNoise, "m",
+       "of each coordinate: standard deviation, or bound of uniform noise"},
+      {"velocity", &MeasurementNoise::velocity, kOptional, avo::kNoise, "m/s", "likewise"},
+      {"distribution", &MeasurementNoise::distribution, kOptional, {}, "", "of each coordinate"},
+      {"truncated", &MeasurementNoise::truncated, kOptional, avo::kTruncation, "",
+       "gaussian noise stays within so many standard deviations", "3"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SensingError>>& fields() {
+  static const std::vector<Field<SensingError>> table{
+      {"position", &SensingError::position, kOptional, kNotNegative, "m",
+       "at most so far from where it is sensed"},
+      {"velocity", &SensingError::velocity, kOptional, kNotNegative, "m/s", "likewise"},
   };
   return table;
 }

@@ -181,6 +181,15 @@ struct MembersOf<avo::Scenario> {
                         std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
                         avo::Motion, std::optional<bool>, avo::RightOfWay>;
 };
+template <>
+struct MembersOf<avo::SensingModel> {
+  using type = MemberOf<avo::SensingModel, double, int, bool>;
+};
+template <>
+struct MembersOf<avo::MeasurementNoise> {
+  using type =
+      MemberOf<avo::MeasurementNoise, double, std::optional<double>, avo::NoiseDistribution>;
+};
 template <class T>
 using Member = typename MembersOf<T>::type;
 
@@ -220,6 +229,8 @@ inline const auto kCertificates =
 inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);
 inline const auto kRightsOfWay =
     by_name(avo::RightOfWay::none, avo::RightOfWay::seen, avo::RightOfWay::told);
+inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>, 2> kDistributions{
+    {{"gaussian", avo::NoiseDistribution::gaussian}, {"uniform", avo::NoiseDistribution::uniform}}};
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
 

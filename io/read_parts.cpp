@@ -41,6 +41,12 @@ void read_robot(const Reader& reader, const YamlNode& node, const std::string& p
 namespace {
 
 template <class T>
+void read_map(const Reader& reader, const YamlNode& node, const std::string& path, T& target) {
+  reader.check_keys(node, path, keys_of(fields<T>()));
+  reader.read(node, path, fields<T>(), target);
+}
+
+template <class T>
 void check_area(const Reader& reader, const YamlNode& node, const std::string& path,
                 const T& area) {
   if (area.min.x > area.max.x || area.min.y > area.max.y)
@@ -115,9 +121,18 @@ RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const st
 
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                           avo::MovingObstacle& obstacle) {
-  const auto& table = fields<avo::MovingObstacle>();
-  reader.check_keys(node, path, keys_of(table));
-  reader.read(node, path, table, obstacle);
+  read_map(reader, node, path, obstacle);
+}
+
+void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& scenario) {
+  if (const YamlNode* node = scene.find("sensing")) {
+    const std::string path = "sensing";
+    read_map(reader, *node, path, scenario.sensing);
+    if (const YamlNode* noise = node->find("noise"))
+      read_map(reader, *noise, path_to(path, "noise"), scenario.sensing.noise);
+  }
+  if (const YamlNode* node = scene.find("sensing_error"))
+    read_map(reader, *node, "sensing_error", scenario.sensing_error.emplace());
 }
 
 }  // namespace avo_io

@@ -17,4 +17,7 @@ void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std:
 Group read_group(const Reader& reader, const YamlNode& node, const std::string& path);
 RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const std::string& path);
 
+/// `sensing` and `sensing_error` of the scene.
+void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& scenario);
+
 }  // namespace avo_io

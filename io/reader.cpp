@@ -197,6 +197,10 @@ void Reader::set(avo::RightOfWay& value, const YamlNode& node, const Path& path,
                  const Rule&) const {
   value = choice(node, path, kRightsOfWay);
 }
+void Reader::set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
+                 const Rule&) const {
+  value = choice(node, path, kDistributions);
+}
 
 void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kFills);

@@ -103,6 +103,8 @@ class Reader {
   void set(avo::RightOfWay& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(RosMode& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
+           const Rule& rule) const;
   void set(bool& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(std::optional<bool>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;

@@ -58,6 +58,7 @@ class SceneBuilder {
     check_precision(reader_, root);
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
+    read_sensing(reader_, root, scenario_);
     add_moving_obstacles();
     add_obstacles();
     add_robots();

@@ -89,6 +89,9 @@ ValueSchema describe(avo::Motion value, const avo::Range&) {
 ValueSchema describe(avo::RightOfWay value, const avo::Range&) {
   return {names_schema(kRightsOfWay), name_of(kRightsOfWay, value)};
 }
+ValueSchema describe(avo::NoiseDistribution value, const avo::Range&) {
+  return {names_schema(kDistributions), name_of(kDistributions, value)};
+}
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
 }
@@ -219,14 +222,18 @@ std::string scenario_schema() {
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
             {"title", "avo scene"},
             {"description", "Robots, obstacles, and how they are simulated. SI units."}};
-  json.update(map_schema(fields<avo::Scenario>(),
-                         {{"version", {{"const", 1}}},
-                          {"precision", {{"const", "double"}, {"default", "double"}}},
-                          {"robots", list_schema("robot")},
-                          {"groups", list_schema("group")},
-                          {"robots_from", robots_from_schema(alike)},
-                          {"moving_obstacles", list_schema("moving_obstacle")},
-                          {"obstacles", list_schema("obstacle")}}));
+  json.update(
+      map_schema(fields<avo::Scenario>(),
+                 {{"version", {{"const", 1}}},
+                  {"precision", {{"const", "double"}, {"default", "double"}}},
+                  {"robots", list_schema("robot")},
+                  {"groups", list_schema("group")},
+                  {"robots_from", robots_from_schema(alike)},
+                  {"sensing", map_schema(fields<avo::SensingModel>(),
+                                         {{"noise", map_schema(fields<avo::MeasurementNoise>())}})},
+                  {"sensing_error", map_schema(fields<avo::SensingError>())},
+                  {"moving_obstacles", list_schema("moving_obstacle")},
+                  {"obstacles", list_schema("obstacle")}}));
   json["properties"]["samples"]["not"] = {{"const", 1}};
   json["anyOf"] = {
       {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},

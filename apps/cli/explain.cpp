@@ -35,6 +35,13 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);
+  const avo::SensingNoise& noise = planner.options().sensing_noise;
+  if (decision.by_half_planes && (noise.position > 0.0 || noise.velocity > 0.0)) {
+    const bool is_avo = decision.method == avo::Method::avo;
+    const avo::Vec2 v = is_avo ? decision.plan.next_velocity : decision.plan.new_velocity;
+    for (const avo::Neighbor& neighbor : neighbors)
+      decision.risks.push_back(planner.half_plane_risk(self, neighbor, v));
+  }
   planner.collect_half_planes(self, walls, decision.wall_planes);
   decision.certificate = planner.options().certificate;
   if (decision.method == avo::Method::avo)

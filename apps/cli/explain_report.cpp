@@ -2,10 +2,12 @@
 // What avo explain says.
 #include "explain_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 
 #include "avo_io/printable.h"
@@ -29,6 +31,11 @@ Json to_json(Vec2 v) {
 Json to_json(const avo::Disc& disc) {
   if (!std::isfinite(disc.radius)) return nullptr;  // no limit
   return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
+}
+
+/// That some neighbor's half-plane is broken: at most the sum.
+double risk_of(const Decision& decision) {
+  return std::min(1.0, std::accumulate(decision.risks.begin(), decision.risks.end(), 0.0));
 }
 
 Json constraints_of(const Decision& decision) {
@@ -155,6 +162,8 @@ std::string to_json(const Decision& decision) {
                          {"acceleration", to_json(neighbor.acceleration)},
                          {"radius", neighbor.radius},
                          {"max_acceleration", decides ? neighbor.max_acceleration : 0.0}});
+    if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
+    if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
   }
   const avo::Robot& self = seen.robot;
   Json json{{"scene", decision.scene},
@@ -184,6 +193,7 @@ std::string to_json(const Decision& decision) {
                   {"acceleration", to_json(decision.plan.acceleration)},
                   {"status", avo::to_string(decision.plan.status)},
                   {"violation", decision.plan.violation}};
+  if (!decision.risks.empty()) json["risk"] = risk_of(decision);
   json.update(rest);
   // the scene may be called like its file, whose name need not be UTF-8
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -204,6 +214,11 @@ std::string readable(const Decision& decision) {
                                                   : std::string()) +
                          fmt::format("|v'| <= {:.6g} m/s", decision.speed_disc.radius));
   line("sees", fmt::format("{} robots and moving obstacles", decision.seen.neighbors.size()));
+  for (std::size_t k = 0; k < decision.seen.neighbors.size(); ++k) {
+    if (const int age = decision.seen.neighbors[k].age; age > 0)
+      line("carried on", fmt::format("{}, last sensed {} {} ago", text_of(decision.seen.source[k]),
+                                     age, age == 1 ? "step" : "steps"));
+  }
   if (!decision.by_half_planes) line("avoids", "the union of their obstacles");
   for (const avo::NeighborPlane& plane : decision.half_planes.planes)
     line("half-plane",
@@ -214,6 +229,9 @@ std::string readable(const Decision& decision) {
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
   line("new velocity", text(decision.plan.new_velocity) + " m/s");
   line("acceleration", text(decision.plan.acceleration) + " m/s^2");
+  if (!decision.risks.empty())
+    line("risk",
+         fmt::format("{:.3g} or less that noise hides a broken half-plane", risk_of(decision)));
   line("status", fmt::format("{}, violation {:.6g} m/s", avo::to_string(decision.plan.status),
                              decision.plan.violation));
   return result;

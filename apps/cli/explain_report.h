@@ -19,6 +19,7 @@ struct Decision {
   avo::Simulation::Perception seen;
   bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
   avo::HalfPlanes half_planes;
+  std::vector<double> risks;  ///< of each neighbor seen, see Planner::half_plane_risk(); or none
   std::vector<avo::CertificateConstraint> constraints;
   avo::WallPlanes wall_planes;
   std::vector<avo::WallConstraint> wall_constraints;

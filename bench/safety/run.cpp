@@ -90,7 +90,14 @@ class StepClock {
   double robots_, total_ = 0.0, second_ = 0.0, worst_ = 0.0;
 };
 
-// Every robot knows all others exactly.
+// Whether the robots allow for all that their scene makes of what they sense.
+bool is_covered(const Scenario& scenario) {
+  const SensingError& declared = planner_options(scenario).sensing_error;
+  const SensingError needed = declared_error(scenario);
+  return declared.position >= needed.position && declared.velocity >= needed.velocity;
+}
+
+// Every robot knows all others as the scene says.
 void run_simulation(const Scene& scene, const std::string& record, Outcome& outcome) {
   const Scenario& scenario = scene.scenario;
   const auto robots = scenario.robots.size();
@@ -99,6 +106,7 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   std::optional<Recording> recording;
   if (!record.empty()) recording.emplace(record);
   outcome.planner = simulation.planner().options();
+  outcome.promised = is_covered(scenario);
   const auto observe = [&] {
     judge.observe(simulation);
     if (recording) recording->add(simulation);

@@ -21,7 +21,7 @@ struct Scene {
   /// Robot i goes to one of errands[i % size], and to another one when it is there or has tried for
   /// long enough.
   std::vector<std::vector<Vec2>> errands = {};
-  /// Unset: all know each other exactly and do as they decide, as Simulation has it.
+  /// Unset: all know each other as the scenario says and do as they decide, as Simulation has it.
   std::optional<Sensing> sensing = {};
   Acting acting = {};  ///< read only where `sensing` is set
 };

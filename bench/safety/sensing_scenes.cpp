@@ -3,6 +3,8 @@
 // crush each.
 #include <algorithm>
 #include <functional>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +61,47 @@ struct Case {
   int scenes = 20;  // of each kind, and of each shape of errors
 };
 
+// What the library itself makes of what robots sense.
+struct ModelCase {
+  std::string name, what;
+  SensingModel model;
+  std::optional<double> declared = {};  // standard deviations; unset: all that happens
+};
+
+SensingModel gaussian(std::optional<double> truncated) {
+  SensingModel model;
+  model.noise = {0.02, 0.05, NoiseDistribution::gaussian, truncated};
+  return model;
+}
+
+std::vector<ModelCase> model_cases() {
+  SensingModel late, tracked, all = gaussian({});
+  late.delay = all.delay = 1;
+  tracked.dropped = all.dropped = 0.05;
+  const std::string noise = "normal errors of 2 cm and 5 cm/s";
+  return {
+      {"delay-1", "one step old, declared", late},
+      {"tracked-5%", "each neighbor missed in one step of twenty, and carried on", tracked},
+      {"gaussian-3", noise + ", within 3 deviations, declared", gaussian({})},
+      {"gaussian-all", "the same, one step old, one of twenty missed", all},
+      {"gaussian-beyond-2", noise + ", 2 deviations declared", gaussian(6.0), 2.0},
+      {"gaussian-beyond-1", noise + ", 1 deviation declared", gaussian(6.0), 1.0},
+      {"gaussian-undeclared", noise, gaussian(6.0), 0.0},
+  };
+}
+
+Scene with_model(Scene scene, const ModelCase& chosen, std::uint64_t seed) {
+  Scenario& scenario = scene.scenario;
+  scenario.seed = seed;
+  scenario.sensing = chosen.model;
+  see_far_enough(scenario);
+  if (!chosen.declared) return scene;
+  const MeasurementNoise& noise = chosen.model.noise;
+  const double each = std::numbers::sqrt2 * *chosen.declared;
+  scenario.sensing_error = SensingError{each * noise.position, each * noise.velocity};
+  return scene;
+}
+
 Sensing wrong(SensingError error, SensingError declared) {
   Sensing sensing;
   sensing.error = error;
@@ -68,14 +111,11 @@ Sensing wrong(SensingError error, SensingError declared) {
 }
 
 std::vector<Case> cases() {
-  Sensing late;
-  late.delayed = late.promised = true;
   Sensing blind;
   blind.missed = 0.05;
   return {
       {"sensing-p1", "1 cm off, declared", wrong({0.01, 0.0}, {0.01, 0.0})},
       {"sensing-p5v5", "5 cm and 5 cm/s off, declared", wrong({0.05, 0.05}, {0.05, 0.05})},
-      {"delay-1", "one step old, declared", late},
       {"sensing-undeclared-1", "1 cm off", wrong({0.01, 0.0}, {})},
       {"sensing-undeclared-3", "3 cm off", wrong({0.03, 0.0}, {})},
       {"sensing-undeclared-10", "10 cm off", wrong({0.1, 0.0}, {})},
@@ -140,14 +180,6 @@ Family whims_of_movers(const std::string& name, double whims) {
           }};
 }
 
-// States d = Δt old, carried on at constant velocity: a_max d and a_max d²/2 at most.
-SensingError error_of_delay(const Scenario& scenario) {
-  double most = 0.0;
-  for (const RobotSetup& robot : scenario.robots) most = std::max(most, robot.max_acceleration);
-  const double d = scenario.time_step;
-  return {0.5 * most * d * d, most * d};
-}
-
 }  // namespace
 
 void add_sensing(std::vector<Family>& all) {
@@ -171,10 +203,15 @@ void add_sensing(std::vector<Family>& all) {
                        scene.acting = chosen.acting;
                        scene.sensing = sensing;
                        scene.sensing->shape = static_cast<ErrorShape>(seed % kErrorShapes);
-                       if (sensing.delayed && sensing.promised) {
-                         scene.sensing->declared = error_of_delay(scene.scenario);
-                       }
                        return scene;
+                     }});
+    }
+  }
+  for (const ModelCase& chosen : model_cases()) {
+    for (const Kind& kind : kinds) {
+      all.push_back({chosen.name + "-" + kind.name, chosen.what + ": " + kind.what, 20, true,
+                     [chosen, make = kind.make](std::uint64_t seed) {
+                       return with_model(make(seed), chosen, seed);
                      }});
     }
   }

@@ -54,6 +54,15 @@ struct SensingError {
   friend constexpr bool operator==(const SensingError&, const SensingError&) = default;
 };
 
+/// Gaussian errors of each coordinate of what is sensed, for the half-planes: they keep what the
+/// errors exceed with the probability 1 - Φ(quantile) only. Certificates know SensingError instead.
+struct SensingNoise {
+  double position = 0.0;  ///< [σ_p] m, >= 0
+  double velocity = 0.0;  ///< [σ_v] m/s, >= 0
+  double quantile = 1.0;  ///< [q] standard deviations, >= 0
+  friend constexpr bool operator==(const SensingNoise&, const SensingNoise&) = default;
+};
+
 /// As in scene files.
 AVO_API const char* to_string(Method method);
 AVO_API const char* to_string(Certificate certificate);
@@ -73,6 +82,7 @@ struct PlannerOptions {
   /// all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};
   SensingError sensing_error = {};  ///< of braking_trajectories; each robot declares its own
+  SensingNoise sensing_noise = {};  ///< of the half-planes
   Clock clock = Clock::common;  ///< free: motion held, no stopping_capsules (docs/certificate.md)
   /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this
   /// one.
@@ -232,6 +242,13 @@ class AVO_API Planner {
   /// Those of walls: of all that are in reach and may cut into what the robot may choose.
   void collect_half_planes(const Robot& robot, std::span<const Wall> walls,
                            WallPlanes& half_planes) const;
+
+  /// The probability with which v' does not keep the half-plane of where the neighbor truly is, by
+  /// Gaussian errors as in PlannerOptions::sensing_noise: that of the largest quantile with which
+  /// it keeps the half-plane; 1 where it does not keep the one of what is sensed. 0 without noise.
+  /// With half-planes only: not a probability of contact, against which there is the certificate.
+  [[nodiscard]] double half_plane_risk(const Robot& robot, const Neighbor& neighbor,
+                                       Vec2 new_velocity) const;
 
   /// The constraints of the certificate that can refuse anything, likewise.
   void collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,

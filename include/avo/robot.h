@@ -50,6 +50,14 @@ struct Neighbor {
   double max_acceleration = 1.0;  ///< [a_B^max] m/s^2, > 0; read only where B decides
   Vec2 acceleration = {};         ///< [a_B] m/s^2, observed; read only where B moves on
   Behavior behavior = Behavior::decides;
+  /// [d] whole steps, 0 to kMostAge: how long ago it was last sensed. It has been carried on since:
+  /// at constant velocity, or at its acceleration where it moves on. braking_trajectories then
+  /// allows for d Δt of whatever else it may have done, besides the declared SensingError of what
+  /// was sensed (docs/certificate.md, "Age").
+  int age = 0;
 };
+
+/// Of a Neighbor, steps.
+inline constexpr int kMostAge = 1'000'000;
 
 }  // namespace avo

@@ -40,6 +40,40 @@ enum class RightOfWay : std::uint8_t {
 };
 AVO_API const char* to_string(RightOfWay right_of_way);
 
+enum class NoiseDistribution : std::uint8_t { gaussian, uniform };
+AVO_API const char* to_string(NoiseDistribution distribution);
+
+/// How far each coordinate of a measurement is off, by itself and each time anew.
+struct MeasurementNoise {
+  double position = 0.0;  ///< m, >= 0: standard deviation; of uniform noise the bound
+  double velocity = 0.0;  ///< m/s, >= 0: likewise
+  NoiseDistribution distribution = NoiseDistribution::gaussian;
+  /// Gaussian noise stays within so many standard deviations, > 0, <= 8; unset: 3. Uniform noise
+  /// has none.
+  std::optional<double> truncated = {};
+  friend constexpr bool operator==(const MeasurementNoise&, const MeasurementNoise&) = default;
+};
+
+/// How robots sense others: what a simulation makes of the true states before anybody sees them.
+/// All of it depends on the seed, the step and the two robots alone (docs/scenes.md, "Sensing").
+struct SensingModel {
+  MeasurementNoise noise = {};
+  /// Whole steps, 0 to kMostDelay, from a measurement to the decision; carried on meanwhile.
+  int delay = 0;
+  double dropped = 0.0;    ///< 0 to 0.999: share of the measurements that are missed
+  bool occlusion = false;  ///< nobody is sensed whose center is behind an obstacle
+  friend constexpr bool operator==(const SensingModel&, const SensingModel&) = default;
+
+  /// Others look as they are.
+  [[nodiscard]] constexpr bool is_exact() const { return *this == SensingModel{}; }
+  /// Some may be sensed in one step and not in the next, and are carried on meanwhile.
+  [[nodiscard]] constexpr bool misses() const { return dropped > 0.0 || occlusion; }
+};
+inline constexpr double kUsualTruncation = 3.0;  ///< standard deviations
+inline constexpr int kMostDelay = 100;           ///< steps
+/// Steps for which one that is missed is carried on, with its Neighbor::age; then it is forgotten.
+inline constexpr int kMostCarried = 10;
+
 struct Scenario {
   std::string name = {};
   double time_step = 0.1;                   ///< [Δt] s, > 0
@@ -60,7 +94,14 @@ struct Scenario {
   /// The preferred velocity follows a path around the obstacles; unset: where there are any.
   std::optional<bool> navigation = {};
   RightOfWay right_of_way = RightOfWay::seen;  ///< at passages, with navigation
+  SensingModel sensing = {};
+  /// What the robots declare to braking_trajectories; unset: declared_error() of `sensing`.
+  std::optional<SensingError> sensing_error = {};
 };
+
+/// What covers the noise and the delay of the scene's robots: the bounds of the noise, and what the
+/// strongest of them can do within the delay. Missed measurements are told by Neighbor::age.
+AVO_API SensingError declared_error(const Scenario& scenario);
 
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be
 /// > 0 m".

@@ -104,7 +104,8 @@ class AVO_API Simulation {
   void remove_obstacle(ObstacleId obstacle);
 
   /// The state and the setup as bytes, the same on every machine, 64 of state and 56 of setup
-  /// (goal, radius, limits, wheelbase) a robot, and 8 of what it aims at where there are walls.
+  /// (goal, radius, limits, wheelbase) a robot, 8 of what it aims at where there are walls, and its
+  /// last states where the scene's sensing delays or misses measurements (docs/saving.md).
   /// Whoever has them has an equal state_hash() and an equal future, for any number of threads.
   /// They do not hold what only tells of the last step or of the past: plan and
   /// applied_acceleration of fleet(), which are value-initialized until the next step, sums of

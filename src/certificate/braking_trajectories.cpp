@@ -83,6 +83,17 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
   if (!pair.decides || !law.is_exact()) take_off(wanted, first, law, constraints);
 }
 
+// Against one of an age: whatever its acceleration has been since it was sensed, and what an error
+// of the velocity made of the way on which it was carried (docs/certificate.md, "Age").
+StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
+  const double time = neighbor.age * law.time_step;
+  const double a = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : 0.0;
+  StepLaw result = law;
+  result.sensing_error.position += time * law.sensing_error.velocity + 0.5 * a * time * time;
+  result.sensing_error.velocity += a * time;
+  return result;
+}
+
 // Where the pair is worth it.
 void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_t index,
                    const StepLaw& law, TrajectoryConstraints& constraints, Invariant& invariant) {
@@ -113,18 +124,21 @@ void begin_trajectories(const Robot& robot, const Neighbors& neighbors, const Ne
   constraints.columns.count = constraints.own_columns.count = constraints.own_columns.filled = 0;
   constraints.stays_at_rest = constraints.has_cones = false;
   constraints.waiting.clear();
-  const bool has_movers = near.has_movers[i] != 0;
-  if (near.of(i).empty() && !has_movers) return;
+  const bool has_others = near.has_others[i] != 0;
+  if (near.of(i).empty() && !has_others) return;
   constraints.own = near.own.braking(i);
   constraints.deviation = near.own.deviation(i);
   for (const NearPair& pair : near.of(i)) constraints.waiting.push_back(&pair);
-  for (std::size_t k = 0; has_movers && k < neighbors.size(); ++k) {
-    const Neighbor mover = neighbors[k];
-    if (mover.behavior == Behavior::decides) continue;
-    const BrakingPair pair = braking_pair(robot, mover, constraints.own, law);
-    if (cannot_meet(pair, mover, law)) continue;
-    if (norm(pair.p) < pair.contact + law.sensing_error.position) invariant.touched = true;
-    collect_close(pair, mover, k, law, constraints, invariant);
+  for (std::size_t k = 0; has_others && k < neighbors.size(); ++k) {
+    const Neighbor other = neighbors[k];
+    const bool decides = other.behavior == Behavior::decides;
+    if (decides && (other.age == 0 || near.whom == Whom::movers)) continue;
+    const StepLaw pair_law = other.age > 0 ? law_against(other, law) : law;
+    const BrakingPair pair = braking_pair(robot, other, constraints.own, pair_law);
+    if (cannot_meet(pair, other, pair_law)) continue;
+    const double nearest = pair.contact + pair_law.sensing_error.position;
+    if (!decides && norm(pair.p) < nearest) invariant.touched = true;
+    collect_close(pair, other, k, pair_law, constraints, invariant);
   }
 }
 

@@ -135,7 +135,8 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   queue.count = 0;
 }
 
-/// Neighbors of robot i that are not far go to the queue; returns whether any does not decide.
+/// Neighbors of robot i that are not far go to the queue; returns whether there are any that lanes
+/// leave out: movers, and those of an age.
 template <typename Real>
 AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, const StepLaw& law,
                          NearPairs& pairs) {
@@ -157,7 +158,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
                               own.most_ahead[i],
                               exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
   const Real zero(0.0);
-  auto movers = zero < zero;
+  auto others = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
       return Real::load(&column[at]);
@@ -167,10 +168,10 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
                                    load(columns.radius),
                                    load(columns.max_acceleration)};
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
-    const auto decides = load(columns.decides) > zero;
-    movers = movers | (counted & !decides);
+    const auto prompt = load(columns.decides) > zero;
+    others = others | (counted & !prompt);
     if (whom == Whom::movers) continue;
-    auto near = counted & decides & !are_far(bound, self, other);
+    auto near = counted & prompt & !are_far(bound, self, other);
     if (any(near)) near = near & !are_clear(bound, self, other, law);
     if (any(near)) {
       push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
@@ -179,7 +180,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     const Vec<Real> p = self.position - other.position;
     if (any(dot(p, p) > range_squared)) break;
   }
-  return any(movers);
+  return any(others);
 }
 
 template <typename Real>
@@ -188,9 +189,10 @@ void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPa
   fill<Real>(robots, law, pairs.own);
   pairs.kept.clear();
   pairs.queue.count = 0;  // some are left where memory ran out
-  pairs.has_movers.resize(robots.count);
+  pairs.has_others.resize(robots.count);
+  pairs.whom = whom;
   for (std::size_t i = 0; i < robots.count; ++i) {
-    pairs.has_movers[i] = look_for<Real>(robots, i, whom, law, pairs) ? 1 : 0;
+    pairs.has_others[i] = look_for<Real>(robots, i, whom, law, pairs) ? 1 : 0;
   }
   judge<Real>(law, pairs.queue, pairs.kept);
   pairs.end.resize(robots.count);
@@ -218,7 +220,7 @@ void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
   }
   pairs.admits.resize(robots.count);
   for (std::size_t i = 0; i < robots.count; ++i) {
-    bool admits = robots.wheelbase[i] == 0.0 && pairs.has_movers[i] == 0;
+    bool admits = robots.wheelbase[i] == 0.0 && pairs.has_others[i] == 0;
     for (const NearPair& pair : pairs.of(i)) {
       admits = admits && pair.gap > pair.against * own.next_ahead[i] + own.next_aside[i];
     }

@@ -74,10 +74,12 @@ struct NearPair {
 struct NearPairs {
   BrakingColumns own;
   NearQueue queue;
-  std::vector<NearPair> kept;            ///< robot by robot, by ascending neighbor
-  std::vector<std::size_t> end;          ///< behind those of robot i
-  std::vector<std::uint8_t> has_movers;  ///< whether robot i has some that do not decide
-  std::vector<std::uint8_t> admits;      ///< by admit_next()
+  Whom whom = Whom::everyone;    ///< was asked for
+  std::vector<NearPair> kept;    ///< robot by robot, by ascending neighbor
+  std::vector<std::size_t> end;  ///< behind those of robot i
+  /// Whether robot i has some that do not decide, or are of an age: they are looked at one by one.
+  std::vector<std::uint8_t> has_others;
+  std::vector<std::uint8_t> admits;  ///< by admit_next()
 
   std::span<const NearPair> of(std::size_t i) const {
     const std::size_t first = i == 0 ? 0 : end[i - 1];
@@ -87,16 +89,16 @@ struct NearPairs {
     own.reserve(robots);
     kept.reserve(pairs);
     end.reserve(robots);
-    has_movers.reserve(robots);
+    has_others.reserve(robots);
     admits.reserve(robots);
   }
 };
 
-/// Of each robot's neighbors that decide, if everyone's constraints are wanted, those that may meet
-/// it and can refuse a candidate.
+/// Of each robot's neighbors that decide and are of age 0, if everyone's constraints are wanted,
+/// those that may meet it and can refuse a candidate.
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& near);
 
-/// Whether robot i, which is no car and senses no movers, may have the next velocity whatever its
+/// Whether robot i, which is no car and has no others, may have the next velocity whatever its
 /// near pairs demand, after find_near() for everyone: it deviates too little from braking.
 void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
                 const std::vector<double>& next_y, const StepLaw& law, NearPairs& near);

@@ -10,6 +10,7 @@ void NeighborColumns::grow(std::size_t size) {
   for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &decides}) {
     column->resize(size, 1.0);
   }
+  age.resize(size);
   acceleration.resize(size);
 }
 

@@ -18,10 +18,15 @@ inline constexpr std::size_t kSpareNeighbors = 16;
 struct NeighborColumns {
   std::size_t count = 0;
   bool has_movers = false;                       // some do not decide
+  bool has_aged = false;                         // the age of some is not 0
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
-  std::vector<double> decides;                   // 1 or 0; 1 unless add() was told otherwise
-  std::vector<Vec2> acceleration;                // m/s², of those that do not decide
+  std::vector<double> decides;     // see below; kPrompt unless add() was told otherwise
+  std::vector<int> age;            // steps, of all that are not kPrompt
+  std::vector<Vec2> acceleration;  // m/s², of those that do not decide
+
+  // It decides and is of age 0; it decides and is older; it moves on.
+  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0;
 
   /// Room for so many.
   void reserve(std::size_t neighbors) {
@@ -32,31 +37,35 @@ struct NeighborColumns {
     x[count] = neighbor.position.x, y[count] = neighbor.position.y;
     v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;
     radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
-    const bool moves_on = neighbor.behavior == Behavior::moves_on;
-    decides[count] = moves_on ? 0.0 : 1.0;
+    const bool moves_on = neighbor.behavior == Behavior::moves_on, aged = neighbor.age > 0;
+    decides[count] = moves_on ? kMover : aged ? kAged : kPrompt;
+    age[count] = neighbor.age;
     acceleration[count++] = neighbor.acceleration;
     has_movers = has_movers || moves_on;
+    has_aged = has_aged || aged;
   }
   /// The one at `place` by the one at `other`, which stays.
   void replace(std::size_t place, std::size_t other) {
     x[place] = x[other], y[place] = y[other];
     v_x[place] = v_x[other], v_y[place] = v_y[other];
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
-    decides[place] = decides[other], acceleration[place] = acceleration[other];
+    decides[place] = decides[other], age[place] = age[other];
+    acceleration[place] = acceleration[other];
   }
   void clear() {
-    if (has_movers) std::fill(decides.begin(), decides.end(), 1.0);
+    if (has_movers || has_aged) std::fill(decides.begin(), decides.end(), kPrompt);
     count = 0;
-    has_movers = false;
+    has_movers = has_aged = false;
   }
   Neighbor operator[](std::size_t i) const {
-    const bool moves_on = decides[i] == 0.0;
+    const bool moves_on = decides[i] == kMover;
     return {.position = {x[i], y[i]},
             .velocity = {v_x[i], v_y[i]},
             .radius = radius[i],
             .max_acceleration = max_acceleration[i],
             .acceleration = moves_on ? acceleration[i] : Vec2{},
-            .behavior = moves_on ? Behavior::moves_on : Behavior::decides};
+            .behavior = moves_on ? Behavior::moves_on : Behavior::decides,
+            .age = decides[i] == kPrompt ? 0 : age[i]};
   }
 
  private:

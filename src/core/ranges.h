@@ -42,6 +42,13 @@ inline constexpr Range kAtLeastOne{1.0, std::numeric_limits<std::int32_t>::max()
 /// Boundary samples a side: 0 (exact) or from 2. A decision takes time by their square.
 inline constexpr Range kSamples{0.0, 1000.0, false};
 
+/// m, m/s, of measurements: what is declared for it stays in range.
+inline constexpr Range kNoise{0.0, 1e9, false};
+/// Of the measurements that are missed: all would be nobody's sensing.
+inline constexpr Range kShareMissed{0.0, 0.999, false};
+/// Standard deviations.
+inline constexpr Range kTruncation{0.0, 8.0, true};
+
 /// [δ] s: (v' - v)/δ of a shorter one is rounding, and exceeds a_max.
 inline constexpr double kShortestControl = 1e-6;
 /// [δ]: in a longer time step e^{-Δt/δ} underflows.

@@ -11,7 +11,8 @@ namespace avo {
 
 /// Takes out of the robots' neighbors whoever decides as well and is behind a wall, so that neither
 /// can come round an end of it before both have stopped. Only walls that the robot itself could
-/// come to touch are looked at. With sensing errors all neighbors count.
+/// come to touch are looked at. With sensing errors all neighbors count, and those of an age do in
+/// any case.
 void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile);
 
 /// Whether it takes the neighbor out.

@@ -65,6 +65,9 @@ const char* to_string(Clock clock) {
 const char* to_string(RightOfWay right_of_way) {
   return name_of(right_of_way);
 }
+const char* to_string(NoiseDistribution distribution) {
+  return name_of(distribution);
+}
 const char* to_string(PlanStatus status) {
   return name_of(status);
 }
@@ -93,6 +96,10 @@ void validate(const PlannerOptions& options, const std::string& prefix) {
   if (options.samples == 1) refuse(prefix + "samples", "1", "0 (exact) or >= 2");
   require(prefix + "arrival_distance", options.arrival_distance, kPositive, "m");
   validate_certificate(options, prefix);
+  const auto& [position, velocity, quantile] = options.sensing_noise;
+  require(prefix + "sensing_noise.position", position, kNotNegative, "m");
+  require(prefix + "sensing_noise.velocity", velocity, kNotNegative, "m/s");
+  require(prefix + "sensing_noise.quantile", quantile, kNotNegative, "");
 }
 
 }  // namespace avo

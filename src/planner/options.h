@@ -27,6 +27,8 @@ AVO_LOCAL inline constexpr std::array kNames<Clock>{"common", "free"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen", "told"};
 template <>
+AVO_LOCAL inline constexpr std::array kNames<NoiseDistribution>{"gaussian", "uniform"};
+template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"};
 

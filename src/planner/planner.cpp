@@ -77,10 +77,11 @@ bool follows_heading(const Robot& robot) {
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  const auto& [p, v, r, a_max, a, behavior] = neighbor;
+  const auto& [p, v, r, a_max, a, behavior, age] = neighbor;
   const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest);
-  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able)) != 0;
+  const int dated = static_cast<int>(age >= 0) & static_cast<int>(age <= kMostAge);
+  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able) & dated) != 0;
 }
 
 bool is_valid(const Wall& wall) {

@@ -11,6 +11,10 @@
 namespace avo {
 namespace {
 
+bool has_noise(const SensingNoise& noise) {
+  return noise.quantile > 0.0 && (noise.position > 0.0 || noise.velocity > 0.0);
+}
+
 // Returns the number of pairs.
 std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robots,
                         SoftPlanes& soft) {
@@ -30,7 +34,7 @@ void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& sof
   std::size_t i = 0;
   for (std::size_t r = 0; r < tile.robots.count; ++r) {
     for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      if (neighbors.decides[k] != 0.0) continue;
+      if (neighbors.decides[k] != NeighborColumns::kMover) continue;
       const double acceleration = norm(neighbors.acceleration[k]);
       soft.pairs.reach[i] = options.control_time * (tile.robots.max_acceleration[r] + acceleration);
       soft.raise[r] = std::max(soft.raise[r], options.control_time * acceleration);
@@ -92,6 +96,13 @@ void raise_for_movers(const PlannerOptions& options, const RobotColumns& robots,
   }
 }
 
+void add_reserves(const PlannerOptions& options, PairColumns& pairs) {
+  for (std::size_t i = 0; i < pairs.count; ++i) {
+    const Pair pair{{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]};
+    pairs.radius[i] = reserved_radius(pair, options);
+  }
+}
+
 void reserve(std::size_t pairs, SoftPlanes& soft) {
   soft.pairs.reserve(pairs);
   if (soft.share.size() < pairs + kSparePairs) soft.share.resize(pairs + kSparePairs, 1.0);
@@ -107,6 +118,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   reserve(count_pairs(options, robots, soft), soft);
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
+  if (has_noise(options.sensing_noise)) add_reserves(options, soft.pairs);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
   share_out(robots, soft.pair_end, soft.raise, options.control_time, soft.share, soft.relative,
             soft.shared);
@@ -125,7 +137,8 @@ double pair_reach(const PlannerOptions& options, const Robot& robot, const Neigh
 
 RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
                                       const Robot& robot, const Neighbor& neighbor) {
-  const Pair pair = relative(robot, neighbor);
+  Pair pair = relative(robot, neighbor);
+  if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
   if (options.method == Method::orca) {
     return orca_half_plane(pair, options.time_horizon, options.time_step);
   }
@@ -175,6 +188,17 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
 }
 
 }  // namespace
+
+double reserved_radius(const Pair& pair, const PlannerOptions& options) {
+  const SensingNoise& noise = options.sensing_noise;
+  const double towards = -dot(pair.position, pair.velocity);
+  // whether they come near each other, and until when
+  double time = towards > 0.0 ? options.time_horizon : 0.0;
+  const double squared = norm_squared(pair.velocity);
+  if (towards < time * squared) time = towards / squared;
+  const double wanted = pair.radius + noise.quantile * (noise.position + time * noise.velocity);
+  return std::max(pair.radius, std::min(wanted, norm(pair.position)));
+}
 
 Pair relative(const Robot& robot, const Neighbor& neighbor) {
   return {robot.position - neighbor.position, robot.velocity - neighbor.velocity,

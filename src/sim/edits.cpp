@@ -69,6 +69,25 @@ void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
               " m, sensing_radius is " + std::to_string(scene.sensing_radius) + " m");
 }
 
+// Throws Error if it is too strong for the delay that all of them have allowed for.
+void check_delay(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Scenario& settings = world.settings;
+  const PlannerOptions& options = world.planner.options();
+  if (settings.sensing.delay == 0 || options.certificate != Certificate::braking_trajectories)
+    return;
+  const double time = settings.sensing.delay * settings.time_step;
+  const double of_noise = declared_error(settings).velocity;
+  const double most = std::max(0.0, (options.sensing_error.velocity - of_noise) / time);
+  const auto is_allowed_for = [most](double a_max) { return a_max <= most * (1.0 + 1e-9); };
+  const std::vector<RobotTraits>& others = world.fleet.traits;
+  const bool were = std::all_of(others.begin(), others.end(), [&](const RobotTraits& traits) {
+    return is_allowed_for(traits.max_acceleration);
+  });
+  if (!were || is_allowed_for(setup.max_acceleration)) return;
+  refuse(name_of(robot) + ": max_acceleration", text(setup.max_acceleration),
+         "<= " + rounded(most, 9) + " m/s^2, what sensing_error allows for within the delay");
+}
+
 // As it is now; where it is matters to nobody whose values are checked.
 RobotSetup standing(const World& world, std::size_t slot) {
   RobotSetup setup = world.fleet.setup(slot);
@@ -126,6 +145,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   const RobotId robot{world.next_id};
   check(world, setup, robot, !world.statics.obstacles.empty());
   check_sensing(world, setup, robot);
+  check_delay(world, setup, robot);
   Ways& ways = world.ways;
   Travel travel;
   if (!ways.empty()) {
@@ -133,7 +153,10 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
     if (ways.travels.size() == ways.travels.capacity())
       ways.travels.reserve(2 * ways.travels.size() + 8);
   }
+  world.senses.reserve_one();
   world.fleet.add(robot, setup);
+  world.senses.add(world.steps);
+  world.senses.note(world.fleet, world.steps);
   if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
   ++world.next_id;
   world.changed = true;
@@ -144,6 +167,7 @@ void remove_robot(World& world, RobotId robot) {
   const std::size_t slot = world.fleet.find(robot);
   std::vector<Travel>& travels = world.ways.travels;
   if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);
+  world.senses.remove(static_cast<std::size_t>(world.fleet.rank[slot]));
   world.fleet.remove(slot);
   world.changed = true;
 }

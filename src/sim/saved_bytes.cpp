@@ -24,6 +24,7 @@ constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
+constexpr std::size_t kPastWords = 4;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
 
@@ -137,6 +138,25 @@ void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, SensingError& error) {
+  describe(archive, error.position), describe(archive, error.velocity);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, SensingModel& model) {
+  MeasurementNoise& noise = model.noise;
+  describe(archive, noise.position), describe(archive, noise.velocity);
+  describe(archive, noise.distribution), describe(archive, noise.truncated);
+  describe(archive, model.delay), describe(archive, model.dropped);
+  describe(archive, model.occlusion);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, PastState& state) {
+  describe(archive, state.position), describe(archive, state.velocity);
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
@@ -211,6 +231,11 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     describe(archive, scene.robots[k], state.robots[k]);
   }
+  if (generations_needed(scene.sensing) < 2) return;  // they remember nothing
+  archive.size(state.since, 1);
+  for (std::int64_t& generation : state.since) describe(archive, generation);
+  archive.size(state.past, kPastWords);
+  for (PastState& past : state.past) describe(archive, past);
 }
 
 // As many robots at a time as a scene may have: more of them may have been added to a simulation.
@@ -224,6 +249,19 @@ void check_setups(const Scenario& scene) {
                        begin + static_cast<std::ptrdiff_t>(last));
     validate(part);
   }
+}
+
+void check_past(const SavedState& state) {
+  const std::size_t depth = generations_needed(state.scene.sensing), robots = state.robots.size();
+  if (depth < 2) return;
+  const bool whole = state.since.size() == robots && state.past.size() == robots * depth;
+  const bool dated = std::all_of(state.since.begin(), state.since.end(), [&](std::int64_t since) {
+    return since >= 0 && since <= state.steps;
+  });
+  const bool finite = std::all_of(state.past.begin(), state.past.end(), [](const PastState& past) {
+    return is_finite(past.position) && is_finite(past.velocity);
+  });
+  if (!whole || !dated || !finite) refuse("a past that no robots can have", "theirs");
 }
 
 // Refuses what no simulation comes to: only forged bytes have it.
@@ -241,6 +279,7 @@ void check_states(const SavedState& state) {
     next = id + 1;
   };
   for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
+  check_past(state);
   next = 0;
   for (const RobotState& robot : state.robots) {
     if (!kAnyValue.contains(robot.heading))

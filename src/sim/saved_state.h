@@ -9,6 +9,7 @@
 
 #include "avo/scenario.h"
 #include "avo/simulation.h"
+#include "sim/senses.h"
 
 namespace avo {
 
@@ -42,6 +43,8 @@ struct SavedState {
   std::vector<SavedWay> ways;            // of the robots; none without walls
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
+  std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing
+  std::vector<PastState> past;
 };
 
 /// visit(key, member) for all that a scene has besides robots and obstacles.
@@ -62,6 +65,8 @@ void for_each_setting(const Visit& visit) {
   visit("seed", &Scenario::seed);
   visit("navigation", &Scenario::navigation);
   visit("right_of_way", &Scenario::right_of_way);
+  visit("sensing", &Scenario::sensing);
+  visit("sensing_error", &Scenario::sensing_error);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.

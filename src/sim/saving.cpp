@@ -30,6 +30,19 @@ std::string shown(const Value& value) {
   }
 }
 
+std::string shown(const SensingError& error) {
+  return text(error.position) + " m and " + text(error.velocity) + " m/s";
+}
+
+std::string shown(const SensingModel& model) {
+  const MeasurementNoise& noise = model.noise;
+  return "{noise: {position: " + text(noise.position) + ", velocity: " + text(noise.velocity) +
+         ", distribution: " + to_string(noise.distribution) +
+         (noise.truncated ? ", truncated: " + text(*noise.truncated) : "") +
+         "}, delay: " + std::to_string(model.delay) + ", dropped: " + text(model.dropped) +
+         ", occlusion: " + (model.occlusion ? "true" : "false") + "}";
+}
+
 template <typename Value>
 std::string shown(const std::optional<Value>& value) {
   return value ? shown(*value) : "none";
@@ -77,6 +90,19 @@ ObstacleColumns obstacles_of(const SavedState& state) {
   return obstacles;
 }
 
+Senses senses_of(const SavedState& state, const Fleet& fleet) {
+  Senses senses;
+  senses.depth = generations_needed(state.scene.sensing);
+  if (senses.remember()) {
+    senses.since = state.since;
+    senses.past = state.past;
+    return senses;
+  }
+  for (std::size_t k = 0; k < fleet.size(); ++k) senses.add(state.steps);
+  senses.note(fleet, state.steps);
+  return senses;
+}
+
 // With the targets that were saved: nobody looks for its way anew.
 std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
   const std::size_t count = ways.empty() ? 0 : state.robots.size();
@@ -96,9 +122,13 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
 
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
-  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}};
+  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}};
   state.next_obstacle = world.statics.next_id;
   state.static_ids = world.statics.id;
+  if (world.senses.remember()) {
+    state.since = world.senses.since;
+    state.past = world.senses.past;
+  }
   state.ways.reserve(world.ways.travels.size());
   for (std::size_t rank = 0; rank < world.ways.travels.size(); ++rank) {
     const Travel& travel = world.ways.travels[rank];
@@ -123,6 +153,7 @@ SavedState saved_state(const World& world) {
 void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   Fleet fleet = fleet_of(state);
+  Senses senses = senses_of(state, fleet);
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;
   std::optional<Ways> other_ways;
@@ -135,6 +166,7 @@ void restore(const SavedState& state, World& world) {
   if (other_ways) other_ways->forget_before();
   // nothing throws from here on
   std::swap(world.fleet, fleet);
+  std::swap(world.senses, senses);
   std::swap(world.obstacles, obstacles);
   std::swap(ways.travels, travels);
   if (statics) std::swap(world.statics, *statics);

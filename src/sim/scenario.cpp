@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 
 #include "avo/response.h"
@@ -84,6 +85,18 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   }
 }
 
+void check_sensing(const SensingModel& sensing) {
+  const auto& [position, velocity, distribution, truncated] = sensing.noise;
+  require("sensing.noise.position", position, kNoise, "m");
+  require("sensing.noise.velocity", velocity, kNoise, "m/s");
+  if (truncated) require("sensing.noise.truncated", *truncated, kTruncation, "");
+  if (truncated && distribution == NoiseDistribution::uniform)
+    refuse("sensing.noise.truncated", text(*truncated),
+           "left out with distribution uniform, which stays within position and velocity");
+  require("sensing.delay", sensing.delay, Range{0.0, kMostDelay, false}, "steps");
+  require("sensing.dropped", sensing.dropped, kShareMissed, "");
+}
+
 // The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
 void check_beside_walls(const Scenario& scenario, const PlannerOptions& options) {
   for (std::size_t i = 0; i < scenario.robots.size() && !scenario.obstacles.empty(); ++i) {
@@ -111,6 +124,7 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
 }  // namespace
 
 void validate(const Scenario& scenario) {
+  check_sensing(scenario.sensing);
   const PlannerOptions options = planner_options(scenario);
   validate(options, "");
   check_duration(scenario);
@@ -136,7 +150,35 @@ PlannerOptions planner_options(const Scenario& scenario) {
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
   if (scenario.certificate) options.certificate = *scenario.certificate;
+  if (scenario.sensing_error) {
+    options.sensing_error = *scenario.sensing_error;
+  } else if (options.certificate == Certificate::braking_trajectories) {
+    options.sensing_error = declared_error(scenario);
+  }
+  const MeasurementNoise& noise = scenario.sensing.noise;
+  if (noise.distribution == NoiseDistribution::gaussian) {
+    const double carried = scenario.sensing.delay * scenario.time_step * noise.velocity;
+    options.sensing_noise.position = norm(Vec2{noise.position, carried});
+    options.sensing_noise.velocity = noise.velocity;
+  }
   return options;
+}
+
+SensingError declared_error(const Scenario& scenario) {
+  // of both coordinates, and what rounding adds to it
+  constexpr double kBoth = std::numbers::sqrt2 * (1.0 + 0x1p-40);
+  const auto& [position, velocity, distribution, truncated] = scenario.sensing.noise;
+  const bool is_gaussian = distribution == NoiseDistribution::gaussian;
+  const double most = kBoth * (is_gaussian ? truncated.value_or(kUsualTruncation) : 1.0);
+  SensingError error{most * position, most * velocity};
+  if (scenario.sensing.delay == 0) return error;
+  double strongest = 0.0;  // m/s²
+  for (const RobotSetup& robot : scenario.robots)
+    strongest = std::max(strongest, robot.max_acceleration);
+  const double time = scenario.sensing.delay * scenario.time_step;
+  error.position += time * error.velocity + 0.5 * strongest * time * time;
+  error.velocity += strongest * time;
+  return error;
 }
 
 std::int64_t last_step(const Scenario& scenario, double time) {

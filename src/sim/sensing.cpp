@@ -11,6 +11,7 @@
 #include "certificate/certificate.h"
 #include "planner/certify.h"
 #include "sim/assumptions.h"
+#include "sim/senses.h"
 
 namespace avo {
 namespace {
@@ -28,10 +29,10 @@ struct Part {
 
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[i];
-  const double v = robot.max_speed, step = law.step.time_step;
+  const double v = robot.max_speed, step = law.step.time_step, late = time_unseen(scenario);
   const double u = braking_decrement(robot.max_acceleration, law.step);
-  return {static_cast<int>(i), robot.radius + (step * v + stopping_length(v, u, law.step)),
-          step * (1.0 + braking_steps(v, u))};
+  return {static_cast<int>(i), robot.radius + ((step + late) * v + stopping_length(v, u, law.step)),
+          step * (1.0 + braking_steps(v, u)) + late};
 }
 
 double part_of(const MovingObstacle& obstacle, double seconds, double duration,

@@ -22,29 +22,47 @@
 namespace avo {
 namespace {
 
-// Whoever is within the sensing radius of a robot, found by looking at everyone.
-std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
+// Whoever is within the sensing radius of a robot, found by looking at everyone; as it is.
+void append_all(const World& world, std::size_t slot, std::vector<Sighting>& robots,
+                std::vector<Sighting>& movers) {
   const Vec2 position = world.fleet.position[slot];
   const double radius = world.settings.sensing_radius;
-  std::vector<NeighborHit> hits;
-  const auto look = [&](Vec2 other, std::size_t number, bool is_obstacle) {
-    const double distance_squared = norm_squared(other - position);
-    if (!is_finite(other) || !is_finite(position)) return;
-    if (!(distance_squared <= radius * radius)) return;
-    hits.push_back({distance_squared, static_cast<int>(number), is_obstacle ? 1U : 0U});
+  const auto add = [&](const Neighbor& neighbor, int source, std::vector<Sighting>& to) {
+    const double distance_squared = norm_squared(neighbor.position - position);
+    if (!is_finite(neighbor.position) || !is_finite(position)) return;
+    if (distance_squared <= radius * radius) to.push_back({neighbor, distance_squared, source});
   };
   for (std::size_t rank = 0; rank < world.fleet.size(); ++rank) {
     const std::uint32_t other = world.fleet.slot_of[rank];
-    if (other != slot) look(world.fleet.position[other], rank, false);
+    if (other != slot) add(world.fleet.sensed(other), static_cast<int>(rank), robots);
   }
-  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
-    look(world.obstacles.position[k], k, true);
+  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k)
+    add(world.obstacles.sensed(k), -1 - static_cast<int>(k), movers);
+}
+
+// Those that it senses, in the order in which they are planned with.
+std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
+  std::vector<Sighting> robots, movers;
+  append_all(world, slot, robots, movers);
+  if (!world.senses.are_exact()) {
+    const auto hits = [](const std::vector<Sighting>& sightings) {
+      std::vector<NeighborHit> result;
+      for (const auto& [neighbor, distance_squared, source] : sightings)
+        result.push_back({distance_squared, source < 0 ? -1 - source : source, 0});
+      return result;
+    };
+    std::vector<Sighting> sightings;
+    look(world, slot, hits(robots), hits(movers), sightings);
+    return sightings;
   }
+  robots.insert(robots.end(), movers.begin(), movers.end());
   // robots lie before obstacles and ids ascend
-  std::stable_sort(hits.begin(), hits.end(), [](const NeighborHit& a, const NeighborHit& b) {
+  std::stable_sort(robots.begin(), robots.end(), [](const Sighting& a, const Sighting& b) {
     return a.distance_squared < b.distance_squared;
   });
-  return hits;
+  if (!world.all_matter() && robots.size() > world.most_nearest())
+    robots.resize(world.most_nearest());
+  return robots;
 }
 
 std::unique_ptr<Executor> thread_pool(int threads) {
@@ -177,7 +195,8 @@ std::vector<RobotId> Simulation::unreachable() const {
 }
 
 std::uint64_t Simulation::state_hash() const {
-  const std::uint64_t hash = hash_of(state_->fleet, state_->obstacles, state_->steps);
+  const std::uint64_t present = hash_of(state_->fleet, state_->obstacles, state_->steps);
+  const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, present) : present;
   return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);
 }
 
@@ -188,17 +207,13 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     find_walls(state);
   }
   const std::uint32_t slot = state.fleet.slot_of[robot];
-  const std::vector<NeighborHit> hits = all_hits(state, slot);
-  const double nearest = hits.empty() ? std::numeric_limits<double>::infinity()
-                                      : std::sqrt(hits.front().distance_squared);
+  const std::vector<Sighting> sightings = all_sightings(state, slot);
+  const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
+                                           : std::sqrt(sightings.front().distance_squared);
   Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}};
-  for (const NeighborHit& hit : hits) {
-    if (!state.all_matter() && seen.source.size() == state.most_nearest()) break;
-    const auto k = static_cast<std::size_t>(hit.index);
-    const bool is_obstacle = hit.place != 0;
-    seen.neighbors.push_back(is_obstacle ? state.obstacles.sensed(k)
-                                         : state.fleet.sensed(state.fleet.slot_of[k]));
-    seen.source.push_back(is_obstacle ? -1 - hit.index : hit.index);
+  for (const Sighting& sighting : sightings) {
+    seen.neighbors.push_back(sighting.neighbor);
+    seen.source.push_back(sighting.source);
   }
   const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
   seen.walls.assign(walls.begin(), walls.end());

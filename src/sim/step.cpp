@@ -27,8 +27,8 @@ Executor& executor_of(World& world) {
 // Whether whomever it senses is valid, however all have moved since they were looked at.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
-  return world.valid && !world.fast && std::abs(p.x) <= kFarthestTrusted &&
-         std::abs(p.y) <= kFarthestTrusted;
+  return world.valid && !world.fast && world.senses.are_exact() &&
+         std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
 }
 
 // How far each robot has to look, as long as none is fast.
@@ -113,6 +113,7 @@ void index(World& world, Executor& executor) {
 
 // m: others farther away matter only if they are among the nearest.
 double near_range(const World& world, std::size_t slot) {
+  if (!world.senses.are_exact()) return world.settings.sensing_radius;
   if (!world.all_matter()) return -1.0;
   const Vec2 p = world.fleet.position[slot];
   const double everyone = world.settings.sensing_radius;
@@ -170,6 +171,20 @@ void append_with_obstacles(const World& world, Vec2 position, std::size_t query,
   }
 }
 
+// The same as they are sensed, where senses are not exact.
+void append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  NeighborColumns& to = worker.tile.neighbors;
+  const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
+  std::span<const NeighborHit> movers;
+  if (!world.obstacles.setup.empty()) {
+    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+    movers = world.obstacle_grid.gather(world.fleet.position[slot], -1, kAll, worker.obstacles);
+  }
+  look(world, slot, robots, movers, worker.sightings);
+  to.reserve(to.count + worker.sightings.size());
+  for (const Sighting& sighting : worker.sightings) to.add(sighting.neighbor);
+}
+
 // m, within which are the nearest, or all if those are fewer.
 float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
                        const Snapshot& snapshot, const SearchScratch& search) {
@@ -198,7 +213,9 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
     const std::size_t first = worker.tile.neighbors.count;
-    if (world.obstacles.setup.empty()) {
+    if (!world.senses.are_exact()) {
+      append_sighted(world, slots[i], i, worker);
+    } else if (world.obstacles.setup.empty()) {
       append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
     } else {
       append_with_obstacles(world, fleet.position[slots[i]], i, worker);
@@ -246,6 +263,7 @@ void step(World& world) {
   world.torn = false;
   world.obstacles.advance(world.settings.time_step);
   ++world.steps;
+  world.senses.note(world.fleet, world.steps);
   if (world.workers[0].clock.is_on()) world.robot_steps += static_cast<std::int64_t>(robots);
 }
 

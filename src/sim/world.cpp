@@ -18,10 +18,14 @@ std::size_t most_braking_steps(const World& world) {
   if (!world.all_matter()) return 0;
   constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
   const double braking_time = world.planner.step_rate() * world.planner.options().control_time;
+  const double error =
+      world.planner.options().sensing_error.velocity;  // m/s that one may be faster
   double most = 0.0;
   for (const RobotTraits& robot_traits : world.fleet.traits) {
-    most = std::max(most, robot_traits.max_speed / (robot_traits.max_acceleration * braking_time));
+    const double fastest = robot_traits.max_speed + error;
+    most = std::max(most, fastest / (robot_traits.max_acceleration * braking_time));
   }
+  if (world.settings.sensing.misses()) most += kMostCarried;
   return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
 }
 
@@ -45,6 +49,7 @@ void reserve(const World& world, Worker& worker) {
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
   worker.tile.reserve(together, sensed);
+  if (!world.senses.are_exact()) worker.sightings.reserve(seen);
   const std::size_t nearest = std::min(seen, world.most_nearest());
   reserve_together(together, nearest, std::min(together * nearest, kTileCandidates + nearest), seen,
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
@@ -83,11 +88,19 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.reserve(scenario.robots.size());
-  for (const RobotSetup& setup : scenario.robots) fleet.add({next_id++}, setup);
+  senses.depth = generations_needed(scenario.sensing);
+  for (const RobotSetup& setup : scenario.robots) {
+    fleet.add({next_id++}, setup);
+    senses.add(steps);
+  }
+  senses.note(fleet, steps);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
   settings.obstacles = std::vector<StaticObstacle>();
+  // it was made of the robots that there were at first
+  if (planner.options().sensing_error != SensingError{})
+    settings.sensing_error = planner.options().sensing_error;
   for (Worker& worker : workers) reserve(*this, worker);
 }
 

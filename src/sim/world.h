@@ -16,6 +16,7 @@
 #include "sim/claims.h"
 #include "sim/fleet.h"
 #include "sim/moving_columns.h"
+#include "sim/senses.h"
 #include "sim/snapshot.h"
 #include "sim/static_world.h"
 #include "sim/ways.h"
@@ -34,7 +35,8 @@ struct alignas(128) Worker {
   std::vector<NeighborQuery> queries;
   SearchScratch search, obstacles;
   LegScratch legs;
-  bool fast = false;  // moved a robot that exceeds its max_speed
+  std::vector<Sighting> sightings;  // where senses are not exact
+  bool fast = false;                // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
   StageClock clock;
@@ -47,6 +49,7 @@ struct World {
   StepResponse response;
   Fleet fleet;
   ObstacleColumns obstacles;
+  Senses senses;
   StaticWorld statics;
   Ways ways;
   Claims claims;

@@ -20,7 +20,7 @@ const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, time_horizon, sensing_radius, "
     "max_neighbors, method, certificate, motion, precision, samples, arrival_distance, seed, "
     "robots, groups, robots_from, "
-    "moving_obstacles, obstacles, navigation, right_of_way";
+    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, car";
 
@@ -112,6 +112,21 @@ const std::vector<BadScene> kBadScenes{
     {"number_zero", kGood + s("time_step: 0\n"), "4:12: time_step: found 0, must be > 0 s"},
     {"number_minus_zero", kGood + s("control_time: -0.0\n"),
      "4:15: control_time: found -0.0, must be > 0 s"},
+    {"sensing_a_word", kGood + s("sensing: noisy\n"),
+     "4:10: sensing: found \"noisy\", must be a map with keys noise, delay, dropped, occlusion"},
+    {"noise_of_another_kind",
+     kGood + s("sensing: {noise: {position: 0.1, distribution: normal}}\n"),
+     "4:48: sensing.noise.distribution: found \"normal\", must be one of gaussian, uniform"},
+    {"noise_uniform_truncated",
+     kGood + s("sensing: {noise: {position: 0.1, distribution: uniform, truncated: 2}}\n"),
+     "4:68: sensing.noise.truncated: found 2, must be left out with distribution uniform, which "
+     "stays within position and velocity"},
+    {"delay_of_half_a_step", kGood + s("sensing: {delay: 0.5}\n"),
+     "4:18: sensing.delay: found 0.5, must be a whole number"},
+    {"dropped_all", kGood + s("sensing: {dropped: 1}\n"),
+     "4:20: sensing.dropped: found 1, must be <= 0.999"},
+    {"declared_without_a_certificate", kGood + s("method: orca\nsensing_error: {position: 0.1}\n"),
+     "5:16: sensing_error: found one, must be none with certificate none"},
     {"number_negative", kGood + s("sensing_radius: -15\n"),
      "4:17: sensing_radius: found -15, must be > 0 m"},
     {"number_beyond_all", kGood + s("sensing_radius: 1e13\n"),

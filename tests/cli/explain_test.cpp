@@ -241,6 +241,31 @@ TEST(Explain, speaks_without_json) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word;
 }
 
+TEST(Explain, tells_ages_and_what_noise_may_hide) {
+  const Strings circle{"circle-10", "--robot", "3", "--time", "7"};
+  Strings sensed = circle;
+  for (const char* setting : {"sensing.dropped=0.6", "sensing.noise.position=0.05",
+                              "sensing.noise.velocity=0.1", "seed=4"})
+    sensed.insert(sensed.end(), {"--set", setting});
+  const Json json = explained(sensed);
+  double sum = 0.0;
+  int carried = 0;
+  for (const Json& other : json["obstacles"]) {
+    sum += other["risk"].get<double>();
+    carried += other.contains("age") ? 1 : 0;
+    EXPECT_GE(other.value("age", 1), 1);
+  }
+  EXPECT_GT(sum, 0.0);
+  EXPECT_DOUBLE_EQ(json["risk"].get<double>(), std::min(1.0, sum));
+  EXPECT_GT(carried, 0);
+  Strings words{"explain"};
+  words.insert(words.end(), sensed.begin(), sensed.end());
+  const std::string said = run_avo(words).out;
+  EXPECT_NE(said.find("  carried on          robot "), std::string::npos) << said;
+  EXPECT_NE(said.find(" that noise hides a broken half-plane\n"), std::string::npos) << said;
+  EXPECT_FALSE(explained(circle).contains("risk"));  // nothing is hidden
+}
+
 TEST(Explain, usage_errors) {
   const auto message = [](Strings arguments) {
     arguments.insert(arguments.begin(), {"explain", "circle-10"});

@@ -95,6 +95,9 @@ TEST(Fields, ranges_are_those_of_validate) {
   EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 7);
   EXPECT_EQ(check_ranges(scenario, *scenario.robots[0].car, "robots.0.car."), 2);
   EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 4);
+  EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
+  EXPECT_EQ(check_ranges(scenario, scenario.sensing.noise, "sensing.noise."), 3);
+  EXPECT_EQ(check_ranges(scenario, scenario.sensing_error.emplace(), "sensing_error."), 2);
 }
 
 TEST(Fields, whole_numbers_have_the_ranges_of_validate) {
@@ -110,6 +113,12 @@ TEST(Fields, whole_numbers_have_the_ranges_of_validate) {
   scenario.max_neighbors = 0;
   EXPECT_EQ(refusal(scenario), "max_neighbors: found 0, must be >= 1");
   scenario.max_neighbors = 1;
+  EXPECT_EQ(refusal(scenario), "");
+  scenario.sensing.delay = -1;
+  EXPECT_EQ(refusal(scenario), "sensing.delay: found -1, must be >= 0 steps");
+  scenario.sensing.delay = 101;
+  EXPECT_EQ(refusal(scenario), "sensing.delay: found 101, must be <= 100 steps");
+  scenario.sensing.delay = 100;
   EXPECT_EQ(refusal(scenario), "");
 }
 
@@ -149,6 +158,10 @@ TEST(Fields, every_key_is_guessed_and_refused_twice) {
                      "{version: 1, robots: [{position: [0, 0], goal: [1, 0], car: {", "}}]}");
   check_misspellings(avo_io::fields<avo_io::Group>(), "{version: 1, groups: [{", "}]}");
   check_misspellings(avo_io::fields<avo_io::RobotsFrom>(), "{version: 1, robots_from: {", "}}");
+  check_misspellings(avo_io::fields<avo::SensingModel>(), "{version: 1, sensing: {", "}}");
+  check_misspellings(avo_io::fields<avo::MeasurementNoise>(), "{version: 1, sensing: {noise: {",
+                     "}}}");
+  check_misspellings(avo_io::fields<avo::SensingError>(), "{version: 1, sensing_error: {", "}}");
   check_misspellings(avo_io::fields<avo::Disc>(), "{version: 1, obstacles: [{disc: {", "}}]}");
 }
 

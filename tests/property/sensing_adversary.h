@@ -20,13 +20,17 @@ struct Body {
   Robot robot;
   bool decides = true;
   Vec2 acceleration = {};  // m/s^2, of a mover
+  std::vector<Robot> past = {};
 };
 
 /// What is declared to the certificate, and how wrong sensing is. of_speed: velocities are wrong
-/// along themselves, so that robots look slower or faster.
+/// along themselves, so that robots look slower or faster. States are up to so many steps old, and
+/// carried on; whether their age is told.
 struct Senses {
   SensingError declared, actual;
   bool of_speed = false;
+  int oldest = 0;
+  bool tells_age = true;
 };
 
 inline CertificateLaw held_law(SensingError declared) {
@@ -70,13 +74,19 @@ inline std::vector<Neighbor> sensed(const std::vector<Body>& bodies, std::size_t
   std::vector<Neighbor> neighbors;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (k == self) continue;
-    const Robot& other = bodies[k].robot;
+    const int known = std::min(senses.oldest, static_cast<int>(bodies[k].past.size()));
+    const int age = known > 0 ? random.below(known + 1) : 0;
+    const Robot& other = age > 0 ? *(bodies[k].past.end() - age) : bodies[k].robot;
     const Vec2 n = unit(other.position - bodies[self].robot.position);
     const Vec2 p = other.position + error.position * error_of(of_position, n, random);
     const Vec2 along = senses.of_speed ? unit(other.velocity) : n;
     const Vec2 v = other.velocity + error.velocity * error_of(of_velocity, along, random);
-    neighbors.push_back({p, v, other.radius, other.max_acceleration, bodies[k].acceleration,
-                         bodies[k].decides ? Behavior::decides : Behavior::moves_on});
+    const double time = age * StepLaw{}.time_step;
+    const Vec2 a = bodies[k].acceleration;
+    neighbors.push_back({p + time * v + (0.5 * time * time) * a, v + time * a, other.radius,
+                         other.max_acceleration, a,
+                         bodies[k].decides ? Behavior::decides : Behavior::moves_on,
+                         senses.tells_age ? age : 0});
   }
   return neighbors;
 }
@@ -159,6 +169,7 @@ inline Vec2 worst_choice(const std::vector<Body>& bodies, std::size_t self, cons
 inline void move(std::vector<Body>& bodies, const std::vector<Vec2>& next, double time_step) {
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     Robot& robot = bodies[k].robot;
+    bodies[k].past.push_back(robot);
     const Vec2 v_1 =
         bodies[k].decides ? next[k] : robot.velocity + time_step * bodies[k].acceleration;
     robot.position = robot.position + (0.5 * time_step) * (robot.velocity + v_1);

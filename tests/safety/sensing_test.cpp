@@ -110,7 +110,7 @@ std::vector<Outcome> run_row(const std::string& name, int scenes, double duratio
 }
 
 TEST(Sensing, declared_errors_cost_no_contact) {
-  for (const std::string sensing : {"sensing-p1", "sensing-p5v5", "delay-1"}) {
+  for (const std::string sensing : {"sensing-p1", "sensing-p5v5", "delay-1", "gaussian-all"}) {
     for (const std::string kind : {"-random", "-circle", "-crush"}) {
       const RowResult row = summarize("", run_row(sensing + kind, 5, 25.0));
       EXPECT_EQ(row.scenes, 5);
@@ -129,8 +129,8 @@ TEST(Sensing, declared_errors_leave_arrival) {
 }
 
 TEST(Sensing, undeclared_errors_cost_contacts_and_are_not_ruled_out) {
-  for (const std::string row :
-       {"sensing-undeclared-10-crush", "sensing-beyond-p1-crush", "dropped-5%-crush"}) {
+  for (const std::string row : {"sensing-undeclared-10-crush", "sensing-beyond-p1-crush",
+                                "dropped-5%-crush", "gaussian-undeclared-crush"}) {
     const RowResult result = summarize("", run_row(row, 5, 25.0));
     EXPECT_FALSE(result.certified) << row;
   }

@@ -133,7 +133,7 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
       single.add(crowds[i].robot, robots.neighbors[i]);
       find_near(single, Whom::everyone, law, alone);
       ASSERT_EQ(all.of(i).size(), alone.of(0).size());
-      EXPECT_EQ(all.has_movers[i], alone.has_movers[0]);
+      EXPECT_EQ(all.has_others[i], alone.has_others[0]);
       for (std::size_t k = 0; k < all.of(i).size(); ++k) {
         const NearPair &of_all = all.of(i)[k], &own = alone.of(0)[k];
         EXPECT_EQ(of_all.neighbor, own.neighbor);
@@ -143,7 +143,7 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
         EXPECT_EQ(of_all.b.length, own.b.length);
       }
       kept += all.of(i).size();
-      with_movers += all.has_movers[i];
+      with_movers += all.has_others[i];
     }
   }
   EXPECT_GT(kept, 40U * 3U * NearQueue::kSize);  // so often was it full

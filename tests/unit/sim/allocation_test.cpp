@@ -108,6 +108,17 @@ TEST(Allocation, none_per_step_at_passages) {
   }
 }
 
+TEST(Allocation, none_per_step_where_others_look_as_the_scene_says) {
+  for (const int threads : {1, 2}) {
+    Scenario scene = test::crowded_maze(280);
+    scene.sensing.noise.position = 0.01;
+    scene.sensing.delay = 1;
+    scene.sensing.dropped = 0.1;
+    scene.sensing.occlusion = true;
+    EXPECT_EQ(allocations_when_warm(scene, threads, 1, 60), 0) << threads << " threads";
+  }
+}
+
 TEST(Allocation, none_per_step_after_edits_of_obstacles) {
   Simulation simulation(test::crowded_maze(60), 1);
   simulation.step();

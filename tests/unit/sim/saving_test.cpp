@@ -363,6 +363,11 @@ TEST(Saving, other_scenes_are_refused_by_what_differs) {
             "saved state: max_neighbors: found 10, must be none as in this simulation");
   EXPECT_EQ(refused_by([](Scenario& s) { s.right_of_way = RightOfWay::told; }),
             "saved state: right_of_way: found seen, must be told as in this simulation");
+  EXPECT_EQ(
+      refused_by([](Scenario& s) { s.sensing.delay = 2; }),
+      "saved state: sensing: found {noise: {position: 0, velocity: 0, distribution: gaussian}, "
+      "delay: 0, dropped: 0, occlusion: false}, must be {noise: {position: 0, velocity: 0, "
+      "distribution: gaussian}, delay: 2, dropped: 0, occlusion: false} as in this simulation");
   const std::string obstacles =
       "saved state: moving_obstacles: found others, must be those of this simulation";
   EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles.pop_back(); }), obstacles);

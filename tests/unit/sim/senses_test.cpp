@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene's sensing makes of true states: noise within its bounds, delay, missed measurements
+// that are carried on, walls that hide; the same whoever asks, and what is declared for it.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "avo/assumptions.h"
+#include "avo/error.h"
+#include "judged.h"
+#include "scenes.h"
+
+namespace avo {
+namespace {
+
+using test::Random;
+using test::robot_at;
+
+// So many robots on their ways through each other, none of which is out of sight of another one.
+Scenario crossing(int robots, const SensingModel& sensing) {
+  Scenario scene;
+  scene.sensing_radius = 30.0;
+  scene.sensing = sensing;
+  scene.duration = 30.0;
+  for (int k = 0; k < robots; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / robots;
+    const double far = std::max(5.0, 0.3 * robots);
+    const Vec2 place{far * std::cos(angle), far * std::sin(angle)};
+    scene.robots.push_back(robot_at(place, -place));
+  }
+  return scene;
+}
+
+SensingModel noisy(double position, double velocity,
+                   NoiseDistribution distribution = NoiseDistribution::gaussian,
+                   std::optional<double> truncated = {}) {
+  SensingModel model;
+  model.noise = {position, velocity, distribution, truncated};
+  return model;
+}
+
+// Of each coordinate of each neighbor in 25 steps, in units of the noise.
+struct Errors {
+  std::vector<double> position, velocity;
+};
+Errors errors_of(const Scenario& scene) {
+  Simulation simulation(scene, 1);
+  Errors errors;
+  for (int step = 0; step < 25; ++step, simulation.step()) {
+    const FleetView fleet = simulation.fleet();
+    for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+      const Simulation::Perception seen = simulation.perceive(i);
+      for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+        const auto other = static_cast<std::size_t>(seen.source[k]);
+        const Vec2 p = seen.neighbors[k].position - fleet.position[other];
+        const Vec2 v = seen.neighbors[k].velocity - fleet.velocity[other];
+        for (const double e : {p.x, p.y})
+          errors.position.push_back(e / scene.sensing.noise.position);
+        for (const double e : {v.x, v.y})
+          errors.velocity.push_back(e / scene.sensing.noise.velocity);
+      }
+    }
+  }
+  return errors;
+}
+
+struct Moments {
+  double mean = 0.0, deviation = 0.0, most = 0.0, beyond_one = 0.0;
+};
+Moments moments_of(const std::vector<double>& numbers) {
+  Moments moments;
+  const auto count = static_cast<double>(numbers.size());
+  for (const double x : numbers) {
+    moments.mean += x / count;
+    moments.deviation += x * x / count;
+    moments.most = std::max(moments.most, std::abs(x));
+    moments.beyond_one += (std::abs(x) > 1.0 ? 1.0 : 0.0) / count;
+  }
+  moments.deviation = std::sqrt(moments.deviation);
+  return moments;
+}
+
+TEST(Senses, gaussian_noise_is_cut_off_where_the_scene_says) {
+  const Errors errors = errors_of(crossing(20, noisy(0.02, 0.05)));
+  for (const std::vector<double>* numbers : {&errors.position, &errors.velocity}) {
+    const Moments all = moments_of(*numbers);
+    EXPECT_NEAR(all.mean, 0.0, 0.03);
+    EXPECT_NEAR(all.deviation, 0.987, 0.02);  // of a normal density cut off at 3
+    EXPECT_NEAR(all.beyond_one, (0.317311 - 0.0027) / 0.9973, 0.015);
+    EXPECT_GT(all.most, 2.8);
+    EXPECT_LE(all.most, 3.0 + 1e-9);
+  }
+  const Scenario narrow = crossing(20, noisy(0.02, 0.05, NoiseDistribution::gaussian, 1.5));
+  EXPECT_LE(moments_of(errors_of(narrow).position).most, 1.5 + 1e-9);
+}
+
+TEST(Senses, uniform_noise_stays_within_what_is_given) {
+  const Errors errors = errors_of(crossing(20, noisy(0.02, 0.05, NoiseDistribution::uniform)));
+  for (const std::vector<double>* numbers : {&errors.position, &errors.velocity}) {
+    const Moments all = moments_of(*numbers);
+    EXPECT_NEAR(all.deviation, 1.0 / std::sqrt(3.0), 0.01);
+    EXPECT_GT(all.most, 0.99);
+    EXPECT_LE(all.most, 1.0 + 1e-9);
+  }
+}
+
+TEST(Senses, states_come_as_many_steps_late_as_the_scene_says) {
+  SensingModel model;
+  model.delay = 3;
+  Scenario scene = crossing(8, model);
+  scene.moving_obstacles = {{{4.0, 9.0}, {0.0, -1.0}, {0.1, 0.2}, 0.4}};
+  Simulation simulation(scene, 1);
+  std::vector<std::vector<Vec2>> position, velocity;  // by step and id
+  for (int step = 0; step < 30; ++step, simulation.step()) {
+    if (step == 12) simulation.remove_robot({4});
+    const FleetView fleet = simulation.fleet();
+    position.emplace_back(8), velocity.emplace_back(8);
+    for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+      position.back()[fleet.id[i].value] = fleet.position[i];
+      velocity.back()[fleet.id[i].value] = fleet.velocity[i];
+    }
+    const int late = std::min(step, 3);
+    const auto then = static_cast<std::size_t>(step - late);
+    const Simulation::Perception seen = simulation.perceive(2);
+    ASSERT_EQ(seen.neighbors.size(), step < 12 ? 8U : 7U);
+    for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+      const Neighbor& neighbor = seen.neighbors[k];
+      EXPECT_EQ(neighbor.age, 0);  // it is declared
+      if (seen.source[k] < 0) {    // it keeps its acceleration: carried on, it is where it is
+        EXPECT_EQ(neighbor.position, simulation.obstacles().position[0]);
+        continue;
+      }
+      const std::size_t other = fleet.id[static_cast<std::size_t>(seen.source[k])].value;
+      EXPECT_EQ(neighbor.velocity, velocity[then][other]);
+      EXPECT_EQ(neighbor.position, position[then][other] + 0.1 * late * velocity[then][other]);
+    }
+  }
+}
+
+TEST(Senses, those_that_are_missed_are_carried_on_and_then_forgotten) {
+  for (const double dropped : {0.3, 0.9}) {
+    SensingModel model;
+    model.dropped = dropped;
+    const Scenario scene = crossing(10, model);
+    Simulation simulation(scene, 1);
+    std::vector<std::vector<Vec2>> position, velocity;
+    double missed = 0.0, forgotten = 0.0, all = 0.0;
+    for (int step = 0; step < 120; ++step, simulation.step()) {
+      const FleetView fleet = simulation.fleet();
+      position.emplace_back(fleet.position.begin(), fleet.position.end());
+      velocity.emplace_back(fleet.velocity.begin(), fleet.velocity.end());
+      for (std::size_t i = 0; i < 10; ++i) {
+        const Simulation::Perception seen = simulation.perceive(i);
+        if (step == 0) {
+          EXPECT_EQ(seen.neighbors.size(), 9U);  // a start is known
+        }
+        all += step > 20 ? 9.0 : 0.0;
+        forgotten += step > 20 ? 9.0 - static_cast<double>(seen.neighbors.size()) : 0.0;
+        for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+          const int age = seen.neighbors[k].age;
+          missed += step > 20 && age > 0 ? 1.0 : 0.0;
+          ASSERT_LE(age, kMostCarried);
+          const auto then = static_cast<std::size_t>(step - age);
+          const auto other = static_cast<std::size_t>(seen.source[k]);
+          EXPECT_EQ(seen.neighbors[k].position,
+                    position[then][other] + 0.1 * age * velocity[then][other]);
+        }
+      }
+    }
+    EXPECT_NEAR(forgotten / all, std::pow(dropped, kMostCarried + 1), 0.05);
+    EXPECT_NEAR((missed + forgotten) / all, dropped, 0.03);
+  }
+}
+
+// A robot passes behind a wall and comes out again; another one stands.
+Scenario behind_a_wall(bool occlusion) {
+  Scenario scene;
+  scene.robots = {robot_at({-8.3, 4.0}, {8.3, 4.0}), robot_at({0.0, -4.0}, {0.0, -4.0})};
+  scene.obstacles.push_back({{{{{-3.0, 0.0}, {3.0, 0.0}}, false}}, 0.0});
+  scene.sensing.occlusion = occlusion;
+  return scene;
+}
+
+TEST(Senses, walls_hide_whoever_has_its_center_behind_them) {
+  Simulation simulation(behind_a_wall(true), 1);
+  int hidden = 0, carried = 0;
+  for (int step = 0; step < 120; ++step, simulation.step()) {
+    const FleetView fleet = simulation.fleet();
+    const Vec2 a = fleet.position[0], b = fleet.position[1];
+    const double crossing_x = a.x + (b.x - a.x) * a.y / (a.y - b.y);
+    const bool is_hidden = std::abs(crossing_x) <= 3.0;
+    hidden = is_hidden ? hidden + 1 : 0;
+    for (const std::size_t observer : {0U, 1U}) {
+      const Simulation::Perception seen = simulation.perceive(observer);
+      ASSERT_EQ(seen.neighbors.size(), hidden <= kMostCarried ? 1U : 0U) << step;
+      if (seen.neighbors.empty()) continue;
+      EXPECT_EQ(seen.neighbors[0].age, hidden);
+      carried += hidden > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(carried, 2 * kMostCarried);
+  EXPECT_EQ(hidden, 0);  // it has come out
+  Simulation sees_all(behind_a_wall(false), 1);
+  for (int step = 0; step < 120; ++step, sees_all.step())
+    EXPECT_EQ(sees_all.perceive(0).neighbors.size(), 1U);
+}
+
+// Two that go round the tip of a wall, each to where the other one comes from.
+TEST(Senses, at_first_sight_round_a_corner_it_may_be_too_late) {
+  for (const bool occlusion : {false, true}) {
+    Scenario scene;
+    scene.robots = {robot_at({-0.8, -9.0}, {0.8, -9.0}), robot_at({0.8, -9.0}, {-0.8, -9.0})};
+    scene.obstacles.push_back({{{{{0.0, -12.0}, {0.0, 0.0}}, false}}, 0.0});
+    scene.sensing.occlusion = occlusion;
+    Simulation simulation(scene, 1);
+    int too_late = 0;
+    for (int step = 0; step < 300; ++step) {
+      simulation.step();
+      for (const Plan& plan : simulation.fleet().plan)
+        too_late += plan.status == PlanStatus::overlapping ? 1 : 0;
+    }
+    EXPECT_EQ(too_late > 0, occlusion);
+  }
+}
+
+SensingModel all_at_once() {
+  SensingModel model = noisy(0.02, 0.05);
+  model.delay = 1;
+  model.dropped = 0.2;
+  model.occlusion = true;
+  return model;
+}
+
+TEST(Senses, decisions_are_made_of_what_perceive_tells) {
+  Scenario scene = crossing(30, all_at_once());
+  scene.moving_obstacles = {{{4.0, 9.0}, {0.0, -1.0}, {}, 0.4}};
+  scene.obstacles.push_back({{{{{-3.0, 0.5}, {-3.0, 3.0}}, false}}, 0.0});
+  scene.navigation = false;
+  for (const Method method : {Method::avo, Method::avo_paper}) {
+    scene.method = method;
+    scene.max_neighbors = method == Method::avo ? std::nullopt : std::optional(7);
+    Simulation simulation(scene, 1);
+    for (int step = 0; step < 60; ++step) {
+      std::vector<Plan> expected;
+      PlanWorkspace workspace;
+      for (std::size_t i = 0; i < 30; ++i) {
+        Simulation::Perception seen = simulation.perceive(i);
+        expected.push_back(simulation.planner().plan(seen.robot, seen.neighbors, workspace,
+                                                     &seen.detour, seen.walls));
+      }
+      simulation.step();
+      for (std::size_t i = 0; i < 30; ++i) {
+        ASSERT_EQ(simulation.fleet().plan[i].new_velocity, expected[i].new_velocity)
+            << to_string(method) << ", robot " << i << ", step " << step;
+      }
+    }
+  }
+}
+
+TEST(Senses, neither_threads_nor_others_change_what_is_sensed) {
+  Scenario scene = crossing(300, all_at_once());
+  Simulation one(scene, 1), three(scene, 3);
+  scene.seed = 2;
+  Simulation other(scene, 1);
+  for (int step = 0; step < 40; ++step) {
+    one.step(), three.step(), other.step();
+    ASSERT_EQ(one.state_hash(), three.state_hash()) << step;
+  }
+  EXPECT_NE(one.state_hash(), other.state_hash());
+}
+
+TEST(Senses, what_is_remembered_is_saved_and_belongs_to_the_state) {
+  SensingModel late;
+  late.delay = 2;
+  for (const SensingModel& model : {all_at_once(), late, noisy(0.02, 0.05)}) {
+    Scenario scene = crossing(12, model);
+    scene.robots[3].max_acceleration = 2.5;
+    scene.seed = 7;
+    Simulation original(scene, 1), used(scene, 2);
+    for (int step = 0; step < 23; ++step) original.step();
+    for (int step = 0; step < 9; ++step) used.step();
+    original.remove_robot({3});  // the strongest, for whom all have allowed
+    RobotSetup late_comer = robot_at({11.0, 9.0}, {-9.0, -9.0});
+    original.add_robot(late_comer);
+    original.step();
+    const std::vector<std::byte> saved = original.save();
+    used.restore(saved);
+    Simulation fresh(saved, 1);
+    EXPECT_EQ(fresh.planner().options().sensing_error, original.planner().options().sensing_error);
+    for (int step = 0; step < 40; ++step) {
+      ASSERT_EQ(original.state_hash(), used.state_hash()) << step;
+      ASSERT_EQ(original.state_hash(), fresh.state_hash()) << step;
+      original.step(), used.step(), fresh.step();
+    }
+    EXPECT_EQ(original.save(), fresh.save());
+  }
+}
+
+TEST(Senses, two_that_came_at_different_times_are_of_different_states) {
+  SensingModel late;
+  late.delay = 2;
+  for (const SensingModel& model : {late, noisy(0.02, 0.05)}) {
+    const Scenario scene = crossing(4, model);
+    Simulation early(scene, 1), later(scene, 1);
+    const RobotSetup setup = robot_at({90.0, 0.0}, {90.0, 0.0});  // out of sight, at its goal
+    early.add_robot(setup);
+    for (int step = 0; step < 5; ++step) early.step(), later.step();
+    later.add_robot(setup);
+    EXPECT_EQ(early.state_hash() == later.state_hash(), model.delay == 0);
+  }
+}
+
+TEST(Senses, robots_declare_what_covers_noise_and_delay) {
+  Scenario scene = crossing(3, noisy(0.02, 0.05));
+  const double both = std::sqrt(2.0);
+  EXPECT_NEAR(planner_options(scene).sensing_error.position, 3.0 * both * 0.02, 1e-12);
+  EXPECT_NEAR(planner_options(scene).sensing_error.velocity, 3.0 * both * 0.05, 1e-12);
+  scene.sensing = noisy(0.02, 0.05, NoiseDistribution::uniform);
+  EXPECT_NEAR(planner_options(scene).sensing_error.position, both * 0.02, 1e-12);
+  scene.sensing.delay = 2;
+  scene.robots[1].max_acceleration = 1.5;
+  const SensingError late = planner_options(scene).sensing_error;
+  EXPECT_NEAR(late.velocity, both * 0.05 + 1.5 * 0.2, 1e-12);
+  EXPECT_NEAR(late.position, both * (0.02 + 0.2 * 0.05) + 0.5 * 1.5 * 0.04, 1e-12);
+  scene.sensing_error = {0.01, 0.0};
+  EXPECT_EQ(planner_options(scene).sensing_error, (SensingError{0.01, 0.0}));
+  scene.sensing_error.reset();
+  scene.certificate = Certificate::none;
+  EXPECT_EQ(planner_options(scene).sensing_error, SensingError{});
+  scene = crossing(3, {});
+  EXPECT_EQ(planner_options(scene).sensing_error, SensingError{});
+}
+
+TEST(Senses, what_comes_late_has_to_be_seen_from_farther_away) {
+  Scenario scene = crossing(3, {});
+  const double need = sensing_need(scene)->range;
+  scene.sensing.delay = 2;
+  EXPECT_NEAR(sensing_need(scene)->range, need + 2 * 2.0 * 0.2, 1e-12);
+  scene.sensing.dropped = 0.1;
+  EXPECT_NEAR(sensing_need(scene)->range, need + 2 * 2.0 * (0.2 + 0.1 * kMostCarried), 1e-12);
+}
+
+TEST(Senses, nobody_comes_who_is_too_strong_for_the_declared_delay) {
+  SensingModel model = noisy(0.01, 0.02);
+  model.delay = 1;
+  Simulation simulation(crossing(3, model), 1);
+  RobotSetup setup = robot_at({9.0, 9.0}, {0.0, 9.0});
+  simulation.add_robot(setup);
+  setup.position.x = 12.0;
+  setup.max_acceleration = 1.1;
+  try {
+    simulation.add_robot(setup);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "robot 4: max_acceleration: found 1.1, must be <= 1 m/s^2, what sensing_error "
+                 "allows for within the delay");
+  }
+}
+
+int overlaps(const Scenario& scene) {
+  test::Judged judged(scene, 1);
+  judged.run(scene.duration);
+  EXPECT_EQ(judged.report().accelerations.count + judged.report().speeds.count, 0);
+  return static_cast<int>(judged.report().overlaps.count);
+}
+
+TEST(Senses, declared_ones_cost_no_contact_and_others_do) {
+  SensingModel strong = noisy(0.1, 0.3, NoiseDistribution::uniform);  // without quantiles
+  strong.delay = 4;
+  strong.dropped = 0.2;
+  int undeclared = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Scenario scene = crossing(16, strong);
+    scene.seed = seed;
+    EXPECT_EQ(overlaps(scene), 0);
+    scene.sensing_error = SensingError{};
+    undeclared += overlaps(scene);
+  }
+  EXPECT_GT(undeclared, 0);
+}
+
+}  // namespace
+}  // namespace avo
