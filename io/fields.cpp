@@ -100,6 +100,8 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"preferred_speed", &RobotSetup::preferred_speed, kOptional, kNotNegative, "m/s",
        "towards the goal", "max_speed"},
       {"car", kNested, kOptional, {}, "", "makes it a car-like robot, position is its rear axle"},
+      {"priority", &RobotSetup::priority, kOptional, kPositive, "",
+       "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
   };
   return table;
 }

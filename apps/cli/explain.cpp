@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "avo/half_plane.h"
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
 #include "avo_io/printable.h"
@@ -84,6 +85,13 @@ Json to_json(const avo::Disc& disc) {
   return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
 }
 
+/// Of what the two have to do, the robot's part.
+double share_of(const avo::Robot& self, const avo::Neighbor& neighbor) {
+  if (neighbor.behavior == avo::Behavior::moves_on) return 1.0;
+  return avo::reciprocal_share(self.max_acceleration, neighbor.max_acceleration, self.priority,
+                               neighbor.priority);
+}
+
 Json constraints_of(const Decision& decision) {
   Json constraints = Json::array();
   for (const avo::CertificateConstraint& constraint : decision.constraints)
@@ -144,7 +152,9 @@ Json to_json(const Decision& decision) {
                          {"velocity", to_json(neighbor.velocity)},
                          {"acceleration", to_json(neighbor.acceleration)},
                          {"radius", neighbor.radius},
-                         {"max_acceleration", decides ? neighbor.max_acceleration : 0.0}});
+                         {"max_acceleration", decides ? neighbor.max_acceleration : 0.0},
+                         {"priority", decides ? Json(neighbor.priority) : Json()},
+                         {"share", share_of(seen.robot, neighbor)}});
   }
   const avo::Robot& self = seen.robot;
   Json json{{"scene", decision.scene},
@@ -156,6 +166,7 @@ Json to_json(const Decision& decision) {
             {"radius", self.radius},
             {"max_speed", self.max_speed},
             {"max_acceleration", self.max_acceleration},
+            {"priority", self.priority},
             {"obstacles", obstacles},
             {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
             {"half_planes", half_planes},
@@ -248,6 +259,7 @@ std::string readable(const Decision& decision) {
   };
   line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
   line("velocity", text(self.velocity) + " m/s");
+  if (self.priority != 1.0) line("priority", fmt::format("{:.6g}", self.priority));
   const avo::Disc& reach = decision.acceleration_disc;
   line("may choose", (std::isfinite(reach.radius) ? fmt::format("|v' - {}| <= {:.6g} m/s, ",
                                                                 text(reach.center), reach.radius)

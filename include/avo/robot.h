@@ -34,6 +34,9 @@ struct Robot {
   double distance_to_goal = std::numeric_limits<double>::infinity();
   /// With its present heading; a certificate then judges what Eqs. (24), (25) make of a decision.
   std::optional<CarSetup> car = {};
+  /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
+  /// reciprocal_share(). Others have to know it.
+  double priority = 1.0;
 };
 
 /// What A counts on from another one.
@@ -50,6 +53,7 @@ struct Neighbor {
   double max_acceleration = 1.0;  ///< [a_B^max] m/s^2, > 0; read only where B decides
   Vec2 acceleration = {};         ///< [a_B] m/s^2, observed; read only where B moves on
   Behavior behavior = Behavior::decides;
+  double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
 };
 
 }  // namespace avo

@@ -22,6 +22,7 @@ struct RobotSetup {
   double max_acceleration = 1.0;     ///< m/s^2, > 0
   double preferred_speed = 2.0;      ///< m/s, >= 0
   std::optional<CarSetup> car = {};  ///< a car-like robot if set
+  double priority = 1.0;             ///< > 0, see Robot::priority
 };
 
 /// A disc that moves with constant acceleration and reacts to nobody.

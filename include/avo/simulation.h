@@ -103,10 +103,10 @@ class AVO_API Simulation {
   /// A door opens. Costs as much. Throws Error if there is no such obstacle.
   void remove_obstacle(ObstacleId obstacle);
 
-  /// The state and the setup as bytes, the same on every machine, 64 of state and 56 of setup
-  /// (goal, radius, limits, wheelbase) a robot, and 8 of what it aims at where there are walls.
-  /// Whoever has them has an equal state_hash() and an equal future, for any number of threads.
-  /// They do not hold what only tells of the last step or of the past: plan and
+  /// The state and the setup as bytes, the same on every machine, 64 of state and 64 of setup
+  /// (goal, radius, limits, wheelbase, priority) a robot, and 8 of what it aims at where there are
+  /// walls. Whoever has them has an equal state_hash() and an equal future, for any number of
+  /// threads. They do not hold what only tells of the last step or of the past: plan and
   /// applied_acceleration of fleet(), which are value-initialized until the next step, sums of
   /// measure(), Metrics. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;

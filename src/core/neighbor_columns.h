@@ -18,9 +18,11 @@ inline constexpr std::size_t kSpareNeighbors = 16;
 struct NeighborColumns {
   std::size_t count = 0;
   bool has_movers = false;                       // some do not decide
+  bool has_priorities = false;                   // some have another one than 1
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
   std::vector<double> decides;                   // 1 or 0; 1 unless add() was told otherwise
+  std::vector<double> priority;                  // likewise 1
   std::vector<Vec2> acceleration;                // m/s², of those that do not decide
 
   /// Room for so many.
@@ -34,8 +36,10 @@ struct NeighborColumns {
     radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
     const bool moves_on = neighbor.behavior == Behavior::moves_on;
     decides[count] = moves_on ? 0.0 : 1.0;
+    priority[count] = neighbor.priority;
     acceleration[count++] = neighbor.acceleration;
     has_movers = has_movers || moves_on;
+    has_priorities = has_priorities || neighbor.priority != 1.0;
   }
   /// The one at `place` by the one at `other`, which stays.
   void replace(std::size_t place, std::size_t other) {
@@ -43,11 +47,13 @@ struct NeighborColumns {
     v_x[place] = v_x[other], v_y[place] = v_y[other];
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
     decides[place] = decides[other], acceleration[place] = acceleration[other];
+    priority[place] = priority[other];
   }
   void clear() {
     if (has_movers) std::fill(decides.begin(), decides.end(), 1.0);
+    if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     count = 0;
-    has_movers = false;
+    has_movers = has_priorities = false;
   }
   Neighbor operator[](std::size_t i) const {
     const bool moves_on = decides[i] == 0.0;
@@ -56,7 +62,8 @@ struct NeighborColumns {
             .radius = radius[i],
             .max_acceleration = max_acceleration[i],
             .acceleration = moves_on ? acceleration[i] : Vec2{},
-            .behavior = moves_on ? Behavior::moves_on : Behavior::decides};
+            .behavior = moves_on ? Behavior::moves_on : Behavior::decides,
+            .priority = priority[i]};
   }
 
  private:

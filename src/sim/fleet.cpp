@@ -31,6 +31,10 @@ RobotTraits traits_of(const RobotSetup& setup) {
           setup.car ? setup.car->wheelbase : 0.0};
 }
 
+Conduct conduct_of(const RobotSetup& setup) {
+  return {setup.priority};
+}
+
 Vec2 start_velocity(const RobotSetup& setup) {
   if (!setup.car) return setup.velocity;
   return norm(setup.velocity) * elementary::direction(setup.car->heading);
@@ -38,9 +42,9 @@ Vec2 start_velocity(const RobotSetup& setup) {
 
 template <typename Action>
 void Fleet::for_each_column(const Action& action) {
-  action(id), action(rank), action(traits), action(range), action(nearest), action(goal),
-      action(position);
-  action(velocity), action(heading), action(detour), action(plan), action(applied_acceleration);
+  action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
+  action(goal), action(position), action(velocity), action(heading), action(detour), action(plan),
+      action(applied_acceleration);
   action(cell);
 }
 
@@ -59,6 +63,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
   traits[slot] = traits_of(setup);
+  conduct[slot] = conduct_of(setup);
   goal[slot] = setup.goal;
   position[slot] = setup.position;
   velocity[slot] = start_velocity(setup);
@@ -95,7 +100,8 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .radius = robot_traits.radius,
                    .max_speed = robot_traits.max_speed,
                    .max_acceleration = robot_traits.max_acceleration,
-                   .preferred_speed = robot_traits.preferred_speed};
+                   .preferred_speed = robot_traits.preferred_speed,
+                   .priority = conduct[slot].priority};
   if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
   return setup;
 }
@@ -104,7 +110,8 @@ Neighbor Fleet::sensed(std::size_t slot) const {
   return {.position = position[slot],
           .velocity = velocity[slot],
           .radius = traits[slot].radius,
-          .max_acceleration = traits[slot].max_acceleration};
+          .max_acceleration = traits[slot].max_acceleration,
+          .priority = conduct[slot].priority};
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {

@@ -20,6 +20,13 @@ struct RobotTraits {
   double wheelbase = 0.0;         // m, 0: not a car
 };
 RobotTraits traits_of(const RobotSetup& setup);
+
+/// How a robot and the others give way to each other. Nearly all are alike.
+struct Conduct {
+  double priority = 1.0;
+  friend bool operator==(const Conduct&, const Conduct&) = default;
+};
+Conduct conduct_of(const RobotSetup& setup);
 /// m/s; that of a car points along its heading.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -29,6 +36,7 @@ struct Fleet {
   std::vector<RobotId> id;
   std::vector<int> rank;
   std::vector<RobotTraits> traits;
+  std::vector<Conduct> conduct;
   std::vector<RelevantRange> range;
   std::vector<float> nearest;  // m, within which it found its nearest neighbors in the last step
   std::vector<Vec2> goal;

@@ -44,6 +44,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
     robots.wheelbase[k] = traits.wheelbase, robots.heading[k] = fleet.heading[slot];
+    robots.priority[k] = fleet.conduct[slot].priority;
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;
     worker.moving.preferred_speed[k] = traits.preferred_speed;
     tile.detour.push_back(&fleet.detour[slot]);

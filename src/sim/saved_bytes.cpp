@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
-constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
+constexpr std::size_t kObstacleWords = 11, kRobotWords = 16;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
 
@@ -170,7 +170,7 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
-  describe(archive, setup.preferred_speed);
+  describe(archive, setup.preferred_speed), describe(archive, setup.priority);
   double wheelbase = setup.car ? setup.car->wheelbase : 0.0;  // 0: not a car
   describe(archive, wheelbase);
   if (wheelbase != 0.0) setup.car = CarSetup{wheelbase, 0.0};

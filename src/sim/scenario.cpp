@@ -34,6 +34,7 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
   require(Place{list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
   require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
   require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
+  require(Place{list, i, "priority"}, robot.priority, kPositive, "");
   if (!robot.car) return;
   require(Place{list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
   require(Place{list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");

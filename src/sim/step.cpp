@@ -40,12 +40,15 @@ void find_ranges(World& world) {
     robot.radius = robot_traits.radius;
     robot.max_acceleration = robot_traits.max_acceleration;
     robot.max_speed = robot_traits.max_speed;
+    robot.priority = fleet.conduct[slot].priority;
     return robot;
   };
   Peers peers;
   for (std::size_t i = 0; i < fleet.size(); ++i) include(peers, world.planner, limits(i));
   double sum = 0.0;
   world.fast = false;
+  world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
+                            [](const Conduct& conduct) { return conduct == Conduct{}; });
   for (const std::uint32_t slot : fleet.slot_of) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
     sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed),
@@ -144,8 +147,20 @@ void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& se
   }
 }
 
-// The same among moving obstacles: robots first where distances are equal.
-void append_with_obstacles(const World& world, Vec2 position, std::size_t query, Worker& worker) {
+// The robot at a place of the snapshot.
+Neighbor sensed_at(const World& world, std::size_t place) {
+  const Sensed& sensed = world.snapshot.sensed[place];
+  const Conduct& conduct = world.fleet.conduct[world.snapshot.grid.order()[place]];
+  return {.position = world.snapshot.grid.position(place),
+          .velocity = sensed.velocity,
+          .radius = sensed.radius,
+          .max_acceleration = sensed.max_acceleration,
+          .priority = conduct.priority};
+}
+
+// The same among moving obstacles, robots first where distances are equal, and where robots are not
+// all alike.
+void append_one_by_one(const World& world, Vec2 position, std::size_t query, Worker& worker) {
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
       world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
@@ -158,12 +173,7 @@ void append_with_obstacles(const World& world, Vec2 position, std::size_t query,
   while (to.count < end) {
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      const Sensed& sensed = world.snapshot.sensed[robot->place];
-      to.add({.position = world.snapshot.grid.position(robot->place),
-              .velocity = sensed.velocity,
-              .radius = sensed.radius,
-              .max_acceleration = sensed.max_acceleration});
-      ++robot;
+      to.add(sensed_at(world, (robot++)->place));
     } else {
       to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
     }
@@ -198,10 +208,10 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
   for (std::size_t i = 0; i < robots; ++i) {
     const std::size_t first = worker.tile.neighbors.count;
-    if (world.obstacles.setup.empty()) {
+    if (world.alike && world.obstacles.setup.empty()) {
       append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
     } else {
-      append_with_obstacles(world, fleet.position[slots[i]], i, worker);
+      append_one_by_one(world, fleet.position[slots[i]], i, worker);
     }
     fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.results[i],
                                                nearest, snapshot, worker.search);

@@ -143,7 +143,8 @@ Robot World::robot(std::size_t slot, double nearest) const {
               .radius = robot_traits.radius,
               .max_acceleration = robot_traits.max_acceleration,
               .max_speed = robot_traits.max_speed,
-              .distance_to_goal = norm(heading.goal - p)};
+              .distance_to_goal = norm(heading.goal - p),
+              .priority = fleet.conduct[slot].priority};
   if (robot_traits.wheelbase > 0.0)
     robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
   return robot;

@@ -61,6 +61,7 @@ struct World {
   bool torn = false;             // a step ended while some had moved and others not
   bool changed = true;           // robots came or went
   bool fast = false;             // some robot exceeds its max_speed
+  bool alike = true;             // all robots are of one Conduct, the usual one
   bool valid = false;            // all robots were, when they came, and there is nobody else
   double near = 0.0;             // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order

@@ -29,6 +29,7 @@ void add_any_robot(Random& random, Simulation& simulation) {
   const Vec2 place = somewhere(random, 300.0, 600.0);  // out of sight of the others
   RobotSetup setup = test::robot_at(place, somewhere(random, 0.0, 20.0));
   setup.max_speed = setup.preferred_speed = random.uniform(0.05, 0.2);
+  if (random.below(3) == 0) setup.priority = random.log_uniform(0.01, 100.0);
   if (random.below(2) == 0 && simulation.planner().options().motion == Motion::held) {
     setup.car = CarSetup{0.7, random.uniform(-3.0, 3.0)};
   }
@@ -158,7 +159,7 @@ TEST(Saving, ids_are_not_reused_after_it) {
 }
 
 TEST(Saving, takes_64_bytes_a_robot_beside_its_setup) {
-  constexpr std::size_t kSetup = 7 * sizeof(double);  // goal, radius, limits, wheelbase
+  constexpr std::size_t kSetup = 8 * sizeof(double);  // goal, radius, limits, wheelbase, priority
   Simulation few(dense_scene(10, Motion::held), 1), many(dense_scene(110, Motion::held), 1);
   few.step(), many.step();
   EXPECT_LE(many.save().size() - few.save().size(), 100 * (kSetup + 64));
@@ -296,7 +297,7 @@ TEST(Saving, forged_values_are_refused) {
   EXPECT_EQ(word(saved, 14), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(14, 4), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(14, 1000), "saved state: found the number 1000, must be one that its type has");
-  const std::size_t robots = end - 3 * 15 - 1, obstacles = robots - 3 * 11 - 1;
+  const std::size_t robots = end - 3 * 16 - 1, obstacles = robots - 3 * 11 - 1;
   ASSERT_EQ(word(saved, robots), 3u);
   EXPECT_EQ(forged(obstacles - 2, 1ull << 63),
             "saved state: found -9223372036854775808 steps, must be 0 to 9007199254740992");
