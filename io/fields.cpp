@@ -20,6 +20,7 @@ constexpr Need kOptional = Need::optional;
 constexpr std::monostate kNested;
 constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
+constexpr avo::Range kLayer{0.0, 31.0, false};
 constexpr avo::Range kName{1.0, 200.0, false};  // bytes
 
 template <>
@@ -102,6 +103,15 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"car", kNested, kOptional, {}, "", "makes it a car-like robot, position is its rear axle"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
+      {"parked",
+       &RobotSetup::parked,
+       kOptional,
+       {},
+       "",
+       "never moves and never decides: a disc that nobody may touch; its goal is its position"},
+      {"layers", &RobotSetup::layers, kOptional, kLayer, "", "that it is in"},
+      {"avoids", &RobotSetup::avoids, kOptional, kLayer, "",
+       "it avoids the robots that are in one of these layers", "all of them"},
   };
   return table;
 }

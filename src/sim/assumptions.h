@@ -17,6 +17,9 @@ double prediction_error(const MovingObstacle& obstacle, const CertificateLaw& la
 void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
                       BrokenAssumptions& result);
 
+/// Whether not everybody avoids everybody.
+bool is_layered(const Scenario& scenario);
+
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed);
 
 /// What separates a broken start from the rounding of decimal fractions, of the length or speed.

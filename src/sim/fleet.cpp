@@ -32,7 +32,7 @@ RobotTraits traits_of(const RobotSetup& setup) {
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
-  return {setup.priority};
+  return {setup.priority, setup.parked, setup.layers, setup.avoids};
 }
 
 Vec2 start_velocity(const RobotSetup& setup) {
@@ -45,7 +45,7 @@ void Fleet::for_each_column(const Action& action) {
   action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
   action(goal), action(position), action(velocity), action(heading), action(detour), action(plan),
       action(applied_acceleration);
-  action(cell);
+  action(seen_acceleration), action(cell);
 }
 
 void Fleet::reserve(std::size_t count) {
@@ -82,6 +82,15 @@ void Fleet::remove(std::size_t slot) {
   }
 }
 
+std::vector<Wall> Fleet::parked_discs() const {
+  std::vector<Wall> discs;
+  for (const std::uint32_t slot : slot_of) {
+    if (conduct[slot].parked)
+      discs.push_back({position[slot], position[slot], traits[slot].radius});
+  }
+  return discs;
+}
+
 std::size_t Fleet::find(RobotId robot) const {
   const auto place =
       std::lower_bound(slot_of.begin(), slot_of.end(), robot,
@@ -101,16 +110,21 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .max_speed = robot_traits.max_speed,
                    .max_acceleration = robot_traits.max_acceleration,
                    .preferred_speed = robot_traits.preferred_speed,
-                   .priority = conduct[slot].priority};
+                   .priority = conduct[slot].priority,
+                   .parked = conduct[slot].parked,
+                   .layers = conduct[slot].layers,
+                   .avoids = conduct[slot].avoids};
   if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
   return setup;
 }
 
-Neighbor Fleet::sensed(std::size_t slot) const {
+Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
   return {.position = position[slot],
           .velocity = velocity[slot],
           .radius = traits[slot].radius,
           .max_acceleration = traits[slot].max_acceleration,
+          .acceleration = behavior == Behavior::moves_on ? seen_acceleration[slot] : Vec2{},
+          .behavior = behavior,
           .priority = conduct[slot].priority};
 }
 
@@ -193,6 +207,8 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
+    const Vec2 seen = fleet.seen_acceleration[i];
+    if (!(seen == Vec2{})) hash = mixed(hash, seen);
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

@@ -2,6 +2,7 @@
 // The state of a simulation in columns, one entry a robot.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,16 @@ RobotTraits traits_of(const RobotSetup& setup);
 /// How a robot and the others give way to each other. Nearly all are alike.
 struct Conduct {
   double priority = 1.0;
+  bool parked = false;
+  LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
   friend bool operator==(const Conduct&, const Conduct&) = default;
 };
 Conduct conduct_of(const RobotSetup& setup);
+/// What A counts on from B; nothing where it does not avoid it.
+inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
+  if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
+  return (b.avoids.bits & a.layers.bits) != 0 ? Behavior::decides : Behavior::moves_on;
+}
 /// m/s; that of a car points along its heading.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -46,7 +54,8 @@ struct Fleet {
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
-  std::vector<std::uint32_t> cell;  // key of its cell, see Cells
+  std::vector<Vec2> seen_acceleration;  // m/s^2, of the last step, where somebody is to see it
+  std::vector<std::uint32_t> cell;      // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
 
@@ -54,12 +63,14 @@ struct Fleet {
   void reserve(std::size_t count);
   void add(RobotId robot, const RobotSetup& setup);
   void remove(std::size_t slot);
+  /// Of those that are parked, in the order of their ids.
+  std::vector<Wall> parked_discs() const;
   /// Slot of the robot; throws Error if there is none.
   std::size_t find(RobotId robot) const;
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
-  /// As others sense it.
-  Neighbor sensed(std::size_t slot) const;
+  /// As others sense it who count on that much of it.
+  Neighbor sensed(std::size_t slot, Behavior behavior = Behavior::decides) const;
   /// Slot k becomes what slot order[k] was.
   void reorder(std::span<const std::uint32_t> order, Executor& executor);
 

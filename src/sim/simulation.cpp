@@ -22,11 +22,19 @@
 namespace avo {
 namespace {
 
+// What the robot counts on from another one; nothing of one that it does not mind as a neighbor.
+std::optional<Behavior> expected_by(const World& world, std::size_t slot, std::size_t other) {
+  const std::vector<Conduct>& conduct = world.fleet.conduct;
+  if (conduct[slot].parked || conduct[other].parked) return std::nullopt;
+  return expected_of(conduct[other], conduct[slot]);
+}
+
 // Whoever is within the sensing radius of a robot, found by looking at everyone.
 std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
   const Vec2 position = world.fleet.position[slot];
   const double radius = world.settings.sensing_radius;
   std::vector<NeighborHit> hits;
+  if (world.fleet.conduct[slot].parked) return hits;
   const auto look = [&](Vec2 other, std::size_t number, bool is_obstacle) {
     const double distance_squared = norm_squared(other - position);
     if (!is_finite(other) || !is_finite(position)) return;
@@ -35,7 +43,8 @@ std::vector<NeighborHit> all_hits(const World& world, std::size_t slot) {
   };
   for (std::size_t rank = 0; rank < world.fleet.size(); ++rank) {
     const std::uint32_t other = world.fleet.slot_of[rank];
-    if (other != slot) look(world.fleet.position[other], rank, false);
+    if (other != slot && expected_by(world, slot, other))
+      look(world.fleet.position[other], rank, false);
   }
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
     look(world.obstacles.position[k], k, true);
@@ -155,6 +164,7 @@ std::int64_t Simulation::steps() const {
 
 bool Simulation::is_at_goal(std::size_t robot) const {
   const std::uint32_t slot = state_->fleet.slot_of[robot];
+  if (state_->fleet.conduct[slot].parked) return true;
   const Vec2 p = state_->fleet.position[slot], goal = state_->fleet.goal[slot];
   return norm(goal - p) <= state_->settings.arrival_distance && state_->ways.is_in_sight(p, goal);
 }
@@ -196,8 +206,10 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     if (!state.all_matter() && seen.source.size() == state.most_nearest()) break;
     const auto k = static_cast<std::size_t>(hit.index);
     const bool is_obstacle = hit.place != 0;
-    seen.neighbors.push_back(is_obstacle ? state.obstacles.sensed(k)
-                                         : state.fleet.sensed(state.fleet.slot_of[k]));
+    const std::uint32_t other = is_obstacle ? 0 : state.fleet.slot_of[k];
+    seen.neighbors.push_back(is_obstacle
+                                 ? state.obstacles.sensed(k)
+                                 : state.fleet.sensed(other, *expected_by(state, slot, other)));
     seen.source.push_back(is_obstacle ? -1 - hit.index : hit.index);
   }
   const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);

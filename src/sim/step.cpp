@@ -3,7 +3,9 @@
 // alone, and move.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 #include "planner/decision.h"
 #include "sim/world.h"
@@ -44,9 +46,20 @@ void find_ranges(World& world) {
     return robot;
   };
   Peers peers;
-  for (std::size_t i = 0; i < fleet.size(); ++i) include(peers, world.planner, limits(i));
+  for (std::size_t i = 0; i < fleet.size(); ++i) {
+    if (!fleet.conduct[i].parked) include(peers, world.planner, limits(i));
+  }
   double sum = 0.0;
   world.fast = false;
+  world.parked = static_cast<std::size_t>(
+      std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
+                    [](const Conduct& conduct) { return conduct.parked; }));
+  const Conduct usual;
+  world.layered =
+      std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
+        return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
+      });
+  world.selective = world.parked > 0 || world.layered;
   world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                             [](const Conduct& conduct) { return conduct == Conduct{}; });
   for (const std::uint32_t slot : fleet.slot_of) {
@@ -55,7 +68,8 @@ void find_ranges(World& world) {
                     world.settings.sensing_radius);
     world.fast = world.fast || world.is_fast(slot);
   }
-  world.valid = world.obstacles.setup.empty() && world.settings.sensing_radius <= kFarthestTrusted;
+  world.valid = !world.selective && world.obstacles.setup.empty() &&
+                world.settings.sensing_radius <= kFarthestTrusted;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     world.valid =
         world.valid && is_valid(fleet.sensed(i)) && fleet.traits[i].max_speed <= kFarthestTrusted;
@@ -77,7 +91,7 @@ void lay_out(World& world, Executor& executor) {
 
 void take_snapshot(World& world, Executor& executor) {
   const std::size_t parts = executor.workers();
-  prepare(world.fleet, world.snapshot);
+  prepare(world.fleet, world.layered, world.snapshot);
   parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
     StageClock& clock = world.workers[worker].clock;
     clock.start();
@@ -116,12 +130,13 @@ void index(World& world, Executor& executor) {
 
 // m: others farther away matter only if they are among the nearest.
 double near_range(const World& world, std::size_t slot) {
-  if (!world.all_matter()) return -1.0;
+  if (!world.all_matter() && !world.selective) return -1.0;
   const Vec2 p = world.fleet.position[slot];
   const double everyone = world.settings.sensing_radius;
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
   // among movers it matters whether anybody decides at all
-  if (world.fast || !world.obstacles.setup.empty() || !(farthest <= kMostRelevantPosition))
+  if (world.fast || world.selective || !world.obstacles.setup.empty() ||
+      !(farthest <= kMostRelevantPosition))
     return everyone;
   return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
@@ -147,33 +162,40 @@ void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& se
   }
 }
 
-// The robot at a place of the snapshot.
-Neighbor sensed_at(const World& world, std::size_t place) {
+// The robot at a place of the snapshot; nothing where the one that looks does not mind it.
+std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const Conduct& own) {
   const Sensed& sensed = world.snapshot.sensed[place];
   const Conduct& conduct = world.fleet.conduct[world.snapshot.grid.order()[place]];
-  return {.position = world.snapshot.grid.position(place),
-          .velocity = sensed.velocity,
-          .radius = sensed.radius,
-          .max_acceleration = sensed.max_acceleration,
-          .priority = conduct.priority};
+  const auto behavior = expected_of(conduct, own);
+  if (conduct.parked || !behavior) return std::nullopt;
+  const bool moves_on = *behavior == Behavior::moves_on;
+  return Neighbor{.position = world.snapshot.grid.position(place),
+                  .velocity = sensed.velocity,
+                  .radius = sensed.radius,
+                  .max_acceleration = sensed.max_acceleration,
+                  .acceleration = moves_on ? world.snapshot.acceleration[place] : Vec2{},
+                  .behavior = *behavior,
+                  .priority = conduct.priority};
 }
 
 // The same among moving obstacles, robots first where distances are equal, and where robots are not
 // all alike.
-void append_one_by_one(const World& world, Vec2 position, std::size_t query, Worker& worker) {
+void append_one_by_one(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  const Vec2 position = world.fleet.position[slot];
+  const Conduct& own = world.fleet.conduct[slot];
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
       world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
   const std::span<const NeighborHit> obstacles =
       world.obstacle_grid.gather(position, -1, most, worker.obstacles);
-  const std::size_t end = to.count + std::min(robots.size() + obstacles.size(), most);
-  to.reserve(end);
+  const std::size_t first = to.count;
+  to.reserve(first + std::min(robots.size() + obstacles.size(), most));
   auto robot = robots.begin(), obstacle = obstacles.begin();
-  while (to.count < end) {
+  while (to.count - first < most && (robot != robots.end() || obstacle != obstacles.end())) {
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      to.add(sensed_at(world, (robot++)->place));
+      if (const auto neighbor = sensed_at(world, (robot++)->place, own)) to.add(*neighbor);
     } else {
       to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
     }
@@ -195,7 +217,9 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   constexpr double kMargin = 1.125;  // for having moved since
   Fleet& fleet = world.fleet;
   const Snapshot& snapshot = world.snapshot;
-  const std::size_t nearest = world.most_nearest();
+  // of all, those are chosen later whom it minds
+  const std::size_t nearest =
+      world.selective ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   worker.queries.clear();
   for (const std::uint32_t slot : slots) {
     worker.queries.push_back({.position = fleet.position[slot],
@@ -211,7 +235,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     if (world.alike && world.obstacles.setup.empty()) {
       append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
     } else {
-      append_one_by_one(world, fleet.position[slots[i]], i, worker);
+      append_one_by_one(world, slots[i], i, worker);
     }
     fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.results[i],
                                                nearest, snapshot, worker.search);
@@ -222,6 +246,16 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }
   return robots;
+}
+
+// Without those that are parked.
+std::span<const std::uint32_t> deciding(const World& world, std::span<const std::uint32_t> slots,
+                                        Worker& worker) {
+  if (world.parked == 0) return slots;
+  worker.deciding.clear();
+  std::copy_if(slots.begin(), slots.end(), std::back_inserter(worker.deciding),
+               [&](std::uint32_t slot) { return !world.fleet.conduct[slot].parked; });
+  return worker.deciding;
 }
 
 void take_slots(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
@@ -245,8 +279,10 @@ void step(World& world) {
                [&](std::size_t tile, std::size_t worker) {
                  const std::size_t first = tile * kTileRobots;
                  const std::size_t count = std::min(kTileRobots, robots - first);
-                 take_slots(world, world.snapshot.grid.order().subspan(first, count),
-                            world.workers[worker]);
+                 Worker& own = world.workers[worker];
+                 take_slots(world,
+                            deciding(world, world.snapshot.grid.order().subspan(first, count), own),
+                            own);
                });
   world.fast = false;
   for (Worker& worker : world.workers) {
@@ -256,7 +292,8 @@ void step(World& world) {
   world.torn = false;
   world.obstacles.advance(world.settings.time_step);
   ++world.steps;
-  if (world.workers[0].clock.is_on()) world.robot_steps += static_cast<std::int64_t>(robots);
+  if (world.workers[0].clock.is_on())
+    world.robot_steps += static_cast<std::int64_t>(robots - world.parked);
 }
 
 }  // namespace avo
