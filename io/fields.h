@@ -208,21 +208,22 @@ const std::vector<Field<T>>& fields();
 /// RobotSetup's fields without position and goal, for groups.
 const std::vector<Field<avo::RobotSetup>>& group_robot_fields();
 
-inline constexpr std::array<std::pair<std::string_view, avo::Method>, 4> kMethods{
-    {{"avo", avo::Method::avo},
-     {"avo_paper", avo::Method::avo_paper},
-     {"velocity_obstacle", avo::Method::velocity_obstacle},
-     {"orca", avo::Method::orca}}};
-inline constexpr std::array<std::pair<std::string_view, avo::Certificate>, 3> kCertificates{
-    {{"none", avo::Certificate::none},
-     {"stopping_capsules", avo::Certificate::stopping_capsules},
-     {"braking_trajectories", avo::Certificate::braking_trajectories}}};
-inline constexpr std::array<std::pair<std::string_view, avo::Motion>, 2> kMotions{
-    {{"held", avo::Motion::held}, {"exponential", avo::Motion::exponential}}};
-inline constexpr std::array<std::pair<std::string_view, avo::RightOfWay>, 3> kRightsOfWay{
-    {{"none", avo::RightOfWay::none},
-     {"seen", avo::RightOfWay::seen},
-     {"told", avo::RightOfWay::told}}};
+/// Choices by the names that the library has for them.
+template <class Choice, class... Others>
+auto by_name(Choice first, Others... others) {
+  const auto named = [](Choice choice) {
+    return std::pair{std::string_view(to_string(choice)), choice};
+  };
+  return std::array{named(first), named(others)...};
+}
+inline const auto kMethods = by_name(avo::Method::avo, avo::Method::avo_paper,
+                                     avo::Method::velocity_obstacle, avo::Method::orca);
+inline const auto kCertificates =
+    by_name(avo::Certificate::none, avo::Certificate::stopping_capsules,
+            avo::Certificate::braking_trajectories);
+inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);
+inline const auto kRightsOfWay =
+    by_name(avo::RightOfWay::none, avo::RightOfWay::seen, avo::RightOfWay::told);
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
 

@@ -10,6 +10,7 @@ using avo::kPositive;
 constexpr Need kRequired = Need::required;
 constexpr Need kOptional = Need::optional;
 constexpr std::monostate kNested;
+constexpr avo::Range kNoNumber{};
 constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 constexpr avo::Range kFile{1.0, 4096.0, false};  // bytes
 constexpr avo::Range kShare{0.0, 1.0, false};
@@ -37,7 +38,7 @@ const std::vector<Field<PolygonObstacle>>& fields() {
   static const std::vector<Field<PolygonObstacle>> table{
       {"polygon", &PolygonObstacle::points, kRequired, kAnyValue, "m",
        "a closed chain of walls, in any orientation"},
-      {"solid", &PolygonObstacle::solid, kOptional, {}, "", "nobody may start inside"},
+      {"solid", &PolygonObstacle::solid, kOptional, kNoNumber, "", "nobody may start inside"},
   };
   return table;
 }
@@ -45,7 +46,7 @@ const std::vector<Field<PolygonObstacle>>& fields() {
 template <>
 const std::vector<Field<DiscObstacle>>& fields() {
   static const std::vector<Field<DiscObstacle>> table{
-      {"disc", kNested, kRequired, {}, "", "a pillar"},
+      {"disc", kNested, kRequired, kNoNumber, "", "a pillar"},
   };
   return table;
 }
@@ -65,8 +66,8 @@ constexpr std::string_view kAsText =
 template <>
 const std::vector<Field<WktObstacle>>& fields() {
   static const std::vector<Field<WktObstacle>> table{
-      {"wkt", kNested, kRequired, {}, "", "well-known text: lines and polygons, in m"},
-      {"as", &WktObstacle::as, kOptional, {}, "", kAsText},
+      {"wkt", kNested, kRequired, kNoNumber, "", "well-known text: lines and polygons, in m"},
+      {"as", &WktObstacle::as, kOptional, kNoNumber, "", kAsText},
   };
   return table;
 }
@@ -75,7 +76,7 @@ template <>
 const std::vector<Field<WktFileObstacle>>& fields() {
   static const std::vector<Field<WktFileObstacle>> table{
       {"wkt_file", &WktFileObstacle::file, kRequired, kFile, "", "a file of well-known text"},
-      {"as", &WktFileObstacle::as, kOptional, {}, "", kAsText},
+      {"as", &WktFileObstacle::as, kOptional, kNoNumber, "", kAsText},
   };
   return table;
 }
@@ -104,11 +105,11 @@ const std::vector<Field<RosMap>>& fields() {
   static const std::vector<Field<RosMap>> table{
       {"image", &RosMap::image, kRequired, kFile, "", "a PGM, relative to this file"},
       {"resolution", &RosMap::resolution, kRequired, kPositive, "m", "side of a cell"},
-      {"origin", kNested, kRequired, {}, "", "[x, y, yaw] of the lower left corner"},
+      {"origin", kNested, kRequired, kNoNumber, "", "[x, y, yaw] of the lower left corner"},
       {"occupied_thresh", &RosMap::occupied_thresh, kRequired, kShare, "", "occupied above it"},
       {"free_thresh", &RosMap::free_thresh, kRequired, kShare, "", "free below it"},
       {"negate", &RosMap::negate, kRequired, kShare, "", "1: white is occupied"},
-      {"mode", &RosMap::mode, kOptional, {}, "", "how values are read"},
+      {"mode", &RosMap::mode, kOptional, kNoNumber, "", "how values are read"},
   };
   return table;
 }

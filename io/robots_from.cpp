@@ -22,13 +22,14 @@ constexpr std::uint64_t kStreamOfScenarios = ~0U;  // groups have the others
 const OccupancyGrid& map_of(const Reader& reader, const YamlNode& node, const std::string& path,
                             const std::vector<NamedMap>& maps, const std::string& name) {
   if (maps.size() == 1) return maps[0].grid;
-  const auto stem = [](const std::string& file) {
+  const auto name_of = [](const std::string& file) {
     return std::filesystem::path(file).filename().string();
   };
   for (const NamedMap& map : maps)
-    if (stem(map.file) == stem(name)) return map.grid;
+    if (name_of(map.file) == name_of(name)) return map.grid;
   if (maps.empty()) reader.fail(node, path, "no map in obstacles", "must have the scenario's");
   std::vector<std::string_view> files;
+  files.reserve(maps.size());
   for (const NamedMap& map : maps) files.push_back(map.file);
   reader.fail(node, path, "a scenario of " + in_quotes(name),
               "must be of a map in obstacles: " + joined(files));

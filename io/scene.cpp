@@ -51,7 +51,8 @@ class SceneBuilder {
   Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name) {
     const YamlNode& root = document_.root;
     if (root.kind == YamlNode::Kind::nothing)
-      reader_.fail(root, "", "nothing", "must be a map with at least version and robots or groups");
+      reader_.fail(root, "", "nothing",
+                   "must be a map with at least version and robots, robots_from or groups");
     reader_.check_keys(root, "", keys_of(fields<Scenario>()));
     read_version(reader_, root);
     check_precision(reader_, root);

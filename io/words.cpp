@@ -40,7 +40,7 @@ std::size_t skip_digits(std::string_view text, std::size_t i) {
   return i;
 }
 
-/// Is `word` what `found` abbreviates: the same beginning, and all letters in order?
+/// Is `word` what `given` abbreviates: the same beginning, and all letters in order?
 bool abbreviates(std::string_view given, std::string_view word) {
   constexpr std::size_t kBeginning = 3;
   if (given.size() < kBeginning || !word.starts_with(given.substr(0, kBeginning))) return false;

@@ -82,7 +82,8 @@ std::string arrivals(const avo::CheckReport& report) {
   const auto& missing = report.not_arrived;
   if (missing.empty()) return text;
   const auto named = static_cast<std::ptrdiff_t>(std::min(missing.size(), kMostNamed));
-  text += fmt::format("; not robot {}", fmt::join(missing.begin(), missing.begin() + named, ", "));
+  text += fmt::format("; not robot{} {}", missing.size() == 1 ? "" : "s",
+                      fmt::join(missing.begin(), missing.begin() + named, ", "));
   return missing.size() > kMostNamed ? text + ", ..." : text;
 }
 

@@ -156,9 +156,9 @@ void tell_unreachable(const avo::RunSummary& results) {
     who += fmt::format("{}{}", who.empty() ? "" : ", ", robot);
   if (count > kNamed) who += fmt::format(" and {} more", count - kNamed);
   say(fmt::format(
-      "warning: no way between the obstacles leads to the goal of robot {}; a way has to "
-      "be as wide as the robot, and a goal as far from an obstacle as its radius",
-      who));
+      "warning: no way between the obstacles leads to the {} {}; a way has to be as wide as the "
+      "robot, and a goal as far from an obstacle as its radius",
+      count == 1 ? "goal of robot" : "goals of robots", who));
 }
 
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {

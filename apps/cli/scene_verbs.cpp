@@ -18,6 +18,7 @@ avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>
   std::vector<std::string> paths;
   avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &paths);
   std::vector<NamedFile> inputs;
+  inputs.reserve(paths.size());
   for (const std::string& path : paths) inputs.push_back({"the scene's", path});
   require_distinct(inputs, outputs);
   apply_remedies(arguments, scenario);

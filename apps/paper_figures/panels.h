@@ -37,6 +37,5 @@ void draw_bodies(figures::Canvas& canvas, const figures::Box& panel, const figur
 std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 
 inline constexpr figures::Color kRobotColor{0.00, 0.36, 0.66, 1.0};
-inline constexpr figures::Color kOtherColor{0.80, 0.30, 0.00, 1.0};
 
 }  // namespace avo::paper

@@ -14,26 +14,11 @@
 namespace avo::safety {
 namespace {
 
-template <class T, std::size_t N>
-using Names = std::array<std::pair<std::string_view, T>, N>;
-
-constexpr Names<Method, 4> kMethods{{{"avo", Method::avo},
-                                     {"avo_paper", Method::avo_paper},
-                                     {"velocity_obstacle", Method::velocity_obstacle},
-                                     {"orca", Method::orca}}};
-constexpr Names<Certificate, 3> kCertificates{
-    {{"none", Certificate::none},
-     {"stopping_capsules", Certificate::stopping_capsules},
-     {"braking_trajectories", Certificate::braking_trajectories}}};
-constexpr Names<Motion, 2> kMotions{{{"held", Motion::held}, {"exponential", Motion::exponential}}};
-
-template <class T, std::size_t N>
-std::string_view name_of(T value, const Names<T, N>& names) {
-  for (const auto& [name, known] : names) {
-    if (known == value) return name;
-  }
-  return "unknown";
-}
+constexpr std::array kMethods{Method::avo, Method::avo_paper, Method::velocity_obstacle,
+                              Method::orca};
+constexpr std::array kCertificates{Certificate::none, Certificate::stopping_capsules,
+                                   Certificate::braking_trajectories};
+constexpr std::array kMotions{Motion::held, Motion::exponential};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& found,
                          const std::string& allowed) {
@@ -41,11 +26,11 @@ std::string_view name_of(T value, const Names<T, N>& names) {
 }
 
 template <class T, std::size_t N>
-T value_of(const std::string& option, const std::string& text, const Names<T, N>& names) {
+T value_of(const std::string& option, const std::string& text, const std::array<T, N>& values) {
   std::string allowed;
-  for (const auto& [name, value] : names) {
-    if (name == text) return value;
-    allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+  for (const T value : values) {
+    if (to_string(value) == text) return value;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(to_string(value));
   }
   refuse(option, text, "one of " + allowed);
 }

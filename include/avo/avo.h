@@ -7,6 +7,7 @@
 #include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/half_plane.h"
+#include "avo/horizon.h"
 #include "avo/metrics.h"
 #include "avo/planner.h"
 #include "avo/response.h"
@@ -17,3 +18,4 @@
 #include "avo/vec.h"
 #include "avo/velocity_obstacle.h"
 #include "avo/version.h"
+#include "avo/wall.h"

@@ -9,7 +9,7 @@
 
 namespace avo_io {
 
-/// The word most like `found`, if any is so like it that it may have been meant.
+/// The word most like `given`, if any is so like it that it may have been meant.
 AVO_API std::optional<std::string_view> nearest(std::string_view given,
                                                 const std::vector<std::string_view>& words);
 

@@ -39,6 +39,16 @@ BrakingDistances braking_distances(const BrakingProfile& profile, const StepLaw&
   return {now.start.value, now.middle.value, next.start.value};
 }
 
+Vec2 stopping_way(Vec2 velocity, double decrement, const StepLaw& law) {
+  const double speed = norm(velocity);
+  return speed > 0.0 ? (stopping_length(speed, decrement, law) / speed) * velocity : Vec2{};
+}
+
+double parabola_error(Vec2 acceleration, const StepLaw& law) {
+  if (law.lag == 0.5 * law.time_step) return 0.0;
+  return 0.125 * law.time_step * law.time_step * norm(acceleration);
+}
+
 Vec2 braked(Vec2 velocity, double decrement) {
   const double speed = norm(velocity);
   return speed > decrement ? ((speed - decrement) / speed) * velocity : Vec2{};

@@ -57,6 +57,14 @@ inline double stopping_length(double speed, double decrement, const StepLaw& law
   return stopping_length(braking_profile(speed, decrement), law);
 }
 
+/// The way of full braking until rest, m.
+Vec2 stopping_way(Vec2 velocity, double decrement, const StepLaw& law);
+
+/// What accelerates all the time moves on a parabola. Where motion is exponential, this bounds how
+/// far it may be in a step from a path of the law's kind that has the same ends and leaves with the
+/// same velocity, m.
+double parabola_error(Vec2 acceleration, const StepLaw& law);
+
 /// A's path for a candidate: v_1 after one step, then braking. Relative to p_A.
 struct CandidatePath {
   Vec2 first;          ///< m, end of the first step

@@ -17,13 +17,6 @@ double error_at(const StepLaw& law, double time) {
   return law.sensing_error.position + law.sensing_error.velocity * time;
 }
 
-// What is seen to accelerate moves on a parabola. Where A's motion is exponential, a path of A's
-// kind between the same ends, leaving with the same velocity, is less than a Δt²/8 away from it.
-double parabola_error(const Neighbor& neighbor, const StepLaw& law) {
-  if (neighbor.behavior == Behavior::decides || law.lag == 0.5 * law.time_step) return 0.0;
-  return 0.125 * law.time_step * law.time_step * norm(neighbor.acceleration);
-}
-
 // Where braking is seen to leave less than the margin, A may not lose more of it.
 void allow_braking(const Braking& own, const StepLaw& law, ConstraintColumns& constraints,
                    std::size_t k) {
@@ -65,7 +58,8 @@ void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& l
 void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
                   TrajectoryConstraints& constraints, Invariant& invariant) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const double inflation = parabola_error(neighbor, law), inflated = pair.inflated + inflation;
+  const double inflation = pair.decides ? 0.0 : parabola_error(neighbor.acceleration, law);
+  const double inflated = pair.inflated + inflation;
   PairConstraints wanted{
       pair,
       neighbor,

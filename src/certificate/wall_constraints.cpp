@@ -162,8 +162,7 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
       wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law);
   constraints.middle = law.lag * robot.velocity;
   constraints.backup = braked(robot.velocity, u);
-  constraints.stop =
-      speed > 0.0 ? (stopping_length(speed, u, law) / speed) * robot.velocity : Vec2{};
+  constraints.stop = stopping_way(robot.velocity, u, law);
   for (const Wall& wall : walls) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
     const double away = distance(Vec2{}, segment), contact = robot.radius + wall.radius;

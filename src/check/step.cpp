@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/elementary.h"
 
@@ -85,21 +84,7 @@ RelativePath relative_path(const Mover& a, const Mover& b, double duration) {
 }
 
 Box box_of(const Mover& mover, std::size_t owner, double duration) {
-  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-  const auto& c = path_of(mover, duration).control;
-  Box box;
-  box.owner = owner;
-  const auto span = [&](std::size_t axis, double Vec2::*coordinate) {
-    const auto [low, high] =
-        std::minmax({c[0].*coordinate, c[1].*coordinate, c[2].*coordinate, c[3].*coordinate});
-    const double reach =
-        mover.radius + kRounding * (mover.radius + std::max(std::abs(low), std::abs(high)));
-    box.low[axis] = low - reach;
-    box.high[axis] = high + reach;
-  };
-  span(0, &Vec2::x);
-  span(1, &Vec2::y);
-  return box;
+  return box_around(path_of(mover, duration).control, mover.radius, owner);
 }
 
 double speed_bound(const Mover& mover, double from_fraction, double to_fraction, double duration) {

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "avo/vec.h"
 
 namespace avo::judge {
 
@@ -16,6 +19,26 @@ struct Box {
   std::array<double, 2> low, high;
   std::size_t owner = 0;
 };
+
+/// Holds the discs of that radius, m, about all of the points and their hull.
+inline Box box_around(std::span<const Vec2> points, double radius, std::size_t owner) {
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  Box box;
+  box.owner = owner;
+  const auto span = [&](std::size_t axis, double Vec2::*coordinate) {
+    double low = points[0].*coordinate, high = low;
+    for (const Vec2& point : points) {
+      low = std::min(low, point.*coordinate);
+      high = std::max(high, point.*coordinate);
+    }
+    const double reach = radius + kRounding * (radius + std::max(std::abs(low), std::abs(high)));
+    box.low[axis] = low - reach;
+    box.high[axis] = high + reach;
+  };
+  span(0, &Vec2::x);
+  span(1, &Vec2::y);
+  return box;
+}
 
 /// The axis along which the boxes spread farther.
 inline std::size_t wider_axis(const std::vector<Box>& boxes) {

@@ -3,7 +3,7 @@
 #include "check/wall_judge.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -16,18 +16,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Box box_of(const CheckedWall& wall, std::size_t owner) {
-  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-  Box box;
-  box.owner = owner;
-  const auto span = [&](std::size_t axis, double a, double b) {
-    const double reach =
-        wall.radius + kRounding * (wall.radius + std::max(std::abs(a), std::abs(b)));
-    box.low[axis] = std::min(a, b) - reach;
-    box.high[axis] = std::max(a, b) + reach;
-  };
-  span(0, wall.a.x, wall.b.x);
-  span(1, wall.a.y, wall.b.y);
-  return box;
+  return box_around(std::array{wall.a, wall.b}, wall.radius, owner);
 }
 
 }  // namespace

@@ -101,7 +101,8 @@ inline constexpr DoubleDouble kArctangents[] = {
 // atan(b/a) for 2^-60 a <= b <= a: from the nearest tan(α) = k/16, by
 // tan(β - α) = (b - a tan(α)) / (a + b tan(α)), at most 1/32.
 constexpr DoubleDouble arctangent(double b, double a) {
-  const auto k = static_cast<std::size_t>(16.0 * (b / a) + 0.5);
+  const double sixteenths = 16.0 * (b / a) + 0.5;  // rounded to the nearest, once cut off
+  const auto k = static_cast<std::size_t>(sixteenths);
   const double tangent = static_cast<double>(k) / 16.0;
   const DoubleDouble z = (-two_product(tangent, a) + b) / (two_product(tangent, b) + a);
   const double square = z.high * z.high;

@@ -86,6 +86,7 @@ ThreadPool::~ThreadPool() {
 #if defined(__unix__)
   // In a child of a fork the threads stay behind, and so do their handles.
   if (started_ && process_ != getpid()) {
+    // NOLINTNEXTLINE(bugprone-unhandled-exception-at-new): a child without memory ends here
     static_cast<void>(new std::vector<std::thread>(std::move(helpers_)));
     return;
   }

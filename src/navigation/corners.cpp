@@ -115,10 +115,25 @@ class CornerFinder {
     corners_.push_back({point, room, {}, 1.0});
   }
 
+  struct Gap {
+    Vec2 middle, across;  // m; unit
+  };
+  // Where the middle lines of two gaps at one end meet: the way bends around that end between walls
+  // on its other side.
+  void add_in_bend(const Gap& one, const Gap& other, double widest) {
+    const double sine = cross(one.across, other.across);
+    const Vec2 apart = other.middle - one.middle;
+    if (!(std::abs(sine) > kTouching)) return;
+    // along both lines: across_1 . (p - middle_1) = 0 and across_2 . (p - middle_2) = 0
+    const Vec2 point = one.middle + (dot(other.across, apart) / sine) * perpendicular(one.across);
+    if (norm(point - one.middle) <= widest) add_in_gap(point);
+  }
+
   // The middle of each gap between this end and another wall, and the places before and behind.
   void add_in_gaps(std::size_t wall, Vec2 end) {
     const double own = grid_.walls()[wall].radius, rounding = kRounding * radius_;
     const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
+    std::vector<Gap> gaps;
     grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& other = grid_.walls()[k];
       const Vec2 nearest = nearest_on({other.a, other.b}, end);
@@ -129,8 +144,12 @@ class CornerFinder {
       if (grid_.clearance(middle) < 0.5 * gap - rounding) return true;  // some wall is in the gap
       const Vec2 along = (radius_ + kSpareRoom) * perpendicular(across);
       for (const Vec2 point : {middle, middle + along, middle - along}) add_in_gap(point);
+      gaps.push_back({middle, across});
       return true;
     });
+    for (std::size_t k = 1; k < gaps.size(); ++k) {
+      for (std::size_t i = 0; i < k; ++i) add_in_bend(gaps[i], gaps[k], widest);
+    }
   }
 
   const ClearanceGrid& grid_;

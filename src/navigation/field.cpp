@@ -10,6 +10,7 @@
 namespace avo {
 namespace {
 
+constexpr double kFarthest = 256.0;     // radii that a bend is handed on
 constexpr std::int64_t kGoalRings = 2;  // of cells around the goal that may see it
 
 // Spreads from the goal. Each point hands on what it aims at to those around it that see that, and
@@ -38,6 +39,7 @@ class Wave {
       }
     }
     std::copy_n(length_.begin(), map_.length.size(), map_.length.begin());
+    gather_from_outside();
   }
 
  private:
@@ -50,9 +52,22 @@ class Wave {
     });
   }
 
+  void gather_from_outside() {
+    std::vector<std::uint32_t>& targets = map_.from_outside;
+    graph_.lattice.for_each_on_border([&](std::size_t cell) {
+      const std::uint32_t next = map_.next[graph_.corners() + cell];
+      if (next != PathMap::kNothing) targets.push_back(next);
+    });
+    std::sort(targets.begin(), targets.end());
+    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+  }
+
   void hand_on(std::uint32_t from, std::uint32_t to) {
     if (from == to) return;
-    if (offer(to, map_.next[from]) && !graph_.is_corner(from)) return;
+    const std::uint32_t next = map_.next[from];
+    const double way = norm(point_of(graph_, map_, next) - graph_.points[to]);
+    const bool is_near = way <= kFarthest * graph_.radius;
+    if (is_near && offer(to, next) && !graph_.is_corner(from)) return;
     offer(to, from);
   }
 

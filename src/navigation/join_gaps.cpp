@@ -83,13 +83,13 @@ class Joiner {
   }
 
  private:
-  Vec2 outward(std::uint32_t gap, int side) const {
+  Vec2 outward(std::uint32_t gap, std::size_t side) const {
     return side == 0 ? gaps_[gap].ahead() : -1.0 * gaps_[gap].ahead();
   }
-  int side_of(std::uint32_t gap, Vec2 p) const {
+  std::size_t side_of(std::uint32_t gap, Vec2 p) const {
     return dot(p - gaps_[gap].middle(), gaps_[gap].ahead()) > 0.0 ? 0 : 1;
   }
-  int side_towards(std::uint32_t gap, std::uint32_t other) const {
+  std::size_t side_towards(std::uint32_t gap, std::uint32_t other) const {
     return side_of(gap, gaps_[other].middle());
   }
 
@@ -136,23 +136,23 @@ class Joiner {
     others.erase(std::unique(others.begin(), others.end()), others.end());
     for (const std::uint32_t k : others) {
       if (!is_narrow_between(i, k)) continue;
-      const int ahead = side_towards(i, k), back = side_towards(k, i);
+      const std::size_t ahead = side_towards(i, k), back = side_towards(k, i);
       links_[i].gap[ahead] = k, ++links_[i].count[ahead];
       links_[k].gap[back] = i, ++links_[k].count[back];
     }
   }
 
   // The next gap of the passage; none where it ends or branches.
-  std::uint32_t next(std::uint32_t i, int side) const {
+  std::uint32_t next(std::uint32_t i, std::size_t side) const {
     const std::uint32_t k = links_[i].gap[side];
     if (links_[i].count[side] != 1) return kNone;
     return links_[k].count[side_towards(k, i)] == 1 ? k : kNone;
   }
 
   // Where the passage of gap i begins, and on which side of that gap it goes on; of a ring, i.
-  std::pair<std::uint32_t, int> first_of(std::uint32_t i) const {
+  std::pair<std::uint32_t, std::size_t> first_of(std::uint32_t i) const {
     std::uint32_t gap = i;
-    int back = 1;
+    std::size_t back = 1;
     for (std::uint32_t k = next(gap, back); k != kNone && k != i; k = next(gap, back)) {
       back = 1 - side_towards(k, gap);
       gap = k;

@@ -27,8 +27,10 @@ NearestWall nearest_wall(const ClearanceGrid& grid, Vec2 p) {
     const Wall& wall = grid.walls()[k];
     const Vec2 from = p - nearest_on({wall.a, wall.b}, p);
     const double distance = norm(from);
-    if (distance > 0.0 && distance - wall.radius < nearest.clearance)
-      nearest = {distance - wall.radius, from / distance};
+    if (!(distance - wall.radius < nearest.clearance)) return true;
+    const Vec2 along = wall.b - wall.a;
+    const Vec2 aside = along == Vec2{} ? Vec2{1.0, 0.0} : perpendicular(along) / norm(along);
+    nearest = {distance - wall.radius, distance > 0.0 ? from / distance : aside};
     return true;
   });
   return nearest;
@@ -70,8 +72,8 @@ Lattice::Place Lattice::place_of(Vec2 p) const {
 
 Vec2 Lattice::middle_of(std::size_t cell) const {
   const auto number = static_cast<std::int64_t>(cell);
-  return spacing * Vec2{static_cast<double>(first_column + number % columns) + 0.5,
-                        static_cast<double>(first_row + number / columns) + 0.5};
+  const std::int64_t column = first_column + number % columns, row = first_row + number / columns;
+  return spacing * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
 }
 
 Lattice make_lattice(const ClearanceGrid& grid, std::span<const Vec2> corners, double radius) {

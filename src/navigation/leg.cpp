@@ -26,6 +26,12 @@ struct Lookout {
     if (target == PathMap::kGoal) return map.is_free ? norm(map.goal - p) : kInfinity;
     return length_from(graph, map, target) + norm(graph.points[target] - p);
   }
+  // The same, which asks for no more room than the robot takes.
+  Lookout closely() const {
+    Lookout closest = *this;
+    closest.room = (1.0 - 2.0 * kRounding) * radius;
+    return closest;
+  }
   bool sees(std::uint32_t target) const {
     const double there = target == PathMap::kGoal ? map.room : graph.room[target];
     return graph.grid.is_clear(p, point_of(graph, map, target), std::min(room, there));
@@ -83,8 +89,9 @@ std::uint32_t best_in_view(const Lookout& lookout) {
   if (lookout.graph.lattice.empty()) return best_of_all(lookout);
   Choice choice{lookout};
   const Lattice& lattice = lookout.graph.lattice;
-  if (!lattice.covers(lookout.p))
-    lattice.for_each_on_border([&](std::size_t cell) { choice.look_from(cell); });
+  if (!lattice.covers(lookout.p)) {
+    for (const std::uint32_t target : lookout.map.from_outside) choice.look(target);
+  }
   for (std::int64_t away = 0; away <= kRings; ++away) {
     if (away <= 1 || choice.best == PathMap::kNothing) choice.look_around(away);
   }
@@ -114,16 +121,16 @@ bool is_known(const PathMap& map, std::uint32_t target) {
 
 // Whether what follows the target is in view, from near the target as closely as may be.
 bool sees_next(const Lookout& lookout, std::uint32_t target) {
-  Lookout closely = lookout;
   const double left = norm(lookout.graph.points[target] - lookout.p);
-  if (left < kPassed * lookout.radius) closely.room = lookout.radius;
-  return closely.sees(lookout.map.next[target]);
+  const std::uint32_t next = lookout.map.next[target];
+  return left < kPassed * lookout.radius ? lookout.closely().sees(next) : lookout.sees(next);
 }
 
 std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool looks_around) {
   if (!is_known(lookout.map, target)) return best_in_view(lookout);
   if (target != PathMap::kGoal && sees_next(lookout, target)) return lookout.map.next[target];
-  const bool is_in_view = lookout.sees(target);
+  // who has set out keeps on where there is less room on the way than here
+  const bool is_in_view = lookout.sees(target) || lookout.closely().sees(target);
   if (is_in_view && !looks_around) return target;
   const std::uint32_t best = best_around(lookout, target, is_in_view);
   return best == PathMap::kNothing ? best_in_view(lookout) : best;

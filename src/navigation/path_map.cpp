@@ -93,7 +93,7 @@ double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t t
 }
 
 PathMap path_map(const CornerGraph& graph, Vec2 goal) {
-  PathMap map{goal, 0.0, false, {}, {}, {}};
+  PathMap map{goal, 0.0, false, {}, {}, {}, {}};
   map.length.assign(graph.corners(), kInfinity), map.top.assign(graph.corners(), kInfinity);
   map.next.assign(graph.points.size(), PathMap::kNothing);
   const double clearance = graph.grid.clearance(goal);

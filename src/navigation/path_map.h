@@ -19,6 +19,8 @@ struct PathMap {
   std::vector<double> length;       // m, from each corner on; infinity: no way
   std::vector<std::uint32_t> next;  // the point after it, kGoal or kNothing
   std::vector<double> top;  // m, what v²/a may be at each corner for all the turns behind it
+  // of a field: what is next from the border of the lattice, ascending
+  std::vector<std::uint32_t> from_outside;
 };
 
 PathMap path_map(const CornerGraph& graph, Vec2 goal);

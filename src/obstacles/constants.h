@@ -29,6 +29,8 @@ constexpr double kConvexTolerance = 1e-8;
 constexpr double kTiniest = 1e-150;
 // |sin| of an angle that may be one of rounding.
 constexpr double kTie = 1e-9;
+// Supports that differ by less than this part of the reach are equal but for rounding: a tie.
+constexpr double kEqualSupports = 0x1p-40;
 // A part of r: nearer than this, what is left is of the order of rounding.
 constexpr double kContact = 1e-9;
 // m/s; slower is at rest.

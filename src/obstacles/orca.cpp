@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "avo/half_plane.h"
+#include "obstacles/constants.h"
 
 namespace avo {
 namespace {
 
 // The side of p on which v is counted: 1 left, -1 right. Parallel vectors are a tie, which goes to
-// the left of p: A passes B on its own right. A tie has to survive rounding: it is |sin| <= 1e-9.
+// the left of p: A passes B on its own right. A tie has to survive rounding: it is |sin| <= kTie.
 double side_of(Vec2 p, Vec2 v, double length_p, double length_v) {
-  return cross(p, v) < -1e-9 * length_p * length_v ? -1.0 : 1.0;
+  return cross(p, v) < -kTie * length_p * length_v ? -1.0 : 1.0;
 }
 
 // Boundary of the disc of one time: n = (p + t v)/|p + t v|.

@@ -6,14 +6,13 @@
 
 #include "avo/half_plane.h"
 #include "avo/velocity_obstacle.h"
+#include "obstacles/constants.h"
 
 namespace avo {
 namespace {
 
 // Directions in which the circle of reach is tried: its arcs inside the polygon belong to the hull.
 constexpr int kCircleOctant = 8;
-// Supports that differ by less than this part of the reach are equal but for rounding.
-constexpr double kTie = 0x1p-40;
 
 using Polygon = std::vector<Vec2>;
 
@@ -135,7 +134,7 @@ HalfPlane least_support(const Polygon& hull, double reach, Vec2 p) {
       plane.offset = std::fmax(plane.offset, dot(plane.normal, corner));
     }
     const double gain = best ? best->offset - plane.offset : 1.0;
-    const bool tied = best && std::abs(gain) <= kTie * reach;
+    const bool tied = best && std::abs(gain) <= kEqualSupports * reach;
     const Vec2 left = perpendicular(p);
     if (tied ? dot(plane.normal, left) > dot(best->normal, left) : gain > 0.0) best = plane;
   };

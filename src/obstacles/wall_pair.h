@@ -7,10 +7,6 @@
 
 namespace avo {
 
-/// Supports that differ by less than this part of the reach are equal but for rounding: a tie,
-/// which the one offered first wins.
-inline constexpr double kEqualSupports = 0x1p-40;
-
 /// [p - q] m for both ends q.
 inline std::array<Vec2, 2> ends_of(const WallPair& pair) {
   return {pair.from_a, pair.from_b};

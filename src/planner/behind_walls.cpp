@@ -48,8 +48,7 @@ double way_round(Vec2 p, Vec2 q, const Wall& wall) {
 // Whether what it needs in order to stop does.
 bool keeps_clear(Vec2 p, Vec2 velocity, double max_acceleration, double radius, const Wall& wall,
                  const StepLaw& law) {
-  const double speed = norm(velocity), u = braking_decrement(max_acceleration, law);
-  const Vec2 way = speed > 0.0 ? (stopping_length(speed, u, law) / speed) * velocity : Vec2{};
+  const Vec2 way = stopping_way(velocity, braking_decrement(max_acceleration, law), law);
   return distance(Segment{p, p + way}, {wall.a, wall.b}) >= radius + wall.radius;
 }
 

@@ -39,19 +39,11 @@ double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
          braking_steps(speed, braking_decrement(robot.max_acceleration, law.step));
 }
 
-Vec2 way_of(const RobotSetup& robot, const CertificateLaw& law) {
-  const Vec2 v = start_velocity(robot);
-  const double speed = norm(v);
-  if (!(speed > 0.0)) return {};
-  const double u = braking_decrement(robot.max_acceleration, law.step);
-  return (stopping_length(speed, u, law.step) / speed) * v;
-}
-
 void collect_starters(Starts& starts) {
   double longest = 0.0;  // s
   const std::vector<RobotSetup>& robots = starts.scenario.robots;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const Vec2 way = way_of(robots[i], starts.law);
+    const Vec2 way = way_to_rest(robots[i], starts.law);
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
     starts.starters.push_back(
         {robots[i].position, static_cast<int>(i), way, robots[i].radius + norm(way)});
@@ -63,7 +55,7 @@ void collect_starters(Starts& starts) {
     const MovingObstacle& obstacle = obstacles[k];
     const double way = longest * norm(obstacle.velocity) +
                        0.5 * longest * longest * norm(obstacle.acceleration) +
-                       prediction_error(obstacle, starts.law);
+                       parabola_error(obstacle.acceleration, starts.law.step);
     starts.starters.push_back(
         {obstacle.position, -1 - static_cast<int>(k), {}, obstacle.radius + way});
   }
@@ -110,7 +102,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .radius = other.radius,
                 .acceleration = other.acceleration,
                 .behavior = Behavior::moves_on};
-    margin = prediction_error(other, law);
+    margin = parabola_error(other.acceleration, law.step);
   }
   const double contact = own.radius + neighbor.radius;
   if (are_apart(a, b, neighbor.behavior, contact)) return;
@@ -215,6 +207,11 @@ bool is_layered(const Scenario& scenario) {
   return std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
     return !(robot.layers == usual.layers && robot.avoids == usual.avoids);
   });
+}
+
+Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
+  return stopping_way(start_velocity(robot), braking_decrement(robot.max_acceleration, law.step),
+                      law.step);
 }
 
 BrokenAssumptions broken_assumptions(const Scenario& scenario) {

@@ -9,9 +9,8 @@ namespace avo {
 /// What the robots of the scene agree on.
 CertificateLaw certificate_law(const Scenario& scenario);
 
-/// m that an obstacle's motion within a step may be off the one that the certificate reckons with:
-/// it moves on a parabola, robots do not where their motion is exponential.
-double prediction_error(const MovingObstacle& obstacle, const CertificateLaw& law);
+/// m, from where the robot starts to where it would stop.
+Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 
 /// Starts beside static obstacles, in solids and out of bounds.
 void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,

@@ -72,7 +72,7 @@ void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
 // As it is now; where it is matters to nobody whose values are checked.
 RobotSetup standing(const World& world, std::size_t slot) {
   RobotSetup setup = world.fleet.setup(slot);
-  setup.position = setup.velocity = {};  // wherever it has got to
+  setup.position = setup.velocity = {};
   if (setup.parked) setup.position = setup.goal;
   return setup;
 }

@@ -43,7 +43,7 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
   const double speed =
       std::max(norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration));
   return obstacle.radius + seconds * speed + 0.5 * seconds * seconds * norm(obstacle.acceleration) +
-         prediction_error(obstacle, law);
+         parabola_error(obstacle.acceleration, law.step);
 }
 
 // Whoever needs more time or more length than all others: all that an obstacle can be worst for.
@@ -146,12 +146,6 @@ double scene_top_speed(const Scenario& scenario) {
 
 CertificateLaw certificate_law(const Scenario& scenario) {
   return certificate_law(Planner(planner_options(scenario)));
-}
-
-double prediction_error(const MovingObstacle& obstacle, const CertificateLaw& law) {
-  const double step = law.step.time_step;
-  if (law.step.lag == 0.5 * step) return 0.0;
-  return 0.125 * step * step * norm(obstacle.acceleration);
 }
 
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed) {

@@ -41,9 +41,7 @@ std::optional<WallStart> start_beside(const RobotSetup& robot, int number,
                                       const ListedWalls& listed, const CertificateLaw& law) {
   const WallRounding rounding =
       wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law.step);
-  const Vec2 v = start_velocity(robot);
-  const double speed = norm(v), u = braking_decrement(robot.max_acceleration, law.step);
-  const Vec2 way = speed > 0.0 ? (stopping_length(speed, u, law.step) / speed) * v : Vec2{};
+  const Vec2 way = way_to_rest(robot, law);
   const auto start_at = [&](const Wall& wall) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
     return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment),

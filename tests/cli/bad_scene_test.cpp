@@ -37,9 +37,9 @@ void PrintTo(const BadScene& scene, std::ostream* out) {
 
 const std::vector<BadScene> kBadScenes{
     {"empty_file", s(""),
-     "1:1: found nothing, must be a map with at least version and robots or groups"},
+     "1:1: found nothing, must be a map with at least version and robots, robots_from or groups"},
     {"only_comment", s("# nothing\n"),
-     "1:1: found nothing, must be a map with at least version and robots or groups"},
+     "1:1: found nothing, must be a map with at least version and robots, robots_from or groups"},
     {"a_word", s("circle\n"), s("1:1: found \"circle\", must be a map with keys ") + kSceneKeys},
     {"a_list", s("- 1\n- 2\n"), s("1:1: found a list, must be a map with keys ") + kSceneKeys},
     {"version_missing", s("robots:\n  - {position: [0, 0], goal: [1, 0]}\n"),

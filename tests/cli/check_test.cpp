@@ -244,6 +244,11 @@ TEST(Check, arrival_counts_where_it_is_required) {
   EXPECT_NE(result.out.find("  arrived            1 of 2; 1 at the end; not robot 1\n"),
             std::string::npos)
       << result.out;
+  const ProcessResult neither =
+      check(kOneArrives, {scene[0], scene[1], "--set", "robots.0.goal=[9, 9]"});
+  EXPECT_NE(neither.out.find("  arrived            0 of 2; 0 at the end; not robots 0, 1\n"),
+            std::string::npos)
+      << neither.out;
   const Strings required{scene[0], scene[1], "--require-arrival"};
   const ProcessResult failed = check(kOneArrives, required);
   EXPECT_EQ(failed.exit_code, 1);

@@ -207,7 +207,7 @@ std::int64_t counted_one_by_one(const Scenario& scene) {
                            .radius = b.radius,
                            .acceleration = b.acceleration,
                            .behavior = Behavior::moves_on};
-      if (is_broken(scene.robots[i], other, prediction_error(b, law))) ++count;
+      if (is_broken(scene.robots[i], other, parabola_error(b.acceleration, law.step))) ++count;
     }
   }
   return count;

@@ -144,7 +144,7 @@ TEST(Ways, GoOnAfterARestore) {
 }
 
 TEST(Ways, OnMapsOfManyCornersLeadToAllGoals) {
-  Scenario scene = test::noise_scene(24);
+  Scenario scene = test::noise_scene(12);
   scene.robots.push_back(test::robot_at({-4, 30}, {-4, -5}));
   Simulation simulation(scene, 2);
   EXPECT_TRUE(simulation.unreachable().empty());

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// What avo explain says.
+#include "explain_report.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "avo/half_plane.h"
+#include "avo_io/printable.h"
+
+namespace avo_cli {
+namespace {
+
+using avo::Vec2;
+using Json = nlohmann::ordered_json;
+
+/// Robot I, or moving obstacle K as "moving_obstacles.K".
+Json name_of(int source) {
+  if (source >= 0) return source;
+  return fmt::format("moving_obstacles.{}", -1 - source);
+}
+
+Json to_json(Vec2 v) {
+  return Json::array({v.x, v.y});
+}
+
+Json to_json(const avo::Disc& disc) {
+  if (!std::isfinite(disc.radius)) return nullptr;  // no limit
+  return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
+}
+
+/// Of what the two have to do, the robot's part.
+double share_of(const avo::Robot& self, const avo::Neighbor& neighbor) {
+  if (neighbor.behavior == avo::Behavior::moves_on) return 1.0;
+  return avo::reciprocal_share(self.max_acceleration, neighbor.max_acceleration, self.priority,
+                               neighbor.priority);
+}
+
+Json constraints_of(const Decision& decision) {
+  Json constraints = Json::array();
+  for (const avo::CertificateConstraint& constraint : decision.constraints)
+    constraints.push_back(
+        {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(constraint.neighbor)])},
+         {"interval", constraint.interval},
+         {"normal", to_json(constraint.normal)},
+         {"offset", constraint.offset}});
+  return constraints;
+}
+
+/// The walls that the robot knows.
+Json walls_of(const Decision& decision) {
+  Json walls = Json::array();
+  for (const avo::Wall& wall : decision.seen.walls)
+    walls.push_back({{"a", to_json(wall.a)}, {"b", to_json(wall.b)}, {"radius", wall.radius}});
+  return walls;
+}
+
+Json wall_half_planes_of(const avo::WallPlanes& wall_planes) {
+  Json planes = Json::array();
+  const auto append = [&planes](const char* kind, const std::vector<avo::WallPlane>& of_kind) {
+    for (const avo::WallPlane& plane : of_kind)
+      planes.push_back({{"wall", plane.wall},
+                        {"kind", kind},
+                        {"normal", to_json(plane.plane.normal)},
+                        {"offset", plane.plane.offset}});
+  };
+  append("speed", wall_planes.speeds);
+  append("obstacle", wall_planes.obstacles);
+  return planes;
+}
+
+Json wall_constraints_of(const Decision& decision) {
+  Json constraints = Json::array();
+  for (const avo::WallConstraint& constraint : decision.wall_constraints)
+    constraints.push_back({{"wall", constraint.wall},
+                           {"held", constraint.held},
+                           {"distance", constraint.distance},
+                           {"normal", to_json(constraint.normal)}});
+  return constraints;
+}
+
+std::string text(Vec2 v) {
+  return fmt::format("({:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0);  // no -0
+}
+
+std::string text_of(int source) {
+  return source >= 0 ? fmt::format("robot {}", source)
+                     : fmt::format("moving obstacle {}", -1 - source);
+}
+
+std::string text_of(const avo::Wall& wall) {
+  const std::string thick = wall.radius > 0.0 ? fmt::format(", radius {:.6g}", wall.radius) : "";
+  return wall.a == wall.b
+             ? fmt::format("the disc at {}{}", text(wall.a), thick)
+             : fmt::format("the wall from {} to {}{}", text(wall.a), text(wall.b), thick);
+}
+
+/// A line on each of the half-planes of walls that may cut, and on what the certificate keeps.
+void append_walls(const Decision& decision,
+                  const std::function<void(const char*, const std::string&)>& line) {
+  const auto wall_of = [&decision](int index) {
+    return text_of(decision.seen.walls[static_cast<std::size_t>(index)]);
+  };
+  const auto append = [&](const char* name, const std::vector<avo::WallPlane>& planes) {
+    for (const avo::WallPlane& plane : planes)
+      line(name, fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal),
+                             plane.plane.offset, wall_of(plane.wall)));
+  };
+  const bool is_avo = decision.method == avo::Method::avo;
+  append("speed before wall", decision.wall_planes.speeds);
+  append(is_avo ? "wall's obstacle" : "half-plane", decision.wall_planes.obstacles);
+  for (const avo::WallConstraint& constraint : decision.wall_constraints)
+    line("wall constraint",
+         fmt::format("{:.6g} m from {}, braking leaves {:.6g} m", constraint.held,
+                     wall_of(constraint.wall), constraint.distance));
+}
+
+/// How many constraints there are, and the first one of each of the nearest neighbors.
+void append_certificate(const Decision& decision,
+                        const std::function<void(const char*, const std::string&)>& line) {
+  constexpr int kNamed = 3;
+  const auto& constraints = decision.constraints;
+  std::set<int> neighbors;
+  for (const avo::CertificateConstraint& constraint : constraints)
+    neighbors.insert(constraint.neighbor);
+  line("certificate",
+       fmt::format("{}, {} constraints of {} neighbors", avo::to_string(decision.certificate),
+                   constraints.size(), neighbors.size()));
+  int named = 0, last = -1;
+  for (const avo::CertificateConstraint& constraint : constraints) {
+    if (named == kNamed) break;
+    if (constraint.neighbor == last) continue;
+    last = constraint.neighbor;
+    ++named;
+    line("constraint", fmt::format("{} . q >= {:.6g} m on step {}, of {}", text(constraint.normal),
+                                   constraint.offset, constraint.interval,
+                                   text_of(decision.seen.source[static_cast<std::size_t>(last)])));
+  }
+  if (decision.seen.detour.angle > 0.0)
+    line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
+}
+
+}  // namespace
+
+std::string to_json(const Decision& decision) {
+  const auto& seen = decision.seen;
+  Json half_planes = Json::array();
+  for (const avo::NeighborPlane& plane : decision.half_planes.planes)
+    half_planes.push_back(
+        {{"neighbor", name_of(seen.source[static_cast<std::size_t>(plane.neighbor)])},
+         {"normal", to_json(plane.plane.normal)},
+         {"offset", plane.plane.offset}});
+  Json obstacles = Json::array();
+  for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+    const avo::Neighbor& neighbor = seen.neighbors[k];
+    const bool decides = neighbor.behavior == avo::Behavior::decides;
+    obstacles.push_back({{"neighbor", name_of(seen.source[k])},
+                         {"position", to_json(neighbor.position)},
+                         {"velocity", to_json(neighbor.velocity)},
+                         {"acceleration", to_json(neighbor.acceleration)},
+                         {"radius", neighbor.radius},
+                         {"max_acceleration", decides ? neighbor.max_acceleration : 0.0},
+                         {"priority", decides ? Json(neighbor.priority) : Json()},
+                         {"behavior", decides ? "decides" : "moves_on"},
+                         {"share", share_of(seen.robot, neighbor)}});
+  }
+  const avo::Robot& self = seen.robot;
+  Json json{{"scene", decision.scene},
+            {"robot", decision.robot},
+            {"time", decision.time},
+            {"position", to_json(self.position)},
+            {"velocity", to_json(self.velocity)},
+            {"goal", to_json(decision.goal)},
+            {"radius", self.radius},
+            {"max_speed", self.max_speed},
+            {"max_acceleration", self.max_acceleration},
+            {"priority", self.priority},
+            {"obstacles", obstacles},
+            {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
+            {"half_planes", half_planes},
+            {"walls", walls_of(decision)},
+            {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
+  if (decision.method == avo::Method::avo) {
+    json["certificate_kind"] = avo::to_string(decision.certificate);
+    json["certificate"] = constraints_of(decision);
+    json["wall_certificate"] = wall_constraints_of(decision);
+    json["detour"] = seen.detour.angle;
+  }
+  const Json rest{{"acceleration_disc", to_json(decision.acceleration_disc)},
+                  {"speed_disc", to_json(decision.speed_disc)},
+                  {"preferred_velocity", to_json(self.preferred_velocity)},
+                  {"new_velocity", to_json(decision.plan.new_velocity)},
+                  {"acceleration", to_json(decision.plan.acceleration)},
+                  {"status", avo::to_string(decision.plan.status)},
+                  {"violation", decision.plan.violation}};
+  json.update(rest);
+  // the scene may be called like its file, whose name need not be UTF-8
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string readable(const Decision& decision) {
+  const avo::Robot& self = decision.seen.robot;
+  std::string result = fmt::format("{}, robot {} at {:.6g} s\n", avo_io::printable(decision.scene),
+                                   decision.robot, decision.time);
+  const auto line = [&](const char* name, const std::string& value) {
+    result += fmt::format("  {:<19} {}\n", name, value);
+  };
+  line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
+  line("velocity", text(self.velocity) + " m/s");
+  if (self.priority != 1.0) line("priority", fmt::format("{:.6g}", self.priority));
+  const avo::Disc& reach = decision.acceleration_disc;
+  line("may choose", (std::isfinite(reach.radius) ? fmt::format("|v' - {}| <= {:.6g} m/s, ",
+                                                                text(reach.center), reach.radius)
+                                                  : std::string()) +
+                         fmt::format("|v'| <= {:.6g} m/s", decision.speed_disc.radius));
+  line("sees", fmt::format("{} robots and moving obstacles", decision.seen.neighbors.size()));
+  if (!decision.by_half_planes) line("avoids", "the union of their obstacles");
+  for (const avo::NeighborPlane& plane : decision.half_planes.planes)
+    line("half-plane",
+         fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal), plane.plane.offset,
+                     text_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])));
+  append_walls(decision, line);
+  if (decision.method == avo::Method::avo) append_certificate(decision, line);
+  line("preferred velocity", text(self.preferred_velocity) + " m/s");
+  line("new velocity", text(decision.plan.new_velocity) + " m/s");
+  line("acceleration", text(decision.plan.acceleration) + " m/s^2");
+  line("status", fmt::format("{}, violation {:.6g} m/s", avo::to_string(decision.plan.status),
+                             decision.plan.violation));
+  return result;
+}
+
+}  // namespace avo_cli
