@@ -11,6 +11,7 @@
 
 #include "avo/error.h"
 #include "check/counts.h"
+#include "check/duty.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
@@ -20,6 +21,8 @@
 namespace avo {
 namespace {
 
+using judge::Duty;
+using judge::duty;
 using judge::Mover;
 using judge::note;
 
@@ -37,39 +40,6 @@ struct Seen {
 };
 
 using Pairs = std::unordered_set<std::uint64_t>;
-
-bool avoids(const CheckedRobot& a, const CheckedRobot& b) {
-  return (a.avoids & b.layers) != 0;
-}
-
-// Who of a pair has to keep clear of the other.
-enum class Duty : unsigned char { nobody, first, second, both };
-Duty duty(const CheckedRobot& a, const CheckedRobot& b) {
-  if (a.parked || b.parked) return a.parked && b.parked ? Duty::nobody : Duty::both;
-  if (avoids(a, b)) return avoids(b, a) ? Duty::both : Duty::first;
-  return avoids(b, a) ? Duty::second : Duty::nobody;
-}
-
-// Robots that are alike to duty(): one of each kind. Of very many kinds some are taken to avoid
-// each other.
-struct Kinds {
-  static constexpr std::size_t kMost = 256;
-  std::vector<CheckedRobot> robots;
-  bool mutual = false;  // there may be a pair of which both avoid the other
-
-  void add(const CheckedRobot& robot) {
-    if (mutual) return;
-    mutual = robots.size() >= kMost ||
-             std::any_of(robots.begin(), robots.end(), [&](const CheckedRobot& other) {
-               return duty(robot, other) == Duty::both;
-             });
-    const bool known = std::any_of(robots.begin(), robots.end(), [&](const CheckedRobot& other) {
-      return other.layers == robot.layers && other.avoids == robot.avoids &&
-             other.parked == robot.parked;
-    });
-    if (!known) robots.push_back(robot);
-  }
-};
 
 // Those who ever touched what does not avoid them, and those of them who moved.
 struct Contacts {
@@ -99,7 +69,7 @@ struct Check::State {
   double last_time = 0.0, last_arrival = 0.0;
   Pairs overlaps;
   Contacts contacts, one_sided;
-  Kinds kinds;
+  judge::Kinds kinds;
   judge::WallJudge walls;
 
   // of the present step

@@ -45,7 +45,7 @@ void Fleet::for_each_column(const Action& action) {
   action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
   action(goal), action(position), action(velocity), action(heading), action(detour), action(plan),
       action(applied_acceleration);
-  action(seen_acceleration), action(cell);
+  action(cell);
 }
 
 void Fleet::reserve(std::size_t count) {
@@ -59,6 +59,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   bool full = slot_of.capacity() == slot;
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
+  if (!seen_acceleration.empty()) seen_acceleration.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -74,6 +75,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
+  if (!seen_acceleration.empty()) seen_acceleration.erase(seen_acceleration.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
@@ -123,7 +125,7 @@ Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
           .velocity = velocity[slot],
           .radius = traits[slot].radius,
           .max_acceleration = traits[slot].max_acceleration,
-          .acceleration = behavior == Behavior::moves_on ? seen_acceleration[slot] : Vec2{},
+          .acceleration = behavior == Behavior::moves_on ? acceleration_seen(slot) : Vec2{},
           .behavior = behavior,
           .priority = conduct[slot].priority};
 }
@@ -207,7 +209,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
-    const Vec2 seen = fleet.seen_acceleration[i];
+    const Vec2 seen = fleet.acceleration_seen(i);
     if (!(seen == Vec2{})) hash = mixed(hash, seen);
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {

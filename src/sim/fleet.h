@@ -54,10 +54,11 @@ struct Fleet {
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
-  std::vector<Vec2> seen_acceleration;  // m/s^2, of the last step, where somebody is to see it
-  std::vector<std::uint32_t> cell;      // key of its cell, see Cells
+  std::vector<std::uint32_t> cell;  // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
+  // m/s², of the last step, by rank; empty where nobody has to see it
+  std::vector<Vec2> seen_acceleration;
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -69,6 +70,10 @@ struct Fleet {
   std::size_t find(RobotId robot) const;
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
+  Vec2 acceleration_seen(std::size_t slot) const {
+    return seen_acceleration.empty() ? Vec2{}
+                                     : seen_acceleration[static_cast<std::size_t>(rank[slot])];
+  }
   /// As others sense it who count on that much of it.
   Neighbor sensed(std::size_t slot, Behavior behavior = Behavior::decides) const;
   /// Slot k becomes what slot order[k] was.

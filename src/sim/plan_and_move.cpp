@@ -104,7 +104,8 @@ void move(World& world, Worker& worker) {
       fleet.applied_acceleration[slot] = moving.acceleration[k];
     }
     if (world.layered)
-      fleet.seen_acceleration[slot] = (fleet.velocity[slot] - before) / world.settings.time_step;
+      fleet.seen_acceleration[static_cast<std::size_t>(fleet.rank[slot])] =
+          (fleet.velocity[slot] - before) / world.settings.time_step;
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
   }
   worker.fast = worker.fast || fast != 0;

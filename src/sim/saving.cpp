@@ -70,8 +70,12 @@ Fleet fleet_of(const SavedState& state) {
     fleet.add(robot.id, setup);
     fleet.velocity[k] = robot.velocity;  // to the last bit, of cars as well
     fleet.detour[k] = robot.detour;
-    fleet.seen_acceleration[k] = robot.seen_acceleration;
   }
+  const bool seen = std::any_of(state.robots.begin(), state.robots.end(), [](const RobotState& r) {
+    return !(r.seen_acceleration == Vec2{});
+  });
+  for (std::size_t k = 0; k < state.robots.size() && seen; ++k)
+    fleet.seen_acceleration.push_back(state.robots[k].seen_acceleration);
   return fleet;
 }
 
@@ -128,7 +132,7 @@ SavedState saved_state(const World& world) {
     state.scene.robots.push_back(fleet.setup(slot));
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
                             fleet.heading[slot], fleet.detour[slot],
-                            fleet.seen_acceleration[slot]});
+                            fleet.acceleration_seen(slot)});
   }
   return state;
 }

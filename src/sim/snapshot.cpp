@@ -45,7 +45,7 @@ std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snap
     snapshot.sensed[place] = {fleet.velocity[slot], robot_traits.radius,
                               robot_traits.max_acceleration};
     if (!snapshot.acceleration.empty())
-      snapshot.acceleration[place] = fleet.seen_acceleration[slot];
+      snapshot.acceleration[place] = fleet.acceleration_seen(slot);
   }
   return sorted.crowding;
 }

@@ -59,6 +59,7 @@ void find_ranges(World& world) {
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
       });
+  if (world.layered) fleet.seen_acceleration.resize(fleet.size());
   world.selective = world.parked > 0 || world.layered;
   world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                             [](const Conduct& conduct) { return conduct == Conduct{}; });
