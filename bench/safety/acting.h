@@ -16,6 +16,7 @@ enum class Oddity : std::uint8_t {
 struct Acting {
   std::int64_t ticks = 1;        ///< a step has so many; states are judged at each
   bool phases = false;           ///< each robot decides at ticks of its own, a step apart
+  bool free_clock = false;       ///< and all of them know that, and the longest step
   std::int64_t jitter = 0;       ///< ticks by which the time between two decisions differs, at most
   std::int64_t latency = 0;      ///< ticks from a decision until the drive follows it
   double strength = 1.0;         ///< part of a_max that the drive has

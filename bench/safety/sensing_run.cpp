@@ -96,6 +96,10 @@ void run_sensing(const Scene& scene, const std::string& record, Outcome& outcome
   PlannerOptions options = planner_options(scenario);
   const bool covered = options.certificate == Certificate::braking_trajectories;
   if (covered) options.sensing_error = scene.sensing->declared;
+  if (covered && scene.acting.free_clock) {
+    options.clock = Clock::free;
+    options.longest_step = options.time_step;
+  }
   outcome.planner = options;
   outcome.promised = covered && scene.sensing->promised;
   FleetLoop loop(scene, outcome.seed, options);

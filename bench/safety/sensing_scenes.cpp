@@ -100,15 +100,21 @@ std::vector<Case> faults_on_board() {
   capsules.oddity = Oddity::capsules;
   half_steps.oddity = Oddity::half_steps;
   half_steps.ticks = 2;
-  Sensing exact, stale, carried, blind, small, allowed;
+  Acting free_clock = phases, free_steps = phases;
+  free_clock.free_clock = free_steps.free_clock = true;
+  free_steps.oddity = Oddity::half_steps;
+  Sensing exact, stale, carried, blind, small, allowed, promised;
   stale.stale = true;
   carried.delayed = true;
   blind.missed = 0.01;
   small.radius = 0.9;
+  promised.promised = true;
   allowed.declared = {0.028, 0.28};  // 2 a_max Δt and that for Δt, a_max being 1.4 m/s² at most
   return {
       {"board-phases", "each decides at times of its own", exact, phases},
       {"board-phases-declared", "the same, taken for errors", allowed, phases},
+      {"board-phases-free", "the same, with free clocks", promised, free_clock},
+      {"board-steps-free", "and half of them decide twice as often", promised, free_steps},
       {"board-jitter", "steps a tenth shorter or longer, all by themselves", exact, jitter},
       {"board-stale", "states one step old", stale},
       {"board-stale-carried", "states one step old, carried on", carried},

@@ -41,6 +41,12 @@ enum class Motion : std::uint8_t {
   exponential,  ///< Eqs. (8), (9) exactly
 };
 
+/// When the robots that a certificate speaks of decide.
+enum class Clock : std::uint8_t {
+  common,  ///< all at the same times
+  free,    ///< each at times of its own, a time_step of its own apart
+};
+
 /// Bounds on how far the neighbors are from where, and as fast as, they are sensed.
 struct SensingError {
   double position = 0.0;  ///< m, >= 0
@@ -52,6 +58,7 @@ struct SensingError {
 AVO_API const char* to_string(Method method);
 AVO_API const char* to_string(Certificate certificate);
 AVO_API const char* to_string(Motion motion);
+AVO_API const char* to_string(Clock clock);
 
 struct PlannerOptions {
   Method method = Method::avo;
@@ -66,6 +73,10 @@ struct PlannerOptions {
   /// all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};
   SensingError sensing_error = {};  ///< of braking_trajectories; each robot declares its own
+  Clock clock = Clock::common;  ///< free: motion held, no stopping_capsules (docs/certificate.md)
+  /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this
+  /// one.
+  double longest_step = 0.0;
   /// m, > 0: of its goal; beside others that stay, a robot of method avo rests within half of it.
   double arrival_distance = 0.5;
 };
@@ -185,7 +196,7 @@ class AVO_API Planner {
   explicit Planner(const PlannerOptions& options);
 
   /// Reciprocal collision avoidance (§IV-D): neighbors that decide are taken to do so likewise, at
-  /// the same times. Neighbors may come in any order, which changes no bit but where two are
+  /// the same times unless PlannerOptions::clock is free. Neighbors may come in any order, which changes no bit but where two are
   /// equally far away; those that come nearest first need not be sorted.
   /// A robot among movers none of which decides plans as in plan_among_obstacles, and so does any
   /// of method velocity_obstacle.

@@ -43,7 +43,8 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
       return cone * norm(first + distance * along - from);
     };
     result = {result.start - off(before.start, x.start),
-              result.middle - off(before.middle, x.middle), result.end - off(end, x.end)};
+              result.middle - off(before.middle, x.middle),
+              result.end - off(end, x.end) - cone * Real(path.bend)};
   }
   // y_0 and y_1 of the step itself are those of the braking path; its end pays for a car's arc
   return {select(later, result.start, infinity), select(later, result.middle, infinity),

@@ -15,6 +15,11 @@ struct StepLaw {
   double braking_time = 0.1;        ///< s: Δt (held), δ (1 - e^{-Δt/δ}) (exponential)
   SensingError sensing_error = {};  ///< of the robot that plans
   double control_time = 0.1;        ///< [δ] s, Eq. (7)
+  double longest_step = 0.0;  ///< [L] s, of anybody whose clock is free; 0: all decide at once
+
+  bool has_free_clocks() const { return longest_step > 0.0; }
+  /// Whether all that decide move, until they do, as they are seen to brake.
+  bool is_exact() const { return sensing_error == SensingError{} && !has_free_clocks(); }
 };
 
 /// The decision that leads to v_1 in one step: v' and the acceleration of Eq. (7).

@@ -43,7 +43,7 @@ void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& l
     }
     if (columns.cone[k] > 0.0) {
       constraints.has_cones = true;
-      allow_braking(constraints.own, law, columns, k);
+      if (!wanted.is_free) allow_braking(constraints.own, law, columns, k);
     }
     if (holds || m > 0.0) continue;
     // Where A starts cannot be inflated: at rest beside what does not decide it could never leave.
@@ -68,7 +68,8 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
       inflated,
       inflated,
       pair.decides ? infinity
-                   : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement)};
+                   : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement),
+      pair.decides && law.has_free_clocks()};
   const std::size_t first = constraints.columns.count;
   constraints.columns.reserve(first + wanted.intervals);
   const double nearest =
@@ -79,8 +80,7 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
     append_constraints(wanted, law, constraints.own_columns, constraints.columns);
   }
   if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
-  if (!pair.decides || law.sensing_error != SensingError{})
-    take_off(wanted, first, law, constraints);
+  if (!pair.decides || !law.is_exact()) take_off(wanted, first, law, constraints);
 }
 
 // Where the pair is worth it.

@@ -13,6 +13,7 @@
 #include "certificate/braking_kernel.h"
 #include "certificate/constraint_columns.h"
 #include "certificate/pair_constraints.h"
+#include "certificate/pair_kernel.h"
 
 AVO_BEGIN_KERNELS
 
@@ -51,6 +52,26 @@ struct BrakingOther {
 
   AVO_KERNEL PackPoints<Real> operator()(Real m) const {
     return points(pair.b.profile, pair.b.direction, law, m);
+  }
+};
+
+/// B's path from p_B, where it holds its velocity for one step and then brakes like A.
+template <typename Real>
+struct HoldingOther {
+  const BrakingPair& pair;
+  const StepLaw& law;
+
+  AVO_KERNEL PackPoints<Real> operator()(Real m) const {
+    const Real zero(0.0), one(1.0);
+    const Vec<Real> v = Real(pair.b.profile.speed) * constant<Real>(pair.b.direction);
+    const Vec<Real> end = Real(law.time_step) * v, middle = Real(law.lag) * v;
+    PackPoints<Real> x = points(pair.b.profile, pair.b.direction, law, max(m - one, zero));
+    const auto holds = m < one;
+    const auto pick = [&](Vec<Real> held, Vec<Real> braked) {
+      return Vec<Real>{select(holds, held.x, end.x + braked.x),
+                       select(holds, held.y, end.y + braked.y)};
+    };
+    return {pick({zero, zero}, x.start), pick(middle, x.middle), pick(end, x.end)};
   }
 };
 
@@ -125,10 +146,32 @@ AVO_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw&
   return {error + cone * (moved + one_step), cone};
 }
 
+/// The same where clocks are free. At a distance within the margin B may come as near as contact:
+/// then the cone alone says where A may go.
+template <typename Real>
+AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPair& pair, const StepLaw& law, Real m,
+                                         Real distance, Real moved) {
+  const auto& [position, velocity] = law.sensing_error;
+  const PackDrift<Real> drift =
+      drift_of(Real(pair.b.profile.speed), Real(pair.b.profile.decrement), law);
+  const Real time = Real(law.time_step) * (m + Real(1.0));
+  const Real error =
+      Real(position) + Real(velocity) * time + min(drift.start + drift.per_time * time, drift.most);
+  const Real zero(0.0), two(2.0);
+  const auto is_clear = distance >= Real(pair.inflated) + error;
+  const auto is_known = distance > zero;
+  const Real turned =
+      (moved + error) / sqrt(Real(pair.contact) * select(is_known, distance, Real(1.0)));
+  const Real cone = select(is_known, min(turned, two), two);
+  return {error, select(is_clear, zero, cone)};
+}
+
 template <typename Real>
 AVO_KERNEL Real one_norm(Vec<Real> a) {
   return abs(a.x) + abs(a.y);
 }
+
+inline constexpr double kNoCone = 4.0;  // no cone is as large
 
 /// What the constraints of a pair are.
 template <typename Real>
@@ -144,8 +187,12 @@ AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
                                                 const PackPoints<Real>& q, Vec<Real> n,
                                                 Real distance, const PackMargin<Real>& margin) {
   const Real share(wanted.pair.share), held(wanted.pair.share * wanted.held);
+  // where clocks are free, a cone counts on no gap
+  const Real rounding(wanted.pair.contact - wanted.pair.inflated);
+  const auto has_no_gap = margin.cone > Real(wanted.is_free ? 0.0 : kNoCone);
   const auto offset = [&](Vec<Real> of_q, Vec<Real> of_x) {
-    return share * (dot(n, of_q) - margin.distance) - dot(n, of_x) - held;
+    const Real gap = share * (dot(n, of_q) - margin.distance) - held;
+    return select(has_no_gap, rounding, gap) - dot(n, of_x);
   };
   return {n,
           margin.cone,
@@ -183,7 +230,11 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
     return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
   };
-  const bool is_exact = law.sensing_error == SensingError{};
+  const bool is_exact = law.sensing_error == SensingError{} && !wanted.is_free;
+  const auto margin_at = [&](Real m, Real distance, Real moved) {
+    return wanted.is_free ? drift_margin(pair, law, m, distance, moved)
+                          : error_margin(pair, law, m, distance, moved);
+  };
   Real nearest = infinity;
   for (std::size_t k = 0; k < wanted.intervals; k += Real::kLanes) {
     const Real m = Real::numbers_from(k);
@@ -198,7 +249,8 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     auto close = m < Real(static_cast<double>(wanted.intervals));
     {
       const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
-      const PackMargin<Real> margin = error_margin(pair, law, m, contact, before + after);
+      PackMargin<Real> margin = margin_at(m, contact, before + after);
+      if (wanted.is_free) margin.cone = zero;  // whoever is out of reach asks for none
       const Real around = max(before, after), length = norm(q.middle);
       const Real gap = share * (length - (inflated + around + margin.distance));
       const Real left = gap - margin.cone * most;
@@ -218,7 +270,7 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     nearest = select(close & holds & (distance < nearest), distance, nearest);
     const Real moved =
         is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors ask
-    PackMargin<Real> margin = error_margin(pair, law, m, distance, moved);
+    PackMargin<Real> margin = margin_at(m, distance, moved);
     const Real loss = max(-dot(n, d), zero) * Real::load(&own.ahead[k]) +
                       abs(cross(n, d)) * Real::load(&own.across[k]) + Real::load(&own.anyhow[k]) +
                       margin.cone * most;
@@ -236,9 +288,11 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
 template <typename Real>
 double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
                           ConstraintColumns& constraints) {
-  return wanted.pair.decides
-             ? append<Real>(wanted, BrakingOther<Real>{wanted.pair, law}, law, own, constraints)
-             : append<Real>(wanted, MovingOther<Real>{wanted.other, law}, law, own, constraints);
+  if (!wanted.pair.decides)
+    return append<Real>(wanted, MovingOther<Real>{wanted.other, law}, law, own, constraints);
+  if (wanted.is_free)
+    return append<Real>(wanted, HoldingOther<Real>{wanted.pair, law}, law, own, constraints);
+  return append<Real>(wanted, BrakingOther<Real>{wanted.pair, law}, law, own, constraints);
 }
 
 AVO_END_KERNELS

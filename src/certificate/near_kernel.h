@@ -103,7 +103,7 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
 /// Keeps those of the queue that may meet A and can refuse a candidate, and empties it.
 template <typename Real, bool kWeighed>
 void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
-  const bool exact = law.sensing_error == SensingError{};
+  const bool exact = law.is_exact();
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
     const auto load = [i](const NearQueue::Column& column) { return Real::load(&column[i]); };
     const auto is_pair = lane_numbers<Real>() < Real(static_cast<double>(queue.count - i));
@@ -146,7 +146,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
   const Neighbors& neighbors = robots.neighbors[i];
   const NeighborColumns& columns = *neighbors.columns;
   const BrakingColumns& own = pairs.own;
-  const bool exact = law.sensing_error == SensingError{};
+  const bool exact = law.is_exact();
   const Real range_squared(neighbors.range * neighbors.range);
   const BrakingPoint<Real> self{constant<Real>(robots.position(i)),
                                 constant<Real>(robots.velocity(i)),

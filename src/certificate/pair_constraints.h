@@ -19,6 +19,7 @@ struct PairConstraints {
   double inflated;        ///< m, contact and all that is known to be uncertain
   double held;            ///< m, the distance that is held
   double moving;          ///< the invariant speaks of the intervals below
+  bool is_free = false;   ///< both decide, at times of their own
 };
 
 }  // namespace avo

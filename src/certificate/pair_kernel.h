@@ -4,7 +4,9 @@
 #ifndef AVO_CERTIFICATE_PAIR_KERNEL_H
 #define AVO_CERTIFICATE_PAIR_KERNEL_H
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "certificate/braking_kernel.h"
@@ -125,6 +127,31 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
   return {select(steady, rounding * max(ahead, zero) + margin, zero), rounding * aside + margin};
 }
 
+/// Where clocks are free, how far B may be from where it holds its velocity for one step and then
+/// brakes: start + per_time t and not more than `most`, m at the time t (docs/certificate.md,
+/// "Clocks of their own").
+template <typename Real>
+struct PackDrift {
+  Real start, per_time, most;
+};
+
+template <typename Real>
+AVO_KERNEL PackDrift<Real> drift_of(Real speed, Real decrement, const StepLaw& law) {
+  const double H = law.time_step, L = law.longest_step;  // s
+  const double V = L > H ? 2.0 * L - H : H;              // s: a V is how much faster it may be
+  const Real a = decrement / Real(law.braking_time);
+  const Real start = Real(0.125 * (H * H + L * L) - 0.5 * H * H) * a;
+  const Real to_rest = Real(H) * a + speed + Real(law.sensing_error.velocity);  // a times it
+  return {start, Real(V) * a, start + Real(V) * to_rest + Real(0.5 * V * V) * a};
+}
+
+/// Steps by which the intervals of a pair are more where clocks are free: B holds its velocity, and
+/// stops later than that.
+inline double later_intervals(const StepLaw& law) {
+  const double H = law.time_step, L = law.longest_step;
+  return law.has_free_clocks() ? 1.0 + std::ceil(std::max(L / H, 0.5)) : 0.0;
+}
+
 /// See BrakingPair, of one that decides.
 template <typename Real>
 struct PackPair {
@@ -154,13 +181,19 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
   pair.distance = norm(pair.p);
   pair.contact = self.radius + other.radius;
   const Real a_A = self.max_acceleration, a_B = other.max_acceleration;
-  pair.share = kWeighed ? share_of(a_A, a_B, self.priority, other.priority) : a_A / (a_A + a_B);
+  pair.share = law.has_free_clocks() ? one
+               : kWeighed            ? share_of(a_A, a_B, self.priority, other.priority)
+                                     : a_A / (a_A + a_B);
+  pair.b.intervals = pair.b.intervals + Real(later_intervals(law));
   const Real lengths = pair.contact + a.reach + pair.b.reach + (abs(p_A.x) + abs(p_A.y)) +
                        (abs(other.position.x) + abs(other.position.y));
-  pair.inflated = pair.contact + rounding_margin(lengths, max(a.intervals, pair.b.intervals),
-                                                 min(pair.share, one - pair.share));
+  pair.inflated = pair.contact +
+                  rounding_margin(lengths, max(a.intervals, pair.b.intervals),
+                                  law.has_free_clocks() ? one : min(pair.share, one - pair.share));
   pair.error = Real(law.sensing_error.position) +
                Real(law.sensing_error.velocity * law.time_step) * pair.b.intervals;
+  if (law.has_free_clocks())
+    pair.error = pair.error + drift_of(pair.b.profile.speed, pair.b.profile.decrement, law).most;
   return pair;
 }
 
@@ -237,9 +270,9 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackP
   const std::array<Real, 3> reach = reach_bound(u, law);
   const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
   const Real speed = Real(kFarther) * max(max_speed, own.speed);
-  const Real intervals = Real(3.0) + (speed + top) * per_u;
-  const Real error =
-      Real(law.sensing_error.position) + Real(law.sensing_error.velocity) * h * intervals;
+  const Real intervals = Real(3.0 + later_intervals(law)) + (speed + top) * per_u;
+  Real error = Real(law.sensing_error.position) + Real(law.sensing_error.velocity) * h * intervals;
+  if (law.has_free_clocks()) error = error + drift_of(speed, u, law).most;
   // of the rounding margin, what does not grow with the distance
   const Real places = abs(position.x) + abs(position.y);
   const Real lengths = radius + reach_at(own.speed);

@@ -88,7 +88,7 @@ struct HidingWalls {
 }  // namespace
 
 void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile) {
-  if (law.sensing_error != SensingError{}) return;
+  if (!law.is_exact()) return;
   NeighborColumns& columns = tile.neighbors;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
     const std::span<const Wall> walls = tile.walls_of(i);
@@ -114,8 +114,7 @@ void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& t
 
 bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
                const StepLaw& law) {
-  return law.sensing_error == SensingError{} &&
-         HidingWalls(robot, walls, law).hide(robot.position, neighbor, law);
+  return law.is_exact() && HidingWalls(robot, walls, law).hide(robot.position, neighbor, law);
 }
 
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {

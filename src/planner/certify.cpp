@@ -18,12 +18,15 @@ CertificateLaw certificate_law(const Planner& planner) {
   const double braking_time = options.motion == Motion::held
                                   ? options.time_step
                                   : planner.step_rate() * options.control_time;
+  const double longest = options.longest_step > 0.0 ? options.longest_step : options.time_step;
+  const double longest_step = options.clock == Clock::free ? longest : 0.0;
   return {.kind = options.certificate,
           .step = {.time_step = options.time_step,
                    .lag = planner.step_lag(),
                    .braking_time = braking_time,
                    .sensing_error = options.sensing_error,
-                   .control_time = options.control_time}};
+                   .control_time = options.control_time,
+                   .longest_step = longest_step}};
 }
 
 namespace {

@@ -35,6 +35,17 @@ void validate_certificate(const PlannerOptions& options, const std::string& pref
   if (error != SensingError{} && options.certificate != Certificate::braking_trajectories)
     refuse(prefix + "sensing_error", "one",
            std::string("none with certificate ") + to_string(options.certificate));
+  require(prefix + "longest_step", options.longest_step, kNotNegative, "s");
+  if (options.clock == Clock::common) {
+    if (options.longest_step > 0.0)
+      refuse(prefix + "longest_step", text(options.longest_step), "0 s where clock is common");
+    return;
+  }
+  if (options.motion != Motion::held)
+    refuse(prefix + "clock", to_string(options.clock), "common where motion is exponential");
+  if (options.certificate == Certificate::stopping_capsules)
+    refuse(prefix + "clock", to_string(options.clock),
+           std::string("common with certificate ") + to_string(options.certificate));
 }
 
 }  // namespace
@@ -47,6 +58,9 @@ const char* to_string(Certificate certificate) {
 }
 const char* to_string(Motion motion) {
   return name_of(motion);
+}
+const char* to_string(Clock clock) {
+  return name_of(clock);
 }
 const char* to_string(RightOfWay right_of_way) {
   return name_of(right_of_way);

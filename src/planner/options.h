@@ -23,6 +23,8 @@ AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "stopping_caps
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Motion>{"held", "exponential"};
 template <>
+AVO_LOCAL inline constexpr std::array kNames<Clock>{"common", "free"};
+template <>
 AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen", "told"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{

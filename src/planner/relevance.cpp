@@ -29,6 +29,13 @@ double least_of_shares(const Peers& peers) {
   return peers.least_priority == peers.most_priority ? share : std::min(share, kLeastShare);
 }
 
+// m: at least drift_of() of any of them, where clocks are free.
+double most_drift(const Peers& peers, const StepLaw& law) {
+  const double H = law.time_step, L = law.longest_step, V = std::max(H, 2.0 * L - H);
+  const double time = H * (peers.intervals + 1.0);  // until rest
+  return peers.most_acceleration * (V * (time + 0.5 * V) + 0.125 * (H * H + L * L));
+}
+
 // Beyond it cannot_meet() holds of all pairs. What covers rounding grows with the places of both,
 // of which the neighbor's is at most the distance farther out, √2 of it in one-norms.
 std::array<double, 3> certificate_range(const Planner& planner, const Robot& robot,
@@ -36,14 +43,15 @@ std::array<double, 3> certificate_range(const Planner& planner, const Robot& rob
   const StepLaw law = certificate_law(planner).step;
   const SensingError& error = law.sensing_error;
   const double time = law.time_step * peers.intervals;
-  const double least_share = 0.5 * least_of_shares(peers);
+  const double drift = law.has_free_clocks() ? most_drift(peers, law) : 0.0;
+  const double least_share = law.has_free_clocks() ? 1.0 : 0.5 * least_of_shares(peers);
   const double margin = 0x1p-48 * (1.0 + peers.intervals) / least_share;
   if (!(margin < 0.5)) return {kInfinity, 0.0, 0.0};
   const double wider = (1.0 + margin) / (1.0 - std::numbers::sqrt2 * margin);
   const double u = braking_decrement(robot.max_acceleration, law);
   const auto [at_rest, slope, curvature] = scalar::reach_bound(scalar::Pack<double>(u), law);
   const double others = robot.radius + peers.reach + error.position + error.velocity * time +
-                        4.0 * margin * kMostRelevantPosition;
+                        drift + 4.0 * margin * kMostRelevantPosition;
   return {wider * (at_rest.value + others), wider * slope.value, wider * curvature.value};
 }
 

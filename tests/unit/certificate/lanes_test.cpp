@@ -27,6 +27,10 @@ Crowd random_crowd(Random& random) {
   const Motion motion = random.below(2) == 0 ? Motion::held : Motion::exponential;
   PlannerOptions options = random_options(random, kTrajectories, motion);
   if (random.below(4) == 0) options.sensing_error = {0.01, 0.02};
+  if (motion == Motion::held && random.below(4) == 0) {
+    options.clock = Clock::free;
+    options.longest_step = random.log_uniform(0.5, 3.0) * options.time_step;
+  }
   Crowd crowd{law_of(options), random_body(random), {}, {}};
   crowd.robot.position = in_disc(random, 5.0);
   const int count = 1 + random.below(20);
@@ -260,6 +264,8 @@ TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
     PairSituation s =
         random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
     if (i % 8 == 0) s.law.step.sensing_error = {0.01, 0.02};
+    if (i % 6 == 0)  // of held motion
+      s.law.step.longest_step = random.log_uniform(0.5, 3.0) * s.law.step.time_step;
     s.b.max_acceleration = s.a.max_acceleration;
     if (norm(s.b.velocity) > s.a.max_speed) s.b.velocity = {};
     const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, s.law.step);

@@ -54,6 +54,25 @@ TEST(Options, out_of_range_are_refused_by_name) {
   }
 }
 
+TEST(Options, a_free_clock_is_refused_where_its_rule_does_not_hold) {
+  PlannerOptions options;
+  options.longest_step = 0.1;
+  expect_refused(options, "longest_step");
+  options.clock = Clock::free;
+  EXPECT_NO_THROW(Planner{options});
+  options.longest_step = kNaN;
+  expect_refused(options, "longest_step");
+  options.longest_step = -0.1;
+  expect_refused(options, "longest_step");
+  options.longest_step = 0.0;
+  EXPECT_NO_THROW(Planner{options});
+  options.motion = Motion::exponential;
+  expect_refused(options, "clock");
+  options.motion = Motion::held;
+  options.certificate = Certificate::stopping_capsules;
+  expect_refused(options, "clock");
+}
+
 TEST(Options, times_of_which_rounding_would_exceed_the_limits_are_refused) {
   for (const Method method : {Method::avo, Method::avo_paper}) {
     PlannerOptions options = default_options(method);
