@@ -171,8 +171,6 @@ AVO_KERNEL Real one_norm(Vec<Real> a) {
   return abs(a.x) + abs(a.y);
 }
 
-inline constexpr double kNoCone = 4.0;  // no cone is as large
-
 /// What the constraints of a pair are.
 template <typename Real>
 struct PackConstraints {
@@ -181,18 +179,20 @@ struct PackConstraints {
   std::array<Real, 3> offset;
 };
 
-template <typename Real>
+template <bool is_free, typename Real>
 AVO_KERNEL PackConstraints<Real> constraints_of(const PairConstraints& wanted,
                                                 const PackPoints<Real>& own,
                                                 const PackPoints<Real>& q, Vec<Real> n,
                                                 Real distance, const PackMargin<Real>& margin) {
   const Real share(wanted.pair.share), held(wanted.pair.share * wanted.held);
-  // where clocks are free, a cone counts on no gap
-  const Real rounding(wanted.pair.contact - wanted.pair.inflated);
-  const auto has_no_gap = margin.cone > Real(wanted.is_free ? 0.0 : kNoCone);
   const auto offset = [&](Vec<Real> of_q, Vec<Real> of_x) {
-    const Real gap = share * (dot(n, of_q) - margin.distance) - held;
-    return select(has_no_gap, rounding, gap) - dot(n, of_x);
+    if constexpr (is_free) {  // a cone counts on no gap
+      const Real gap = dot(n, of_q) - margin.distance - held;
+      const Real rounding(wanted.pair.contact - wanted.pair.inflated);
+      return select(margin.cone > Real(0.0), rounding, gap) - dot(n, of_x);
+    } else {
+      return share * (dot(n, of_q) - margin.distance) - dot(n, of_x) - held;
+    }
   };
   return {n,
           margin.cone,
@@ -220,7 +220,7 @@ AVO_KERNEL void push(const PackConstraints<Real>& fresh, Real m, Mask kept,
 
 /// Appends the constraints that can refuse a candidate. Returns the least distance of the intervals
 /// that are looked at closely; of the others it is beyond contact.
-template <typename Real, typename Other>
+template <typename Real, bool is_free, typename Other>
 double append(const PairConstraints& wanted, const Other& other, const StepLaw& law,
               const OwnColumns& own, ConstraintColumns& constraints) {
   const BrakingPair& pair = wanted.pair;
@@ -230,10 +230,12 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
     return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
   };
-  const bool is_exact = law.sensing_error == SensingError{} && !wanted.is_free;
+  const bool is_exact = law.sensing_error == SensingError{} && !is_free;
   const auto margin_at = [&](Real m, Real distance, Real moved) {
-    return wanted.is_free ? drift_margin(pair, law, m, distance, moved)
-                          : error_margin(pair, law, m, distance, moved);
+    if constexpr (is_free)
+      return drift_margin(pair, law, m, distance, moved);
+    else
+      return error_margin(pair, law, m, distance, moved);
   };
   Real nearest = infinity;
   for (std::size_t k = 0; k < wanted.intervals; k += Real::kLanes) {
@@ -250,7 +252,7 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     {
       const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
       PackMargin<Real> margin = margin_at(m, contact, before + after);
-      if (wanted.is_free) margin.cone = zero;  // whoever is out of reach asks for none
+      if (is_free) margin.cone = zero;  // whoever is out of reach asks for none
       const Real around = max(before, after), length = norm(q.middle);
       const Real gap = share * (length - (inflated + around + margin.distance));
       const Real left = gap - margin.cone * most;
@@ -278,7 +280,8 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     // of intervals at rest it says nothing: all three points stay clear along n there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
     if (any(kept))
-      push(constraints_of(wanted, x_A, q, n, distance, margin), m, kept, wanted, constraints);
+      push(constraints_of<is_free>(wanted, x_A, q, n, distance, margin), m, kept, wanted,
+           constraints);
   }
   alignas(64) std::array<double, Real::kLanes> lanes;
   nearest.store(lanes.data());
@@ -289,10 +292,10 @@ template <typename Real>
 double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
                           ConstraintColumns& constraints) {
   if (!wanted.pair.decides)
-    return append<Real>(wanted, MovingOther<Real>{wanted.other, law}, law, own, constraints);
+    return append<Real, false>(wanted, MovingOther<Real>{wanted.other, law}, law, own, constraints);
   if (wanted.is_free)
-    return append<Real>(wanted, HoldingOther<Real>{wanted.pair, law}, law, own, constraints);
-  return append<Real>(wanted, BrakingOther<Real>{wanted.pair, law}, law, own, constraints);
+    return append<Real, true>(wanted, HoldingOther<Real>{wanted.pair, law}, law, own, constraints);
+  return append<Real, false>(wanted, BrakingOther<Real>{wanted.pair, law}, law, own, constraints);
 }
 
 AVO_END_KERNELS
