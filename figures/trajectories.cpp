@@ -29,6 +29,8 @@ struct TimeLapse {
   std::vector<Color> colors;
 };
 
+constexpr Color kParked = gray(0.5);
+
 // A long box with a pointed nose inside the robot's disc.
 std::array<Vec2, 5> car_body(Vec2 position, double heading, double radius) {
   const Vec2 ahead{radius * std::cos(heading), radius * std::sin(heading)};
@@ -43,7 +45,7 @@ void draw_robot(Canvas& canvas, const TimeLapse& lapse, std::size_t frame, std::
                 double age) {
   const RobotSetup& setup = lapse.scenario.robots[robot];
   const TrajectoryFrame& at = lapse.frames[frame];
-  const Color color = lapse.colors[robot];
+  const Color color = setup.parked ? kParked : lapse.colors[robot];
   const Color body = mix(mix(kWhite, color, 0.13), color, age * age);
   const Stroke edge{mix(mix(kWhite, color, 0.45), mix(color, kBlack, 0.45), age * age),
                     std::clamp(0.06 * setup.radius * canvas.scale(), 0.25, 0.7)};
@@ -66,6 +68,7 @@ void draw_paths(Canvas& canvas, const TimeLapse& lapse) {
   // a point every half point of the page is enough for a line
   const double closest = 0.5 / canvas.scale();
   for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
+    if (lapse.scenario.robots[i].parked) continue;
     std::vector<Vec2> path{lapse.frames[first].position[i]};
     for (std::size_t k = first + 1; k <= last; ++k) {
       const Vec2 at = lapse.frames[k].position[i];
@@ -79,6 +82,7 @@ void draw_paths(Canvas& canvas, const TimeLapse& lapse) {
 void draw_goals(Canvas& canvas, const TimeLapse& lapse) {
   for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
     const RobotSetup& robot = lapse.scenario.robots[i];
+    if (robot.parked) continue;
     const double half = std::clamp(0.3 * robot.radius * canvas.scale(), 0.8, 3.0);
     canvas.add_cross(robot.goal, half);
     canvas.stroke({mix(lapse.colors[i], kBlack, 0.55), std::clamp(0.3 * half, 0.35, 0.8)});

@@ -25,6 +25,7 @@ constexpr avo::Range kNoNumber{};
 constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 constexpr avo::Range kDelay{0.0, avo::kMostDelay, false};
+constexpr avo::Range kLayer{0.0, 31.0, false};
 constexpr avo::Range kName{1.0, 200.0, false};  // bytes
 
 template <>
@@ -135,6 +136,13 @@ const std::vector<Field<RobotSetup>>& fields() {
        "towards the goal", "max_speed"},
       {"car", kNested, kOptional, kNoNumber, "",
        "makes it a car-like robot, position is its rear axle"},
+      {"priority", &RobotSetup::priority, kOptional, kPositive, "",
+       "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
+      {"parked", &RobotSetup::parked, kOptional, kNoNumber, "",
+       "never moves and never decides: a disc that nobody may touch; its goal is its position"},
+      {"layers", &RobotSetup::layers, kOptional, kLayer, "", "that it is in"},
+      {"avoids", &RobotSetup::avoids, kOptional, kLayer, "",
+       "it avoids the robots that are in one of these layers", "all of them"},
   };
   return table;
 }

@@ -124,6 +124,10 @@ struct MembersOf {
   using type = MemberOf<T, double, avo::Vec2>;
 };
 template <>
+struct MembersOf<avo::RobotSetup> {
+  using type = MemberOf<avo::RobotSetup, double, avo::Vec2, bool, avo::LayerSet>;
+};
+template <>
 struct MembersOf<AntipodalGoals> {
   using type = MemberOf<AntipodalGoals>;
 };

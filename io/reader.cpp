@@ -138,6 +138,20 @@ std::vector<avo::Vec2> Reader::points(const YamlNode& node, const std::string& p
   return result;
 }
 
+avo::LayerSet Reader::layers(const YamlNode& node, const std::string& path,
+                             const avo::Range& range) const {
+  require_list(node, path);
+  avo::LayerSet result;
+  std::size_t index = 0;
+  for (const YamlNode& child : node.children) {
+    const std::string place = path_to(path, fmt::format("{}", index++));
+    const std::uint32_t bit = std::uint32_t{1} << whole_number(child, place, range);
+    if ((result.bits & bit) != 0) fail(child, place, shown(child) + " twice", "must be there once");
+    result.bits |= bit;
+  }
+  return result;
+}
+
 bool Reader::truth(const YamlNode& node, const std::string& path) const {
   const bool bare = node.kind == YamlNode::Kind::text && !node.quoted;
   if (!bare || (node.text != "true" && node.text != "false"))
@@ -207,6 +221,10 @@ void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const
 }
 void Reader::set(RosMode& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kRosModes);
+}
+void Reader::set(avo::LayerSet& value, const YamlNode& node, const Path& path,
+                 const Rule& rule) const {
+  value = layers(node, path, rule.range);
 }
 void Reader::set(bool& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = truth(node, path);

@@ -45,6 +45,9 @@ class Reader {
                   std::string_view unit) const;
   std::vector<avo::Vec2> points(const YamlNode& node, const std::string& path,
                                 const avo::Range& range, std::string_view unit) const;
+  /// A list of layers, each once.
+  avo::LayerSet layers(const YamlNode& node, const std::string& path,
+                       const avo::Range& range) const;
   bool truth(const YamlNode& node, const std::string& path) const;
   /// `bytes`: how many it may have.
   std::string name(const YamlNode& node, const std::string& path, const avo::Range& bytes) const;
@@ -105,6 +108,7 @@ class Reader {
   void set(RosMode& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::NoiseDistribution& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
+  void set(avo::LayerSet& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(bool& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(std::optional<bool>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;

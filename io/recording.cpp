@@ -61,10 +61,12 @@ std::string to_json(const avo::RunSummary& summary) {
   Json json;
   json["scene"] = summary.scene;
   json["robots"] = summary.robots;
+  json["parked"] = summary.parked;
   json["steps"] = summary.steps;
   json["arrived"] = summary.arrived;
   json["first_collision_time"] = or_null(summary.first_collision_time);
   json["collision_pairs"] = summary.collision_pairs;
+  json["one_sided_collisions"] = summary.one_sided_collisions;
   json["obstacle_collisions"] = summary.obstacle_collisions;
   json["collision_obstacles"] = summary.collision_obstacles;
   json["min_clearance"] = or_null(summary.min_clearance);

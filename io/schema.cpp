@@ -99,6 +99,13 @@ ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) 
 ValueSchema describe(bool value, const avo::Range&) {
   return {{{"type", "boolean"}}, value};
 }
+ValueSchema describe(avo::LayerSet value, const avo::Range& range) {
+  Json layers = Json::array();
+  for (int k = 0; k < 32; ++k)
+    if ((value.bits >> k & 1U) != 0) layers.push_back(k);
+  return {{{"type", "array"}, {"items", whole_number_schema(range)}, {"uniqueItems", true}},
+          layers};
+}
 ValueSchema describe(const std::optional<bool>&, const avo::Range&) {
   return {{{"type", "boolean"}}, nullptr};
 }

@@ -24,7 +24,7 @@ std::int64_t number_of(const Judgement& judgement, std::int64_t index) {
   return judgement.numbers.empty() ? index : judgement.numbers[static_cast<std::size_t>(index)];
 }
 
-enum class Among { robots, moving_obstacles, walls };
+enum class Among { robots, one_sided, moving_obstacles, walls };
 
 /// The violation by the numbers of the recording and the scene, the lower one of two robots first.
 avo::CheckViolation by_number(const Judgement& judgement, avo::CheckViolation violation,
@@ -36,7 +36,8 @@ avo::CheckViolation by_number(const Judgement& judgement, avo::CheckViolation vi
     return violation;
   }
   violation.other = number_of(judgement, *violation.other);
-  if (*violation.other < violation.robot) std::swap(violation.robot, *violation.other);
+  if (others == Among::robots && *violation.other < violation.robot)
+    std::swap(violation.robot, *violation.other);
   return violation;
 }
 
@@ -105,6 +106,10 @@ std::string readable(const Judgement& judgement) {
          text_of(judgement, report.obstacle_contacts_moving, "hit by a robot in motion", "m",
                  Among::moving_obstacles) +
              fmt::format("; {} hit a robot at rest", report.obstacle_contacts_at_rest));
+  if (report.one_sided_contacts_moving.count + report.one_sided_contacts_at_rest > 0)
+    line("one-sided pairs", text_of(judgement, report.one_sided_contacts_moving,
+                                    "hit in motion by the one that avoids", "m", Among::one_sided) +
+                                fmt::format("; {} hit at rest", report.one_sided_contacts_at_rest));
   if (!judgement.obstacle_of_wall.empty())
     line("obstacles",
          text_of(judgement, report.static_contacts, "robots touched one", "m", Among::walls));
@@ -144,6 +149,9 @@ std::string to_json(const Judgement& judgement) {
   json["obstacle_contacts_moving"] =
       to_json(judgement, report.obstacle_contacts_moving, "obstacle", Among::moving_obstacles);
   json["obstacle_contacts_at_rest"] = report.obstacle_contacts_at_rest;
+  json["one_sided_contacts_moving"] =
+      to_json(judgement, report.one_sided_contacts_moving, "other", Among::one_sided);
+  json["one_sided_contacts_at_rest"] = report.one_sided_contacts_at_rest;
   json["static_contacts"] = to_json(judgement, report.static_contacts, "obstacle", Among::walls);
   json["accelerations"] = to_json(judgement, report.accelerations, nullptr);
   json["speeds"] = to_json(judgement, report.speeds, nullptr);

@@ -64,6 +64,9 @@ int explain(const ExplainArguments& arguments) {
   if (arguments.robot < 0 || arguments.robot >= robots)
     throw UsageError(
         fmt::format("--robot: found {}, must be 0 to {}", arguments.robot, robots - 1));
+  if (scenario.robots[static_cast<std::size_t>(arguments.robot)].parked)
+    throw UsageError(fmt::format("--robot: found {}, which is parked, must be one that decides",
+                                 arguments.robot));
   if (arguments.time > scenario.duration * (1.0 + 1e-12))
     throw UsageError(fmt::format("--time: found {} s, must be <= duration = {} s", arguments.time,
                                  scenario.duration));

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 
+#include "avo/half_plane.h"
 #include "avo_io/printable.h"
 
 namespace avo_cli {
@@ -36,6 +37,13 @@ Json to_json(const avo::Disc& disc) {
 /// That some neighbor's half-plane is broken: at most the sum.
 double risk_of(const Decision& decision) {
   return std::min(1.0, std::accumulate(decision.risks.begin(), decision.risks.end(), 0.0));
+}
+
+/// Of what the two have to do, the robot's part.
+double share_of(const avo::Robot& self, const avo::Neighbor& neighbor) {
+  if (neighbor.behavior == avo::Behavior::moves_on) return 1.0;
+  return avo::reciprocal_share(self.max_acceleration, neighbor.max_acceleration, self.priority,
+                               neighbor.priority);
 }
 
 Json constraints_of(const Decision& decision) {
@@ -161,7 +169,10 @@ std::string to_json(const Decision& decision) {
                          {"velocity", to_json(neighbor.velocity)},
                          {"acceleration", to_json(neighbor.acceleration)},
                          {"radius", neighbor.radius},
-                         {"max_acceleration", decides ? neighbor.max_acceleration : 0.0}});
+                         {"max_acceleration", decides ? neighbor.max_acceleration : 0.0},
+                         {"priority", decides ? Json(neighbor.priority) : Json()},
+                         {"behavior", decides ? "decides" : "moves_on"},
+                         {"share", share_of(seen.robot, neighbor)}});
     if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
     if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
   }
@@ -175,6 +186,7 @@ std::string to_json(const Decision& decision) {
             {"radius", self.radius},
             {"max_speed", self.max_speed},
             {"max_acceleration", self.max_acceleration},
+            {"priority", self.priority},
             {"obstacles", obstacles},
             {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
             {"half_planes", half_planes},
@@ -208,6 +220,7 @@ std::string readable(const Decision& decision) {
   };
   line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
   line("velocity", text(self.velocity) + " m/s");
+  if (self.priority != 1.0) line("priority", fmt::format("{:.6g}", self.priority));
   const avo::Disc& reach = decision.acceleration_disc;
   line("may choose", (std::isfinite(reach.radius) ? fmt::format("|v' - {}| <= {:.6g} m/s, ",
                                                                 text(reach.center), reach.radius)

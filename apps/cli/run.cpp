@@ -99,6 +99,9 @@ std::string collisions(const avo::RunSummary& results) {
   std::string text = fmt::format("{} pairs of robots", results.collision_pairs);
   if (results.first_collision_time)
     text += fmt::format(", the first at {:.1f} s", *results.first_collision_time);
+  if (results.one_sided_collisions > 0)
+    text +=
+        fmt::format("; {} more of which one avoids the other only", results.one_sided_collisions);
   return text + fmt::format("; {} with moving obstacles; {} robots with obstacles",
                             results.obstacle_collisions, results.collision_obstacles);
 }
@@ -162,9 +165,11 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   const auto number = [](const std::optional<double>& value, const char* unit) {
     return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
   };
+  const std::string parked =
+      results.parked > 0 ? fmt::format(" ({} parked)", results.parked) : std::string();
   std::string text =
-      fmt::format("{}: {} robots, {} steps of {} s\n", avo_io::printable(results.scene),
-                  results.robots, results.steps, scenario.time_step);
+      fmt::format("{}: {} robots{}, {} steps of {} s\n", avo_io::printable(results.scene),
+                  results.robots, parked, results.steps, scenario.time_step);
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
@@ -179,7 +184,7 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
     line("exceeds",
          fmt::format("max_acceleration, by up to {:.6g} m/s^2", results.acceleration_excess));
   line("no safe choice", fmt::format("{} of {} robot-steps", results.infeasible_steps,
-                                     results.robots * results.steps));
+                                     (results.robots - results.parked) * results.steps));
   line("decisions", decisions(results));
   if (const std::string who = not_arrived(results); !who.empty()) line("not arrived", who);
   line("time of a step", number(results.step_milliseconds_median, "ms (median)"));

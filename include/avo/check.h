@@ -27,6 +27,11 @@ struct CheckedRobot {
   /// A car that holds its curvature and its change of speed from row to row. Besides
   /// interpolation_error, what the cubic may be off its arc is reckoned from the rows.
   bool car = false;
+  /// May not move at all, and is held to its first row. Two of them are not judged as a pair.
+  bool parked = false;
+  /// Bits: it avoids whoever is in one of the layers `avoids`. Pairs of which nobody avoids the
+  /// other are not judged, see also one_sided_contacts_moving.
+  std::uint32_t layers = 1, avoids = 0xffffffff;
 };
 
 /// A disc whose whole motion is known: p + t v + t²/2 a.
@@ -73,18 +78,22 @@ struct CheckReport {
   std::int64_t robot_steps = 0;  ///< of robots that are there at both ends: what is judged
   std::int64_t gaps = 0;         ///< returns of a robot that was missing at some time: not judged
   double from = 0.0, to = 0.0;   ///< s
-  double interpolation_error = 0.0;     ///< m, the largest of a robot-step
-  CheckCount overlaps;                  ///< pairs of robots that ever overlapped
+  double interpolation_error = 0.0;  ///< m, the largest of a robot-step
+  CheckCount overlaps;               ///< pairs of robots that avoid each other and ever overlapped
   CheckCount obstacle_contacts_moving;  ///< pairs: the robot moved itself while they overlapped
   std::int64_t obstacle_contacts_at_rest = 0;  ///< pairs, all others; passive safety allows these
-  CheckCount static_contacts;                  ///< robots that ever touched a wall
-  CheckCount accelerations;                    ///< robot-steps with |Δv|/Δt > a_max
-  CheckCount speeds;                           ///< robot-rows with |v| > v_max
+  /// Pairs of robots of which one only avoids the other: that one moved itself while they
+  /// overlapped.
+  CheckCount one_sided_contacts_moving;
+  std::int64_t one_sided_contacts_at_rest = 0;  ///< pairs, all others
+  CheckCount static_contacts;                   ///< robots that ever touched a wall
+  CheckCount accelerations;                     ///< robot-steps with |Δv|/Δt > a_max
+  CheckCount speeds;                            ///< robot-rows with |v| > v_max
   /// Robot-steps with |Δp - Δt (v_0 + v_1)/2| > a_max Δt²/2: positions that do not follow the
   /// velocities. A motion within a_max stays below half of it, one whose velocity changes at once,
   /// by a_max Δt at most, just within it.
   CheckCount jumps;
-  std::optional<double> least_clearance;  ///< m, over all pairs and times; none with fewer than two
+  std::optional<double> least_clearance;  ///< m, over such pairs and all times; none without any
   std::optional<double> least_static_clearance;  ///< m, over all robots, walls and times
   double largest_acceleration = 0.0;             ///< m/s^2
   double largest_speed = 0.0;                    ///< m/s

@@ -2,6 +2,8 @@
 // From two robots to one half-plane (paper §IV-B, §IV-C). Everything is relative to the present
 // velocities: w = v'_AB - v_AB, and w = 0 means "both keep their velocity".
 #pragma once
+#include <algorithm>
+
 #include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/horizon.h"
@@ -45,10 +47,20 @@ AVO_API RelativeHalfPlane sampled_half_plane(const Pair& pair, double reach, con
 AVO_API RelativeHalfPlane orca_half_plane(const Pair& pair, double time_horizon,
                                           double time_step) noexcept;
 
-/// Share of the responsibility of A, Eq. (20): proportional to its ability to change velocity.
-/// Requires: not both zero. (1) 0 <= share <= 1; (2) share(a, b) + share(b, a) = 1 to rounding.
-constexpr double reciprocal_share(double max_acceleration_A, double max_acceleration_B) {
-  return max_acceleration_A / (max_acceleration_A + max_acceleration_B);
+/// Nobody takes less of the responsibility than this, whatever the priorities, and nobody more than
+/// the rest: what covers rounding grows with its inverse (docs/certificate.md, "Rounding").
+inline constexpr double kLeastShare = 1.0 / 64.0;
+
+/// Share of the responsibility of A, Eq. (20): proportional to its ability to change velocity, and
+/// where priorities differ to that by its priority, at least kLeastShare and at most the rest.
+/// Requires: not both accelerations zero, priorities > 0. (1) 0 <= share <= 1; (2) share(a, b) +
+/// share(b, a) = 1 to rounding; (3) equal priorities change no bit.
+constexpr double reciprocal_share(double max_acceleration_A, double max_acceleration_B,
+                                  double priority_A = 1.0, double priority_B = 1.0) {
+  if (priority_A == priority_B)
+    return max_acceleration_A / (max_acceleration_A + max_acceleration_B);
+  const double a = max_acceleration_A * priority_B, b = max_acceleration_B * priority_A;
+  return std::clamp(a / (a + b), kLeastShare, 1.0 - kLeastShare);
 }
 
 /// A's half-plane in v'_A, Eq. (17): the relative one scaled by the share about v_AB, Eq. (2), and

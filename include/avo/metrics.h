@@ -37,18 +37,21 @@ struct NotArrived {
 struct RunSummary {
   std::string scene;
   std::int64_t robots = 0;
+  std::int64_t parked = 0;  ///< of them; they have arrived where they stand
   std::int64_t steps = 0;
-  std::int64_t arrived = 0;                      ///< robots that were ever within arrival_distance
-  std::optional<double> first_collision_time;    ///< s, of robots with each other
-  std::int64_t collision_pairs = 0;              ///< distinct pairs of robots that ever overlapped
+  std::int64_t arrived = 0;                    ///< robots that were ever within arrival_distance
+  std::optional<double> first_collision_time;  ///< s, of robots with each other
+  /// Distinct pairs of robots that ever overlapped, of which both avoid the other.
+  std::int64_t collision_pairs = 0;
+  std::int64_t one_sided_collisions = 0;         ///< and those of which only one avoids the other
   std::int64_t obstacle_collisions = 0;          ///< distinct (robot, moving obstacle) pairs
   std::int64_t collision_obstacles = 0;          ///< distinct robots that touched a static obstacle
-  std::optional<double> min_clearance;           ///< m, of robots; none with fewer than two
+  std::optional<double> min_clearance;           ///< m, of robots that avoid each other, if any do
   std::optional<double> min_obstacle_clearance;  ///< m, from static obstacles; none without them
   double max_acceleration = 0.0;                 ///< m/s^2, the largest applied |a|
   double acceleration_excess = 0.0;              ///< m/s^2, the largest |a| - a_max; 0 if kept
   double max_speed = 0.0;                        ///< m/s
-  std::optional<double> mean_arrival;            ///< s, over those that arrived
+  std::optional<double> mean_arrival;            ///< s, over those that arrived and are not parked
   std::optional<double> last_arrival;            ///< s, only if all arrived
   std::int64_t infeasible_steps = 0;             ///< robot-steps whose set CA_A was empty
   Decisions decisions;                           ///< of all robot-steps

@@ -34,6 +34,9 @@ struct Robot {
   double distance_to_goal = std::numeric_limits<double>::infinity();
   /// With its present heading; a certificate then judges what Eqs. (24), (25) make of a decision.
   std::optional<CarSetup> car = {};
+  /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
+  /// reciprocal_share(). Others have to know it.
+  double priority = 1.0;
 };
 
 /// What A counts on from another one.
@@ -55,6 +58,7 @@ struct Neighbor {
   /// allows for d Δt of whatever else it may have done, besides the declared SensingError of what
   /// was sensed (docs/certificate.md, "Age").
   int age = 0;
+  double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
 };
 
 /// Of a Neighbor, steps.

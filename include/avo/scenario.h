@@ -13,6 +13,12 @@
 
 namespace avo {
 
+/// Some of the layers 0 to 31, by which robots choose whom they avoid.
+struct LayerSet {
+  std::uint32_t bits = 0;  ///< bit k: layer k
+  friend constexpr bool operator==(LayerSet, LayerSet) = default;
+};
+
 struct RobotSetup {
   Vec2 position = {};                ///< m
   Vec2 velocity = {};                ///< m/s; for a car only its length counts, along the heading
@@ -22,7 +28,19 @@ struct RobotSetup {
   double max_acceleration = 1.0;     ///< m/s^2, > 0
   double preferred_speed = 2.0;      ///< m/s, >= 0
   std::optional<CarSetup> car = {};  ///< a car-like robot if set
+  double priority = 1.0;             ///< > 0, see Robot::priority
+  /// Never moves and decides nothing: to the others a disc that does not move, and that nobody may
+  /// touch. Its goal is its position, and its velocity is 0.
+  bool parked = false;
+  LayerSet layers{1};           ///< that it is in; of one that is parked the usual ones
+  LayerSet avoids{0xffffffff};  ///< it avoids those who are in one of these
 };
+
+/// Whether A avoids B by their layers. To A, one that does not avoid A is a mover: it reacts to
+/// nobody (docs/certificate.md, "Movers").
+constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
+  return (a.avoids.bits & b.layers.bits) != 0;
+}
 
 /// A disc that moves with constant acceleration and reacts to nobody.
 struct MovingObstacle {
@@ -106,6 +124,9 @@ AVO_API SensingError declared_error(const Scenario& scenario);
 /// Throws Error naming the first field out of range, e.g. "robots.3.radius: found -0.2, must be
 /// > 0 m".
 AVO_API void validate(const Scenario& scenario);
+
+/// What a simulation makes of the parked robots, in their order.
+AVO_API std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots);
 
 /// The scene's settings, with its method's own for what it leaves unset.
 AVO_API PlannerOptions planner_options(const Scenario& scenario);

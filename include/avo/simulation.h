@@ -87,10 +87,11 @@ class AVO_API Simulation {
 
   /// Throws Error on bad values, and under a certificate on a robot that would have to be seen from
   /// farther away than the sensing radius. A start that breaks the invariant is accepted, as above.
+  /// One that is parked is added like an obstacle, and costs and is refused as in add_obstacle().
   /// Changes nothing where it throws.
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
-  void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is no such robot
+  void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is none, or it is parked
 
   /// A door closes: from the next step on nobody may touch the obstacle. Throws Error on bad values
   /// (see validate), and under a certificate on an obstacle that some robot would come to touch if
@@ -103,13 +104,13 @@ class AVO_API Simulation {
   /// A door opens. Costs as much. Throws Error if there is no such obstacle.
   void remove_obstacle(ObstacleId obstacle);
 
-  /// The state and the setup as bytes, the same on every machine, 64 of state and 56 of setup
-  /// (goal, radius, limits, wheelbase) a robot, 8 of what it aims at where there are walls, and its
-  /// last states where the scene's sensing delays or misses measurements (docs/saving.md).
-  /// Whoever has them has an equal state_hash() and an equal future, for any number of threads.
-  /// They do not hold what only tells of the last step or of the past: plan and
-  /// applied_acceleration of fleet(), which are value-initialized until the next step, sums of
-  /// measure(), Metrics. Throws Error where a step ended in the midst.
+  /// The state and the setup as bytes, the same on every machine, 80 of state and 80 of setup
+  /// (goal, radius, limits, wheelbase, priority, parked, layers) a robot, 8 of what it aims at
+  /// where there are walls, and its last states where the scene's sensing delays or misses
+  /// measurements (docs/saving.md). Whoever has them has an equal state_hash() and an equal future,
+  /// for any number of threads. They do not hold what only tells of the last step or of the past:
+  /// plan and applied_acceleration of fleet(), which are value-initialized until the next step,
+  /// sums of measure(), Metrics. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
   /// Back, or forth, to what this simulation or another one of the same settings and moving
   /// obstacles has saved: a rollback, which keeps the threads. Robots, goals, static obstacles and
@@ -139,9 +140,9 @@ class AVO_API Simulation {
   /// velocity, and its neighbors as sensed, in the order in which they are planned with.
   struct Perception {
     Robot robot;
-    std::vector<Neighbor> neighbors;
-    std::vector<int> source;    ///< index into fleet(), or -1 - k for moving obstacle k
-    Detour detour = {};         ///< what it remembers
+    std::vector<Neighbor> neighbors;  ///< none of one that is parked
+    std::vector<int> source;          ///< index into fleet(), or -1 - k for moving obstacle k
+    Detour detour = {};               ///< what it remembers
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
     std::vector<Wall> walls = {};  ///< all that matter to it, and more
   };

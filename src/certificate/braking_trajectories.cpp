@@ -113,7 +113,8 @@ void collect_close(const BrakingPair& pair, const Neighbor& neighbor, std::size_
 
 void collect_near(const NearPair& near, const StepLaw& law, TrajectoryConstraints& constraints,
                   Invariant& invariant) {
-  collect_close(near.with(constraints.own), {}, near.neighbor, law, constraints, invariant);
+  constexpr static Neighbor kDecides;  // the pair has all that matters of it
+  collect_close(near.with(constraints.own), kDecides, near.neighbor, law, constraints, invariant);
 }
 
 }  // namespace

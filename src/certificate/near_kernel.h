@@ -45,7 +45,7 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
 }
 
 /// Of one robot i and the chosen of its neighbors.
-template <typename Real>
+template <bool kWeighed, typename Real>
 AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
                      const PackNeighbor<Real>& other, Real neighbor,
                      decltype(Real() < Real()) chosen, NearQueue& queue) {
@@ -61,6 +61,7 @@ AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::s
   all(a.direction_x[i], queue.direction_x), all(a.direction_y[i], queue.direction_y);
   all(a.reach[i], queue.reach), all(a.intervals[i], queue.intervals);
   all(a.most_ahead[i], queue.most_ahead), all(a.most_aside[i], queue.most_aside);
+  if constexpr (kWeighed) all(robots.priority[i], queue.priority);
   const auto some = [&](Real value, NearQueue::Column& column) {
     return store_chosen(chosen, value, &column[first]);
   };
@@ -68,6 +69,7 @@ AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::s
   some(other.velocity.x, queue.other_v_x), some(other.velocity.y, queue.other_v_y);
   some(other.radius, queue.other_radius),
       some(other.max_acceleration, queue.other_max_acceleration);
+  if constexpr (kWeighed) some(other.priority, queue.other_priority);
   queue.count += some(neighbor, queue.neighbor);
 }
 
@@ -99,7 +101,7 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
 }
 
 /// Keeps those of the queue that may meet A and can refuse a candidate, and empties it.
-template <typename Real>
+template <typename Real, bool kWeighed>
 void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   const bool exact = law.is_exact();
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
@@ -109,17 +111,19 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
         {load(queue.other_x), load(queue.other_y)},
         {load(queue.other_v_x), load(queue.other_v_y)},
         load(queue.other_radius),
-        select(is_pair, load(queue.other_max_acceleration), Real(1.0))};  // a divisor
+        select(is_pair, load(queue.other_max_acceleration), Real(1.0)),  // a divisor
+        load(queue.other_priority)};
     const PackSelf<Real> self{{load(queue.x), load(queue.y)},
                               {load(queue.v_x), load(queue.v_y)},
                               load(queue.radius),
                               load(queue.max_acceleration),
+                              load(queue.priority),
                               {{{}, {}, load(queue.full_steps)},
                                {load(queue.direction_x), load(queue.direction_y)},
                                load(queue.length),
                                load(queue.reach),
                                load(queue.intervals)}};
-    const PackPair<Real> pair = pair_of(self, other, law);
+    const PackPair<Real> pair = pair_of<kWeighed>(self, other, law);
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
     PackClearance<Real> clearance = clearance_of(self, pair, other, law);
@@ -137,7 +141,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
 
 /// Neighbors of robot i that are not far go to the queue; returns whether there are any that lanes
 /// leave out: movers, and those of an age.
-template <typename Real>
+template <typename Real, bool kWeighed>
 AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, const StepLaw& law,
                          NearPairs& pairs) {
   const Neighbors& neighbors = robots.neighbors[i];
@@ -157,7 +161,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
                               own.per_decrement[i],
                               own.most_ahead[i],
                               exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
-  const Real zero(0.0);
+  const Real zero(0.0), own_priority(robots.priority[i]);
   auto others = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
@@ -166,21 +170,46 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     const PackNeighbor<Real> other{{load(columns.x), load(columns.y)},
                                    {load(columns.v_x), load(columns.v_y)},
                                    load(columns.radius),
-                                   load(columns.max_acceleration)};
+                                   load(columns.max_acceleration),
+                                   load(columns.priority)};
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
     const auto prompt = load(columns.decides) > zero;
     others = others | (counted & !prompt);
     if (whom == Whom::movers) continue;
     auto near = counted & prompt & !are_far(bound, self, other);
     if (any(near)) near = near & !are_clear(bound, self, other, law);
+    if constexpr (kWeighed) {
+      const auto unlike = (other.priority < own_priority) | (other.priority > own_priority);
+      near = near | (counted & prompt & unlike);
+    }
     if (any(near)) {
-      push(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
-      if (pairs.queue.count >= NearQueue::kSize) judge<Real>(law, pairs.queue, pairs.kept);
+      push<kWeighed>(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
+      if (pairs.queue.count >= NearQueue::kSize)
+        judge<Real, kWeighed>(law, pairs.queue, pairs.kept);
     }
     const Vec<Real> p = self.position - other.position;
     if (any(dot(p, p) > range_squared)) break;
   }
   return any(others);
+}
+
+/// Whether some have another priority than 1.
+inline bool has_priorities(const RobotColumns& robots) {
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    if (robots.priority[i] != 1.0 || robots.neighbors[i].columns->has_priorities) return true;
+  }
+  return false;
+}
+
+/// kWeighed: some have another priority than 1; else nobody looks at them, which takes fewer
+/// instructions.
+template <typename Real, bool kWeighed>
+AVO_KERNEL void look_for_all(const RobotColumns& robots, Whom whom, const StepLaw& law,
+                             NearPairs& pairs) {
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    pairs.has_others[i] = look_for<Real, kWeighed>(robots, i, whom, law, pairs) ? 1 : 0;
+  }
+  judge<Real, kWeighed>(law, pairs.queue, pairs.kept);
 }
 
 template <typename Real>
@@ -191,10 +220,11 @@ void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPa
   pairs.queue.count = 0;  // some are left where memory ran out
   pairs.has_others.resize(robots.count);
   pairs.whom = whom;
-  for (std::size_t i = 0; i < robots.count; ++i) {
-    pairs.has_others[i] = look_for<Real>(robots, i, whom, law, pairs) ? 1 : 0;
+  if (has_priorities(robots)) {
+    look_for_all<Real, true>(robots, whom, law, pairs);
+  } else {
+    look_for_all<Real, false>(robots, whom, law, pairs);
   }
-  judge<Real>(law, pairs.queue, pairs.kept);
   pairs.end.resize(robots.count);
   std::size_t end = 0;
   for (std::size_t i = 0; i < robots.count; ++i) {

@@ -46,8 +46,9 @@ struct NearQueue {
   Column robot, neighbor;  // indices
   // of A
   Column x, y, v_x, v_y, radius, max_acceleration, full_steps, direction_x, direction_y, length;
-  Column reach, intervals, most_ahead, most_aside;
-  Column other_x, other_y, other_v_x, other_v_y, other_radius, other_max_acceleration;
+  Column reach, intervals, most_ahead, most_aside, priority;
+  Column other_x, other_y, other_v_x, other_v_y, other_radius, other_max_acceleration,
+      other_priority;
 };
 
 /// A pair that can refuse a candidate of A's: see BrakingPair.

@@ -37,12 +37,13 @@ Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.behavior == Behavior::decides) {
-    const scalar::PackSelf<Real> self{pack(robot.position), pack(robot.velocity), robot.radius,
-                                      robot.max_acceleration, pack(a)};
-    const auto packed = scalar::pair_of<Real>(self,
-                                              {pack(neighbor.position), pack(neighbor.velocity),
-                                               neighbor.radius, neighbor.max_acceleration},
-                                              law);
+    const scalar::PackSelf<Real> self{pack(robot.position),   pack(robot.velocity), robot.radius,
+                                      robot.max_acceleration, robot.priority,       pack(a)};
+    const auto packed =
+        scalar::pair_of<true, Real>(self,
+                                    {pack(neighbor.position), pack(neighbor.velocity),
+                                     neighbor.radius, neighbor.max_acceleration, neighbor.priority},
+                                    law);
     return {plain(packed.p),
             packed.contact.value,
             packed.inflated.value,

@@ -12,6 +12,7 @@
 #include "certificate/braking_kernel.h"
 #include "certificate/pair.h"
 #include "certificate/pair_constraints.h"
+#include "core/share_kernel.h"
 
 AVO_BEGIN_KERNELS
 
@@ -51,14 +52,14 @@ AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleratio
 template <typename Real>
 struct PackNeighbor {
   Vec<Real> position, velocity;
-  Real radius, max_acceleration;
+  Real radius, max_acceleration, priority;
 };
 
 /// Robot A.
 template <typename Real>
 struct PackSelf {
   Vec<Real> position, velocity;
-  Real radius, max_acceleration;
+  Real radius, max_acceleration, priority;
   PackBraking<Real> braking;
 };
 
@@ -167,10 +168,11 @@ AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
   return Real(0x1p-48) * lengths * (Real(1.0) + intervals) / shrinks;
 }
 
-template <typename Real>
+/// kWeighed: by priorities, which matter only where some differ.
+template <bool kWeighed = true, typename Real>
 AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& other,
                                   const StepLaw& law) {
-  const Real a_A = self.max_acceleration, one(1.0);
+  const Real one(1.0);
   const Vec<Real> p_A = self.position;
   const PackBraking<Real>& a = self.braking;
   PackPair<Real> pair;
@@ -178,7 +180,10 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
   pair.p = p_A - other.position;
   pair.distance = norm(pair.p);
   pair.contact = self.radius + other.radius;
-  pair.share = law.has_free_clocks() ? one : a_A / (a_A + other.max_acceleration);
+  const Real a_A = self.max_acceleration, a_B = other.max_acceleration;
+  pair.share = law.has_free_clocks() ? one
+               : kWeighed            ? share_of(a_A, a_B, self.priority, other.priority)
+                                     : a_A / (a_A + a_B);
   pair.b.intervals = pair.b.intervals + Real(later_intervals(law));
   const Real lengths = pair.contact + a.reach + pair.b.reach + (abs(p_A.x) + abs(p_A.y)) +
                        (abs(other.position.x) + abs(other.position.y));
@@ -283,7 +288,7 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackP
           deviation.most_aside};
 }
 
-/// B is of A's a_max, and no faster than A may be.
+/// B is of A's a_max, and no faster than A may be. Its priority has to be A's as well.
 template <typename Real>
 AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
                          const PackNeighbor<Real>& other) {

@@ -11,6 +11,7 @@
 
 #include "avo/error.h"
 #include "check/counts.h"
+#include "check/duty.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
@@ -20,6 +21,8 @@
 namespace avo {
 namespace {
 
+using judge::Duty;
+using judge::duty;
 using judge::Mover;
 using judge::note;
 
@@ -37,6 +40,12 @@ struct Seen {
 };
 
 using Pairs = std::unordered_set<std::uint64_t>;
+
+// Those who ever touched what does not avoid them, and those of them who moved.
+struct Contacts {
+  Pairs all, moving;
+  std::int64_t at_rest() const { return static_cast<std::int64_t>(all.size() - moving.size()); }
+};
 
 std::uint64_t key(std::int64_t a, std::int64_t b) {
   return static_cast<std::uint64_t>(a) << 32U | static_cast<std::uint64_t>(b);
@@ -58,7 +67,9 @@ struct Check::State {
   std::vector<Seen> seen;
   std::int64_t times = 0;
   double last_time = 0.0, last_arrival = 0.0;
-  Pairs overlaps, contacts, moving_contacts;
+  Pairs overlaps;
+  Contacts contacts, one_sided;
+  judge::Kinds kinds;
   judge::WallJudge walls;
 
   // of the present step
@@ -73,7 +84,7 @@ struct Check::State {
   void judge_arrival(double time, const CheckedState& row);
   void meet(std::size_t first, std::size_t second);
   void meet_robots(const Mover& a, const Mover& b);
-  void meet_obstacle(const Mover& robot, const Mover& obstacle);
+  void meet_mover(const Mover& robot, const Mover& other, Contacts& known, CheckCount& moving);
   double overlap_distance(const Mover& a, const Mover& b) const {
     return (a.radius + b.radius) * (1.0 - options.relative_tolerance) - a.error - b.error;
   }
@@ -83,7 +94,7 @@ struct Check::State {
   }
   // No pair farther apart than this tells anything new, m.
   double reach() const { return std::max(report.least_clearance.value_or(unmet()), 0.0); }
-  double unmet() const { return robots.size() > 1 ? kInfinity : 0.0; }
+  double unmet() const { return kinds.mutual ? kInfinity : 0.0; }
 };
 
 void Check::State::require_sound(double time, std::span<const CheckedState> rows) const {
@@ -109,10 +120,11 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
   const double speeds = norm(before.velocity) + norm(now.velocity);
   const double acceleration = norm(change) / duration;
   report.largest_acceleration = std::max(report.largest_acceleration, acceleration);
-  const double most = robot.max_acceleration * (1.0 + options.relative_tolerance);
+  const double a_max = robot.parked ? 0.0 : robot.max_acceleration;
+  const double most = a_max * (1.0 + options.relative_tolerance);
   if (norm(change) > most * (duration + step_rounding) + kEpsilon * speeds) {
     ++report.accelerations.count;
-    note(report.accelerations, {last_time, now.robot, {}, acceleration - robot.max_acceleration});
+    note(report.accelerations, {last_time, now.robot, {}, acceleration - a_max});
   }
   const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
   const double within = 0.5 * most * duration * (duration + 2.0 * step_rounding);
@@ -142,9 +154,10 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   Seen& mine = seen[index];
   const double speed = norm(row.velocity);
   report.largest_speed = std::max(report.largest_speed, speed);
-  if (speed > robot.max_speed * (1.0 + options.relative_tolerance)) {
+  const double v_max = robot.parked ? 0.0 : robot.max_speed;
+  if (speed > v_max * (1.0 + options.relative_tolerance)) {
     ++report.speeds.count;
-    note(report.speeds, {time, row.robot, {}, speed - robot.max_speed});
+    note(report.speeds, {time, row.robot, {}, speed - v_max});
   }
   judge_arrival(time, row);
   if (mine.at >= 0 && mine.at == times - 1) {
@@ -187,31 +200,39 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
 
 // A robot that moves at all in a step rests at single instants of it only: it is enough to know
 // the first and the last instant of the contact.
-void Check::State::meet_obstacle(const Mover& robot, const Mover& obstacle) {
-  const judge::RelativePath path = judge::relative_path(robot, obstacle, duration);
-  const double limit = overlap_distance(robot, obstacle);
+void Check::State::meet_mover(const Mover& robot, const Mover& other, Contacts& known,
+                              CheckCount& moving) {
+  const judge::RelativePath path = judge::relative_path(robot, other, duration);
+  const double limit = overlap_distance(robot, other);
   if (judge::lower_bound(path) > limit) return;
   const double nearest = judge::nearest_instant(path).distance;
   if (!(nearest < limit)) return;
-  const std::uint64_t pair = key(robot.index, obstacle.index);
-  insert(contacts, pair);
+  const std::uint64_t pair = key(robot.index, other.index);
+  insert(known.all, pair);
   const double first = judge::first_below(path, limit).value_or(0.0);
   const double last = judge::last_below(path, limit).value_or(1.0);
   const double max_speed = robots[static_cast<std::size_t>(robot.index)].max_speed;
   const double at_rest = kAtRest * (std::isinf(max_speed) ? 1.0 : max_speed);
   if (!(judge::speed_bound(robot, first, last, duration) > at_rest)) return;
-  insert(moving_contacts, pair);
-  note(report.obstacle_contacts_moving,
-       {instant(robot, obstacle, first), robot.index, obstacle.index, limit - nearest});
+  insert(known.moving, pair);
+  note(moving, {instant(robot, other, first), robot.index, other.index, limit - nearest});
 }
 
 void Check::State::meet(std::size_t first, std::size_t second) {
   const Mover &a = movers[std::min(first, second)], &b = movers[std::max(first, second)];
   if (a.obstacle) return;  // robots come first: then both are
-  if (b.obstacle)
-    meet_obstacle(a, b);
-  else
-    meet_robots(a, b);
+  if (b.obstacle) return meet_mover(a, b, contacts, report.obstacle_contacts_moving);
+  switch (
+      duty(robots[static_cast<std::size_t>(a.index)], robots[static_cast<std::size_t>(b.index)])) {
+    case Duty::nobody:
+      return;
+    case Duty::first:
+      return meet_mover(a, b, one_sided, report.one_sided_contacts_moving);
+    case Duty::second:
+      return meet_mover(b, a, one_sided, report.one_sided_contacts_moving);
+    case Duty::both:
+      return meet_robots(a, b);
+  }
 }
 
 Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedObstacle> obstacles,
@@ -236,6 +257,7 @@ std::int64_t Check::add_robot(const CheckedRobot& robot) {
   judge::require_sound("robots." + std::to_string(index), robot);
   state_->seen.emplace_back();
   state_->robots.push_back(robot);
+  state_->kinds.add(robot);
   return index;
 }
 
@@ -284,15 +306,17 @@ CheckReport Check::report() const {
   if (report.with_goal > 0 && report.arrived == report.with_goal)
     report.last_arrival = state.last_arrival;
   report.overlaps.count = static_cast<std::int64_t>(state.overlaps.size());
-  report.obstacle_contacts_moving.count = static_cast<std::int64_t>(state.moving_contacts.size());
-  report.obstacle_contacts_at_rest =
-      static_cast<std::int64_t>(state.contacts.size() - state.moving_contacts.size());
+  report.obstacle_contacts_moving.count = static_cast<std::int64_t>(state.contacts.moving.size());
+  report.obstacle_contacts_at_rest = state.contacts.at_rest();
+  report.one_sided_contacts_moving.count = static_cast<std::int64_t>(state.one_sided.moving.size());
+  report.one_sided_contacts_at_rest = state.one_sided.at_rest();
   state.walls.write(report);
   return report;
 }
 
 bool CheckReport::safe() const {
-  return overlaps.count == 0 && obstacle_contacts_moving.count == 0 && static_contacts.count == 0 &&
+  return overlaps.count == 0 && obstacle_contacts_moving.count == 0 &&
+         one_sided_contacts_moving.count == 0 && static_contacts.count == 0 &&
          accelerations.count == 0 && speeds.count == 0 && jumps.count == 0;
 }
 

@@ -20,7 +20,8 @@ struct RobotColumns {
   Column distance_to_goal, radius;     // m
   Column max_acceleration, max_speed;  // m/s², m/s
   Column wheelbase, heading;           // m, 0: not a car; rad
-  std::vector<Neighbors> neighbors;    // that each senses, nearest first
+  Column priority;
+  std::vector<Neighbors> neighbors;  // that each senses, nearest first
 
   void reserve(std::size_t robots);
   void clear() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "avo/scenario.h"
 #include "metrics/separation.h"
 
 namespace avo {
@@ -17,7 +18,8 @@ struct Body {
   Vec2 w;             // v' - v, m/s
   bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
   StepPath path;
-  std::optional<ArcPath> arc = {};  // the path of a car, which `path` interpolates
+  const RobotSetup* setup = nullptr;  // of a robot
+  std::optional<ArcPath> arc = {};    // the path of a car, which `path` interpolates
 };
 
 /// Bounds how far the body goes in the step, m.

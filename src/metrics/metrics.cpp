@@ -28,6 +28,15 @@ constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
                              &Decisions::candidate,   &Decisions::braking,
                              &Decisions::overlapping, &Decisions::invalid_input};
 
+// Which of two robots avoid the other. Parked ones cannot help standing where they do.
+enum class Avoidance : unsigned char { none, one_sided, mutual };
+Avoidance avoidance(const RobotSetup& a, const RobotSetup& b) {
+  if (a.parked || b.parked) return a.parked && b.parked ? Avoidance::none : Avoidance::mutual;
+  const bool of_a = avoids(a, b), of_b = avoids(b, a);
+  if (of_a && of_b) return Avoidance::mutual;
+  return of_a || of_b ? Avoidance::one_sided : Avoidance::none;
+}
+
 }  // namespace
 
 struct Metrics::State {
@@ -35,7 +44,9 @@ struct Metrics::State {
   std::optional<Response> response;  // of robots that move by Eqs. (8), (9)
   RunSummary summary;
   std::map<std::uint64_t, std::optional<double>> arrival;  // s, of every robot that ever was
-  std::set<std::pair<std::uint64_t, std::uint64_t>> collided, collided_with_obstacle;
+  std::set<std::pair<std::uint64_t, std::uint64_t>> collided, collided_one_sided,
+      collided_with_obstacle;
+  std::set<std::uint64_t> parked;
   std::vector<double> step_milliseconds;
 
   bool started = false;
@@ -56,6 +67,7 @@ struct Metrics::State {
   void observe_limits(const Simulation& simulation);
   void observe_arrivals(const Simulation& simulation);
   void observe_separation();
+  std::optional<double> any_clearance() const;
   double distance(const Body& a, const Body& b, double cutoff) const;
   void meet(const Body& a, const Body& b);
   void meet_obstacle(const Body& robot, const Body& obstacle);
@@ -77,6 +89,7 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
     if (j == last.robots.size() || !(last.robots[j].id == fleet.id[i])) continue;
     Body body;
     body.name = fleet.id[i].value;
+    body.setup = &fleet.setup[i];
     body.radius = fleet.setup[i].radius;
     body.position = last.robots[j].position;
     body.velocity = last.robots[j].velocity;
@@ -130,6 +143,13 @@ double Metrics::State::distance(const Body& a, const Body& b, double cutoff) con
 
 void Metrics::State::meet(const Body& a, const Body& b) {
   const double contact = a.radius + b.radius;
+  const Avoidance kind = avoidance(*a.setup, *b.setup);
+  if (kind == Avoidance::none) return;
+  if (kind == Avoidance::one_sided) {
+    if (distance(a, b, contact) < contact * (1.0 - kContact))
+      collided_one_sided.insert(std::minmax(a.name, b.name));
+    return;
+  }
   const double best = summary.min_clearance.value_or(std::numeric_limits<double>::infinity());
   const double d = distance(a, b, contact + std::max(best, 0.0));
   if (d - contact < best) summary.min_clearance = d - contact;
@@ -149,6 +169,22 @@ void Metrics::State::meet_obstacle(const Body& robot, const Body& obstacle) {
   }
 }
 
+// m: any pair bounds the smallest clearance, here the first robot that avoids somebody and its
+// nearest.
+std::optional<double> Metrics::State::any_clearance() const {
+  std::optional<double> nearest;
+  for (std::size_t i = 0; i < robots.size() && !nearest; ++i) {
+    const Body& a = robots[i];
+    for (std::size_t j = i + 1; j < robots.size(); ++j) {
+      const Body& b = robots[j];
+      if (avoidance(*a.setup, *b.setup) != Avoidance::mutual) continue;
+      const double clearance = norm(b.position - a.position) - a.radius - b.radius;
+      nearest = std::min(nearest.value_or(clearance), clearance);
+    }
+  }
+  return nearest;
+}
+
 // Every pair that can come nearer than the smallest clearance so far, or overlap.
 void Metrics::State::observe_separation() {
   double largest = 0.0, farthest = 0.0;  // radius and way of a step, m
@@ -157,15 +193,7 @@ void Metrics::State::observe_separation() {
     farthest = std::max(farthest, way_of(body));
   };
   std::for_each(robots.begin(), robots.end(), measure);
-  if (robots.size() > 1 && !summary.min_clearance) {
-    // any pair bounds the smallest clearance: the first robot and its nearest
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 1; j < robots.size(); ++j) {
-      nearest = std::min(nearest, norm(robots[j].position - robots[0].position) - robots[0].radius -
-                                      robots[j].radius);
-    }
-    summary.min_clearance = nearest;
-  }
+  if (!summary.min_clearance) summary.min_clearance = any_clearance();
   std::for_each(obstacles.begin(), obstacles.end(), measure);
 
   positions.clear();
@@ -196,6 +224,7 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
     if (a > a_max * (1.0 + kRounding)) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
     }
+    if (fleet.setup[i].parked) continue;
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
     ++(summary.decisions.*kCounts[static_cast<std::size_t>(fleet.plan[i].status)]);
   }
@@ -206,6 +235,7 @@ void Metrics::State::observe_arrivals(const Simulation& simulation) {
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     std::optional<double>& time = arrival[fleet.id[i].value];
     if (time) continue;
+    if (fleet.setup[i].parked) parked.insert(fleet.id[i].value);
     if (simulation.is_at_goal(i)) time = simulation.time();
   }
   summary.unreachable.clear();
@@ -250,12 +280,15 @@ RunSummary Metrics::summary() const {
   for (const auto& [robot, time] : state_->arrival) {
     if (!time) continue;
     ++summary.arrived;
-    total += *time;
+    if (!state_->parked.contains(robot)) total += *time;
     last = std::max(last, *time);
   }
-  if (summary.arrived > 0) summary.mean_arrival = total / static_cast<double>(summary.arrived);
+  summary.parked = static_cast<std::int64_t>(state_->parked.size());
+  const std::int64_t travelers = summary.arrived - summary.parked;
+  if (travelers > 0) summary.mean_arrival = total / static_cast<double>(travelers);
   if (summary.arrived > 0 && summary.arrived == summary.robots) summary.last_arrival = last;
   summary.collision_pairs = static_cast<std::int64_t>(state_->collided.size());
+  summary.one_sided_collisions = static_cast<std::int64_t>(state_->collided_one_sided.size());
   summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
   summary.collision_obstacles = static_cast<std::int64_t>(state_->walls.touched.size());
   summary.min_obstacle_clearance = state_->walls.least_clearance;

@@ -65,7 +65,8 @@ Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noex
 
 bool is_valid(const Robot& robot) {
   const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
-  const int lengths = is_size(robot.radius) & static_cast<int>(robot.distance_to_goal >= 0.0);
+  const int lengths = is_size(robot.radius) & is_size(robot.priority) &
+                      static_cast<int>(robot.distance_to_goal >= 0.0);
   return can_brake(robot) && (places & lengths) != 0 && (!robot.car || can_drive(*robot.car));
 }
 
@@ -77,9 +78,10 @@ bool follows_heading(const Robot& robot) {
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  const auto& [p, v, r, a_max, a, behavior, age] = neighbor;
+  const auto& [p, v, r, a_max, a, behavior, age, priority] = neighbor;
   const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
-  const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest);
+  const int able =
+      static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) & is_size(priority);
   const int dated = static_cast<int>(age >= 0) & static_cast<int>(age <= kMostAge);
   return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able) & dated) != 0;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "avo/half_plane.h"
 #include "certificate/kernels.h"
 #include "certificate/pair.h"
 #include "planner/arrival.h"
@@ -22,6 +23,12 @@ Braking fastest(const Planner& planner, const Robot& robot) {
                     certificate_law(planner).step);
 }
 
+double least_of_shares(const Peers& peers) {
+  const double share =
+      peers.least_acceleration / (peers.least_acceleration + peers.most_acceleration);
+  return peers.least_priority == peers.most_priority ? share : std::min(share, kLeastShare);
+}
+
 // m: at least drift_of() of any of them, where clocks are free.
 double most_drift(const Peers& peers, const StepLaw& law) {
   const double H = law.time_step, L = law.longest_step, V = std::max(H, 2.0 * L - H);
@@ -37,10 +44,7 @@ std::array<double, 3> certificate_range(const Planner& planner, const Robot& rob
   const SensingError& error = law.sensing_error;
   const double time = law.time_step * peers.intervals;
   const double drift = law.has_free_clocks() ? most_drift(peers, law) : 0.0;
-  const double least_share =
-      law.has_free_clocks()
-          ? 1.0
-          : 0.5 * peers.least_acceleration / (peers.least_acceleration + peers.most_acceleration);
+  const double least_share = law.has_free_clocks() ? 1.0 : 0.5 * least_of_shares(peers);
   const double margin = 0x1p-48 * (1.0 + peers.intervals) / least_share;
   if (!(margin < 0.5)) return {kInfinity, 0.0, 0.0};
   const double wider = (1.0 + margin) / (1.0 - std::numbers::sqrt2 * margin);
@@ -60,6 +64,8 @@ void include(Peers& peers, const Planner& planner, const Robot& robot) {
   peers.intervals = std::max(peers.intervals, braking.intervals);
   peers.least_acceleration = std::min(peers.least_acceleration, robot.max_acceleration);
   peers.most_acceleration = std::max(peers.most_acceleration, robot.max_acceleration);
+  peers.least_priority = std::min(peers.least_priority, robot.priority);
+  peers.most_priority = std::max(peers.most_priority, robot.priority);
 }
 
 RelevantRange relevant_range(const Planner& planner, const Robot& robot, const Peers& peers) {

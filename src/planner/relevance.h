@@ -16,8 +16,10 @@ struct Peers {
   double intervals = 0.0;  ///< the most in which one may move until rest
   double least_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
   double most_acceleration = 0.0;                                       ///< m/s^2
+  double least_priority = std::numeric_limits<double>::infinity();
+  double most_priority = 0.0;
 };
-/// Adds a robot, of which only radius and limits count.
+/// Adds a robot, of which only radius, limits and priority count.
 void include(Peers& peers, const Planner& planner, const Robot& robot);
 
 /// A range that grows with the speed that a robot has, see relevant_range().

@@ -43,6 +43,26 @@ void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& sof
   }
 }
 
+// What priorities make of the shares.
+void weigh(const Tile& tile, SoftPlanes& soft) {
+  const RobotColumns& robots = tile.robots;
+  const NeighborColumns& neighbors = tile.neighbors;
+  std::size_t i = 0;
+  for (std::size_t r = 0; r < robots.count; ++r) {
+    for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
+      soft.share[i] = reciprocal_share(robots.max_acceleration[r], neighbors.max_acceleration[k],
+                                       robots.priority[r], neighbors.priority[k]);
+    }
+  }
+}
+
+bool has_priorities(const Tile& tile) {
+  const auto own = tile.robots.priority.begin();
+  return tile.neighbors.has_priorities ||
+         std::any_of(own, own + static_cast<std::ptrdiff_t>(tile.robots.count),
+                     [](double priority) { return priority != 1.0; });
+}
+
 // Robots in contact. Without an early end, several pairs are looked at in one instruction.
 void mark_overlaps(SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
@@ -117,6 +137,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   if (robots.count == 0) return;
   reserve(count_pairs(options, robots, soft), soft);
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
+  if (has_priorities(tile)) weigh(tile, soft);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
   if (has_noise(options.sensing_noise)) add_reserves(options, soft.pairs);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
@@ -151,7 +172,8 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative) {
   const double alpha = neighbor.behavior == Behavior::decides
-                           ? reciprocal_share(robot.max_acceleration, neighbor.max_acceleration)
+                           ? reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
+                                              robot.priority, neighbor.priority)
                            : 1.0;
   HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
   if (!adopts_at_once(options.method)) {

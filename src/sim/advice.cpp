@@ -20,7 +20,7 @@ std::string robot_name(std::size_t index) {
   return "robot " + std::to_string(index);
 }
 
-/// The robot with the largest value, and that value; the first of equals.
+/// The robot with the largest value, and that value; the first of equals. Of parked ones it is 0.
 struct Worst {
   std::size_t robot = 0;
   double value = 0.0;
@@ -28,9 +28,9 @@ struct Worst {
 
 template <class Measure>
 Worst worst(const std::vector<RobotSetup>& robots, Measure measure) {
-  Worst result{0, measure(robots[0])};
-  for (std::size_t i = 1; i < robots.size(); ++i) {
-    const double value = measure(robots[i]);
+  Worst result;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const double value = robots[i].parked ? 0.0 : measure(robots[i]);
     if (value > result.value) result = {i, value};
   }
   return result;
@@ -173,6 +173,14 @@ std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
   return discs;
 }
 
+/// Whether nobody minds that the two are in one place.
+bool may_overlap(const Scenario& scenario, const StartDisc& a, const StartDisc& b) {
+  if (a.source < 0 || b.source < 0) return a.source < 0 && b.source < 0;
+  const RobotSetup& first = scenario.robots[static_cast<std::size_t>(a.source)];
+  const RobotSetup& second = scenario.robots[static_cast<std::size_t>(b.source)];
+  return !first.parked && !second.parked && !avoids(first, second) && !avoids(second, first);
+}
+
 void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) {
   constexpr int kNamed = 3, kCounted = 1000;
   if (is_certified(scenario)) return;
@@ -186,7 +194,7 @@ void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) 
       const StartDisc* b = &discs[j];
       const double touching = a->radius + b->radius;
       const double distance = norm(a->center - b->center);
-      if (distance >= (1.0 - 1e-9) * touching || (a->source < 0 && b->source < 0)) continue;
+      if (distance >= (1.0 - 1e-9) * touching || may_overlap(scenario, *a, *b)) continue;
       if (++advised > kNamed) continue;
       if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
       lines.push_back(name(a->source) + " and " + name(b->source) + " overlap at the start: " +

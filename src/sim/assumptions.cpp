@@ -27,6 +27,7 @@ struct Starter {
 struct Starts {
   const Scenario& scenario;
   CertificateLaw law;
+  bool layered = false;
   std::vector<Starter> starters = {};
   CertificateConstraints constraints = {};
   std::vector<BrokenStart> broken = {};
@@ -47,6 +48,8 @@ void collect_starters(Starts& starts) {
     starts.starters.push_back(
         {robots[i].position, static_cast<int>(i), way, robots[i].radius + norm(way)});
   }
+  for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
+    starts.starters[i].reach = robots[i].radius + longest * norm(robots[i].velocity);
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
@@ -60,17 +63,25 @@ void collect_starters(Starts& starts) {
 
 // Whether the line across p keeps the two apart on all of their ways: most pairs of a crowd need no
 // more than that.
-bool are_apart(const Starter& a, const Starter& b, double contact) {
+bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double contact) {
   const Vec2 p = a.position - b.position;
   const double distance = norm(p);
   if (distance >= a.reach + b.reach) return true;
-  if (b.source < 0 || !(distance > 0.0)) return false;
+  if (behavior == Behavior::moves_on || !(distance > 0.0)) return false;
   return distance + (std::min(0.0, dot(p, a.way)) - std::max(0.0, dot(p, b.way))) / distance >=
          contact;
 }
 
+// Everybody avoids obstacles.
+bool avoids(const Starter& a, const Starter& b, const Scenario& scenario) {
+  const auto robot = [&](const Starter& starter) -> const RobotSetup& {
+    return scenario.robots[static_cast<std::size_t>(starter.source)];
+  };
+  return b.source < 0 || robot(a).parked || robot(b).parked || avo::avoids(robot(a), robot(b));
+}
+
 void examine(const Starter& a, const Starter& b, Starts& starts) {
-  const auto& [scenario, law, starters, constraints, broken] = starts;
+  const auto& [scenario, law, layered, starters, constraints, broken] = starts;
   const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
   Neighbor neighbor;
   double margin = 0.0;
@@ -79,7 +90,10 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
     neighbor = {.position = other.position,
                 .velocity = start_velocity(other),
                 .radius = other.radius,
-                .max_acceleration = other.max_acceleration};
+                .max_acceleration = other.max_acceleration,
+                .behavior = own.parked || other.parked || avo::avoids(other, own)
+                                ? Behavior::decides
+                                : Behavior::moves_on};
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
@@ -91,7 +105,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
     margin = parabola_error(other.acceleration, law.step);
   }
   const double contact = own.radius + neighbor.radius;
-  if (are_apart(a, b, contact)) return;
+  if (are_apart(a, b, neighbor.behavior, contact)) return;
   Robot robot;
   robot.position = own.position;
   robot.velocity = start_velocity(own);
@@ -112,6 +126,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
 // the group itself, and those with all that reach less far. So one that reaches far costs the
 // others nothing.
 void examine_group(std::size_t first, std::size_t last, Starts& starts) {
+  const Scenario& scenario = starts.scenario;
   const std::vector<Starter>& starters = starts.starters;
   std::vector<Vec2> positions;
   double reach = 0.0;
@@ -130,7 +145,10 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
       const Starter *a = &starters[i], *b = &starters[j];
       if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
       if (a->source < 0) continue;
-      examine(*a, *b, starts);
+      if (avoids(*a, *b, scenario))
+        examine(*a, *b, starts);
+      else if (b->source >= 0 && avoids(*b, *a, scenario))
+        examine(*b, *a, starts);
       if (starts.broken.size() >= BrokenAssumptions::kCounted) return;
     }
   }
@@ -138,7 +156,7 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
 
 void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
                         BrokenAssumptions& result) {
-  Starts starts{scenario, law};
+  Starts starts{scenario, law, is_layered(scenario)};
   collect_starters(starts);
   std::vector<Starter>& starters = starts.starters;
   std::stable_sort(starters.begin(), starters.end(), [](const Starter& a, const Starter& b) {
@@ -183,6 +201,13 @@ void find_fast_starts(const Scenario& scenario, BrokenAssumptions& result) {
 }
 
 }  // namespace
+
+bool is_layered(const Scenario& scenario) {
+  const RobotSetup usual;
+  return std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
+    return !(robot.layers == usual.layers && robot.avoids == usual.avoids);
+  });
+}
 
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
   return stopping_way(start_velocity(robot), braking_decrement(robot.max_acceleration, law.step),

@@ -16,6 +16,9 @@ Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
                       BrokenAssumptions& result);
 
+/// Whether not everybody avoids everybody.
+bool is_layered(const Scenario& scenario);
+
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed);
 
 /// What separates a broken start from the rounding of decimal fractions, of the length or speed.

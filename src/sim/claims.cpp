@@ -55,8 +55,10 @@ void collect_claims(const World& world, Executor& executor, Claims& claims) {
     std::vector<Claimant>& own = claims.parts[part];
     own.clear();
     own.reserve(kMostClaims * (robots / parts + 1));
-    for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k)
-      append_claims(world, world.fleet.slot_of[k], own);
+    for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k) {
+      const std::uint32_t slot = world.fleet.slot_of[k];
+      if (!world.fleet.conduct[slot].parked) append_claims(world, slot, own);
+    }
   });
   std::vector<std::uint32_t>& first = claims.first;
   first.assign(world.ways.passages.size() + 1, 0);

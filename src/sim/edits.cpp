@@ -92,11 +92,13 @@ void check_delay(const World& world, const RobotSetup& setup, RobotId robot) {
 RobotSetup standing(const World& world, std::size_t slot) {
   RobotSetup setup = world.fleet.setup(slot);
   setup.position = setup.velocity = {};
+  if (setup.parked) setup.position = setup.goal;
   return setup;
 }
 
 // Throws Error where braking does not keep the margin to it, or its Fill keeps a robot out.
-void check_certificate(const World& world, const StaticObstacle& obstacle, ObstacleId id) {
+void check_certificate(const World& world, const StaticObstacle& obstacle,
+                       const std::string& name) {
   const CertificateLaw law = certificate_law(world.settings);
   if (law.kind == Certificate::none) return;
   const Fleet& fleet = world.fleet;
@@ -113,7 +115,7 @@ void check_certificate(const World& world, const StaticObstacle& obstacle, Obsta
   if (broken.beside_count > 0) {
     const WallStart& worst = broken.beside.front();
     const double own = scene.robots[static_cast<std::size_t>(worst.robot)].radius;
-    refuse(name_of(id),
+    refuse(name,
            robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
                rounded(worst.kept, 9) + " m once it has braked",
            ">= " + text(own) + " + " + text(obstacle.radius) + " m and " +
@@ -121,19 +123,34 @@ void check_certificate(const World& world, const StaticObstacle& obstacle, Obsta
   }
   if (broken.misplaced_count > 0) {
     const bool solid = obstacle.fill == Fill::solid;
-    refuse(name_of(id), robot_at(broken.misplaced.front().robot),
+    refuse(name, robot_at(broken.misplaced.front().robot),
            solid ? "outside of the solid" : "inside of the bounds");
   }
+}
+
+// Throws Error where somebody could not keep clear of what does not move from now on.
+void check_newly_static(const World& world, const StaticObstacle& obstacle,
+                        const std::string& name) {
+  if (world.statics.walls.empty()) {  // nobody has been asked yet
+    for (const std::uint32_t slot : world.fleet.slot_of)
+      check(world, standing(world, slot), world.fleet.id[slot], true);
+  }
+  check_certificate(world, obstacle, name);
 }
 
 static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
               std::is_nothrow_move_assignable_v<Ways>);
 
-// The same fleet among others.
-void replace(World& world, StaticWorld statics) {
+Ways ways_among(const World& world, const StaticWorld& statics) {
   Ways ways(world.settings, statics.walls, &world.ways);
   replan_travels(world.ways, ways, world.fleet);
   ways.forget_before();
+  return ways;
+}
+
+// The same fleet among others.
+void replace(World& world, StaticWorld statics) {
+  Ways ways = ways_among(world, statics);
   world.statics = std::move(statics);
   world.ways = std::move(ways);
   world.changed = true;
@@ -141,9 +158,49 @@ void replace(World& world, StaticWorld statics) {
 
 }  // namespace
 
+namespace {
+
+// The same obstacles beside other parked robots.
+StaticWorld beside(const World& world, std::vector<Wall> parked) {
+  const StaticWorld& statics = world.statics;
+  return {statics.obstacles, statics.id, statics.next_id, std::move(parked)};
+}
+
+void park(World& world, const RobotSetup& setup, RobotId robot) {
+  const StaticObstacle disc{{{{setup.position}, false}}, setup.radius, Fill::none};
+  check_newly_static(world, disc, name_of(robot));
+  std::vector<Wall> parked = world.statics.parked;
+  parked.push_back({setup.position, setup.position, setup.radius});
+  StaticWorld statics = beside(world, std::move(parked));
+  Ways ways = ways_among(world, statics);
+  ways.travels.reserve(world.fleet.size() + 1);
+  world.fleet.add(robot, setup);
+  ways.travels.emplace_back();  // there is room
+  world.statics = std::move(statics);
+  world.ways = std::move(ways);
+}
+
+void remove_parked(World& world, std::size_t slot) {
+  Fleet& fleet = world.fleet;
+  std::vector<Wall> parked;
+  for (const std::uint32_t other : fleet.slot_of) {
+    if (fleet.conduct[other].parked && other != slot)
+      parked.push_back({fleet.position[other], fleet.position[other], fleet.traits[other].radius});
+  }
+  replace(world, beside(world, std::move(parked)));
+}
+
+}  // namespace
+
 RobotId add_robot(World& world, const RobotSetup& setup) {
   const RobotId robot{world.next_id};
-  check(world, setup, robot, !world.statics.obstacles.empty());
+  check(world, setup, robot, !world.statics.walls.empty());
+  if (setup.parked) {
+    park(world, setup, robot);
+    ++world.next_id;
+    world.changed = true;
+    return robot;
+  }
   check_sensing(world, setup, robot);
   check_delay(world, setup, robot);
   Ways& ways = world.ways;
@@ -165,6 +222,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
 
 void remove_robot(World& world, RobotId robot) {
   const std::size_t slot = world.fleet.find(robot);
+  if (world.fleet.conduct[slot].parked) remove_parked(world, slot);
   std::vector<Travel>& travels = world.ways.travels;
   if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);
   world.senses.remove(static_cast<std::size_t>(world.fleet.rank[slot]));
@@ -174,9 +232,11 @@ void remove_robot(World& world, RobotId robot) {
 
 void set_goal(World& world, RobotId robot, Vec2 goal) {
   const std::size_t slot = world.fleet.find(robot);
+  if (world.fleet.conduct[slot].parked)
+    refuse(name_of(robot), "a goal for it", "one that is not parked");
   RobotSetup setup = standing(world, slot);
   setup.goal = goal;
-  check(world, setup, robot, !world.statics.obstacles.empty());
+  check(world, setup, robot, !world.statics.walls.empty());
   Ways& ways = world.ways;
   if (!ways.empty()) {
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
@@ -190,15 +250,12 @@ ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {
   Scenario scene = world.settings;
   scene.obstacles = {obstacle};
   validate_as(scene, "obstacles.0.", name_of(id));
-  if (world.statics.obstacles.empty()) {  // nobody has been asked yet
-    for (const std::uint32_t slot : world.fleet.slot_of)
-      check(world, standing(world, slot), world.fleet.id[slot], true);
-  }
-  check_certificate(world, obstacle, id);
+  check_newly_static(world, obstacle, name_of(id));
   std::vector<ObstacleId> ids = world.statics.id;
   std::vector<StaticObstacle> obstacles = world.statics.obstacles;
   ids.push_back(id), obstacles.push_back(obstacle);
-  replace(world, StaticWorld(std::move(obstacles), std::move(ids), id.value + 1));
+  replace(world,
+          StaticWorld(std::move(obstacles), std::move(ids), id.value + 1, world.statics.parked));
   return id;
 }
 
@@ -209,7 +266,8 @@ void remove_obstacle(World& world, ObstacleId obstacle) {
   std::vector<StaticObstacle> obstacles = world.statics.obstacles;
   obstacles.erase(obstacles.begin() + (place - ids.begin()));
   ids.erase(place);
-  replace(world, StaticWorld(std::move(obstacles), std::move(ids), world.statics.next_id));
+  replace(world, StaticWorld(std::move(obstacles), std::move(ids), world.statics.next_id,
+                             world.statics.parked));
 }
 
 }  // namespace avo

@@ -31,6 +31,10 @@ RobotTraits traits_of(const RobotSetup& setup) {
           setup.car ? setup.car->wheelbase : 0.0};
 }
 
+Conduct conduct_of(const RobotSetup& setup) {
+  return {setup.priority, setup.parked, setup.layers, setup.avoids};
+}
+
 Vec2 start_velocity(const RobotSetup& setup) {
   if (!setup.car) return setup.velocity;
   return norm(setup.velocity) * elementary::direction(setup.car->heading);
@@ -38,9 +42,9 @@ Vec2 start_velocity(const RobotSetup& setup) {
 
 template <typename Action>
 void Fleet::for_each_column(const Action& action) {
-  action(id), action(rank), action(traits), action(range), action(nearest), action(goal),
-      action(position);
-  action(velocity), action(heading), action(detour), action(plan), action(applied_acceleration);
+  action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
+  action(goal), action(position), action(velocity), action(heading), action(detour), action(plan),
+      action(applied_acceleration);
   action(cell);
 }
 
@@ -55,10 +59,12 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   bool full = slot_of.capacity() == slot;
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
+  if (!seen_acceleration.empty()) seen_acceleration.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
   traits[slot] = traits_of(setup);
+  conduct[slot] = conduct_of(setup);
   goal[slot] = setup.goal;
   position[slot] = setup.position;
   velocity[slot] = start_velocity(setup);
@@ -69,12 +75,22 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
+  if (!seen_acceleration.empty()) seen_acceleration.erase(seen_acceleration.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
     if (slot_of[k] > slot) --slot_of[k];
     rank[slot_of[k]] = static_cast<int>(k);
   }
+}
+
+std::vector<Wall> Fleet::parked_discs() const {
+  std::vector<Wall> discs;
+  for (const std::uint32_t slot : slot_of) {
+    if (conduct[slot].parked)
+      discs.push_back({position[slot], position[slot], traits[slot].radius});
+  }
+  return discs;
 }
 
 std::size_t Fleet::find(RobotId robot) const {
@@ -95,16 +111,23 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .radius = robot_traits.radius,
                    .max_speed = robot_traits.max_speed,
                    .max_acceleration = robot_traits.max_acceleration,
-                   .preferred_speed = robot_traits.preferred_speed};
+                   .preferred_speed = robot_traits.preferred_speed,
+                   .priority = conduct[slot].priority,
+                   .parked = conduct[slot].parked,
+                   .layers = conduct[slot].layers,
+                   .avoids = conduct[slot].avoids};
   if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
   return setup;
 }
 
-Neighbor Fleet::sensed(std::size_t slot) const {
+Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
   return {.position = position[slot],
           .velocity = velocity[slot],
           .radius = traits[slot].radius,
-          .max_acceleration = traits[slot].max_acceleration};
+          .max_acceleration = traits[slot].max_acceleration,
+          .acceleration = behavior == Behavior::moves_on ? acceleration_seen(slot) : Vec2{},
+          .behavior = behavior,
+          .priority = conduct[slot].priority};
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
@@ -186,6 +209,8 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
+    const Vec2 seen = fleet.acceleration_seen(i);
+    if (!(seen == Vec2{})) hash = mixed(hash, seen);
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

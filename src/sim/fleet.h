@@ -2,6 +2,7 @@
 // The state of a simulation in columns, one entry a robot.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,20 @@ struct RobotTraits {
   double wheelbase = 0.0;         // m, 0: not a car
 };
 RobotTraits traits_of(const RobotSetup& setup);
+
+/// How a robot and the others give way to each other. Nearly all are alike.
+struct Conduct {
+  double priority = 1.0;
+  bool parked = false;
+  LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
+  friend bool operator==(const Conduct&, const Conduct&) = default;
+};
+Conduct conduct_of(const RobotSetup& setup);
+/// What A counts on from B; nothing where it does not avoid it.
+inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
+  if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
+  return (b.avoids.bits & a.layers.bits) != 0 ? Behavior::decides : Behavior::moves_on;
+}
 /// m/s; that of a car points along its heading.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -29,6 +44,7 @@ struct Fleet {
   std::vector<RobotId> id;
   std::vector<int> rank;
   std::vector<RobotTraits> traits;
+  std::vector<Conduct> conduct;
   std::vector<RelevantRange> range;
   std::vector<float> nearest;  // m, within which it found its nearest neighbors in the last step
   std::vector<Vec2> goal;
@@ -41,17 +57,30 @@ struct Fleet {
   std::vector<std::uint32_t> cell;  // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
+  // m/s², of the last step, by rank; empty where nobody has to see it
+  std::vector<Vec2> seen_acceleration;
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
   void add(RobotId robot, const RobotSetup& setup);
   void remove(std::size_t slot);
+  /// Of those that are parked, in the order of their ids.
+  std::vector<Wall> parked_discs() const;
   /// Slot of the robot; throws Error if there is none.
   std::size_t find(RobotId robot) const;
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
-  /// As others sense it.
-  Neighbor sensed(std::size_t slot) const;
+  Vec2 acceleration_seen(std::size_t slot) const {
+    return seen_acceleration.empty() ? Vec2{}
+                                     : seen_acceleration[static_cast<std::size_t>(rank[slot])];
+  }
+  /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
+  std::optional<Behavior> expected(std::size_t b, std::size_t a) const {
+    if (conduct[a].parked || conduct[b].parked) return std::nullopt;
+    return expected_of(conduct[b], conduct[a]);
+  }
+  /// As others sense it who count on that much of it.
+  Neighbor sensed(std::size_t slot, Behavior behavior = Behavior::decides) const;
   /// Slot k becomes what slot order[k] was.
   void reorder(std::span<const std::uint32_t> order, Executor& executor);
 

@@ -44,6 +44,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
     robots.wheelbase[k] = traits.wheelbase, robots.heading[k] = fleet.heading[slot];
+    robots.priority[k] = fleet.conduct[slot].priority;
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;
     worker.moving.preferred_speed[k] = traits.preferred_speed;
     tile.detour.push_back(&fleet.detour[slot]);
@@ -92,6 +93,7 @@ void move(World& world, Worker& worker) {
   std::uint64_t fast = advance(world.response, moving, tile.robots);
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
     const std::uint32_t slot = tile.slot[k];
+    const Vec2 before = fleet.velocity[slot];
     if (tile.robots.wheelbase[k] > 0.0) {
       move_car(world, slot);
       const std::uint64_t bit = std::uint64_t{1} << k;
@@ -101,6 +103,9 @@ void move(World& world, Worker& worker) {
       fleet.velocity[slot] = tile.plan[k]->next_velocity = tile.robots.velocity(k);
       fleet.applied_acceleration[slot] = moving.acceleration[k];
     }
+    if (world.layered)
+      fleet.seen_acceleration[static_cast<std::size_t>(fleet.rank[slot])] =
+          (fleet.velocity[slot] - before) / world.settings.time_step;
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
   }
   worker.fast = worker.fast || fast != 0;

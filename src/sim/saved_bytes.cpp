@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
-constexpr std::size_t kObstacleWords = 11, kRobotWords = 15;
+constexpr std::size_t kObstacleWords = 11, kRobotWords = 20;
 constexpr std::size_t kPastWords = 4;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
@@ -190,7 +190,13 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
-  describe(archive, setup.preferred_speed);
+  describe(archive, setup.preferred_speed), describe(archive, setup.priority);
+  describe(archive, setup.parked);
+  std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
+  archive.word(layers);
+  setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);
+  setup.avoids.bits = static_cast<std::uint32_t>(layers);
+  if (kReads && setup.parked) setup.position = setup.goal;
   double wheelbase = setup.car ? setup.car->wheelbase : 0.0;  // 0: not a car
   describe(archive, wheelbase);
   if (wheelbase != 0.0) setup.car = CarSetup{wheelbase, 0.0};
@@ -198,6 +204,7 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, state.id.value), describe(archive, state.position);
   describe(archive, state.velocity), describe(archive, state.heading);
   describe(archive, state.detour.angle), describe(archive, state.detour.yielded);
+  describe(archive, state.seen_acceleration);
 }
 
 template <bool kReads>
@@ -286,6 +293,13 @@ void check_states(const SavedState& state) {
       refuse("heading " + text(robot.heading), "an angle in rad");
     if (!is_sound(robot.detour)) refuse("a detour that no robot can remember", "a sound one");
     check_id(robot.id.value, state.next_id);
+    if (!is_finite(robot.seen_acceleration)) refuse("an acceleration that is not finite", "finite");
+  }
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    const RobotState& robot = state.robots[k];
+    if (!state.scene.robots[k].parked) continue;
+    if (!(robot.position == state.scene.robots[k].goal && robot.velocity == Vec2{}))
+      refuse("a parked robot that has moved", "one at its goal");
   }
   if (state.steps < 0 || state.steps > kLastStep) {
     refuse(std::to_string(state.steps) + " steps", "0 to " + std::to_string(kLastStep));

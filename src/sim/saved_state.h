@@ -21,8 +21,9 @@ struct RobotState {
   Vec2 position, velocity;  // m, m/s
   double heading = 0.0;     // rad
   Detour detour;
+  Vec2 seen_acceleration;  // m/s^2
 };
-static_assert(sizeof(RobotState) == 64, "it says so in avo/simulation.h");
+static_assert(sizeof(RobotState) == 80, "it says so in avo/simulation.h");
 
 struct ObstacleState {
   Vec2 position, velocity;  // m, m/s

@@ -65,6 +65,13 @@ void require_same_scene(const Scenario& saved, const World& world) {
     refuse("saved state: moving_obstacles", "others", "those of this simulation");
 }
 
+bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
+  return std::equal(theirs.begin(), theirs.end(), ours.begin(), ours.end(),
+                    [](const Wall& a, const Wall& b) {
+                      return a.a == b.a && a.b == b.b && a.radius == b.radius;
+                    });
+}
+
 Fleet fleet_of(const SavedState& state) {
   Fleet fleet;
   fleet.reserve(state.robots.size());
@@ -77,6 +84,11 @@ Fleet fleet_of(const SavedState& state) {
     fleet.velocity[k] = robot.velocity;  // to the last bit, of cars as well
     fleet.detour[k] = robot.detour;
   }
+  const bool seen = std::any_of(state.robots.begin(), state.robots.end(), [](const RobotState& r) {
+    return !(r.seen_acceleration == Vec2{});
+  });
+  for (std::size_t k = 0; k < state.robots.size() && seen; ++k)
+    fleet.seen_acceleration.push_back(state.robots[k].seen_acceleration);
   return fleet;
 }
 
@@ -112,6 +124,10 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
   travels.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     const RobotSetup& setup = state.scene.robots[k];
+    if (setup.parked) {
+      travels.emplace_back();
+      continue;
+    }
     travels.push_back(
         ways.resume(setup.radius, setup.goal, state.ways[k].target, state.ways[k].is_exact));
   }
@@ -145,7 +161,8 @@ SavedState saved_state(const World& world) {
   for (const std::uint32_t slot : fleet.slot_of) {
     state.scene.robots.push_back(fleet.setup(slot));
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
-                            fleet.heading[slot], fleet.detour[slot]});
+                            fleet.heading[slot], fleet.detour[slot],
+                            fleet.acceleration_seen(slot)});
   }
   return state;
 }
@@ -157,8 +174,11 @@ void restore(const SavedState& state, World& world) {
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;
   std::optional<Ways> other_ways;
-  if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles) {
-    statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle);
+  std::vector<Wall> parked = fleet.parked_discs();
+  if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles ||
+      !are_same(parked, world.statics.parked)) {
+    statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle,
+                    std::move(parked));
     other_ways.emplace(world.settings, statics->walls, &world.ways);
   }
   Ways& ways = other_ways ? *other_ways : world.ways;

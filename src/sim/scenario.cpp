@@ -26,6 +26,37 @@ struct Place {
   }
 };
 
+std::string list_of(LayerSet set) {
+  std::string list("[");
+  for (int k = 0; k < 32; ++k) {
+    if ((set.bits >> k & 1U) == 0) continue;
+    if (list.size() > 1) list.append(", ");
+    list.append(std::to_string(k));
+  }
+  return list.append("]");
+}
+
+// It has arrived where it stands.
+void check_parked(std::size_t i, const RobotSetup& robot) {
+  const auto at = [](Vec2 p) {
+    std::string point("[");
+    return point.append(text(p.x)).append(", ").append(text(p.y)).append("]");
+  };
+  if (!(robot.goal == robot.position))
+    refuse(std::string(Place{"robots", i, "goal"}), at(robot.goal),
+           at(robot.position) + ", its position: it is parked");
+  if (!(robot.velocity == Vec2{}))
+    refuse(std::string(Place{"robots", i, "velocity"}), at(robot.velocity), "[0, 0]: it is parked");
+  const RobotSetup usual;
+  const auto require_usual = [&](std::string_view field, LayerSet found, LayerSet left_out) {
+    if (!(found == left_out))
+      refuse(std::string(Place{"robots", i, field}), list_of(found),
+             "left out: it is parked, and nobody may touch it");
+  };
+  require_usual("layers", robot.layers, usual.layers);
+  require_usual("avoids", robot.avoids, usual.avoids);
+}
+
 void check_robot(std::size_t i, const RobotSetup& robot) {
   const std::string_view list = "robots";
   require(Place{list, i, "position"}, robot.position, "m");
@@ -35,6 +66,8 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
   require(Place{list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
   require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
   require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
+  require(Place{list, i, "priority"}, robot.priority, kPositive, "");
+  if (robot.parked) check_parked(i, robot);
   if (!robot.car) return;
   require(Place{list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
   require(Place{list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
@@ -99,8 +132,13 @@ void check_sensing(const SensingModel& sensing) {
 
 // The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
 void check_beside_walls(const Scenario& scenario, const PlannerOptions& options) {
-  for (std::size_t i = 0; i < scenario.robots.size() && !scenario.obstacles.empty(); ++i) {
-    const RobotSetup& robot = scenario.robots[i];
+  const std::vector<RobotSetup>& robots = scenario.robots;
+  const bool has_walls =
+      !scenario.obstacles.empty() ||
+      std::any_of(robots.begin(), robots.end(), [](const RobotSetup& r) { return r.parked; });
+  for (std::size_t i = 0; i < robots.size() && has_walls; ++i) {
+    const RobotSetup& robot = robots[i];
+    if (robot.parked) continue;
     const double most = std::min(robot.max_acceleration * options.time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * options.time_step;
     if (robot.radius > height) continue;
@@ -138,6 +176,14 @@ void validate(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
     check_static_obstacle(k, scenario.obstacles[k]);
   check_certificate(scenario, options);
+}
+
+std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
+  std::vector<Wall> discs;
+  for (const RobotSetup& robot : robots) {
+    if (robot.parked) discs.push_back({robot.position, robot.position, robot.radius});
+  }
+  return discs;
 }
 
 PlannerOptions planner_options(const Scenario& scenario) {

@@ -102,6 +102,8 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   const World& world = encounter.world;
   const Senses& senses = world.senses;
   const std::uint32_t slot = world.fleet.slot_of[rank];
+  const auto behavior = world.fleet.expected(slot, world.fleet.slot_of[encounter.observer]);
+  if (!behavior) return {};
   encounter.other_id = world.fleet.id[slot].value;
   encounter.first = std::max(senses.since[encounter.observer], senses.since[rank]);
   const auto generation =
@@ -109,12 +111,10 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   if (!generation) return {};
   const PastState& state = senses.at(rank, *generation);
   const double time = static_cast<double>(world.steps - *generation) * world.settings.time_step;
-  const RobotTraits& traits = world.fleet.traits[slot];
-  return encounter.sighting({.position = state.position + time * state.velocity,
-                             .velocity = state.velocity,
-                             .radius = traits.radius,
-                             .max_acceleration = traits.max_acceleration},
-                            *generation, static_cast<int>(rank));
+  Neighbor neighbor = world.fleet.sensed(slot, *behavior);
+  neighbor.position = state.position + time * state.velocity;
+  neighbor.velocity = state.velocity;
+  return encounter.sighting(neighbor, *generation, static_cast<int>(rank));
 }
 
 // It keeps its acceleration: the true state carried on is the present one.

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
@@ -56,6 +59,47 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
   return front;
 }
 
+// A robot that reacts to nobody, as far as it is from another one that needs so many seconds until
+// rest: predicted to keep its acceleration.
+double part_of_mover(const RobotSetup& robot, double seconds) {
+  return robot.radius + seconds * (robot.max_speed + 0.5 * seconds * robot.max_acceleration);
+}
+
+// Robots of the same layers, longest first.
+using Kinds = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Part>>;
+
+// Pairs of which one avoids the other at least.
+template <typename Take>
+void take_by_layers(const Scenario& scenario, const std::vector<Part>& parts, const Take& take) {
+  Kinds kinds;
+  const auto robot = [&](const Part& part) -> const RobotSetup& {
+    return scenario.robots[static_cast<std::size_t>(part.robot)];
+  };
+  for (const Part& part : parts)
+    kinds[{robot(part).layers.bits, robot(part).avoids.bits}].push_back(part);
+  for (auto& [key, kind] : kinds) {
+    std::stable_sort(kind.begin(), kind.end(),
+                     [](const Part& a, const Part& b) { return a.length > b.length; });
+  }
+  for (const auto& [key_a, of_a] : kinds) {
+    const RobotSetup& a = robot(of_a.front());
+    const std::vector<Part> front = worst_for_obstacles(of_a);
+    for (const auto& [key_b, of_b] : kinds) {
+      const RobotSetup& b = robot(of_b.front());
+      if (!avoids(a, b)) continue;
+      if (avoids(b, a)) {
+        const std::size_t second = key_a == key_b ? 1 : 0;
+        if (second < of_b.size()) take(of_a.front(), of_b[second].robot, of_b[second].length);
+        continue;
+      }
+      for (const Part& avoiding : front) {
+        for (const Part& mover : of_b)
+          take(avoiding, mover.robot, part_of_mover(robot(mover), avoiding.seconds));
+      }
+    }
+  }
+}
+
 std::optional<SensingNeed> need(const Scenario& scenario, const CertificateLaw& law) {
   std::optional<SensingNeed> worst;
   const auto take = [&](const Part& part, int other, double other_part) {
@@ -66,9 +110,11 @@ std::optional<SensingNeed> need(const Scenario& scenario, const CertificateLaw& 
   };
   std::vector<Part> parts;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-    parts.push_back(part_of(scenario, i, law));
+    if (!scenario.robots[i].parked) parts.push_back(part_of(scenario, i, law));
   }
-  if (parts.size() > 1) {
+  if (is_layered(scenario)) {
+    take_by_layers(scenario, parts, take);
+  } else if (parts.size() > 1) {
     Part first = parts[0], second = parts[1];  // the longest two, in the order of their numbers
     for (std::size_t i = 2; i < parts.size(); ++i) {
       Part& shorter = first.length < second.length ? first : second;
@@ -91,7 +137,9 @@ std::optional<SensingNeed> need(const Scenario& scenario, const CertificateLaw& 
 
 double scene_top_speed(const Scenario& scenario) {
   double top = 0.0;
-  for (const RobotSetup& robot : scenario.robots) top = std::max(top, robot.max_speed);
+  for (const RobotSetup& robot : scenario.robots) {
+    if (!robot.parked) top = std::max(top, robot.max_speed);
+  }
   return top;
 }
 
@@ -147,6 +195,7 @@ LimitedSpeeds limit_speed(Scenario& scenario) {
   LimitedSpeeds result{0, admissible_speed(scenario), 0};
   if (planner_options(scenario).certificate == Certificate::none) return result;
   for (RobotSetup& robot : scenario.robots) {
+    if (robot.parked) continue;
     if (result.limit > 0.0 && robot.max_speed > result.limit) {
       robot.max_speed = result.limit;
       robot.preferred_speed = std::min(robot.preferred_speed, result.limit);

@@ -25,16 +25,20 @@ namespace {
 // Whoever is within the sensing radius of a robot, found by looking at everyone; as it is.
 void append_all(const World& world, std::size_t slot, std::vector<Sighting>& robots,
                 std::vector<Sighting>& movers) {
-  const Vec2 position = world.fleet.position[slot];
+  const Fleet& fleet = world.fleet;
+  if (fleet.conduct[slot].parked) return;
+  const Vec2 position = fleet.position[slot];
   const double radius = world.settings.sensing_radius;
   const auto add = [&](const Neighbor& neighbor, int source, std::vector<Sighting>& to) {
     const double distance_squared = norm_squared(neighbor.position - position);
     if (!is_finite(neighbor.position) || !is_finite(position)) return;
     if (distance_squared <= radius * radius) to.push_back({neighbor, distance_squared, source});
   };
-  for (std::size_t rank = 0; rank < world.fleet.size(); ++rank) {
-    const std::uint32_t other = world.fleet.slot_of[rank];
-    if (other != slot) add(world.fleet.sensed(other), static_cast<int>(rank), robots);
+  for (std::size_t rank = 0; rank < fleet.size(); ++rank) {
+    const std::uint32_t other = fleet.slot_of[rank];
+    const auto behavior = fleet.expected(other, slot);
+    if (other != slot && behavior)
+      add(fleet.sensed(other, *behavior), static_cast<int>(rank), robots);
   }
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k)
     add(world.obstacles.sensed(k), -1 - static_cast<int>(k), movers);
@@ -173,6 +177,7 @@ std::int64_t Simulation::steps() const {
 
 bool Simulation::is_at_goal(std::size_t robot) const {
   const std::uint32_t slot = state_->fleet.slot_of[robot];
+  if (state_->fleet.conduct[slot].parked) return true;
   const Vec2 p = state_->fleet.position[slot], goal = state_->fleet.goal[slot];
   return norm(goal - p) <= state_->settings.arrival_distance && state_->ways.is_in_sight(p, goal);
 }

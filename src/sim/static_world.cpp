@@ -57,18 +57,21 @@ WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs) {
 }
 
 StaticWorld::StaticWorld(std::vector<StaticObstacle> listed, std::vector<ObstacleId> ids,
-                         std::uint64_t next)
+                         std::uint64_t next, std::vector<Wall> discs)
     : id(std::move(ids)),
       obstacles(std::move(listed)),
       next_id(next),
+      parked(std::move(discs)),
       walls(walls_of(obstacles)),
-      hash(hash_of(*this)) {}
+      hash(hash_of(*this)) {
+  walls.insert(walls.end(), parked.begin(), parked.end());
+}
 
-StaticWorld static_world(std::vector<StaticObstacle> obstacles) {
+StaticWorld static_world(const Scenario& scenario) {
   std::vector<ObstacleId> ids;
-  for (std::size_t k = 0; k < obstacles.size(); ++k) ids.push_back({k});
+  for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) ids.push_back({k});
   const std::uint64_t next = ids.size();
-  return {std::move(obstacles), std::move(ids), next};
+  return {scenario.obstacles, std::move(ids), next, parked_discs(scenario.robots)};
 }
 
 }  // namespace avo

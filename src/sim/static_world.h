@@ -25,21 +25,22 @@ struct WallNeeds {
 /// The walls that matter to those robots, wherever they are.
 WallGrid grid_of(std::span<const Wall> walls, const WallNeeds& needs);
 
-/// What does not move. Nobody looks at it where there are no obstacles.
+/// What does not move. Nobody looks at it where there are no walls.
 struct StaticWorld {
   std::vector<ObstacleId> id;  // ascending
   std::vector<StaticObstacle> obstacles;
   std::uint64_t next_id = 0;
-  std::vector<Wall> walls;  // of all obstacles, in their order
-  std::uint64_t hash = 0;   // of ids and obstacles
+  std::vector<Wall> parked;  // discs of robots
+  std::vector<Wall> walls;   // of all obstacles, in their order, and parked robots
+  std::uint64_t hash = 0;    // of ids and obstacles
   WallGrid grid;
   std::optional<WallNeeds> needs;  // that the grid is for; none is built yet
 
   StaticWorld(std::vector<StaticObstacle> obstacles, std::vector<ObstacleId> id,
-              std::uint64_t next_id);
+              std::uint64_t next_id, std::vector<Wall> parked);
 };
 
-/// The obstacles of a scene, by their place in it.
-StaticWorld static_world(std::vector<StaticObstacle> obstacles);
+/// The obstacles of a scene, by their place in it, and its parked robots.
+StaticWorld static_world(const Scenario& scenario);
 
 }  // namespace avo

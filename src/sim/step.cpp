@@ -3,7 +3,9 @@
 // alone, and move.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 #include "planner/decision.h"
 #include "sim/world.h"
@@ -40,19 +42,35 @@ void find_ranges(World& world) {
     robot.radius = robot_traits.radius;
     robot.max_acceleration = robot_traits.max_acceleration;
     robot.max_speed = robot_traits.max_speed;
+    robot.priority = fleet.conduct[slot].priority;
     return robot;
   };
   Peers peers;
-  for (std::size_t i = 0; i < fleet.size(); ++i) include(peers, world.planner, limits(i));
+  for (std::size_t i = 0; i < fleet.size(); ++i) {
+    if (!fleet.conduct[i].parked) include(peers, world.planner, limits(i));
+  }
   double sum = 0.0;
   world.fast = false;
+  world.parked = static_cast<std::size_t>(
+      std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
+                    [](const Conduct& conduct) { return conduct.parked; }));
+  const Conduct usual;
+  world.layered =
+      std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
+        return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
+      });
+  if (world.layered) fleet.seen_acceleration.resize(fleet.size());
+  world.selective = world.parked > 0 || world.layered;
+  world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
+                            [](const Conduct& conduct) { return conduct == Conduct{}; });
   for (const std::uint32_t slot : fleet.slot_of) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
     sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed),
                     world.settings.sensing_radius);
     world.fast = world.fast || world.is_fast(slot);
   }
-  world.valid = world.obstacles.setup.empty() && world.settings.sensing_radius <= kFarthestTrusted;
+  world.valid = !world.selective && world.obstacles.setup.empty() &&
+                world.settings.sensing_radius <= kFarthestTrusted;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     world.valid =
         world.valid && is_valid(fleet.sensed(i)) && fleet.traits[i].max_speed <= kFarthestTrusted;
@@ -74,7 +92,7 @@ void lay_out(World& world, Executor& executor) {
 
 void take_snapshot(World& world, Executor& executor) {
   const std::size_t parts = executor.workers();
-  prepare(world.fleet, world.snapshot);
+  prepare(world.fleet, world.layered, world.snapshot);
   parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
     StageClock& clock = world.workers[worker].clock;
     clock.start();
@@ -114,12 +132,13 @@ void index(World& world, Executor& executor) {
 // m: others farther away matter only if they are among the nearest.
 double near_range(const World& world, std::size_t slot) {
   if (!world.senses.are_exact()) return world.settings.sensing_radius;
-  if (!world.all_matter()) return -1.0;
+  if (!world.all_matter() && !world.selective) return -1.0;
   const Vec2 p = world.fleet.position[slot];
   const double everyone = world.settings.sensing_radius;
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
   // among movers it matters whether anybody decides at all
-  if (world.fast || !world.obstacles.setup.empty() || !(farthest <= kMostRelevantPosition))
+  if (world.fast || world.selective || !world.obstacles.setup.empty() ||
+      !(farthest <= kMostRelevantPosition))
     return everyone;
   return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
 }
@@ -145,26 +164,40 @@ void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& se
   }
 }
 
-// The same among moving obstacles: robots first where distances are equal.
-void append_with_obstacles(const World& world, Vec2 position, std::size_t query, Worker& worker) {
+// The robot at a place of the snapshot; nothing where the one that looks does not mind it.
+std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const Conduct& own) {
+  const Sensed& sensed = world.snapshot.sensed[place];
+  const Conduct& conduct = world.fleet.conduct[world.snapshot.grid.order()[place]];
+  const auto behavior = expected_of(conduct, own);
+  if (conduct.parked || !behavior) return std::nullopt;
+  const bool moves_on = *behavior == Behavior::moves_on;
+  return Neighbor{.position = world.snapshot.grid.position(place),
+                  .velocity = sensed.velocity,
+                  .radius = sensed.radius,
+                  .max_acceleration = sensed.max_acceleration,
+                  .acceleration = moves_on ? world.snapshot.acceleration[place] : Vec2{},
+                  .behavior = *behavior,
+                  .priority = conduct.priority};
+}
+
+// The same among moving obstacles, robots first where distances are equal, and where robots are not
+// all alike.
+void append_one_by_one(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  const Vec2 position = world.fleet.position[slot];
+  const Conduct& own = world.fleet.conduct[slot];
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
       world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
   const std::span<const NeighborHit> obstacles =
       world.obstacle_grid.gather(position, -1, most, worker.obstacles);
-  const std::size_t end = to.count + std::min(robots.size() + obstacles.size(), most);
-  to.reserve(end);
+  const std::size_t first = to.count;
+  to.reserve(first + std::min(robots.size() + obstacles.size(), most));
   auto robot = robots.begin(), obstacle = obstacles.begin();
-  while (to.count < end) {
+  while (to.count - first < most && (robot != robots.end() || obstacle != obstacles.end())) {
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      const Sensed& sensed = world.snapshot.sensed[robot->place];
-      to.add({.position = world.snapshot.grid.position(robot->place),
-              .velocity = sensed.velocity,
-              .radius = sensed.radius,
-              .max_acceleration = sensed.max_acceleration});
-      ++robot;
+      if (const auto neighbor = sensed_at(world, (robot++)->place, own)) to.add(*neighbor);
     } else {
       to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
     }
@@ -200,7 +233,9 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
   constexpr double kMargin = 1.125;  // for having moved since
   Fleet& fleet = world.fleet;
   const Snapshot& snapshot = world.snapshot;
-  const std::size_t nearest = world.most_nearest();
+  // of all, those are chosen later whom it minds
+  const std::size_t nearest =
+      world.selective ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   worker.queries.clear();
   for (const std::uint32_t slot : slots) {
     worker.queries.push_back({.position = fleet.position[slot],
@@ -215,10 +250,10 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     const std::size_t first = worker.tile.neighbors.count;
     if (!world.senses.are_exact()) {
       append_sighted(world, slots[i], i, worker);
-    } else if (world.obstacles.setup.empty()) {
+    } else if (world.alike && world.obstacles.setup.empty()) {
       append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
     } else {
-      append_with_obstacles(world, fleet.position[slots[i]], i, worker);
+      append_one_by_one(world, slots[i], i, worker);
     }
     fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.results[i],
                                                nearest, snapshot, worker.search);
@@ -229,6 +264,16 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
     if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
   }
   return robots;
+}
+
+// Without those that are parked.
+std::span<const std::uint32_t> deciding(const World& world, std::span<const std::uint32_t> slots,
+                                        Worker& worker) {
+  if (world.parked == 0) return slots;
+  worker.deciding.clear();
+  std::copy_if(slots.begin(), slots.end(), std::back_inserter(worker.deciding),
+               [&](std::uint32_t slot) { return !world.fleet.conduct[slot].parked; });
+  return worker.deciding;
 }
 
 void take_slots(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
@@ -252,8 +297,10 @@ void step(World& world) {
                [&](std::size_t tile, std::size_t worker) {
                  const std::size_t first = tile * kTileRobots;
                  const std::size_t count = std::min(kTileRobots, robots - first);
-                 take_slots(world, world.snapshot.grid.order().subspan(first, count),
-                            world.workers[worker]);
+                 Worker& own = world.workers[worker];
+                 take_slots(world,
+                            deciding(world, world.snapshot.grid.order().subspan(first, count), own),
+                            own);
                });
   world.fast = false;
   for (Worker& worker : world.workers) {
@@ -264,7 +311,8 @@ void step(World& world) {
   world.obstacles.advance(world.settings.time_step);
   ++world.steps;
   world.senses.note(world.fleet, world.steps);
-  if (world.workers[0].clock.is_on()) world.robot_steps += static_cast<std::int64_t>(robots);
+  if (world.workers[0].clock.is_on())
+    world.robot_steps += static_cast<std::int64_t>(robots - world.parked);
 }
 
 }  // namespace avo

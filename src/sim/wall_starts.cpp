@@ -92,6 +92,7 @@ void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
   std::vector<WallStart> beside;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
+    if (robot.parked) continue;
     const int number = static_cast<int>(i);
     if (const auto start = start_beside(robot, number, listed, law)) beside.push_back(*start);
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {

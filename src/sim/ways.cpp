@@ -161,7 +161,9 @@ void plan_travels(Ways& ways, const Fleet& fleet) {
   ways.travels.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
     ways.travels.push_back(
-        ways.plan(fleet.traits[slot].radius, fleet.position[slot], fleet.goal[slot]));
+        fleet.conduct[slot].parked
+            ? Travel{}
+            : ways.plan(fleet.traits[slot].radius, fleet.position[slot], fleet.goal[slot]));
   }
 }
 

@@ -71,7 +71,9 @@ Heading heading_of(const World& world, std::size_t slot, double nearest) {
 
 void find_passages(World& world) {
   std::vector<double> radii;
-  for (const RobotTraits& traits : world.fleet.traits) radii.push_back(traits.radius);
+  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
+    if (!world.fleet.conduct[slot].parked) radii.push_back(world.fleet.traits[slot].radius);
+  }
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
   world.ways.find_passages(std::move(radii));
@@ -83,7 +85,7 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
     : settings(scenario),
       planner(planner_options(scenario)),
       response(step_response(planner)),
-      statics(static_world(scenario.obstacles)),
+      statics(static_world(scenario)),
       ways(scenario, statics.walls),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
@@ -113,6 +115,7 @@ void find_walls(World& world) {
   const Fleet& fleet = world.fleet;
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    if (fleet.conduct[slot].parked) continue;
     const RobotTraits& traits = fleet.traits[slot];
     const double speed = norm(fleet.velocity[slot]);
     needs.include(traits, speed, law);
@@ -156,7 +159,8 @@ Robot World::robot(std::size_t slot, double nearest) const {
               .radius = robot_traits.radius,
               .max_acceleration = robot_traits.max_acceleration,
               .max_speed = robot_traits.max_speed,
-              .distance_to_goal = norm(heading.goal - p)};
+              .distance_to_goal = norm(heading.goal - p),
+              .priority = fleet.conduct[slot].priority};
   if (robot_traits.wheelbase > 0.0)
     robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
   return robot;

@@ -33,6 +33,7 @@ struct alignas(128) Worker {
   Tile tile;
   MovingColumns moving;
   std::vector<NeighborQuery> queries;
+  std::vector<std::uint32_t> deciding;  // slots of a tile, where some robots are parked
   SearchScratch search, obstacles;
   LegScratch legs;
   std::vector<Sighting> sightings;  // where senses are not exact
@@ -64,6 +65,10 @@ struct World {
   bool torn = false;             // a step ended while some had moved and others not
   bool changed = true;           // robots came or went
   bool fast = false;             // some robot exceeds its max_speed
+  bool alike = true;             // all robots are of one Conduct, the usual one
+  bool selective = false;        // not everybody minds everybody
+  bool layered = false;          // by their layers
+  std::size_t parked = 0;        // robots
   bool valid = false;            // all robots were, when they came, and there is nobody else
   double near = 0.0;             // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order

@@ -22,7 +22,8 @@ const std::string kSceneKeys =
     "robots, groups, robots_from, "
     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error";
 const std::string kRobotKeys =
-    "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, car";
+    "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, car, "
+    "priority, parked, layers, avoids";
 
 struct BadScene {
   const char* name;
@@ -75,6 +76,18 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\nrobots:\n  - position: [0, 0]\n    goal: [1, 0]\n    radius: 1\n    radius: "
        "2\n"),
      "6:5: robots.0: found the key \"radius\" twice, allowed is once, the first is in line 5"},
+    {"layer_32", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], layers: [0, 32]}\n"),
+     "3:50: robots.0.layers.1: found 32, must be <= 31"},
+    {"layer_twice",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], avoids: [2, 2]}\n"),
+     "3:50: robots.0.avoids.1: found 2 twice, must be there once"},
+    {"layers_a_number", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], layers: 1}\n"),
+     "3:46: robots.0.layers: found 1, must be a list"},
+    {"parked_elsewhere",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], parked: true}\n"),
+     "3:30: robots.0.goal: found [1, 0], must be [0, 0], its position: it is parked"},
+    {"priority_zero", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], priority: 0}\n"),
+     "3:48: robots.0.priority: found 0, must be > 0"},
     {"missing_goal", s("version: 1\nrobots:\n  - {position: [0, 0]}\n"),
      "3:5: robots.0: found no \"goal\", must be given: where it wants to come to rest"},
     {"missing_position", kGood + s("  - {goal: [1, 0]}\n"),
@@ -228,7 +241,8 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, position: [0, "
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
-     "velocity, radius, max_speed, max_acceleration, preferred_speed, car"},
+     "velocity, radius, max_speed, max_acceleration, preferred_speed, car, "
+     "priority, parked, layers, avoids"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
      "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random; did "

@@ -151,6 +151,8 @@ TEST(Check, json_has_all_keys_in_order) {
                            "overlaps",
                            "obstacle_contacts_moving",
                            "obstacle_contacts_at_rest",
+                           "one_sided_contacts_moving",
+                           "one_sided_contacts_at_rest",
                            "static_contacts",
                            "accelerations",
                            "speeds",

@@ -266,6 +266,23 @@ TEST(Explain, tells_ages_and_what_noise_may_hide) {
   EXPECT_FALSE(explained(circle).contains("risk"));  // nothing is hidden
 }
 
+TEST(Explain, tells_priorities_and_who_decides) {
+  const Strings scene{
+      "circle-10",          "--robot", "3", "--time", "7", "--set", "robots.3.priority=3", "--set",
+      "robots.4.avoids=[9]"};
+  const Json json = explained(scene);
+  EXPECT_EQ(json["priority"], 3.0);
+  int movers = 0;
+  for (const Json& other : json["obstacles"]) {
+    const bool decides = other["neighbor"] != 4;
+    EXPECT_EQ(other["behavior"], decides ? "decides" : "moves_on");
+    EXPECT_EQ(other["share"], decides ? 0.25 : 1.0);
+    movers += decides ? 0 : 1;
+  }
+  EXPECT_EQ(movers, 1);
+  EXPECT_GT(json["obstacles"].size(), 5U);
+}
+
 TEST(Explain, usage_errors) {
   const auto message = [](Strings arguments) {
     arguments.insert(arguments.begin(), {"explain", "circle-10"});

@@ -92,7 +92,7 @@ TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
   ASSERT_EQ(refusal(scenario), "");
   EXPECT_EQ(check_ranges(scenario, scenario, ""), 6);
-  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 7);
+  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 8);
   EXPECT_EQ(check_ranges(scenario, *scenario.robots[0].car, "robots.0.car."), 2);
   EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 4);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
@@ -204,7 +204,7 @@ samples: 25
 arrival_distance: 0.25
 seed: 18446744073709551615
 robots:
-  - {position: [-10, 1], velocity: [0.5, 0.25], goal: [10, 2], radius: 0.4, max_speed: 3, max_acceleration: 0.75, preferred_speed: 1.5}
+  - {position: [-10, 1], velocity: [0.5, 0.25], goal: [10, 2], radius: 0.4, max_speed: 3, max_acceleration: 0.75, preferred_speed: 1.5, priority: 4, layers: [1, 31], avoids: [0, 2]}
   - {position: [+1.0e+1, -.5], goal: [-10, 0], max_speed: 1.25, car: {wheelbase: 0.7, heading: 3.}}
 moving_obstacles:
   - {position: [0, 5], velocity: [0, -0.5], acceleration: [0.125, 0], radius: 0.6}
@@ -231,8 +231,15 @@ moving_obstacles:
   EXPECT_EQ(first.max_speed, 3.0);
   EXPECT_EQ(first.max_acceleration, 0.75);
   EXPECT_EQ(first.preferred_speed, 1.5);
+  EXPECT_EQ(first.priority, 4.0);
+  EXPECT_EQ(first.layers.bits, 0x80000002U);
+  EXPECT_EQ(first.avoids.bits, 5U);
   const avo::RobotSetup& second = scenario.robots[1];
   EXPECT_EQ(second.position, (avo::Vec2{10, -0.5}));
+  EXPECT_EQ(second.priority, 1.0);
+  EXPECT_EQ(second.layers.bits, 1U);
+  EXPECT_EQ(second.avoids.bits, 0xffffffffU);
+  EXPECT_FALSE(second.parked);
   EXPECT_EQ(second.preferred_speed, 1.25) << "max_speed where it is left out";
   ASSERT_TRUE(second.car);
   EXPECT_EQ(second.car->wheelbase, 0.7);

@@ -22,10 +22,12 @@ using Strings = std::vector<std::string>;
 
 const Strings kSummaryKeys{"scene",
                            "robots",
+                           "parked",
                            "steps",
                            "arrived",
                            "first_collision_time",
                            "collision_pairs",
+                           "one_sided_collisions",
                            "obstacle_collisions",
                            "collision_obstacles",
                            "min_clearance",

@@ -23,6 +23,7 @@ struct Crush {
   int robots;
   double extent;  // m, side of the square they start in
   int steps;      // of 0.1 s
+  double most_priority = 1.0;
 };
 
 // The large ones find room first.
@@ -41,6 +42,8 @@ std::vector<RobotSetup> unequal_robots(const Crush& crush, Random& random) {
     });
     if (!clear) continue;
     robot.max_acceleration = random.uniform(0.3, 3.0);
+    if (crush.most_priority > 1.0)
+      robot.priority = random.log_uniform(1.0 / crush.most_priority, crush.most_priority);
     robots.push_back(robot);
   }
   return robots;
@@ -121,16 +124,20 @@ constexpr Certificate kTrajectories = Certificate::braking_trajectories;
 
 INSTANTIATE_TEST_SUITE_P(
     , Crushed,
-    testing::Values(Crush{"stopping_capsules_60", kCapsules, Motion::held, 60, 12.0, 2000},
-                    Crush{"stopping_capsules_exponential_60", kCapsules, Motion::exponential, 60,
-                          12.0, 2000},
-                    Crush{"braking_trajectories_60", kTrajectories, Motion::held, 60, 12.0, 2000},
-                    Crush{"braking_trajectories_exponential_60", kTrajectories, Motion::exponential,
-                          60, 12.0, 2000},
-                    Crush{"stopping_capsules_200", kCapsules, Motion::held, 200, 22.0, 800},
-                    Crush{"braking_trajectories_200", kTrajectories, Motion::held, 200, 22.0, 800},
-                    Crush{"braking_trajectories_exponential_200", kTrajectories,
-                          Motion::exponential, 200, 22.0, 800}),
+    testing::Values(
+        Crush{"stopping_capsules_60", kCapsules, Motion::held, 60, 12.0, 2000},
+        Crush{"stopping_capsules_exponential_60", kCapsules, Motion::exponential, 60, 12.0, 2000},
+        Crush{"braking_trajectories_60", kTrajectories, Motion::held, 60, 12.0, 2000},
+        Crush{"braking_trajectories_exponential_60", kTrajectories, Motion::exponential, 60, 12.0,
+              2000},
+        Crush{"stopping_capsules_200", kCapsules, Motion::held, 200, 22.0, 800},
+        Crush{"braking_trajectories_200", kTrajectories, Motion::held, 200, 22.0, 800},
+        Crush{"braking_trajectories_exponential_200", kTrajectories, Motion::exponential, 200, 22.0,
+              800},
+        Crush{"stopping_capsules_priorities", kCapsules, Motion::held, 60, 12.0, 800, 64.0},
+        Crush{"braking_trajectories_priorities", kTrajectories, Motion::held, 60, 12.0, 2000, 64.0},
+        Crush{"braking_trajectories_exponential_priorities", kTrajectories, Motion::exponential, 60,
+              12.0, 800, 64.0}),
     [](const testing::TestParamInfo<Crush>& each) { return each.param.name; });
 
 }  // namespace

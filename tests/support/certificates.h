@@ -36,7 +36,11 @@ inline PlannerOptions random_options(Random& random, Certificate kind, Motion mo
 }
 
 inline Neighbor seen(const Robot& robot) {
-  return {robot.position, robot.velocity, robot.radius, robot.max_acceleration, {}};
+  return {.position = robot.position,
+          .velocity = robot.velocity,
+          .radius = robot.radius,
+          .max_acceleration = robot.max_acceleration,
+          .priority = robot.priority};
 }
 
 inline std::vector<TrajectoryConstraint> all_constraints(const TrajectoryConstraints& constraints) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "avo/half_plane.h"
 #include "situations.h"
 
 namespace avo::test {
@@ -16,7 +17,7 @@ TEST(Constraints, of_a_pair_are_mirror_images_bit_for_bit) {
     Random random(21);
     int compared = 0, broken = 0;
     for (int i = 0; i < 3000; ++i) {
-      const PairSituation s = random_pair(random, kTrajectories, motion);
+      const PairSituation s = random_pair(random, kTrajectories, motion, i % 2 == 0);
       const CertificateConstraints of_A = constraints_of(s.a, s.b, s.law),
                                    of_B = constraints_of(s.b, s.a, s.law);
       const std::vector<TrajectoryConstraint> a = all_constraints(of_A.trajectories);
@@ -45,13 +46,14 @@ TEST(Constraints, shares_of_a_pair_add_up_to_the_gap) {
   for (const Motion motion : kMotions) {
     Random random(22);
     for (int i = 0; i < 1000; ++i) {
-      const PairSituation s = sound_pair(random, kTrajectories, motion);
+      const PairSituation s = sound_pair(random, kTrajectories, motion, i % 2 == 0);
       const auto of_A = all_constraints(constraints_of(s.a, s.b, s.law).trajectories);
       const auto of_B = all_constraints(constraints_of(s.b, s.a, s.law).trajectories);
       if (of_A.empty() || of_B.empty() || of_A[0].interval != 0 || of_B[0].interval != 0) continue;
       // at the start of the step itself both paths begin where the robots are
       const double gap = dot(of_A[0].normal, s.a.position - s.b.position) - s.a.radius - s.b.radius;
-      EXPECT_NEAR(of_A[0].offset[0] + of_B[0].offset[0], gap, 1e-9);
+      // beside the margin for rounding, which grows with 1/share
+      EXPECT_NEAR(of_A[0].offset[0] + of_B[0].offset[0], gap, i % 2 == 0 ? 4e-8 : 1e-9);
     }
   }
 }
@@ -68,7 +70,8 @@ double plain_coefficient(const PairSituation& s, Vec2 next) {
   const auto x_A = stepped_braking(s.a, law, count), x_B = stepped_braking(s.b, law, count);
   const auto y_A = stepped_path(s.a, next, law, count);
   const double contact = s.a.radius + s.b.radius;
-  const double share = s.a.max_acceleration / (s.a.max_acceleration + s.b.max_acceleration);
+  const double share =
+      reciprocal_share(s.a.max_acceleration, s.b.max_acceleration, s.a.priority, s.b.priority);
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < x_A.size(); ++m) {
     const Points q{x_A[m][0] - x_B[m][0], x_A[m][1] - x_B[m][1], x_A[m][2] - x_B[m][2]};
@@ -93,8 +96,8 @@ TEST(Constraints, left_out_could_refuse_nothing) {
   for (const Motion motion : kMotions) {
     Random random(23);
     int refused = 0, admitted = 0;
-    for (int i = 0; i < 2500; ++i) {
-      const PairSituation s = sound_pair(random, kTrajectories, motion);
+    for (int i = 0; i < 5000; ++i) {
+      const PairSituation s = sound_pair(random, kTrajectories, motion, i % 2 == 0);
       CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
       for (int k = 0; k < 8; ++k) {
         const Vec2 next = random_choice(random, s);
@@ -109,8 +112,8 @@ TEST(Constraints, left_out_could_refuse_nothing) {
         (is_admitted ? admitted : refused) += 1;
       }
     }
-    EXPECT_GT(refused, 500);
-    EXPECT_GT(admitted, 1000);
+    EXPECT_GT(refused, 1000);
+    EXPECT_GT(admitted, 2000);
   }
 }
 

@@ -248,7 +248,7 @@ Look look_of(const Robot& a, const Neighbor& b, const StepLaw& law) {
       scalar::bound_of(pack(a.position), Real(a.radius), own.profile, deviation, Real(a.max_speed),
                        law),
       {pack(a.position), pack(a.velocity), own.direction, own.profile.speed, a.max_acceleration},
-      {pack(b.position), pack(b.velocity), b.radius, b.max_acceleration}};
+      {pack(b.position), pack(b.velocity), b.radius, b.max_acceleration, b.priority}};
 }
 
 bool is_beyond_far_bound(const Robot& a, const Neighbor& b, const StepLaw& law) {
@@ -295,8 +295,8 @@ TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
     const Look look = look_of(s.a, other, law);
     const bool told = scalar::are_clear(look.bound, look.self, look.other, law).bit;
     const auto own = scalar::braking_of(pack(s.a.velocity), Real(s.a.max_acceleration), law);
-    const scalar::PackSelf<Real> self{pack(s.a.position), pack(s.a.velocity), s.a.radius,
-                                      s.a.max_acceleration, own};
+    const scalar::PackSelf<Real> self{pack(s.a.position),   pack(s.a.velocity), s.a.radius,
+                                      s.a.max_acceleration, s.a.priority,       own};
     const auto pair = scalar::pair_of(self, look.other, law);
     const auto [gap, against] = scalar::clearance_of(self, pair, look.other, law);
     const auto deviation = scalar::deviation_of(own, scalar::Mask{s.a.car.has_value()}, law);

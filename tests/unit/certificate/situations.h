@@ -34,13 +34,20 @@ inline Robot random_body(Random& random) {
   return robot;
 }
 
-/// Near enough to matter, not in contact; joint braking may collide.
-inline PairSituation random_pair(Random& random, Certificate kind, Motion motion) {
+/// Near enough to matter, not in contact; joint braking may collide. weighed: of equal a_max, most
+/// of them, and unequal priorities.
+inline PairSituation random_pair(Random& random, Certificate kind, Motion motion,
+                                 bool weighed = false) {
   PairSituation s;
   s.options = random_options(random, kind, motion);
   s.law = law_of(s.options);
   s.a = random_body(random);
   s.b = random_body(random);
+  if (weighed) {
+    if (random.below(4) > 0) s.b.max_acceleration = s.a.max_acceleration;
+    s.a.priority = random.log_uniform(0.01, 100.0);
+    s.b.priority = random.log_uniform(0.01, 100.0);
+  }
   const double gap =
       random.below(3) == 0 ? random.log_uniform(1e-6, 1.0) : random.uniform(0.0, 6.0);
   s.a.position = in_disc(random, 5.0);
@@ -49,9 +56,10 @@ inline PairSituation random_pair(Random& random, Certificate kind, Motion motion
 }
 
 /// One whose invariant holds.
-inline PairSituation sound_pair(Random& random, Certificate kind, Motion motion) {
+inline PairSituation sound_pair(Random& random, Certificate kind, Motion motion,
+                                bool weighed = false) {
   for (;;) {
-    const PairSituation s = random_pair(random, kind, motion);
+    const PairSituation s = random_pair(random, kind, motion, weighed);
     if (invariant_holds({s.a, s.b}, s.law)) return s;
   }
 }

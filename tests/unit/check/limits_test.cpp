@@ -161,5 +161,21 @@ TEST(CheckArrivals, a_robot_that_is_never_there_has_not_arrived) {
   EXPECT_EQ(report.last_arrival, std::nullopt);
 }
 
+// Held to where it is: any motion counts.
+TEST(Limits, a_parked_robot_that_moves) {
+  CheckedRobot robot;
+  robot.parked = true;
+  Check still({robot}), pushed({robot}), rolls({robot});
+  for (int k = 0; k < 3; ++k) {
+    const CheckedState rests{0, {1, 2}, {}};
+    still.add(0.1 * k, std::vector{rests});
+    pushed.add(0.1 * k, std::vector<CheckedState>{{0, {1.0 + 0.001 * k, 2}, {}}});
+    rolls.add(0.1 * k, std::vector<CheckedState>{{0, {1.0 + 0.01 * k, 2}, {0.1, 0}}});
+  }
+  EXPECT_TRUE(still.report().safe());
+  EXPECT_EQ(pushed.report().jumps.count, 2);
+  EXPECT_EQ(rolls.report().speeds.count, 3);
+}
+
 }  // namespace
 }  // namespace avo

@@ -201,5 +201,35 @@ TEST(CheckPairs, no_pair_has_no_clearance) {
       << "never there together";
 }
 
+// One passes through another one, which stands or moves, by who avoids whom.
+TEST(Pairs, count_for_those_who_avoid_the_other) {
+  const auto judged = [](std::uint32_t avoids_A, std::uint32_t avoids_B, double speed_B) {
+    CheckedRobot A, B;
+    A.layers = 1, B.layers = 2;
+    A.avoids = avoids_A, B.avoids = avoids_B;
+    Check check({A, B});
+    for (int k = 0; k < 80; ++k) {
+      const double t = 0.1 * k;
+      check.add(t, std::vector<CheckedState>{{0, {t - 4.0, 0}, {1, 0}},
+                                             {1, {speed_B * (t - 4.0), 0.1}, {speed_B, 0}}});
+    }
+    return check.report();
+  };
+  const CheckReport both = judged(2, 1, 0.0), neither = judged(1, 2, 0.0);
+  EXPECT_EQ(both.overlaps.count, 1);
+  EXPECT_EQ(both.one_sided_contacts_moving.count + both.one_sided_contacts_at_rest, 0);
+  EXPECT_TRUE(neither.safe());
+  EXPECT_FALSE(neither.least_clearance);
+  const CheckReport in_motion = judged(2, 2, 0.0), at_rest = judged(1, 1, 0.0);
+  EXPECT_FALSE(in_motion.safe());
+  EXPECT_EQ(in_motion.overlaps.count + at_rest.overlaps.count, 0);
+  EXPECT_EQ(in_motion.one_sided_contacts_moving.count, 1);
+  EXPECT_EQ(in_motion.one_sided_contacts_moving.first->robot, 0);
+  EXPECT_EQ(in_motion.one_sided_contacts_moving.first->other, 1);
+  EXPECT_TRUE(at_rest.safe());
+  EXPECT_EQ(at_rest.one_sided_contacts_at_rest, 1);
+  EXPECT_EQ(judged(1, 1, -0.5).one_sided_contacts_moving.first->robot, 1);
+}
+
 }  // namespace
 }  // namespace avo

@@ -45,7 +45,11 @@ inline Robot paper_robot(Vec2 position, Vec2 velocity, Vec2 preferred) {
 }
 
 inline Neighbor as_neighbor(const Robot& robot) {
-  return {robot.position, robot.velocity, robot.radius, robot.max_acceleration, {}};
+  return {.position = robot.position,
+          .velocity = robot.velocity,
+          .radius = robot.radius,
+          .max_acceleration = robot.max_acceleration,
+          .priority = robot.priority};
 }
 
 inline Vec2 velocity_or_rest(Random& random, double most) {

@@ -134,6 +134,37 @@ TEST(Planes, P9_shares_of_unequal_abilities) {
   EXPECT_NEAR(demand(weak, mover), half_plane(pair, 1.0, horizon).plane.offset, 1e-12);
 }
 
+// Of a pair with the priorities 3 and 1 the first takes a quarter, by every method that shares.
+TEST(Planes, P9_shares_of_unequal_priorities) {
+  PlannerOptions exact = test::paper_options(), sampled = exact, orca = exact;
+  sampled.samples = 25;
+  orca.method = Method::orca;
+  Robot first = test::paper_robot({}, {1, 0}, {1, 0});
+  Robot second = test::paper_robot({6, 0.2}, {-1, 0}, {});
+  const auto demand = [&](const PlannerOptions& options, const Robot& A, const Robot& B) {
+    PlanWorkspace workspace;
+    HalfPlanes half_planes;
+    Planner(options).collect_half_planes(A, std::vector<Neighbor>{as_neighbor(B)}, workspace,
+                                         half_planes);
+    EXPECT_EQ(half_planes.planes.size(), 1u);
+    const HalfPlane plane = half_planes.planes.at(0).plane;
+    return plane.offset - dot(plane.normal, A.velocity);
+  };
+  for (const PlannerOptions& options : {exact, sampled, orca}) {
+    first.priority = second.priority = 1.0;
+    const double half = demand(options, first, second);
+    EXPECT_GT(half, 0.0);
+    first.priority = second.priority = 7.3;
+    EXPECT_EQ(demand(options, first, second), half);
+    first.priority = 3.0, second.priority = 1.0;
+    EXPECT_NEAR(demand(options, first, second), 0.5 * half, 1e-12);
+    EXPECT_NEAR(demand(options, second, first), 1.5 * half, 1e-12);
+    first.priority = 1e9;
+    EXPECT_NEAR(demand(options, first, second), half / 32.0, 1e-12);
+    EXPECT_NEAR(demand(options, second, first), 63.0 * half / 32.0, 1e-12);
+  }
+}
+
 // P9, Eqs. (19), (21): A's part of every relative change lies in D(v_A, δ a_A), and the parts of
 // A and B add up to it.
 TEST(Planes, P9_the_set_of_A_lies_in_its_acceleration_disc) {

@@ -29,6 +29,7 @@ void add_any_robot(Random& random, Simulation& simulation) {
   const Vec2 place = somewhere(random, 300.0, 600.0);  // out of sight of the others
   RobotSetup setup = test::robot_at(place, somewhere(random, 0.0, 20.0));
   setup.max_speed = setup.preferred_speed = random.uniform(0.05, 0.2);
+  if (random.below(3) == 0) setup.priority = random.log_uniform(0.01, 100.0);
   if (random.below(2) == 0 && simulation.planner().options().motion == Motion::held) {
     setup.car = CarSetup{0.7, random.uniform(-3.0, 3.0)};
   }
@@ -43,7 +44,25 @@ void edit(Random& random, Simulation& simulation) {
   if (kind == 1 || robots == 0) return add_any_robot(random, simulation);
   const RobotId robot = simulation.fleet().id[static_cast<std::size_t>(random.below(robots))];
   if (kind == 2) return simulation.remove_robot(robot);
+  const std::size_t index = simulation.fleet().id.size();
+  for (std::size_t k = 0; k < index; ++k) {
+    if (simulation.fleet().id[k] == robot && simulation.fleet().setup[k].parked) return;
+  }
   simulation.set_goal(robot, somewhere(random, 0.0, 20.0));
+}
+
+// Some are parked, and not all avoid each other.
+void mix_conduct(Random& random, Scenario& scene) {
+  for (RobotSetup& robot : scene.robots) {
+    if (random.below(8) == 0) {
+      robot.parked = true;
+      robot.goal = robot.position;
+      robot.velocity = {};
+    } else if (random.below(3) == 0) {
+      robot.layers.bits = 1U + static_cast<std::uint32_t>(random.below(3));
+      robot.avoids.bits = static_cast<std::uint32_t>(random.below(4));
+    }
+  }
 }
 
 // The hashes of what comes later, edits included, and at last the saved bytes.
@@ -63,10 +82,16 @@ Scenario random_scene(Random& random) {
   const Motion motion = random.below(2) == 0 ? Motion::held : Motion::exponential;
   const int robots = random.below(12) == 0 ? 270 : random.below(60);
   const std::uint64_t seed = random.bits();
-  if (random.below(4) == 0) return dense_scene(robots, motion, seed);
+  const bool mixed = random.below(3) == 0;
+  if (random.below(4) == 0) {
+    Scenario scene = dense_scene(robots, motion, seed);
+    if (mixed) mix_conduct(random, scene);
+    return scene;
+  }
   Scenario scene = dense_avo_scene(robots, motion, kCertificates[random.below(2)], seed);
   scene.sensing_radius = 20.0;
   if (random.below(3) == 0) scene.moving_obstacles.clear();
+  if (mixed) mix_conduct(random, scene);
   return scene;
 }
 
@@ -157,11 +182,11 @@ TEST(Saving, ids_are_not_reused_after_it) {
   EXPECT_EQ(restored.add_robot(test::robot_at({500, 500}, {500, 500})).value, 5u);
 }
 
-TEST(Saving, takes_64_bytes_a_robot_beside_its_setup) {
-  constexpr std::size_t kSetup = 7 * sizeof(double);  // goal, radius, limits, wheelbase
+TEST(Saving, takes_80_bytes_a_robot_beside_its_setup) {
+  constexpr std::size_t kSetup = 10 * sizeof(double);  // goal, radius, limits, wheelbase, conduct
   Simulation few(dense_scene(10, Motion::held), 1), many(dense_scene(110, Motion::held), 1);
   few.step(), many.step();
-  EXPECT_LE(many.save().size() - few.save().size(), 100 * (kSetup + 64));
+  EXPECT_LE(many.save().size() - few.save().size(), 100 * (kSetup + 80));
 }
 
 std::string refusal(Simulation& simulation, const Bytes& bytes) {
@@ -272,7 +297,8 @@ TEST(Saving, arbitrary_bytes_do_no_harm) {
 TEST(Saving, forged_values_are_refused) {
   Simulation simulation(dense_scene(3, Motion::held), 1);
   const Bytes saved = simulation.save();
-  const std::size_t end = saved.size() / 8 - 1;  // of the last robot
+  const std::size_t last = saved.size() / 8 - 1;  // behind the last robot
+  const std::size_t end = last - 2;               // behind its detour
   const auto forged = [&](std::size_t index, std::uint64_t value) {
     Bytes bytes = saved;
     set_word(bytes, index, value);
@@ -296,13 +322,18 @@ TEST(Saving, forged_values_are_refused) {
   EXPECT_EQ(word(saved, 14), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(14, 4), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(14, 1000), "saved state: found the number 1000, must be one that its type has");
-  const std::size_t robots = end - 3 * 15 - 1, obstacles = robots - 3 * 11 - 1;
+  const std::size_t robots = last - 3 * 20 - 1, obstacles = robots - 3 * 11 - 1;
   ASSERT_EQ(word(saved, robots), 3u);
   EXPECT_EQ(forged(obstacles - 2, 1ull << 63),
             "saved state: found -9223372036854775808 steps, must be 0 to 9007199254740992");
   EXPECT_EQ(forged(robots, 1ull << 60),
             "saved state: found 1152921504606846976 entries, must be at most 3");
-  EXPECT_EQ(forged(robots, 2), "saved state: found 120 more bytes, must be no more");
+  // a parked robot is at its goal, and at rest
+  EXPECT_EQ(forged(end - 11, 1),
+            "saved state: found a parked robot that has moved, must be one at its goal");
+  EXPECT_EQ(forged(end, kNan),
+            "saved state: found an acceleration that is not finite, must be finite");
+  EXPECT_EQ(forged(robots, 2), "saved state: found 160 more bytes, must be no more");
 }
 
 TEST(Saving, forged_ways_and_static_obstacles_are_refused) {
@@ -311,7 +342,7 @@ TEST(Saving, forged_ways_and_static_obstacles_are_refused) {
   for (const double y : {0.0, 2.0, 4.0}) scene.robots.push_back(test::robot_at({0, y}, {10, y}));
   Simulation simulation(scene, 1);
   const Bytes saved = simulation.save();
-  const std::size_t robots = saved.size() / 8 - 1 - 3 * 15 - 1, movers = robots - 1;
+  const std::size_t robots = saved.size() / 8 - 1 - 3 * 20 - 1, movers = robots - 1;
   const std::size_t ways = movers - 2 - 3 - 1, next_obstacle = ways - 1;
   ASSERT_EQ(word(saved, ways), 3u);
   ASSERT_EQ(word(saved, next_obstacle), 1u);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of two robots has to keep clear of the other: by their layers, and whether they are parked.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "avo/check.h"
+
+namespace avo::judge {
+
+inline bool avoids(const CheckedRobot& a, const CheckedRobot& b) {
+  return (a.avoids & b.layers) != 0;
+}
+
+/// Who of a pair has to keep clear of the other.
+enum class Duty : unsigned char { nobody, first, second, both };
+inline Duty duty(const CheckedRobot& a, const CheckedRobot& b) {
+  if (a.parked || b.parked) return a.parked && b.parked ? Duty::nobody : Duty::both;
+  if (avoids(a, b)) return avoids(b, a) ? Duty::both : Duty::first;
+  return avoids(b, a) ? Duty::second : Duty::nobody;
+}
+
+/// Robots that are alike to duty(): one of each kind. Of very many kinds some are taken to avoid
+/// each other.
+struct Kinds {
+  static constexpr std::size_t kMost = 256;
+  std::vector<CheckedRobot> robots;
+  bool mutual = false;  // there may be a pair of which both avoid the other
+
+  void add(const CheckedRobot& robot) {
+    if (mutual) return;
+    mutual = robots.size() >= kMost ||
+             std::any_of(robots.begin(), robots.end(), [&](const CheckedRobot& other) {
+               return duty(robot, other) == Duty::both;
+             });
+    const bool known = std::any_of(robots.begin(), robots.end(), [&](const CheckedRobot& other) {
+      return other.layers == robot.layers && other.avoids == robot.avoids &&
+             other.parked == robot.parked;
+    });
+    if (!known) robots.push_back(robot);
+  }
+};
+
+}  // namespace avo::judge
