@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "avo/check.h"
+#include "certificate/kernels.h"
 #include "certificate_fleets.h"
 
 namespace avo::test {
@@ -168,6 +169,38 @@ double least_distance(const SlowPath& one, const SlowPath& other) {
   for (std::size_t k = 0; k < std::max(one.places.size(), other.places.size()); ++k)
     least = std::min(least, norm(one.at(k) - other.at(k)));
   return least;
+}
+
+// The bound of the proof, of any rest of B's step: kept, and nearly reached.
+TEST(FreeClock, no_rest_of_a_step_leads_farther_than_the_drift) {
+  Random random(11);
+  double most = 0.0;
+  for (int k = 0; k < 4000; ++k) {
+    Robot b;
+    b.max_acceleration = random.log_uniform(0.5, 3.0);
+    b.velocity = random.below(4) == 0 ? Vec2{} : in_disc(random, 1.5);
+    PlannerOptions options;
+    options.time_step = random.log_uniform(0.02, 0.3);
+    options.clock = Clock::free, options.longest_step = random.log_uniform(0.02, 0.3);
+    const StepLaw law = law_of(options).step;
+    using Real = scalar::Pack<double>;
+    const auto drift =
+        scalar::drift_of<Real>(norm(b.velocity), braking_decrement(b.max_acceleration, law), law);
+    const double part = k % 2 == 0 ? 1.0 : random.uniform(0.2, 1.0);
+    const double step = part * options.longest_step;
+    const double time = k % 3 == 0 ? step : random.uniform(0.0, step);
+    const Vec2 held = b.max_acceleration * random.direction();
+    const SlowPath rest(b, held, time, step), expected(b, {}, law.time_step, law.time_step);
+    for (std::size_t n = 0; n < std::max(rest.places.size(), expected.places.size()); ++n) {
+      const double t = std::max(SlowPath::kGrain * static_cast<double>(n), law.time_step);
+      const double bound = std::min(drift.start.value + drift.per_time.value * t, drift.most.value);
+      const double off = norm(rest.at(n) - expected.at(n));
+      ASSERT_LE(off, bound * (1.0 + 1e-9)) << k << ' ' << t;
+      most = std::max(most, off / bound);
+    }
+  }
+  EXPECT_GT(most, 0.95);
+  RecordProperty("most", std::to_string(most));
 }
 
 // The claim of the proof, by brute force: whatever is left of B's step, if braking keeps clear of
