@@ -130,7 +130,7 @@ std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool loo
   if (!is_known(lookout.map, target)) return best_in_view(lookout);
   if (target != PathMap::kGoal && sees_next(lookout, target)) return lookout.map.next[target];
   // who has set out keeps on where there is less room on the way than here
-  const bool is_in_view = lookout.sees(target) || lookout.closely().sees(target);
+  const bool is_in_view = lookout.closely().sees(target);
   if (is_in_view && !looks_around) return target;
   const std::uint32_t best = best_around(lookout, target, is_in_view);
   return best == PathMap::kNothing ? best_in_view(lookout) : best;

@@ -4,7 +4,6 @@
 // a checksum of all the words before it. One text, describe(), serves writing and reading.
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -12,8 +11,6 @@
 
 #include "avo/version.h"
 #include "core/hash.h"
-#include "core/ranges.h"
-#include "planner/arrival.h"
 #include "planner/options.h"
 #include "sim/saved_state.h"
 
@@ -26,11 +23,6 @@ constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, c
 constexpr std::size_t kObstacleWords = 11, kRobotWords = 20;
 constexpr std::size_t kPastWords = 4;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
-constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
-
-[[noreturn]] void refuse(const std::string& given, const std::string& allowed) {
-  avo::refuse("saved state", given, allowed);
-}
 
 std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t index) {
   std::uint64_t word = 0;
@@ -58,7 +50,7 @@ struct Archive {
 
   void word(std::uint64_t& value) {
     if constexpr (kReads) {
-      if (unread.empty()) refuse("the end of the bytes", "more of them");
+      if (unread.empty()) refuse_saved("the end of the bytes", "more of them");
       value = word_at(unread, 0);
       unread = unread.subspan(kWord);
     } else {
@@ -73,7 +65,7 @@ struct Archive {
     word(count);
     const std::uint64_t most = unread.size() / (words * kWord);
     if (kReads && count > most)
-      refuse(std::to_string(count) + " entries", "at most " + std::to_string(most));
+      refuse_saved(std::to_string(count) + " entries", "at most " + std::to_string(most));
     list.resize(static_cast<std::size_t>(count));
   }
 };
@@ -90,7 +82,7 @@ void describe(Archive<kReads>& archive, Value& value) {
     archive.word(word);
     value = static_cast<Value>(word);
     if (static_cast<std::uint64_t>(value) != word)
-      refuse("the number " + std::to_string(word), "one that its type has");
+      refuse_saved("the number " + std::to_string(word), "one that its type has");
   }
 }
 
@@ -99,7 +91,7 @@ requires std::is_enum_v<Choice>
 void describe(Archive<kReads>& archive, Choice& choice) {
   auto number = static_cast<std::underlying_type_t<Choice>>(choice);
   describe(archive, number);
-  if (number >= kNames<Choice>.size()) refuse("an unknown choice", "a known one");
+  if (number >= kNames<Choice>.size()) refuse_saved("an unknown choice", "a known one");
   choice = static_cast<Choice>(number);
 }
 
@@ -109,7 +101,7 @@ void describe(Archive<kReads>& archive, std::string& text) {
   std::uint64_t count = text.size();
   archive.word(count);
   if (kReads && count > archive.unread.size())
-    refuse("a text of " + std::to_string(count) + " bytes", "shorter");
+    refuse_saved("a text of " + std::to_string(count) + " bytes", "shorter");
   text.resize(static_cast<std::size_t>(count));
   for (std::size_t first = 0; first < text.size(); first += kWord) {
     const std::span<char> letters =
@@ -167,7 +159,8 @@ void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id
   describe(archive, id.value);
   auto fill = static_cast<std::uint8_t>(obstacle.fill);
   describe(archive, obstacle.radius), describe(archive, fill);
-  if (fill > static_cast<std::uint8_t>(Fill::bounds)) refuse("an unknown fill", "a known one");
+  if (fill > static_cast<std::uint8_t>(Fill::bounds))
+    refuse_saved("an unknown fill", "a known one");
   obstacle.fill = static_cast<Fill>(fill);
   archive.size(obstacle.chains, kChainWords);
   for (Chain& chain : obstacle.chains) {
@@ -182,7 +175,7 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, SavedWay& way) {
   std::uint64_t word = std::uint64_t{way.is_exact} << 32 | way.target;
   archive.word(word);
-  if (word >> 33 != 0) refuse("the way " + std::to_string(word), "one of 33 bits");
+  if (word >> 33 != 0) refuse_saved("the way " + std::to_string(word), "one of 33 bits");
   way = {static_cast<std::uint32_t>(word), word >> 32 != 0};
 }
 
@@ -213,8 +206,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   describe(archive, version);
   if (version != kVersion) {
     const bool is_plain = version.find_first_not_of("0123456789.") == std::string::npos;
-    refuse("one of " + (is_plain ? "avo " + version : "another program"),
-           std::string("one of avo ") + kVersion);
+    refuse_saved("one of " + (is_plain ? "avo " + version : "another program"),
+                 std::string("one of avo ") + kVersion);
   }
   Scenario& scene = state.scene;
   for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
@@ -245,67 +238,6 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (PastState& past : state.past) describe(archive, past);
 }
 
-// As many robots at a time as a scene may have: more of them may have been added to a simulation.
-void check_setups(const Scenario& scene) {
-  Scenario part = scene;
-  constexpr auto kMost = static_cast<std::size_t>(kMostRobots);
-  for (std::size_t first = 0; first == 0 || first < scene.robots.size(); first += kMost) {
-    const std::size_t last = std::min(first + kMost, scene.robots.size());
-    const auto begin = scene.robots.begin();
-    part.robots.assign(begin + static_cast<std::ptrdiff_t>(first),
-                       begin + static_cast<std::ptrdiff_t>(last));
-    validate(part);
-  }
-}
-
-void check_past(const SavedState& state) {
-  const std::size_t depth = generations_needed(state.scene.sensing), robots = state.robots.size();
-  if (depth < 2) return;
-  const bool whole = state.since.size() == robots && state.past.size() == robots * depth;
-  const bool dated = std::all_of(state.since.begin(), state.since.end(), [&](std::int64_t since) {
-    return since >= 0 && since <= state.steps;
-  });
-  const bool finite = std::all_of(state.past.begin(), state.past.end(), [](const PastState& past) {
-    return is_finite(past.position) && is_finite(past.velocity);
-  });
-  if (!whole || !dated || !finite) refuse("a past that no robots can have", "theirs");
-}
-
-// Refuses what no simulation comes to: only forged bytes have it.
-void check_states(const SavedState& state) {
-  const auto is_finite_motion = [](const auto& body) {
-    return is_finite(body.position) && is_finite(body.velocity);
-  };
-  const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
-                     std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
-  if (!moves) refuse("a position or velocity that is not finite", "finite");
-  std::uint64_t next = 0;  // id, at least
-  const auto check_id = [&next](std::uint64_t id, std::uint64_t beyond) {
-    if (id < next || id >= beyond)
-      refuse("id " + std::to_string(id), "ascending and below the next, " + std::to_string(beyond));
-    next = id + 1;
-  };
-  for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
-  check_past(state);
-  next = 0;
-  for (const RobotState& robot : state.robots) {
-    if (!kAnyValue.contains(robot.heading))
-      refuse("heading " + text(robot.heading), "an angle in rad");
-    if (!is_sound(robot.detour)) refuse("a detour that no robot can remember", "a sound one");
-    check_id(robot.id.value, state.next_id);
-    if (!is_finite(robot.seen_acceleration)) refuse("an acceleration that is not finite", "finite");
-  }
-  for (std::size_t k = 0; k < state.robots.size(); ++k) {
-    const RobotState& robot = state.robots[k];
-    if (!state.scene.robots[k].parked) continue;
-    if (!(robot.position == state.scene.robots[k].goal && robot.velocity == Vec2{}))
-      refuse("a parked robot that has moved", "one at its goal");
-  }
-  if (state.steps < 0 || state.steps > kLastStep) {
-    refuse(std::to_string(state.steps) + " steps", "0 to " + std::to_string(kLastStep));
-  }
-}
-
 }  // namespace
 
 std::vector<std::byte> to_bytes(SavedState state) {
@@ -325,25 +257,24 @@ std::vector<std::byte> to_bytes(SavedState state) {
 
 SavedState from_bytes(std::span<const std::byte> bytes) {
   if (bytes.size() < kFewestWords * kWord) {
-    refuse(std::to_string(bytes.size()) + " bytes", "whole");
+    refuse_saved(std::to_string(bytes.size()) + " bytes", "whole");
   }
-  if (word_at(bytes, 0) != kMark) refuse("something else", "bytes of Simulation::save()");
+  if (word_at(bytes, 0) != kMark) refuse_saved("something else", "bytes of Simulation::save()");
   if (word_at(bytes, 1) != bytes.size() || bytes.size() % kWord != 0) {
-    refuse(std::to_string(bytes.size()) + " bytes",
-           "the " + std::to_string(word_at(bytes, 1)) + " that were saved");
+    refuse_saved(std::to_string(bytes.size()) + " bytes",
+                 "the " + std::to_string(word_at(bytes, 1)) + " that were saved");
   }
   const std::span<const std::byte> checked = bytes.first(bytes.size() - kWord);
   if (checksum(checked) != word_at(bytes, bytes.size() / kWord - 1)) {
-    refuse("bytes that have changed", "those that were saved");
+    refuse_saved("bytes that have changed", "those that were saved");
   }
   Archive<true> archive{{}, checked.subspan(2 * kWord)};
   SavedState state;
   describe(archive, state);
   if (!archive.unread.empty()) {
-    refuse(std::to_string(archive.unread.size()) + " more bytes", "no more");
+    refuse_saved(std::to_string(archive.unread.size()) + " more bytes", "no more");
   }
-  check_setups(state.scene);
-  check_states(state);
+  check_saved(state);
   return state;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "avo/scenario.h"
@@ -78,6 +79,10 @@ void for_each_obstacle_value(const Visit& visit) {
   visit("acceleration", &MovingObstacle::acceleration);
   visit("radius", &MovingObstacle::radius);
 }
+
+/// Throws Error on what no simulation comes to.
+void check_saved(const SavedState& state);
+[[noreturn]] void refuse_saved(const std::string& given, const std::string& allowed);
 
 std::vector<std::byte> to_bytes(SavedState state);
 /// Throws Error on all that to_bytes() did not make; reads no size that it has not checked.

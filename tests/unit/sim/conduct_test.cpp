@@ -53,6 +53,20 @@ void observe(const Simulation& simulation, Check& check) {
   check.add(simulation.time(), rows);
 }
 
+// The first robots are all sent to one place after the other, as near to the origin as `extent`.
+void crush(std::uint64_t robots, int steps, int steps_a_place, double extent, Random& random,
+           Simulation& simulation, Check& check) {
+  observe(simulation, check);
+  for (int step = 0; step < steps; ++step) {
+    if (step % steps_a_place == 0) {
+      const Vec2 rally = test::in_disc(random, extent);
+      for (std::uint64_t k = 0; k < robots; ++k) simulation.set_goal({k}, rally);
+    }
+    simulation.step();
+    observe(simulation, check);
+  }
+}
+
 // 40 robots about a square in which 12 are parked, with gaps of 1.5 to 2.5 m between these.
 Scenario lot(std::uint64_t seed) {
   Random random(seed);
@@ -77,15 +91,7 @@ TEST(Parked, nobody_touches_one_that_never_moves) {
   Simulation simulation(scene, 1);
   Check check = judge_of(scene);
   Random random(2);
-  observe(simulation, check);
-  for (int step = 0; step < 1500; ++step) {
-    if (step % 50 == 0) {
-      const Vec2 rally = test::in_disc(random, 4.0);
-      for (std::uint64_t k = 0; k < 40; ++k) simulation.set_goal({k}, rally);
-    }
-    simulation.step();
-    observe(simulation, check);
-  }
+  crush(40, 1500, 50, 4.0, random, simulation, check);
   const FleetView fleet = simulation.fleet();
   for (std::size_t k = 40; k < 52; ++k) {
     EXPECT_EQ(fleet.position[k], scene.robots[k].position);
@@ -275,15 +281,7 @@ TEST(Layers, movers_that_keep_their_velocity_touch_robots_at_rest_only) {
   EXPECT_TRUE(broken_assumptions(scene).none());
   Simulation simulation(scene, 1);
   Check check = judge_of(scene);
-  observe(simulation, check);
-  for (int step = 0; step < 800; ++step) {
-    if (step % 60 == 0) {
-      const Vec2 rally = test::in_disc(random, 5.0);
-      for (std::uint64_t k = 0; k < 60; ++k) simulation.set_goal({k}, rally);
-    }
-    simulation.step();
-    observe(simulation, check);
-  }
+  crush(60, 800, 60, 5.0, random, simulation, check);
   const CheckReport report = check.report();
   EXPECT_EQ(report.overlaps.count, 0) << report.overlaps.worst;
   EXPECT_EQ(report.one_sided_contacts_moving.count, 0) << report.one_sided_contacts_moving.worst;

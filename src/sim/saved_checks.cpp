@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a saved state has to be that no bytes of another program, or forged ones, are.
+#include <algorithm>
+#include <string>
+
+#include "core/ranges.h"
+#include "planner/arrival.h"
+#include "sim/saved_state.h"
+
+namespace avo {
+
+void refuse_saved(const std::string& given, const std::string& allowed) {
+  refuse("saved state", given, allowed);
+}
+
+namespace {
+
+constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
+
+// As many robots at a time as a scene may have: more of them may have been added to a simulation.
+void check_setups(const Scenario& scene) {
+  Scenario part = scene;
+  constexpr auto kMost = static_cast<std::size_t>(kMostRobots);
+  for (std::size_t first = 0; first == 0 || first < scene.robots.size(); first += kMost) {
+    const std::size_t last = std::min(first + kMost, scene.robots.size());
+    const auto begin = scene.robots.begin();
+    part.robots.assign(begin + static_cast<std::ptrdiff_t>(first),
+                       begin + static_cast<std::ptrdiff_t>(last));
+    validate(part);
+  }
+}
+
+void check_past(const SavedState& state) {
+  const std::size_t depth = generations_needed(state.scene.sensing), robots = state.robots.size();
+  if (depth < 2) return;
+  const bool whole = state.since.size() == robots && state.past.size() == robots * depth;
+  const bool dated = std::all_of(state.since.begin(), state.since.end(), [&](std::int64_t since) {
+    return since >= 0 && since <= state.steps;
+  });
+  const bool finite = std::all_of(state.past.begin(), state.past.end(), [](const PastState& past) {
+    return is_finite(past.position) && is_finite(past.velocity);
+  });
+  if (!whole || !dated || !finite) refuse_saved("a past that no robots can have", "theirs");
+}
+
+// Refuses what no simulation comes to: only forged bytes have it.
+void check_states(const SavedState& state) {
+  const auto is_finite_motion = [](const auto& body) {
+    return is_finite(body.position) && is_finite(body.velocity);
+  };
+  const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
+                     std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
+  if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
+  std::uint64_t next = 0;  // id, at least
+  const auto check_id = [&next](std::uint64_t id, std::uint64_t beyond) {
+    if (id < next || id >= beyond)
+      refuse_saved("id " + std::to_string(id),
+                   "ascending and below the next, " + std::to_string(beyond));
+    next = id + 1;
+  };
+  for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
+  check_past(state);
+  next = 0;
+  for (const RobotState& robot : state.robots) {
+    if (!kAnyValue.contains(robot.heading))
+      refuse_saved("heading " + text(robot.heading), "an angle in rad");
+    if (!is_sound(robot.detour)) refuse_saved("a detour that no robot can remember", "a sound one");
+    check_id(robot.id.value, state.next_id);
+    if (!is_finite(robot.seen_acceleration))
+      refuse_saved("an acceleration that is not finite", "finite");
+  }
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    const RobotState& robot = state.robots[k];
+    if (!state.scene.robots[k].parked) continue;
+    if (!(robot.position == state.scene.robots[k].goal && robot.velocity == Vec2{}))
+      refuse_saved("a parked robot that has moved", "one at its goal");
+  }
+  if (state.steps < 0 || state.steps > kLastStep) {
+    refuse_saved(std::to_string(state.steps) + " steps", "0 to " + std::to_string(kLastStep));
+  }
+}
+
+}  // namespace
+
+void check_saved(const SavedState& state) {
+  check_setups(state.scene);
+  check_states(state);
+}
+
+}  // namespace avo

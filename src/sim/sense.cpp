@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whom the robots of a tile sense, from the snapshot.
+#include "sim/sense.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "sim/world.h"
+
+namespace avo {
+namespace {
+
+// Whether whomever it senses is valid, however all have moved since they were looked at.
+bool is_trusted(const World& world, std::size_t slot) {
+  const Vec2 p = world.fleet.position[slot];
+  return world.valid && !world.fast && world.senses.are_exact() &&
+         std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
+}
+
+// m: others farther away matter only if they are among the nearest.
+double near_range(const World& world, std::size_t slot) {
+  if (!world.senses.are_exact()) return world.settings.sensing_radius;
+  if (!world.all_matter() && !world.selective) return -1.0;
+  const Vec2 p = world.fleet.position[slot];
+  const double everyone = world.settings.sensing_radius;
+  const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
+  // among movers it matters whether anybody decides at all
+  if (world.fast || world.selective || !world.obstacles.setup.empty() ||
+      !(farthest <= kMostRelevantPosition))
+    return everyone;
+  return world.fleet.range[slot].at(norm(world.fleet.velocity[slot]));
+}
+
+// m, see Neighbors.
+double range_of(const NeighborQuery& query) {
+  const bool is_less = query.near >= 0.0 && query.near < query.far;
+  return is_less ? query.near : std::numeric_limits<double>::infinity();
+}
+
+// In canonical order, behind the others.
+void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& search,
+            NeighborColumns& to) {
+  to.reserve(to.count + hits.count);
+  for (std::size_t k = hits.first; k < hits.first + hits.count; ++k, ++to.count) {
+    const std::uint32_t place = search.order[k];
+    const Vec2 p = snapshot.grid.position(place);
+    const Sensed& sensed = snapshot.sensed[place];
+    to.x[to.count] = p.x, to.y[to.count] = p.y;
+    to.v_x[to.count] = sensed.velocity.x, to.v_y[to.count] = sensed.velocity.y;
+    to.radius[to.count] = sensed.radius;
+    to.max_acceleration[to.count] = sensed.max_acceleration;
+  }
+}
+
+// The robot at a place of the snapshot; nothing where the one that looks does not mind it.
+std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const Conduct& own) {
+  const Sensed& sensed = world.snapshot.sensed[place];
+  const Conduct& conduct = world.fleet.conduct[world.snapshot.grid.order()[place]];
+  const auto behavior = expected_of(conduct, own);
+  if (conduct.parked || !behavior) return std::nullopt;
+  const bool moves_on = *behavior == Behavior::moves_on;
+  return Neighbor{.position = world.snapshot.grid.position(place),
+                  .velocity = sensed.velocity,
+                  .radius = sensed.radius,
+                  .max_acceleration = sensed.max_acceleration,
+                  .acceleration = moves_on ? world.snapshot.acceleration[place] : Vec2{},
+                  .behavior = *behavior,
+                  .priority = conduct.priority};
+}
+
+// The same among moving obstacles, robots first where distances are equal, and where robots are not
+// all alike.
+void append_one_by_one(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  const Vec2 position = world.fleet.position[slot];
+  const Conduct& own = world.fleet.conduct[slot];
+  NeighborColumns& to = worker.tile.neighbors;
+  const std::size_t most =
+      world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
+  const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
+  const std::span<const NeighborHit> obstacles =
+      world.obstacle_grid.gather(position, -1, most, worker.obstacles);
+  const std::size_t first = to.count;
+  to.reserve(first + std::min(robots.size() + obstacles.size(), most));
+  auto robot = robots.begin(), obstacle = obstacles.begin();
+  while (to.count - first < most && (robot != robots.end() || obstacle != obstacles.end())) {
+    if (obstacle == obstacles.end() ||
+        (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
+      if (const auto neighbor = sensed_at(world, (robot++)->place, own)) to.add(*neighbor);
+    } else {
+      to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
+    }
+  }
+}
+
+// The same as they are sensed, where senses are not exact.
+void append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
+  NeighborColumns& to = worker.tile.neighbors;
+  const std::span<const NeighborHit> robots = world.snapshot.grid.list(query, worker.search);
+  std::span<const NeighborHit> movers;
+  if (!world.obstacles.setup.empty()) {
+    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+    movers = world.obstacle_grid.gather(world.fleet.position[slot], -1, kAll, worker.obstacles);
+  }
+  look(world, slot, robots, movers, worker.sightings);
+  to.reserve(to.count + worker.sightings.size());
+  for (const Sighting& sighting : worker.sightings) to.add(sighting.neighbor);
+}
+
+// m, within which are the nearest, or all if those are fewer.
+float reach_of_nearest(Vec2 position, const Found& hits, std::size_t nearest,
+                       const Snapshot& snapshot, const SearchScratch& search) {
+  if (hits.candidates < nearest) return std::numeric_limits<float>::infinity();
+  if (nearest == 0) return 0.0F;
+  const std::uint32_t farthest = search.order[hits.first + nearest - 1];
+  return static_cast<float>(norm(snapshot.grid.position(farthest) - position));
+}
+
+}  // namespace
+
+std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+  constexpr double kMargin = 1.125;  // for having moved since
+  Fleet& fleet = world.fleet;
+  const Snapshot& snapshot = world.snapshot;
+  // of all, those are chosen later whom it minds
+  const std::size_t nearest =
+      world.selective ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
+  worker.queries.clear();
+  for (const std::uint32_t slot : slots) {
+    worker.queries.push_back({.position = fleet.position[slot],
+                              .self = fleet.rank[slot],
+                              .most = nearest,
+                              .near = near_range(world, slot),
+                              .far = world.settings.sensing_radius,
+                              .guess = kMargin * static_cast<double>(fleet.nearest[slot])});
+  }
+  const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);
+  for (std::size_t i = 0; i < robots; ++i) {
+    const std::size_t first = worker.tile.neighbors.count;
+    if (!world.senses.are_exact()) {
+      append_sighted(world, slots[i], i, worker);
+    } else if (world.alike && world.obstacles.setup.empty()) {
+      append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
+    } else {
+      append_one_by_one(world, slots[i], i, worker);
+    }
+    fleet.nearest[slots[i]] = reach_of_nearest(fleet.position[slots[i]], worker.search.results[i],
+                                               nearest, snapshot, worker.search);
+    const NeighborColumns& neighbors = worker.tile.neighbors;
+    worker.tile.robots.neighbors.push_back(
+        {&neighbors, first, neighbors.count - first, range_of(worker.queries[i])});
+    worker.tile.trusted = worker.tile.trusted && is_trusted(world, slots[i]);
+    if (worker.tile.neighbors.count >= kTileCandidates) return i + 1;  // of obstacles
+  }
+  return robots;
+}
+
+}  // namespace avo
