@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "avo/simulation.h"
-#include "robots/motion.h"
+#include "robots/model.h"
 #include "support/generators.h"
 
 namespace avo {
@@ -41,8 +41,11 @@ CarState integrated(CarState s, double linear, double curvature, double time, in
   return s;
 }
 
-CarLimits car_limits() {
-  return {.wheelbase = 0.8, .max_acceleration = 1.0, .max_speed = 2.0};
+constexpr MotionLimits kLimits{.max_acceleration = 1.0, .max_speed = 2.0};
+constexpr double kWheelbase = 0.8;
+
+MotionStep advance_car(const MotionState& state, const Plan& plan, double time_step) {
+  return advance(Car{.wheelbase = kWheelbase}, kLimits, state, plan, time_step);
 }
 
 struct Drive {
@@ -83,7 +86,7 @@ TEST(Car, drives_the_arc_of_Eq_24_with_the_controls_of_Eq_25) {
     const CarState expected = integrated(
         {drive.state.position.x, drive.state.position.y, drive.state.heading, drive.speed}, linear,
         curvature, dt, 50);
-    const MotionStep step = advance_car(drive.state, drive.plan, car_limits(), dt);
+    const MotionStep step = advance_car(drive.state, drive.plan, dt);
     EXPECT_NEAR(step.next.position.x, expected.x, 2e-5);
     EXPECT_NEAR(step.next.position.y, expected.y, 2e-5);
     EXPECT_LT(angle_between(step.next.heading, expected.heading), 1e-10);
@@ -99,7 +102,7 @@ TEST(Car, constant_speed_is_a_circle) {
   Plan plan;
   plan.acceleration = {0, 0.9};  // κ = 0.4 / m
   plan.new_velocity = {1.5, 3.6};
-  const MotionStep step = advance_car(state, plan, car_limits(), 0.1);
+  const MotionStep step = advance_car(state, plan, 0.1);
   const double angle = 0.4 * 1.5 * 0.1;
   EXPECT_NEAR(step.next.position.x, std::sin(angle) / 0.4, 1e-15);
   EXPECT_NEAR(step.next.position.y, (1.0 - std::cos(angle)) / 0.4, 1e-15);
@@ -112,7 +115,7 @@ TEST(Car, limits_hold_all_through_the_step) {
   for (int k = 0; k < 50'000 && !HasFailure(); ++k) {
     const Drive drive = random_drive(random, 0.0);
     const double dt = random.log_uniform(0.01, 1.0);
-    const MotionStep step = advance_car(drive.state, drive.plan, car_limits(), dt);
+    const MotionStep step = advance_car(drive.state, drive.plan, dt);
     EXPECT_LE(step.acceleration, 1.0 + 1e-12);
     const double speed = norm(step.next.velocity);
     EXPECT_LE(speed, 2.0 + 1e-12);
@@ -140,7 +143,7 @@ TEST(Car, stops_within_the_step_and_does_not_reverse) {
   Plan plan;
   plan.acceleration = {0, -1};
   plan.new_velocity = {0, -3.95};
-  const MotionStep step = advance_car(state, plan, car_limits(), 0.1);
+  const MotionStep step = advance_car(state, plan, 0.1);
   EXPECT_EQ(norm(step.next.velocity), 0.0);
   EXPECT_EQ(step.next.heading, state.heading);
   EXPECT_GE(step.next.position.y, 2.0);
@@ -154,7 +157,7 @@ TEST(Car, stopping_within_a_step_covers_the_braking_distance) {
   Plan plan;
   plan.acceleration = {-3, 0};
   plan.new_velocity = {-0.15, 0};
-  const MotionStep step = advance_car(state, plan, car_limits(), 0.1);
+  const MotionStep step = advance_car(state, plan, 0.1);
   EXPECT_NEAR(step.next.position.x, 0.15 * 0.15 / 6.0, 1e-15);
   EXPECT_EQ(norm(step.next.velocity), 0.0);
   EXPECT_EQ(step.acceleration, 3.0);
@@ -169,7 +172,7 @@ TEST(Car, at_rest_turns_in_place_at_a_bounded_rate) {
     const double most = 2.0 / 0.8 * 0.1;  // front axle at v_max, a wheelbase ahead
     int steps = 0;
     while (angle_between(state.heading, 1.0 + angle) > 0.25 && steps < 100) {
-      const MotionStep step = advance_car(state, plan, car_limits(), 0.1);
+      const MotionStep step = advance_car(state, plan, 0.1);
       EXPECT_EQ(step.next.position, state.position);
       EXPECT_EQ(step.next.velocity, Vec2{});
       EXPECT_EQ(step.acceleration, 0.0);
@@ -185,7 +188,7 @@ TEST(Car, at_rest_turns_in_place_at_a_bounded_rate) {
 
 TEST(Car, at_rest_without_a_wish_stays_as_it_is) {
   const MotionState state{{4, 5}, {0, 0}, 1.0};
-  const MotionStep step = advance_car(state, Plan{}, car_limits(), 0.1);
+  const MotionStep step = advance_car(state, Plan{}, 0.1);
   EXPECT_EQ(step.next.position, state.position);
   EXPECT_EQ(step.next.heading, state.heading);
   EXPECT_EQ(step.next.velocity, Vec2{});
@@ -195,7 +198,7 @@ Scenario lone_car(Vec2 goal, double heading, double speed) {
   Scenario scenario;
   scenario.method = Method::avo_paper;
   RobotSetup setup;
-  setup.car = CarSetup{car_limits().wheelbase, heading};
+  setup.model = Car{kWheelbase}, setup.heading = heading;
   setup.velocity = {speed, 0};
   setup.goal = goal;
   scenario.robots = {setup};

@@ -31,7 +31,7 @@ void add_any_robot(Random& random, Simulation& simulation) {
   setup.max_speed = setup.preferred_speed = random.uniform(0.05, 0.2);
   if (random.below(3) == 0) setup.priority = random.log_uniform(0.01, 100.0);
   if (random.below(2) == 0 && simulation.planner().options().motion == Motion::held) {
-    setup.car = CarSetup{0.7, random.uniform(-3.0, 3.0)};
+    setup.model = Car{0.7}, setup.heading = random.uniform(-3.0, 3.0);
   }
   simulation.add_robot(setup);
 }
@@ -167,7 +167,7 @@ TEST(Saving, shows_the_saved_robots_and_nothing_of_the_last_step) {
     EXPECT_EQ(a.setup[k].max_speed, b.setup[k].max_speed);
     EXPECT_EQ(a.setup[k].max_acceleration, b.setup[k].max_acceleration);
     EXPECT_EQ(a.setup[k].preferred_speed, b.setup[k].preferred_speed);
-    EXPECT_EQ(a.setup[k].car.has_value(), b.setup[k].car.has_value());
+    EXPECT_EQ(a.setup[k].model, b.setup[k].model);
     EXPECT_EQ(b.plan[k].new_velocity, Vec2{});
     EXPECT_EQ(b.applied_acceleration[k], 0.0);
   }
