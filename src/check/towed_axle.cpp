@@ -20,20 +20,29 @@ Vec2 velocity_at(const TowedAxle& axle, double time) {
   return axle.velocity + time * axle.acceleration;
 }
 
-// h' of a heading.
-Vec2 turning(const TowedAxle& axle, Vec2 h, double time) {
-  const Vec2 n = left_of(h);
-  return (dot(n, velocity_at(axle, time)) / axle.offset) * n;
+// As complex numbers.
+Vec2 times(Vec2 a, Vec2 b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 
-// The classical method of Runge and Kutta.
+Vec2 conjugate(Vec2 a) {
+  return {a.x, -a.y};
+}
+
+// As a complex number h follows Riccati's equation h' = (z - h² z*)/(2L), z = q': h = u/w with
+// u' = z w/(2L), w' = z* u/(2L), a linear one, whose power series is that of an entire function.
 Vec2 turned(const TowedAxle& axle, Vec2 h, double time, double step) {
-  const double half = 0.5 * step;
-  const Vec2 k1 = turning(axle, h, time);
-  const Vec2 k2 = turning(axle, h + half * k1, time + half);
-  const Vec2 k3 = turning(axle, h + half * k2, time + half);
-  const Vec2 k4 = turning(axle, h + step * k3, time + step);
-  const Vec2 next = h + (step / 6.0) * (k1 + 2.0 * (k2 + k3) + k4);
+  constexpr int kTerms = 14;
+  const double scale = 0.5 * step / axle.offset;
+  const Vec2 z = scale * velocity_at(axle, time), z_gain = (scale * step) * axle.acceleration;
+  Vec2 u = h, w{1.0, 0.0}, u_before, w_before, u_sum = u, w_sum = w;
+  for (int k = 1; k <= kTerms; ++k) {
+    const Vec2 next_u = (times(z, w) + times(z_gain, w_before)) / k;
+    const Vec2 next_w = (times(conjugate(z), u) + times(conjugate(z_gain), u_before)) / k;
+    u_before = u, w_before = w, u = next_u, w = next_w;
+    u_sum = u_sum + u, w_sum = w_sum + w;
+  }
+  const Vec2 next = times(u_sum, conjugate(w_sum));
   return next / norm(next);
 }
 
@@ -41,24 +50,36 @@ double time_of(const TowedAxle& axle, std::size_t part) {
   return axle.duration * static_cast<double>(part) / static_cast<double>(TowedAxle::kParts);
 }
 
-struct Wheels {
-  double speed, acceleration;  // m/s, m/s^2, the larger one of both
+// Of the wheel on the left, or for a negative track of the one on the right.
+struct Wheel {
+  double speed, acceleration;  // m/s, m/s^2, signed
 };
 
-Wheels wheels_at(const TowedAxle& axle, std::size_t part, double track) {
-  const Vec2 h = axle.heading[part], n = left_of(h);
-  const Vec2 velocity = velocity_at(axle, time_of(axle, part));
+// `beyond` parts from the end of a part.
+Wheel wheel_at(const TowedAxle& axle, std::size_t part, double beyond, double track) {
+  const double way = beyond * axle.duration / static_cast<double>(TowedAxle::kParts);
+  const double time = time_of(axle, part);
+  const Vec2 h = beyond == 0.0 ? axle.heading[part] : turned(axle, axle.heading[part], time, way);
+  const Vec2 n = left_of(h), velocity = velocity_at(axle, time + way);
   const double speed = dot(h, velocity), rate = dot(n, velocity) / axle.offset;
   const double gain = dot(h, axle.acceleration) + axle.offset * rate * rate;
   const double spin = (dot(n, axle.acceleration) - speed * rate) / axle.offset;
-  return {std::abs(speed) + 0.5 * track * std::abs(rate),
-          std::abs(gain) + 0.5 * track * std::abs(spin)};
+  return {speed - 0.5 * track * rate, gain - 0.5 * track * spin};
 }
 
-// Of the parabola through three values at equal distances, where the middle one is the largest.
-double peak(double left, double middle, double right) {
-  const double bend = 2.0 * middle - left - right, slope = right - left;
-  return bend > 0.0 ? middle + slope * slope / (8.0 * bend) : middle;
+// The largest |value(part, beyond)|: where parts end, and where parabolas through three ends turn.
+template <typename Value>
+double peak(const Value& value) {
+  double left = value(0, 0.0), middle = value(1, 0.0);
+  double most = std::max(std::abs(left), std::abs(middle));
+  for (std::size_t k = 2; k <= TowedAxle::kParts; ++k) {
+    const double right = value(k, 0.0), bend = 2.0 * middle - left - right, slope = right - left;
+    most = std::max(most, std::abs(right));
+    if (std::abs(slope) < 2.0 * std::abs(bend))
+      most = std::max(most, std::abs(value(k - 1, 0.5 * slope / bend)));
+    left = middle, middle = right;
+  }
+  return most;
 }
 
 }  // namespace
@@ -97,19 +118,17 @@ double fourth_derivative(const TowedAxle& axle) {
 }
 
 WheelPeaks wheel_peaks(const TowedAxle& axle, double track) {
-  constexpr std::size_t kEnd = TowedAxle::kParts;
-  std::array<Wheels, kEnd + 1> wheels;
-  for (std::size_t k = 0; k <= kEnd; ++k) wheels[k] = wheels_at(axle, k, track);
-  const auto largest = [&wheels](double Wheels::*value) {
-    double most = std::max(wheels[0].*value, wheels[kEnd].*value);
-    for (std::size_t k = 1; k < kEnd; ++k) {
-      const double left = wheels[k - 1].*value, middle = wheels[k].*value,
-                   right = wheels[k + 1].*value;
-      if (middle >= left && middle >= right) most = std::max(most, peak(left, middle, right));
-    }
-    return most;
-  };
-  return {largest(&Wheels::speed), largest(&Wheels::acceleration)};
+  WheelPeaks peaks;
+  for (const double side : {track, -track}) {
+    const auto speed = [&](std::size_t part, double beyond) {
+      return wheel_at(axle, part, beyond, side).speed;
+    };
+    const auto pull = [&](std::size_t part, double beyond) {
+      return wheel_at(axle, part, beyond, side).acceleration;
+    };
+    peaks = {std::max(peaks.speed, peak(speed)), std::max(peaks.acceleration, peak(pull))};
+  }
+  return peaks;
 }
 
 }  // namespace avo::judge
