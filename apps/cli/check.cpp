@@ -180,7 +180,7 @@ int check(const CheckArguments& arguments) {
                      judgement.uneven_steps, judgement.report.steps, *judgement.time_step)});
   if (judgement.report.without_heading > 0)
     warn(
-        {fmt::format("{} of {} robot-steps are of cars without headings in the recording; their "
+        {fmt::format("{} of {} robot-steps are of robots without headings in the recording; their "
                      "velocities are judged, and not where they face",
                      judgement.report.without_heading, judgement.report.robot_steps)});
   print(arguments.json ? to_json(judgement) : readable(judgement));

@@ -99,24 +99,30 @@ using avo::CheckReport;
 constexpr KinematicRule kKinematics[] = {
     {"headings", "headings", &CheckReport::headings, "rows off their velocities", "m/s"},
     {"turns", "turns", &CheckReport::turns, "robot-steps too sharp", "rad"},
-    {"lateral_accelerations", "lateral", &CheckReport::lateral_accelerations,
+    {"lateral_accelerations", "across", &CheckReport::lateral_accelerations,
      "robot-steps beyond the limit", "m/s^2"},
-    {"reversals", "reversals", &CheckReport::reversals, "robot-steps that may not be", "m/s"},
+    {"reversals", "reversals", &CheckReport::reversals, "robot-steps backwards", "m/s"},
     {"slow_flights", "slow flights", &CheckReport::slow_flights, "rows below the limit", "m/s"},
     {"wheel_speeds", "wheel speed", &CheckReport::wheel_speeds, "robot-steps beyond the limit",
      "m/s"},
     {"wheel_accelerations", "wheel acceleration", &CheckReport::wheel_accelerations,
      "robot-steps beyond the limit", "m/s^2"}};
 
-/// Lines for the limits of wheels and wings that are broken.
+/// Lines for what only robots with headings can break, where they do.
 template <typename Line>
 void add_kinematics(const Judgement& judgement, const Line& line) {
+  const CheckReport& report = judgement.report;
+  bool kept = true;
   for (const KinematicRule& rule : kKinematics) {
-    const avo::CheckCount& count = judgement.report.*rule.count;
+    const avo::CheckCount& count = report.*rule.count;
+    kept = kept && count.count == 0;
     if (count.count > 0) line(rule.name, text_of(judgement, count, rule.things, rule.unit));
   }
-  if (judgement.report.without_heading > 0)
-    line("without heading", fmt::format("{} robot-steps", judgement.report.without_heading));
+  if (report.with_heading > 0)
+    line("with headings", fmt::format("{} robot-steps{}", report.with_heading,
+                                      kept ? ", no limit of wheels or wings broken" : ""));
+  if (report.without_heading > 0)
+    line("without headings", fmt::format("{} robot-steps", report.without_heading));
 }
 
 }  // namespace
@@ -191,6 +197,7 @@ std::string to_json(const Judgement& judgement) {
   json["jumps"] = to_json(judgement, report.jumps, nullptr);
   for (const KinematicRule& rule : kKinematics)
     json[rule.key] = to_json(judgement, report.*rule.count, nullptr);
+  json["with_heading"] = report.with_heading;
   json["without_heading"] = report.without_heading;
   json["least_clearance"] = or_null(report.least_clearance);
   json["least_static_clearance"] = or_null(report.least_static_clearance);

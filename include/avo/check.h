@@ -157,6 +157,7 @@ struct CheckReport {
   CheckCount slow_flights;           ///< robot-rows of airplanes with s < min_speed
   CheckCount wheel_speeds;           ///< robot-steps of drives, at any instant
   CheckCount wheel_accelerations;    ///< likewise
+  std::int64_t with_heading = 0;     ///< robot-steps that were judged by headings
   std::int64_t without_heading = 0;  ///< robot-steps of those that have one, which the rows lack
   std::optional<double> least_clearance;  ///< m, over such pairs and all times; none without any
   std::optional<double> least_static_clearance;  ///< m, over all robots, walls and times

@@ -97,6 +97,29 @@ TEST(CheckCars, what_keeps_its_limits_breaks_none) {
   }
 }
 
+// p' = s (cos θ, sin θ), θ' = s κ, s' held, in small steps.
+TEST(CheckCars, what_solves_the_equations_of_a_car_breaks_none) {
+  test::Random random(2);
+  const CheckedRobot robot = car_of({.reverse = true, .exact_set = true}, 1.0 / 0.0);
+  for (int k = 0; k < 50; ++k) {
+    constexpr int kParts = 5'000;
+    const double change = random.uniform(-1, 1), curvature = random.uniform(-2, 2);
+    const CheckedState start = pose({3, 4}, random.uniform(-3, 3), random.uniform(-3, 0) - 0.1);
+    Vec2 place = start.position;
+    double angle = start.heading->angle;
+    for (int i = 0; i < kParts; ++i) {
+      const double s = start.heading->speed + change * kStep * (i + 0.5) / kParts;
+      const double middle = angle + 0.5 * s * curvature * kStep / kParts;
+      place = place + (s * kStep / kParts) * along(middle);
+      angle += s * curvature * kStep / kParts;
+    }
+    const CheckedState end = pose(place, angle, start.heading->speed + change * kStep);
+    EXPECT_EQ(counts(step_of(robot, start, end)), kNone) << k;
+    const CheckedState off = pose(place + Vec2{1e-8, 0}, angle, end.heading->speed);
+    EXPECT_EQ(counts(step_of(robot, start, off)), only(jump)) << k;
+  }
+}
+
 TEST(CheckCars, curvature) {
   const CheckedRobot robot = car_of({.max_curvature = 0.8}, 1.0 / 0.0);
   const CheckedState start = pose({3, 4}, 1.0, 1.5);
