@@ -59,7 +59,8 @@ void CsvRecording::add(const avo::Simulation& simulation) {
   for (const avo::CheckedState& state : checked_states(simulation.fleet())) {
     const avo::Vec2 p = state.position, v = state.velocity;
     row.clear();
-    fmt::format_to(end, "{},{},{},{},{},{}", simulation.time(), state.robot, p.x, p.y, v.x, v.y);
+    fmt::format_to(end, "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g}", simulation.time(),
+                   state.robot, p.x, p.y, v.x, v.y);
     if (headings_ && state.heading)
       fmt::format_to(end, ",{},{}", state.heading->angle, state.heading->speed);
     else if (headings_)

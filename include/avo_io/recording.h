@@ -19,12 +19,11 @@ namespace avo_io {
 /// Whether a recording of the scene has columns for headings: a robot is not holonomic.
 AVO_API bool has_headings(const avo::Scenario& scenario);
 
-/// CSV with header "time,robot,x,y,vx,vy", the shortest numbers that read back to the same bits,
-/// rows by time then robot.
+/// CSV with header "time,robot,x,y,vx,vy", 17 significant digits, rows by time then robot.
 class AVO_API CsvRecording {
  public:
-  /// With headings, ",heading,speed" follow in the header, see avo::CheckedHeading; the fields of
-  /// holonomic robots are empty.
+  /// With headings, ",heading,speed" follow in the header, see avo::CheckedHeading, in the shortest
+  /// form that reads back to the same bits; holonomic robots leave both empty.
   explicit CsvRecording(const std::string& path, bool headings = false);
   /// One row a robot. Throws FileError.
   void add(const avo::Simulation& simulation);

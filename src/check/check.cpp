@@ -140,11 +140,13 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
 
 void Check::State::judge_step(const CheckedRobot& robot, const CheckedState& before,
                               const CheckedState& now, double time) {
-  if (judge::has_heading(robot, before, now))
+  if (judge::has_heading(robot, before, now)) {
+    ++report.with_heading;
+    const double time_rounding = kEpsilon * (std::abs(time) + std::abs(last_time));
     return judge::judge_kinematics(
-        {robot, before, now, last_time, duration, kEpsilon * (std::abs(time) + std::abs(last_time)),
-         options.relative_tolerance},
+        {robot, before, now, last_time, duration, time_rounding, options.relative_tolerance},
         report);
+  }
   if (!is_holonomic(robot.kinematics)) ++report.without_heading;
   judge_limits(robot, before, now, time);
 }

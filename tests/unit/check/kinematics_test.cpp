@@ -104,7 +104,7 @@ TEST(CheckCars, what_solves_the_equations_of_a_car_breaks_none) {
   for (int k = 0; k < 50; ++k) {
     constexpr int kParts = 5'000;
     const double change = random.uniform(-1, 1), curvature = random.uniform(-2, 2);
-    const CheckedState start = pose({3, 4}, random.uniform(-3, 3), random.uniform(-3, 0) - 0.1);
+    const CheckedState start = pose({3, 4}, random.uniform(-3, 3), random.uniform(-1.8, -0.2));
     Vec2 place = start.position;
     double angle = start.heading->angle;
     for (int i = 0; i < kParts; ++i) {
