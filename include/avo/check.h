@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A judge of recorded motion that shares no formula with the planner: separation of every pair in
-// continuous time, from walls too, limits on acceleration and speed, arrival.
+// continuous time, from walls too, limits on acceleration and speed, of wheels and wings, arrival.
 #pragma once
 #include <cstdint>
 #include <limits>
