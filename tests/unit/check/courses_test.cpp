@@ -182,6 +182,17 @@ TEST(CheckCourses, a_body_that_swings_touches_between_the_rows) {
   EXPECT_NEAR(touched(1.5999).first->time, std::sqrt(0.5), 0.02) << "half the angle";
 }
 
+// Seen though others are so near each other that nothing farther away tells anything new.
+TEST(CheckCourses, a_body_that_swings_is_looked_for_all_along_its_way) {
+  const std::vector<CheckedRobot> robots{disc(CheckedCar{.body_offset = 3.0}, 0.5), disc({}, 0.1),
+                                         disc({}, 0.5), disc({}, 0.5)};
+  const CheckedState post{1, {3, 0}, {}}, one{2, {0, 50}, {}}, other{3, {0, 51}, {}};
+  const CheckReport report = report_of(robots, {{0.0, {pose({0, 0}, -1.5, 0.0), post, one, other}},
+                                                {1.0, {pose({0, 0}, 1.5, 0.0), post, one, other}}});
+  EXPECT_EQ(report.overlaps.count, 1);
+  EXPECT_NEAR(*report.least_clearance, -0.6, 1e-6);
+}
+
 // One that turns in place moves its body: a contact meanwhile is one in motion.
 TEST(CheckCourses, whoever_turns_its_body_moves) {
   const auto contacts = [](double offset) {
