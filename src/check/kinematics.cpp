@@ -87,7 +87,8 @@ void judge(const RowStep& step, const CheckedCar& car, CheckReport& report) {
   const double a_max = max_acceleration(step.robot);
   const Pull pull = pull_of(step, arc);
   const double both = norm(Vec2{pull.along, pull.across});
-  report.largest_acceleration = std::max(report.largest_acceleration, both);
+  const double pulled = car.exact_set ? std::max(pull.along, pull.across) : both;
+  report.largest_acceleration = std::max(report.largest_acceleration, pulled);
   hold(step, report.accelerations, car.exact_set ? pull.along : both, a_max,
        pull.along_rounding + (car.exact_set ? 0.0 : pull.across_rounding));
   hold(step, report.lateral_accelerations, pull.across, a_max, pull.across_rounding);

@@ -3,6 +3,7 @@
 #include "avo/checked.h"
 
 #include <cstddef>
+#include <limits>
 
 #include "core/elementary.h"
 
@@ -14,11 +15,12 @@ CheckedKinematics kinematics_of(const Holonomic& /*any*/) {
 }
 
 CheckedKinematics kinematics_of(const Car& car) {
-  return CheckedCar{.wheelbase = car.wheelbase,
-                    .max_curvature = car.max_curvature,
-                    .body_offset = car.body ? car.body->offset : 0.0,
-                    .reverse = car.reverse,
-                    .exact_set = car.acceleration_set == AccelerationSet::exact};
+  return CheckedCar{
+      .wheelbase = car.wheelbase,
+      .max_curvature = car.max_curvature.value_or(std::numeric_limits<double>::infinity()),
+      .body_offset = car.body ? car.body->offset : 0.0,
+      .reverse = car.reverse,
+      .exact_set = car.acceleration_set == AccelerationSet::exact};
 }
 
 }  // namespace
