@@ -134,6 +134,33 @@ TEST(Check, recordings_of_cars_without_headings_are_judged_by_their_velocities) 
                              "its velocity is of, is ahead of its position\n");
 }
 
+// 40 of them on 30 m x 30 m; bodies ahead, behind and about the axle.
+TEST(Check, cars_of_all_settings_keep_their_limits) {
+  const std::string settings[] = {
+      "wheelbase: 1",
+      "wheelbase: 1, acceleration_set: exact, reverse: true",
+      "wheelbase: 1, max_curvature: 0.8, body: {offset: 0.5, radius: 0.9}",
+      "wheelbase: 1, max_curvature: 0.8, body: {offset: 0.5, radius: 0.9}, acceleration_set: exact",
+      "wheelbase: 1, max_curvature: 0.5, body: {offset: -0.4, radius: 0.8}, acceleration_set: "
+      "exact, reverse: true",
+      "wheelbase: 1, body: {offset: 0.5, radius: 0.9}"};
+  for (const std::string& car : settings) {
+    const std::string box = "{random: {min: [-15, -15], max: [15, 15], clearance: 0.9}}";
+    write_file(path_of("cars.yaml"),
+               "version: 1\nname: cars\nseed: 1\nduration: 30\ngroups:\n  - number: 40\n"
+               "    radius: 0.5\n    max_speed: 2\n    max_acceleration: 1\n    model: car\n"
+               "    heading: random\n    placement: " +
+                   box + "\n    goals: " + box + "\n    car: {" + car + "}\n");
+    const Recorded run = record({path_of("cars.yaml")});
+    const ProcessResult result =
+        run_avo({"check", run.csv, "--scene", path_of("cars.yaml"), "--json"});
+    EXPECT_EQ(result.exit_code, 0) << car << "\n" << result.out;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["with_heading"], 12'000);
+    EXPECT_NEAR(json["least_clearance"], run.summary["min_clearance"], 1e-6);
+  }
+}
+
 // A car and a robot without heading, which leaves the fields empty.
 const std::string kScene =
     "version: 1\nname: mixed\nduration: 1\nrobots:\n"
