@@ -42,7 +42,8 @@ struct Decision {
 
   // m/s, of the farthest choice
   double reach() const {
-    return reach_of(robot.model) * braking_decrement(robot.max_acceleration, law.step);
+    const double u = braking_decrement(robot.max_acceleration, law.step);
+    return is_holonomic(robot.model) ? u : reach_of(robot.model) * u;
   }
 };
 

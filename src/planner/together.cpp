@@ -39,7 +39,8 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   const bool unlimited = adopts_at_once(planner.options().method);
   const double control_time = planner.options().control_time;
   for (std::size_t i = 0; i < robots.count; ++i) {
-    const double reach = robots.model[i] == nullptr ? 1.0 : reach_of(*robots.model[i]);
+    const MotionModel* model = robots.has_models ? robots.model[i] : nullptr;
+    const double reach = model == nullptr ? 1.0 : reach_of(*model);
     const Disc acceleration =
         unlimited ? Disc{{}, std::numeric_limits<double>::infinity()}
                   : Disc{robots.velocity(i), reach * control_time * robots.max_acceleration[i]};
@@ -284,7 +285,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
-  steer(tile.robots);
+  if (tile.robots.has_models) steer(tile.robots);
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);
@@ -293,7 +294,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_wishes(planner, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
-  keep_to_demands(planner, tile, scratch);
+  if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);
   clock.lap(Stage::program);
   if (options.method == Method::avo) {
     decide(planner, tile, scratch);
