@@ -36,14 +36,6 @@ struct Proposals {
   }
 };
 
-// m/s. Others count on no more than |v| + u of whoever decides, which the corners of a square
-// exceed; and the disc of a car that turns about its axle comes farther than the axle.
-double top_speed_of(const Robot& robot, double u) {
-  constexpr double kForTurning = 0.9;
-  if (is_holonomic(robot.model) || !may_exceed_reach(robot.model)) return robot.max_speed;
-  return std::min(norm(robot.velocity) + kForTurning * u, robot.max_speed);
-}
-
 ProgramResult propose(const Proposals& proposals, double top_speed) {
   return nearest_point(proposals.workspace.hard, proposals.acceleration, top_speed,
                        proposals.wanted, proposals.workspace.rows);
@@ -158,7 +150,7 @@ CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const Certific
       robot,
       law,
       {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
-      top_speed_of(robot, u),
+      is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
       wanted,
       workspace};
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)

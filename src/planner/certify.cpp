@@ -40,6 +40,11 @@ struct Decision {
   std::span<const HalfPlane> half_planes, walls;
   CertifiedWorkspace& certified;
 
+  // As far as one step leads to v.
+  Vec2 reached(Vec2 v) const {
+    const Vec2 next = approach(robot.velocity, v, reach());
+    return is_holonomic(robot.model) ? next : within_own_limits(robot, law.step.braking_time, next);
+  }
   // m/s, of the farthest choice
   double reach() const {
     const double u = braking_decrement(robot.max_acceleration, law.step);
@@ -56,8 +61,7 @@ CertifiedChoice choose_by_program(const Decision& decision, std::span<const Half
                                   Vec2 wish) {
   const ProgramResult result = nearest_point(
       half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
-  return choose_admitted(decision,
-                         approach(decision.robot.velocity, result.point, decision.reach()));
+  return choose_admitted(decision, decision.reached(result.point));
 }
 
 // unhindered: as far as one step leads to the wish.
@@ -87,7 +91,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   }
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = within_steering(robot, turned_right(wish, detour.angle));
-    const Vec2 unhindered = approach(robot.velocity, turned, decision.reach());
+    const Vec2 unhindered = decision.reached(turned);
     choice = choose_by_program(decision, decision.walls, turned);
     if (is_way_blocked(decision, choice, unhindered, turned))
       turn_off(detour, robot, time_step, !decision.walls.empty());

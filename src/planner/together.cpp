@@ -60,7 +60,8 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
 
 // Whether walls or its own motion demand anything of robot i.
 bool has_demands(const Tile& tile, std::size_t i) {
-  return !tile.walls_of(i).empty() || tile.robots.model[i] != nullptr;
+  const MotionModel* model = tile.robots.model[i];
+  return !tile.walls_of(i).empty() || (model != nullptr && has_own_half_planes(*model));
 }
 
 // The half-planes of robot i: those of its walls and of its own motion, which are scratch.demands,
@@ -179,8 +180,11 @@ void reach_out(const RobotColumns& robots, std::size_t i, const StepLaw& law,
                const DecisionColumns& decisions, Wished& wished) {
   const double u = reach_of(*robots.model[i]) * braking_decrement(robots.max_acceleration[i], law);
   const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-  wished.next = approach(robots.velocity(i), target, u);
-  wished.unhindered = approach(robots.velocity(i), wished.wish, u);
+  const Robot robot = robots.robot(i);
+  const auto towards = [&](Vec2 v) {
+    return within_own_limits(robot, law.braking_time, approach(robot.velocity, v, u));
+  };
+  wished.next = towards(target), wished.unhindered = towards(wished.wish);
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
@@ -220,7 +224,8 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                   {decisions.unhindered_x[i], decisions.unhindered_y[i]},
                   violation,
                   overlapping};
-    if (robots.model[i] != nullptr) reach_out(robots, i, law.step, decisions, wished);
+    if (robots.model[i] != nullptr && has_own_half_planes(*robots.model[i]))
+      reach_out(robots, i, law.step, decisions, wished);
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
   }
 }
