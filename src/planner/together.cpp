@@ -12,6 +12,7 @@
 #include "planner/behind_walls.h"
 #include "planner/certify.h"
 #include "planner/scratch.h"
+#include "planner/state.h"
 #include "planner/wall_planes.h"
 
 namespace avo {
@@ -162,6 +163,8 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
   const SoftPlanes& soft = scratch.soft;
   DecisionColumns& decisions = scratch.decisions;
   NearPairs& near = scratch.certified.constraints.near;
+  const SafetyState state_if_free =
+      law.kind == Certificate::none ? SafetyState::unknown : SafetyState::safe;
   find_near(robots, law, scratch.certified.constraints);
   decide_freely(law.step, robots, decisions);
   if (law.kind == Certificate::braking_trajectories) {
@@ -178,6 +181,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
       plan.violation = violation;
       plan.status = status_of(overlapping, violation);
+      plan.state = state_if_free;
       continue;
     }
     std::span<const HalfPlane> planes = soft.of(i), hard;
@@ -193,6 +197,9 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                         violation,
                         overlapping};
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
+    plan.state = state_of(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law,
+                          scratch.certified.constraints)
+                     .state;
   }
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is proved of the state in which a robot decides: docs/states.md.
+#pragma once
+#include <span>
+
+#include "avo/planner.h"
+#include "avo/wall.h"
+#include "certificate/certificate.h"
+#include "core/neighbor_columns.h"
+
+namespace avo {
+
+/// The constraints are those of the robot under the law, its neighbors and walls. Where nothing is
+/// broken and nobody moves on, this costs a few comparisons.
+SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
+                      const CertificateLaw& law, const CertificateConstraints& constraints);
+
+}  // namespace avo
