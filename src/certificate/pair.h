@@ -71,7 +71,7 @@ struct Invariant {
   /// One that does not decide is in contact, or braking does not avoid it: brake, and stay at rest.
   bool touched = false;
   bool unknown = false;   ///< one brakes for longer than kMostIntervals: brake
-  bool doubtful = false;  ///< errors may hide that braking collides
+  bool doubtful = false;  ///< braking collides, or errors may hide that it does
 };
 
 /// The invariant held by a pair, and the distance that it is held to from now on: contact where it

@@ -15,7 +15,7 @@ namespace {
 
 bool braking_keeps_clear(const CertificateConstraints& constraints) {
   const Invariant& invariant = constraints.invariant;
-  return invariant.broken < 0 && !invariant.touched && !invariant.unknown && !invariant.doubtful &&
+  return !invariant.doubtful && !invariant.touched && !invariant.unknown &&
          !constraints.walls.broken;
 }
 

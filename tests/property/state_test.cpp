@@ -39,21 +39,24 @@ Meeting random_meeting(Random& random, bool at_wall) {
   Meeting meeting;
   meeting.at_wall = at_wall;
   Robot& robot = meeting.robot;
-  robot.radius = random.uniform(0.1, 1.0);
+  robot.radius = random.log_uniform(0.03, 1.0);
   robot.max_acceleration = random.log_uniform(0.3, 3.0);
   robot.max_speed = random.log_uniform(0.2, 4.0);
-  robot.velocity = in_disc(random, robot.max_speed);
+  robot.velocity = random.uniform(0.3, 1.0) * robot.max_speed * random.direction();
+  if (random.below(4) == 0) robot.velocity = {};
   Neighbor& other = meeting.neighbor;
   other.radius = random.uniform(0.1, 1.0);
   other.max_acceleration = random.log_uniform(0.3, 3.0);
   other.behavior = random.below(2) == 0 ? Behavior::decides : Behavior::moves_on;
-  other.position =
-      (robot.radius + other.radius + random.log_uniform(1e-3, 3.0)) * random.direction();
+  const double gap = random.log_uniform(1e-3, 3.0);
+  other.position = (robot.radius + other.radius + gap) * random.direction();
   other.velocity = in_disc(random, 4.0);
   other.acceleration = in_disc(random, random.below(2) == 0 ? 0.0 : 2.0);
-  meeting.wall = {other.position,
-                  other.position + random.log_uniform(0.1, 10.0) * random.direction(),
-                  random.below(2) == 0 ? 0.0 : other.radius};
+  meeting.wall.radius = random.below(2) == 0 ? 0.0 : other.radius;
+  do {
+    meeting.wall.a = random.uniform(0.0, 2.5) * random.direction();
+    meeting.wall.b = meeting.wall.a + random.log_uniform(0.1, 10.0) * random.direction();
+  } while (gap_to({}, meeting.wall) < robot.radius);
   return meeting;
 }
 
@@ -124,7 +127,7 @@ bool can_escape(const Meeting& meeting, double time, int ways, Random& random) {
 void nothing_escapes(bool at_wall) {
   Random random(at_wall ? 71 : 70);
   int doomed = 0, by_speed = 0;
-  for (int k = 0; k < 30'000; ++k) {
+  for (int k = 0; k < 15'000; ++k) {
     const Meeting meeting = random_meeting(random, at_wall);
     const SafetyReport report = state_of(meeting);
     if (report.state != SafetyState::doomed) continue;
@@ -136,8 +139,8 @@ void nothing_escapes(bool at_wall) {
     unlimited.robot.max_speed = 100.0;
     by_speed += state_of(unlimited).state != SafetyState::doomed ? 1 : 0;
   }
-  EXPECT_GT(doomed, 1500);
-  EXPECT_TRUE(at_wall || by_speed > 20) << by_speed;
+  EXPECT_GT(doomed, 400);
+  EXPECT_TRUE(at_wall || by_speed > 10) << by_speed;
 }
 
 TEST(State, nothing_escapes_from_one_that_dooms) {
@@ -158,13 +161,13 @@ void most_are_proved(bool at_wall, double share) {
     ++lost;
     proved += state_of(meeting).state == SafetyState::doomed ? 1 : 0;
   }
-  EXPECT_GT(lost, 150);
+  EXPECT_GT(lost, 100);
   EXPECT_GT(proved, share * lost) << proved << " of " << lost;
 }
 
 TEST(State, most_that_cannot_escape_are_doomed) {
-  most_are_proved(false, 0.8);
-  most_are_proved(true, 0.8);
+  most_are_proved(false, 0.97);
+  most_are_proved(true, 0.97);
 }
 
 // Full braking in steps of Δt, at a time.
