@@ -79,17 +79,18 @@ double top_speed(const Robot& robot) {
   return std::max(robot.max_speed, norm(robot.velocity));
 }
 
-// A straight wall, seen from it.
+// A straight line beside a wall that nobody reaches without contact.
 struct Front {
-  double gap = 0.0;      // m, to contact
+  double gap = 0.0;      // m, to the line
   double closing = 0.0;  // m/s, towards it
-  double place = 0.0;    // m, of the foot, from the wall's one end
+  double place = 0.0;    // m, of the foot, from the line's one end
   double sliding = 0.0;  // m/s, along it
-  double length = 0.0;   // m, of the wall
+  double length = 0.0;   // m, of the line
 };
+constexpr int kLines = 5;
 
-// The time by which A has come to contact whatever it does: the latest is that of full braking, and
-// by then its foot has not left the wall.
+// The time by which A has come to the line whatever it does: the latest is that of full braking,
+// and by then its foot has not left the line.
 std::optional<double> find_crossing(const Front& front, double max_acceleration) {
   const auto& [gap, closing, place, sliding, length] = front;
   const double left = closing * closing - 2.0 * max_acceleration * gap;
@@ -144,10 +145,16 @@ std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
   const Vec2 along = (segment.b - segment.a) / length;
   const double side = cross(along, -segment.a);  // of A
   const Vec2 normal = side < 0.0 ? Vec2{along.y, -along.x} : Vec2{-along.y, along.x};
-  return find_crossing(
-      {std::max(std::abs(side) - contact, 0.0), -dot(normal, robot.velocity),
-       dot(along, -segment.a) - lost, dot(along, robot.velocity), length - 2.0 * lost},
-      robot.max_acceleration);
+  // any of these lines beside the wall is within contact, and a little beyond the wall's ends
+  for (int k = 0; k < kLines; ++k) {
+    const double off = contact * (kLines - 1 - k) / (kLines - 1);
+    const double beyond = std::sqrt(contact * contact - off * off) - lost;
+    const Front front{std::max(std::abs(side) - off, 0.0), -dot(normal, robot.velocity),
+                      dot(along, -segment.a) + beyond, dot(along, robot.velocity),
+                      length + 2.0 * beyond};
+    if (const auto time = find_crossing(front, robot.max_acceleration)) return time;
+  }
+  return std::nullopt;
 }
 
 }  // namespace avo
