@@ -87,7 +87,7 @@ struct Front {
   double sliding = 0.0;  // m/s, along it
   double length = 0.0;   // m, of the line
 };
-constexpr int kLines = 5;
+constexpr int kLines = 17;
 
 // The time by which A has come to the line whatever it does: the latest is that of full braking,
 // and by then its foot has not left the line.
