@@ -27,7 +27,7 @@ TEST(FirstSights, count_the_pair_that_meets_round_a_corner) {
 // They pass a wall on both sides, and see each other from afar when they come out.
 TEST(FirstSights, do_not_count_who_comes_into_sight_far_away) {
   Scenario scene;
-  scene.robots = {robot_at({-9.0, -1.5}, {9.0, -1.5}), robot_at({9.0, 1.5}, {-9.0, 1.5})};
+  scene.robots = {robot_at({-9.0, -0.7}, {9.0, -0.7}), robot_at({9.0, 4.0}, {-9.0, 4.0})};
   scene.obstacles.push_back({{{{{-3.0, 0.0}, {3.0, 0.0}}, false}}, 0.0});
   scene.sensing.occlusion = true;
   EXPECT_EQ(run(scene, 120).first_seen_too_late, 0);
