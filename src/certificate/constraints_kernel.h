@@ -135,8 +135,8 @@ AVO_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw&
   const auto& [position, velocity] = law.sensing_error;
   if (position == 0.0 && velocity == 0.0) return {Real(0.0), Real(0.0)};
   const Real seen = m + Real(1.0), two(2.0);
-  const Real steps = pair.decides ? min(seen, Real(pair.b.intervals)) : seen;
-  const Real error = Real(position) + Real(velocity) * (Real(law.time_step) * steps);
+  const Real error = pair.decides ? braking_error(constant<Real>(pair.b.profile), law, seen)
+                                  : Real(position) + Real(velocity) * (Real(law.time_step) * seen);
   const Real one_step(velocity * law.time_step);
   const auto beyond = distance > error;
   const Real d = select(beyond, distance, two * error);  // any beyond it
