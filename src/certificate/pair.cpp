@@ -83,7 +83,8 @@ bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLa
 
 double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant) {
   invariant.slack = std::min(invariant.slack, distance - pair.contact);
-  invariant.doubtful = invariant.doubtful || distance < pair.contact + pair.error;
+  if (!(distance < pair.contact + pair.error)) return pair.inflated;
+  invariant.doubtful = true;
   if (!(distance < pair.contact - pair.error)) return pair.inflated;
   invariant.broken = index;
   return distance;

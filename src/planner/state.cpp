@@ -13,12 +13,6 @@
 namespace avo {
 namespace {
 
-bool braking_keeps_clear(const CertificateConstraints& constraints) {
-  const Invariant& invariant = constraints.invariant;
-  return !invariant.doubtful && !invariant.touched && !invariant.unknown &&
-         !constraints.walls.broken;
-}
-
 // With whom contact comes first, of those with whom it is inevitable.
 struct FirstContact {
   SafetyReport report;
@@ -44,7 +38,6 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   if (law.kind == Certificate::none) return {};
   const bool is_safe = braking_keeps_clear(constraints);
   FirstContact first{{is_safe ? SafetyState::safe : SafetyState::unknown}};
-  if (is_safe && !neighbors.columns->has_movers) return first.report;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;

@@ -10,8 +10,14 @@
 
 namespace avo {
 
-/// The constraints are those of the robot under the law, its neighbors and walls. Where nothing is
-/// broken and nobody moves on, this costs a few comparisons.
+/// Whether braking is proved to keep clear of all that the constraints are of.
+inline bool braking_keeps_clear(const CertificateConstraints& constraints) {
+  const Invariant& invariant = constraints.invariant;
+  return !invariant.doubtful && !invariant.touched && !invariant.unknown &&
+         !constraints.walls.broken;
+}
+
+/// The constraints are those of the robot under the law, its neighbors and walls.
 SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                       const CertificateLaw& law, const CertificateConstraints& constraints);
 

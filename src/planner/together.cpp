@@ -197,9 +197,12 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                         violation,
                         overlapping};
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
-    plan.state = state_of(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law,
-                          scratch.certified.constraints)
-                     .state;
+    const CertificateConstraints& constraints = scratch.certified.constraints;
+    plan.state = braking_keeps_clear(constraints) && !tile.neighbors.has_movers
+                     ? state_if_free
+                     : state_of(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law,
+                                constraints)
+                           .state;
   }
 }
 
