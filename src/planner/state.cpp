@@ -9,6 +9,7 @@
 #include "planner/certify.h"
 #include "planner/decision.h"
 #include "planner/scratch.h"
+#include "robots/model.h"
 
 namespace avo {
 namespace {
@@ -38,6 +39,7 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   if (law.kind == Certificate::none) return {};
   const bool is_safe = braking_keeps_clear(constraints);
   FirstContact first{{is_safe ? SafetyState::safe : SafetyState::unknown}};
+  if (may_exceed_reach(robot.model)) return first.report;  // more than its acceleration says
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;

@@ -111,6 +111,18 @@ TEST(StateQuery, any_method_is_held_against_braking) {
   }
 }
 
+// The disc of such a car moves by more than the acceleration of its axle.
+TEST(StateQuery, a_disc_ahead_of_the_axle_is_never_said_to_be_doomed) {
+  Robot car = driving();
+  car.model = Car{};
+  EXPECT_EQ(state_of(car, {}, {across(1.99, 9.0)}).state, SafetyState::doomed);
+  car.model = Car{.body = CarBody{0.5, 0.5}};
+  EXPECT_EQ(state_of(car, {}, {across(1.99, 9.0)}).state, SafetyState::unknown);
+  EXPECT_EQ(state_of(car, {}, {across(2.001, 9.0)}).state, SafetyState::safe);
+  car.model = Car{.acceleration_set = AccelerationSet::exact};
+  EXPECT_EQ(state_of(car, {}, {across(1.99, 9.0)}).state, SafetyState::unknown);
+}
+
 TEST(StateQuery, nothing_is_said_of_bad_numbers) {
   Robot robot = driving();
   robot.velocity.x = std::numeric_limits<double>::quiet_NaN();
