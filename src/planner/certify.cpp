@@ -9,6 +9,7 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/scratch.h"
+#include "planner/state.h"
 #include "robots/model.h"
 
 namespace avo {
@@ -152,9 +153,14 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   const double u = braking_decrement(robot.max_acceleration, law.step);
   const Vec2 wanted = approach(robot.velocity, target.velocity, reach_of(robot.model) * u);
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  return plan_under(law, robot, choice.next_velocity,
-                    status_of(choice.chosen, target.violation, certified.constraints, overlapping),
-                    target.violation);
+  Plan plan =
+      plan_under(law, robot, choice.next_velocity,
+                 status_of(choice.chosen, target.violation, certified.constraints, overlapping),
+                 target.violation);
+  plan.state =
+      state_of(robot, certified.constraints.alone.neighbors[0], walls, law, certified.constraints)
+          .state;
+  return plan;
 }
 
 }  // namespace avo

@@ -13,6 +13,7 @@
 #include "planner/certify.h"
 #include "planner/demands.h"
 #include "planner/scratch.h"
+#include "planner/state.h"
 #include "robots/model.h"
 
 namespace avo {
@@ -194,6 +195,8 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
   const SoftPlanes& soft = scratch.soft;
   DecisionColumns& decisions = scratch.decisions;
   NearPairs& near = scratch.certified.constraints.near;
+  const SafetyState state_if_free =
+      law.kind == Certificate::none ? SafetyState::unknown : SafetyState::safe;
   find_near(robots, law, scratch.certified.constraints);
   decide_freely(law.step, robots, decisions);
   if (law.kind == Certificate::braking_trajectories) {
@@ -210,6 +213,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
       plan.violation = violation;
       plan.status = status_of(overlapping, violation);
+      plan.state = state_if_free;
       continue;
     }
     std::span<const HalfPlane> planes = soft.of(i), hard;
@@ -227,6 +231,12 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
     if (robots.model[i] != nullptr && has_own_half_planes(*robots.model[i]))
       reach_out(robots, i, law.step, decisions, wished);
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
+    const CertificateConstraints& constraints = scratch.certified.constraints;
+    plan.state = braking_keeps_clear(constraints) && !tile.neighbors.has_movers
+                     ? state_if_free
+                     : state_of(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law,
+                                constraints)
+                           .state;
   }
 }
 
