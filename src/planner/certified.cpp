@@ -84,11 +84,14 @@ void append_cuts(const Proposals& proposals) {
 // bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   proposals.begin();
+  const bool has_own_planes = !proposals.workspace.hard.empty();
   for (int round = 0; round < kRounds; ++round) {
     ProgramResult result;
     result.point = proposals.wanted;
     if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, proposals.top_speed);
     if (result.state == ProgramState::discs_disjoint) break;
+    // it gives way in all half-planes, those of the robot's own motion too
+    if (result.state == ProgramState::least_unsafe && has_own_planes) break;
     if (is_admitted(proposals, result.point)) {
       return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};
     }
