@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -102,6 +103,12 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
                       robot.car ? 0.0 : interpolation_error(options, robot.max_acceleration),
                       adopts_at_once(options.method) && !robot.car, robot.car.has_value(),
                       robot.parked, robot.layers.bits, robot.avoids.bits});
+  if (scenario->clock == avo::Clock::free) {
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      if (!robots[i].parked && !robots[i].straight)
+        robots[i].time_step = time_step_of(*scenario, scenario->robots[i]);
+    }
+  }
   std::vector<avo::CheckedObstacle> obstacles;
   for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
     obstacles.push_back(
@@ -117,6 +124,7 @@ Judge::Judge(const CheckArguments& arguments)
   if (scenario) {
     judgement.scene = scenario->name;
     judgement.time_step = scenario->time_step;
+    judgement.free_clocks = scenario->clock == avo::Clock::free;
     take_walls(*scenario, check, judgement.obstacle_of_wall);
   } else {
     like = {*arguments.radius, *arguments.max_acceleration, *arguments.max_speed};
@@ -136,12 +144,22 @@ void Judge::number_densely(std::vector<avo::CheckedState>& rows) {
             [](const auto& a, const auto& b) { return a.robot < b.robot; });
 }
 
+// Where clocks are free rows stand at all decisions: no two are farther apart than those of any
+// robot.
+bool is_uneven(const avo::Scenario& scenario, double duration) {
+  constexpr double kEven = 1e-6;  // of the step
+  double step = scenario.time_step;
+  if (scenario.clock == avo::Clock::common) return std::abs(duration - step) > kEven * step;
+  step = std::numeric_limits<double>::infinity();
+  for (const avo::RobotSetup& robot : scenario.robots)
+    if (!robot.parked) step = std::min(step, time_step_of(scenario, robot));
+  return duration > (1.0 + kEven) * step;
+}
+
 void Judge::add(avo_io::RecordedTime& moment) {
-  constexpr double kEven = 1e-6;  // of the scene's step
   if (!scenario)
     number_densely(moment.rows);
-  else if (last_time &&
-           std::abs(moment.time - *last_time - scenario->time_step) > kEven * scenario->time_step)
+  else if (last_time && is_uneven(*scenario, moment.time - *last_time))
     ++judgement.uneven_steps;
   last_time = moment.time;
   check.add(moment.time, moment.rows);
@@ -171,9 +189,12 @@ int check(const CheckArguments& arguments) {
                                  ": found no robot at two successive times, must be one or more");
   if (judgement.uneven_steps > 0)
     warn(
-        {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "
-                     "between their rows, which may not be the path",
-                     judgement.uneven_steps, judgement.report.steps, *judgement.time_step)});
+        {fmt::format("{} of {} steps are {}; they are judged on the cubic between their rows, "
+                     "which may not be the path",
+                     judgement.uneven_steps, judgement.report.steps,
+                     judge.scenario->clock == avo::Clock::free
+                         ? std::string("longer than those of some robot, which decided within")
+                         : fmt::format("not the scene's {} s long", *judgement.time_step))});
   print(arguments.json ? to_json(judgement) : readable(judgement));
   return judgement.passed() ? kDone : kUnsafe;
 }

@@ -119,6 +119,8 @@ std::string readable(const Judgement& judgement) {
   line("speed", text_of(judgement, report.speeds, "rows beyond the limit", "m/s") +
                     fmt::format("; largest {:.6g} m/s", report.largest_speed));
   line("jumps", text_of(judgement, report.jumps, "robot-steps off their velocities", "m"));
+  if (judgement.free_clocks)
+    line("held", text_of(judgement, report.changes, "changes between two decisions", "m/s^2"));
   line("least clearance",
        report.least_clearance ? fmt::format("{:.3g} m", *report.least_clearance) : "-");
   if (report.least_static_clearance)
@@ -156,6 +158,7 @@ std::string to_json(const Judgement& judgement) {
   json["accelerations"] = to_json(judgement, report.accelerations, nullptr);
   json["speeds"] = to_json(judgement, report.speeds, nullptr);
   json["jumps"] = to_json(judgement, report.jumps, nullptr);
+  json["changes"] = to_json(judgement, report.changes, nullptr);
   json["least_clearance"] = or_null(report.least_clearance);
   json["least_static_clearance"] = or_null(report.least_static_clearance);
   json["largest_acceleration"] = report.largest_acceleration;

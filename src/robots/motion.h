@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a decision becomes motion over one time step (paper Eqs. 7-9, 24, 25).
 #pragma once
+#include <cstdint>
+
 #include "avo/planner.h"
 #include "avo/scenario.h"
 
@@ -42,5 +44,16 @@ struct CarLimits {
 };
 MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimits& limits,
                        double time_step);
+
+/// How a robot moves between the ends of its step.
+enum class StepCurve : std::uint8_t {
+  held,     ///< with constant acceleration
+  at_once,  ///< with the velocity of the end from the start
+  arc,      ///< a car's: with constant curvature and change of speed
+};
+
+/// Where it is `time` s after the start of a step of `duration` s, 0 <= time < duration.
+MotionState within(const MotionState& from, const MotionState& to, StepCurve curve, double time,
+                   double duration);
 
 }  // namespace avo
