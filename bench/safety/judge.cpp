@@ -31,6 +31,8 @@ Check make_check(const Scenario& scenario) {
     robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
     robot.straight = adopts_at_once(options.method);
     robot.car = setup.car.has_value();
+    if (scenario.clock == Clock::free && !robot.straight)
+      robot.time_step = time_step_of(scenario, setup);
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
@@ -47,8 +49,10 @@ Check make_check(const Scenario& scenario) {
   return check;
 }
 
-bool has_cars(const Scenario& scenario) {
-  return std::any_of(scenario.robots.begin(), scenario.robots.end(),
+// Where clocks are free the steps are short.
+bool has_long_arcs(const Scenario& scenario) {
+  return scenario.clock == Clock::common &&
+         std::any_of(scenario.robots.begin(), scenario.robots.end(),
                      [](const RobotSetup& robot) { return robot.car.has_value(); });
 }
 
@@ -79,6 +83,7 @@ void Verdict::add(const Verdict& later) {
   acceleration_violations += later.acceleration_violations;
   speed_violations += later.speed_violations;
   jumps += later.jumps;
+  changes += later.changes;
   least_clearance = least_of(least_clearance, later.least_clearance);
   least_static_clearance = least_of(least_static_clearance, later.least_static_clearance);
   interpolation_error = std::max(interpolation_error, later.interpolation_error);
@@ -96,7 +101,7 @@ struct Judge::State {
 };
 
 Judge::Judge(const Scenario& scenario)
-    : state_(new State{make_check(scenario), scenario.time_step, has_cars(scenario) ? 8 : 1}) {}
+    : state_(new State{make_check(scenario), scenario.time_step, has_long_arcs(scenario) ? 8 : 1}) {}
 Judge::~Judge() = default;
 
 void Judge::observe(const Simulation& simulation) {
@@ -131,6 +136,7 @@ Verdict Judge::verdict() const {
   verdict.acceleration_violations = report.accelerations.count;
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;
+  verdict.changes = report.changes.count;
   verdict.least_clearance = report.least_clearance;
   verdict.least_static_clearance = report.least_static_clearance;
   verdict.interpolation_error = report.interpolation_error;
@@ -141,6 +147,7 @@ Verdict Judge::verdict() const {
   name_first("steps above a_max (m/s^2)", report.accelerations, verdict.violations);
   name_first("states above v_max (m/s)", report.speeds, verdict.violations);
   name_first("jumps (m)", report.jumps, verdict.violations);
+  name_first("changes between decisions (m/s^2)", report.changes, verdict.violations);
   return verdict;
 }
 

@@ -102,6 +102,17 @@ Scene with_model(Scene scene, const ModelCase& chosen, std::uint64_t seed) {
   return scene;
 }
 
+// Robots of a simulation whose clocks are free; some of them decide twice as often.
+Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed) {
+  Scenario& scenario = scene.scenario;
+  scenario.seed = seed;
+  scenario.clock = Clock::free;
+  for (std::size_t i = 0; i < scenario.robots.size() && unequal; i += 2)
+    scenario.robots[i].time_step = 0.5 * scenario.time_step;
+  see_far_enough(scenario);
+  return scene;
+}
+
 Sensing wrong(SensingError error, SensingError declared) {
   Sensing sensing;
   sensing.error = error;
@@ -212,6 +223,17 @@ void add_sensing(std::vector<Family>& all) {
       all.push_back({chosen.name + "-" + kind.name, chosen.what + ": " + kind.what, 20, true,
                      [chosen, make = kind.make](std::uint64_t seed) {
                        return with_model(make(seed), chosen, seed);
+                     }});
+    }
+  }
+  for (const bool unequal : {false, true}) {
+    for (const Kind& kind : kinds) {
+      all.push_back({std::string(unequal ? "clocks-steps-" : "clocks-") + kind.name,
+                     std::string(unequal ? "free clocks, half of them twice as fast: "
+                                         : "free clocks: ") +
+                         kind.what,
+                     20, true, [unequal, make = kind.make](std::uint64_t seed) {
+                       return with_clocks(make(seed), unequal, seed);
                      }});
     }
   }

@@ -48,14 +48,15 @@ double turn(const TimedState& from, const TimedState& to) {
   return elementary::atan2(cross(v, w), dot(v, w));
 }
 
-// Constant curvature: the turns are as the ways.
+// Constant curvature: the turns are as the ways. At rest there is no heading to tell them from.
 Held turn_of(const Rows& rows) {
   const auto way = [](const TimedState& from, const TimedState& to) {
     return 0.5 * (to.time - from.time) * (norm(from.row.velocity) + norm(to.row.velocity));
   };
   const double first = way(rows.a, rows.b), second = way(rows.b, rows.c);
   const double whole = first + second;
-  if (!(first > 0.0 && second > 0.0)) return {};
+  const auto rests = [](const TimedState& state) { return state.row.velocity == Vec2{}; };
+  if (rests(rows.a) || rests(rows.b) || rests(rows.c)) return {};
   const double times = kEpsilon * (std::abs(rows.a.time) + std::abs(rows.c.time));
   // as a velocity across: the turn that is missing at the middle row, times the speed there
   const double off = std::abs(turn(rows.a, rows.b) * second - turn(rows.b, rows.c) * first) / whole;
