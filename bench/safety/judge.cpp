@@ -101,7 +101,8 @@ struct Judge::State {
 };
 
 Judge::Judge(const Scenario& scenario)
-    : state_(new State{make_check(scenario), scenario.time_step, has_long_arcs(scenario) ? 8 : 1}) {}
+    : state_(new State{make_check(scenario), scenario.time_step, has_long_arcs(scenario) ? 8 : 1}) {
+}
 Judge::~Judge() = default;
 
 void Judge::observe(const Simulation& simulation) {

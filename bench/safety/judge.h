@@ -19,7 +19,7 @@ struct Verdict {
   std::int64_t static_contacts = 0;   ///< robots that touched a static obstacle
   double deepest_contact = 0.0;       ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-states
-  std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
+  std::int64_t jumps = 0;    ///< robot-steps whose positions do not follow the velocities
   std::int64_t changes = 0;  ///< of an acceleration, between two decisions
   std::optional<double> least_clearance;         ///< m, of two robots
   std::optional<double> least_static_clearance;  ///< m, of a robot and a static obstacle

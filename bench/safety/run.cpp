@@ -131,8 +131,7 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   const bool may_end =
       scene.rallies.empty() && scene.errands.empty() && scenario.moving_obstacles.empty();
   while (simulation.can_step_by(scenario.duration)) {
-    if (!scene.rallies.empty() && span.begins(scene.rally_period))
-      rally(scene, random, simulation);
+    if (!scene.rallies.empty() && span.begins(scene.rally_period)) rally(scene, random, simulation);
     send_on(scene, span, random, simulation);
     clock.step(simulation);
     observe();

@@ -158,8 +158,8 @@ std::string table_header() {
 }
 
 std::string table_lines(const RowResult& row) {
-  const std::int64_t limits = row.acceleration_violations + row.speed_violations +
-                              row.jumps + row.changes;
+  const std::int64_t limits =
+      row.acceleration_violations + row.speed_violations + row.jumps + row.changes;
   std::string line =
       format("%-18s %6lld %7lld %9lld %6lld %6lld %10s %8s", row.name.c_str(),
              static_cast<long long>(row.scenes), static_cast<long long>(row.robots),
