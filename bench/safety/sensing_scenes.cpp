@@ -102,17 +102,6 @@ Scene with_model(Scene scene, const ModelCase& chosen, std::uint64_t seed) {
   return scene;
 }
 
-// Robots of a simulation whose clocks are free; some of them decide twice as often.
-Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed) {
-  Scenario& scenario = scene.scenario;
-  scenario.seed = seed;
-  scenario.clock = Clock::free;
-  for (std::size_t i = 0; i < scenario.robots.size() && unequal; i += 2)
-    scenario.robots[i].time_step = 0.5 * scenario.time_step;
-  see_far_enough(scenario);
-  return scene;
-}
-
 Sensing wrong(SensingError error, SensingError declared) {
   Sensing sensing;
   sensing.error = error;

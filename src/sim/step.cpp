@@ -163,8 +163,9 @@ void step_freely(World& world, Executor& executor) {
     if (world.fleet.clock_of(slot).end == world.now) due.push_back(slot);
   }
   const auto pace_of = [&](std::uint32_t slot) { return world.fleet.clock_of(slot).pace; };
-  std::stable_sort(due.begin(), due.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return pace_of(a) < pace_of(b); });
+  std::sort(due.begin(), due.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return pace_of(a) != pace_of(b) ? pace_of(a) < pace_of(b) : a < b;
+  });
   std::span<const std::uint32_t> left = due;
   while (!left.empty()) {
     const auto last = std::find_if(left.begin(), left.end(), [&](std::uint32_t slot) {
