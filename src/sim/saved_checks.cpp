@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a saved state has to be that no bytes of another program, or forged ones, are.
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "core/ranges.h"
@@ -57,6 +58,7 @@ void check_clocks(const SavedState& state) {
     const RobotSetup& robot = state.scene.robots[k];
     sound = clock.begin >= 0 && clock.begin <= state.now && clock.end >= state.now &&
             is_whole(clock.from) && is_whole(clock.to);
+    if (robot.parked) sound = sound && clock.end == std::numeric_limits<Instant>::max();
     if (robot.parked || !sound) continue;
     const auto step = whole_nanoseconds(time_step_of(state.scene, robot));
     sound = step && clock.end - clock.begin <= *step &&

@@ -157,6 +157,7 @@ TEST(Check, json_has_all_keys_in_order) {
                            "accelerations",
                            "speeds",
                            "jumps",
+                           "changes",
                            "least_clearance",
                            "least_static_clearance",
                            "largest_acceleration",
