@@ -81,6 +81,7 @@ void add_clocks(const SavedState& state, World& world, Fleet& fleet) {
     clock.pace = world.pace_of(clock.time_step);
     clock.begin = saved.begin, clock.end = saved.end;
     clock.from = saved.from, clock.to = saved.to;
+    if (!state.scene.robots[k].car) clock.from.heading = clock.to.heading = 0.0;
     clock.has_decided = saved.has_decided;
   }
 }

@@ -85,7 +85,7 @@ TEST(FreeClocks, what_has_no_common_steps_is_said_in_a_line) {
   EXPECT_EQ(run_avo(with({"validate"}, kFree)).out,
             "circle-10: valid: 10 robots, 0 moving obstacles, 100 s by clocks of their own\n");
   const ProcessResult common = run_avo({"run", "circle-10", "--set", "robots.2.time_step=0.05"});
-  EXPECT_EQ(common.exit_code, 3);
+  EXPECT_EQ(common.exit_code, 2);
   EXPECT_NE(
       common.err.find("robots.2.time_step: found 0.05, must be left out where clock is common"),
       std::string::npos)
