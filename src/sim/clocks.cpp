@@ -59,15 +59,15 @@ void start_clock(World& world, std::size_t slot) {
       clock.from.position + (0.5 * time) * (clock.from.velocity + clock.to.velocity);
 }
 
-void begin_step(World& world, std::size_t slot, const MotionState& from) {
+void begin_step(World& world, std::size_t slot) {
   Fleet& fleet = world.fleet;
   OwnClock& clock = fleet.clock_of(slot);
   clock.begin = world.now;
   clock.end = world.now + step_of(clock);
-  clock.from = from;
+  clock.from = clock.to;
   clock.to = {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
   clock.has_decided = true;
-  put(world, slot, from);
+  put(world, slot, clock.from);
 }
 
 std::int64_t decisions_of(const World& world, std::size_t slot) {

@@ -25,8 +25,9 @@ inline double seconds(Instant instant) {
 /// Of a robot that has come now: it brakes until its phase, which the seed and its id tell.
 void start_clock(World& world, std::size_t slot);
 
-/// The robot, which has just been put to the end of its step, is back at the start of it.
-void begin_step(World& world, std::size_t slot, const MotionState& from);
+/// The robot, which has been put to where it has decided to be, is back at the start of that step,
+/// where the one before ended.
+void begin_step(World& world, std::size_t slot);
 
 /// How many steps the robot has been through, as it counts them.
 std::int64_t decisions_of(const World& world, std::size_t slot);

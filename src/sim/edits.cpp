@@ -149,9 +149,8 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
 void check_newly_static(const World& world, const StaticObstacle& obstacle,
                         const std::string& name) {
   if (world.fleet.has_clocks && world.all_matter())
-    throw Error(name +
-                ": found one that comes while the clocks are free, must be there from the "
-                "start, or clock common, with a certificate");
+    refuse(name, "what comes while clocks are free",
+           "there from the start where there is a certificate");
   if (world.statics.walls.empty()) {  // nobody has been asked yet
     for (const std::uint32_t slot : world.fleet.slot_of)
       check(world, standing(world, slot), world.fleet.id[slot], true);

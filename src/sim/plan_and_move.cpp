@@ -94,7 +94,7 @@ void move(World& world, const Pace& pace, Worker& worker) {
   std::uint64_t fast = advance(pace.response, moving, tile.robots);
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
     const std::uint32_t slot = tile.slot[k];
-    const MotionState before{fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
+    const Vec2 before = fleet.velocity[slot];
     if (tile.robots.wheelbase[k] > 0.0) {
       move_car(world, pace, slot);
       const std::uint64_t bit = std::uint64_t{1} << k;
@@ -106,11 +106,12 @@ void move(World& world, const Pace& pace, Worker& worker) {
     }
     if (world.layered && !fleet.has_clocks)
       fleet.seen_acceleration[static_cast<std::size_t>(fleet.rank[slot])] =
-          (fleet.velocity[slot] - before.velocity) / pace.response.time_step;
-    if (fleet.has_clocks) begin_step(world, slot, before);
+          (fleet.velocity[slot] - before) / pace.response.time_step;
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
   }
   worker.fast = worker.fast || fast != 0;
+  if (!fleet.has_clocks) return;
+  for (const std::uint32_t slot : tile.slot) begin_step(world, slot);
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ void index(World& world, Executor& executor) {
     find_ranges(world);
     find_walls(world);
     if (!world.statics.walls.empty()) make_room(world);
+    if (world.fleet.has_clocks) world.due.reserve(world.fleet.size());
   }
   const bool due = world.steps >= world.next_layout;
   if (world.changed || due) lay_out(world, executor);

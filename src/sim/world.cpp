@@ -111,7 +111,6 @@ World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
     senses.add(steps);
   }
   start_clocks(*this, scenario);
-  if (fleet.has_clocks) due.reserve(fleet.size());
   senses.note(fleet, steps);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory

@@ -260,6 +260,23 @@ TEST(Clocks, robots_come_and_go) {
   EXPECT_EQ(simulation.planner(8).options().longest_step, 0.1);
 }
 
+// A robot in the midst of a step cannot brake before it ends.
+TEST(Clocks, under_a_certificate_no_door_closes) {
+  const StaticObstacle door{{{{{30, -1}, {30, 1}}, false}}};
+  Scenario scene = crossing(4);
+  scene.obstacles = {door};
+  Simulation simulation(scene, 1);
+  simulation.step();
+  EXPECT_THROW(simulation.add_obstacle(door), Error);
+  RobotSetup parked = robot_at({50, 0}, {50, 0});
+  parked.parked = true;
+  EXPECT_THROW(simulation.add_robot(parked), Error);
+  simulation.remove_obstacle({0});
+  simulation.step();
+  scene.certificate = Certificate::none;
+  EXPECT_EQ(Simulation(scene, 1).add_obstacle(door).value, 1u);
+}
+
 std::string refusal(const Scenario& scene) {
   try {
     validate(scene);
