@@ -30,7 +30,7 @@ Check make_check(const Scenario& scenario) {
     robot.max_speed = setup.max_speed;
     robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
     robot.straight = adopts_at_once(options.method);
-    robot.car = setup.car.has_value();
+    robot.car = !is_holonomic(setup.model);
     if (scenario.clock == Clock::free && !robot.straight)
       robot.time_step = time_step_of(scenario, setup);
     robots.push_back(robot);
@@ -53,7 +53,7 @@ Check make_check(const Scenario& scenario) {
 bool has_long_arcs(const Scenario& scenario) {
   return scenario.clock == Clock::common &&
          std::any_of(scenario.robots.begin(), scenario.robots.end(),
-                     [](const RobotSetup& robot) { return robot.car.has_value(); });
+                     [](const RobotSetup& robot) { return !is_holonomic(robot.model); });
 }
 
 void name_first(const char* what, const CheckCount& count, std::string& text) {

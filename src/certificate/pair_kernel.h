@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs that may have to brake for each other, as many at once as Pack has lanes:
-// docs/certificate.md, "What can refuse nothing" and "Cars".
+// docs/certificate.md, "What can refuse nothing" and "Robots with wheels".
 #ifndef AVO_CERTIFICATE_PAIR_KERNEL_H
 #define AVO_CERTIFICATE_PAIR_KERNEL_H
 
@@ -76,11 +76,12 @@ struct PackDeviation {
 
 // docs/certificate.md, "What can refuse nothing"
 template <typename Real>
-AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a,
-                                            decltype(Real() < Real()) is_car, const StepLaw& law) {
+AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real stray_velocity,
+                                            Real stray_distance, const StepLaw& law) {
   const Real zero(0.0), two(2.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
   const Real speed = a.profile.speed, u = a.profile.decrement;
-  const auto slow = speed < u, turns = (!is_car) & slow, steady = !(is_car | slow);
+  const auto strays = stray_velocity > zero;
+  const auto slow = speed < u, turns = (!strays) & slow, steady = !(strays | slow);
   PackDeviation<Real> result;
   result.fast = profile(speed + u, u);
   result.slow = profile(select(steady, speed - u, zero), u);
@@ -89,10 +90,9 @@ AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a,
   result.ahead = {select(steady, rounding * two * lead * u, zero), select(steady, rounding, zero)};
   result.across = {select(steady, rounding * lead * u, zero),
                    select(steady, rounding * u / (speed + u), zero)};
-  // of a car |v_1 - v_1'| <= 2 u, and a velocity moves a braking path by no more than itself times
-  // the time
-  const Real car = two * u * Real(law.time_step) * a.intervals;
-  result.anyhow = {select(is_car, car, select(turns, rounding * lead * (speed + u), zero)),
+  // a velocity moves a braking path by no more than itself times the time
+  const Real astray = stray_velocity * u * Real(law.time_step) * a.intervals + stray_distance;
+  result.anyhow = {select(strays, astray, select(turns, rounding * lead * (speed + u), zero)),
                    select(turns, rounding, zero)};
   const auto over = [](const typename PackDeviation<Real>::Line& line, Real distance) {
     return line.start + line.per_distance * distance;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "robots/car.h"
 #include "robots/motion.h"
 
 namespace avo {
@@ -24,9 +25,9 @@ double sine_ratio(double x) {
   return std::abs(x) < 1e-8 ? 1.0 : elementary::direction(x).y / x;
 }
 
-// The arc of Eq. (24): its length grows with the speed, and its turn with its length.
-MotionState within_arc(const MotionState& from, const MotionState& to, double time,
-                       double duration) {
+// The arc of the axle, Eq. (24): its length grows with the speed, and its turn with its length.
+MotionState within_axle_arc(const MotionState& from, const MotionState& to, double time,
+                            double duration) {
   const double speed = signed_speed(from), next_speed = signed_speed(to);
   const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
   double length = 0.5 * (speed + next_speed) * duration;
@@ -54,13 +55,25 @@ MotionState within_arc(const MotionState& from, const MotionState& to, double ti
   return state;
 }
 
+// Its position moved ahead of where it is, m.
+MotionState moved(MotionState state, double ahead) {
+  state.position = state.position + ahead * elementary::direction(state.heading);
+  return state;
+}
+
 }  // namespace
 
-MotionState within(const MotionState& from, const MotionState& to, StepCurve curve, double time,
+MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,
+                       double duration) {
+  const double offset = offset_of(car);
+  if (offset == 0.0) return within_axle_arc(from, to, time, duration);
+  return moved(within_axle_arc(moved(from, -offset), moved(to, -offset), time, duration), offset);
+}
+
+MotionState within(const MotionState& from, const MotionState& to, bool at_once, double time,
                    double duration) {
-  if (curve == StepCurve::arc) return within_arc(from, to, time, duration);
   const double part = time / duration;
-  if (curve == StepCurve::at_once)
+  if (at_once)
     return {from.position + part * (to.position - from.position), to.velocity, from.heading};
   const Vec2 change = to.velocity - from.velocity;
   return {from.position + (time * from.velocity + (0.5 * time * part) * change),

@@ -75,14 +75,15 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
 
 void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
   const Worst jump = worst(scenario.robots, [&](const RobotSetup& r) {
-    return r.max_speed * time_step_of(scenario, r) / r.radius;
+    return r.max_speed * time_step_of(scenario, r) / disc_radius(r);
   });
   if (jump.value <= 1.0) return;
   const RobotSetup& robot = scenario.robots[jump.robot];
   const double dt = time_step_of(scenario, robot);
   lines.push_back("time_step " + text(dt) + " s lets " + robot_name(jump.robot) + " travel " +
                   text(robot.max_speed) + " * " + text(dt) + " = " + text(robot.max_speed * dt) +
-                  " m between decisions, more than its radius = " + text(robot.radius) + " m");
+                  " m between decisions, more than its radius = " + text(disc_radius(robot)) +
+                  " m");
 }
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -105,7 +106,7 @@ bool is_certified(const Scenario& scenario) {
 /// later: r + v_max Δt + v_max² / (2 a_max), m.
 double braking_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
-  return robot.radius + v * time_step + 0.5 * v * v / robot.max_acceleration;
+  return disc_radius(robot) + v * time_step + 0.5 * v * v / robot.max_acceleration;
 }
 
 void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -159,8 +160,8 @@ std::string name(std::ptrdiff_t source) {
 std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
   std::vector<StartDisc> discs;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-    discs.push_back(
-        {scenario.robots[i].position, scenario.robots[i].radius, static_cast<std::ptrdiff_t>(i)});
+    discs.push_back({disc_center(scenario.robots[i]), disc_radius(scenario.robots[i]),
+                     static_cast<std::ptrdiff_t>(i)});
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     discs.push_back({scenario.moving_obstacles[k].position, scenario.moving_obstacles[k].radius,
                      -1 - static_cast<std::ptrdiff_t>(k)});

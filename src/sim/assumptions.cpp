@@ -46,11 +46,11 @@ void collect_starters(Starts& starts) {
     const Vec2 way = way_to_rest(robots[i], starts.law);
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
     starts.starters.push_back(
-        {robots[i].position, static_cast<int>(i), way,
-         robots[i].radius + norm(way) + late_phase(starts.scenario, robots[i], starts.law)});
+        {disc_center(robots[i]), static_cast<int>(i), way,
+         disc_radius(robots[i]) + norm(way) + late_phase(starts.scenario, robots[i], starts.law)});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
-    starts.starters[i].reach = robots[i].radius + longest * norm(robots[i].velocity);
+    starts.starters[i].reach = disc_radius(robots[i]) + longest * norm(robots[i].velocity);
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
@@ -88,9 +88,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   double margin = 0.0;
   if (b.source >= 0) {
     const RobotSetup& other = scenario.robots[static_cast<std::size_t>(b.source)];
-    neighbor = {.position = other.position,
+    neighbor = {.position = disc_center(other),
                 .velocity = start_velocity(other),
-                .radius = other.radius,
+                .radius = disc_radius(other),
                 .max_acceleration = other.max_acceleration,
                 .behavior = own.parked || other.parked || avo::avoids(other, own)
                                 ? Behavior::decides
@@ -106,12 +106,12 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .behavior = Behavior::moves_on};
     margin = parabola_error(other.acceleration, law.step) + late_phase(scenario, own, law);
   }
-  const double contact = own.radius + neighbor.radius;
+  const double contact = disc_radius(own) + neighbor.radius;
   if (are_apart(a, b, neighbor.behavior, contact + margin)) return;
   Robot robot;
-  robot.position = own.position;
+  robot.position = disc_center(own);
   robot.velocity = start_velocity(own);
-  robot.radius = own.radius;
+  robot.radius = disc_radius(own);
   robot.max_acceleration = own.max_acceleration;
   robot.max_speed = own.max_speed;
   collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);

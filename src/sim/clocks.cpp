@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/hash.h"
+#include "robots/model.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -18,9 +19,13 @@ Instant step_of(const OwnClock& clock) {
   return static_cast<Instant>(std::llround(clock.time_step * 1e9));
 }
 
-StepCurve curve_of(const World& world, std::size_t slot) {
-  if (world.fleet.traits[slot].wheelbase > 0.0) return StepCurve::arc;
-  return adopts_at_once(world.settings.method) ? StepCurve::at_once : StepCurve::held;
+MotionState state_at(const World& world, std::size_t slot, Instant instant) {
+  const OwnClock& clock = world.fleet.clock_of(slot);
+  if (clock.end == instant) return clock.to;
+  const double time = seconds(instant - clock.begin), step = seconds(clock.end - clock.begin);
+  if (const MotionModel* model = world.fleet.own_model(slot))
+    return within(*model, clock.from, clock.to, time, step);
+  return within(clock.from, clock.to, adopts_at_once(world.settings.method), time, step);
 }
 
 void put(World& world, std::size_t slot, const MotionState& state) {
@@ -87,13 +92,8 @@ void carry_on(World& world, Instant instant) {
   Fleet& fleet = world.fleet;
   world.fast = false;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    const OwnClock& clock = fleet.clock_of(slot);
     if (fleet.conduct[slot].parked) continue;
-    put(world, slot,
-        clock.end == instant
-            ? clock.to
-            : within(clock.from, clock.to, curve_of(world, slot), seconds(instant - clock.begin),
-                     seconds(clock.end - clock.begin)));
+    put(world, slot, state_at(world, slot, instant));
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
     world.fast = world.fast || world.is_fast(slot);
   }

@@ -15,11 +15,11 @@ namespace avo {
 
 /// What stays as it is of a RobotSetup.
 struct RobotTraits {
-  double radius = 0.0;            // m
+  double radius = 0.0;            // m, of its disc
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double preferred_speed = 0.0;   // m/s
-  double wheelbase = 0.0;         // m, 0: not a car
+  bool has_model = false;         // it is not holonomic
 };
 RobotTraits traits_of(const RobotSetup& setup);
 
@@ -36,7 +36,7 @@ inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
   return (b.avoids.bits & a.layers.bits) != 0 ? Behavior::decides : Behavior::moves_on;
 }
-/// m/s; that of a car points along its heading.
+/// m/s; that of a robot with a heading points along it, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
 /// Nanoseconds since the start of a run. Two robots decide at once or they do not: no rounding
@@ -68,9 +68,9 @@ struct Fleet {
   std::vector<RelevantRange> range;
   std::vector<float> nearest;  // m, within which it found its nearest neighbors in the last step
   std::vector<Vec2> goal;
-  std::vector<Vec2> position;
+  std::vector<Vec2> position;  // of its disc
   std::vector<Vec2> velocity;
-  std::vector<double> heading;
+  std::vector<double> heading;  // rad; read where there is a model
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
@@ -81,6 +81,7 @@ struct Fleet {
   std::vector<Vec2> seen_acceleration;
   std::vector<OwnClock> clock;  // by rank; empty where the clock is common
   bool has_clocks = false;
+  std::vector<MotionModel> models;  // by rank; empty where all are holonomic
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -93,6 +94,18 @@ struct Fleet {
   OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
   const OwnClock& clock_of(std::size_t slot) const {
     return clock[static_cast<std::size_t>(rank[slot])];
+  }
+  MotionModel model(std::size_t slot) const {
+    return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
+  }
+  /// Nothing of one that is holonomic.
+  const MotionModel* own_model(std::size_t slot) const {
+    return traits[slot].has_model ? &models[static_cast<std::size_t>(rank[slot])] : nullptr;
+  }
+  /// m: how far its disc is ahead of the place that the robot is said to be at, and that place.
+  Vec2 offset(std::size_t slot) const;
+  Vec2 place(std::size_t slot) const {
+    return traits[slot].has_model ? position[slot] - offset(slot) : position[slot];
   }
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
@@ -139,6 +152,12 @@ struct FleetMirror {
   void copy(const Fleet& fleet);
   FleetView view() const;
 };
+
+/// m: where its disc has to go for its place to come to the robot's goal; other aims are the
+/// disc's.
+inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim) {
+  return aim == fleet.goal[slot] ? aim + fleet.offset(slot) : aim;
+}
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.
 std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps);

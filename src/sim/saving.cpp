@@ -81,7 +81,8 @@ void add_clocks(const SavedState& state, World& world, Fleet& fleet) {
     clock.pace = world.pace_of(clock.time_step);
     clock.begin = saved.begin, clock.end = saved.end;
     clock.from = saved.from, clock.to = saved.to;
-    if (!state.scene.robots[k].car) clock.from.heading = clock.to.heading = 0.0;
+    if (is_holonomic(state.scene.robots[k].model))
+      clock.from.heading = clock.to.heading = state.robots[k].heading;
     clock.has_decided = saved.has_decided;
   }
 }
@@ -93,10 +94,10 @@ Fleet fleet_of(const SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];
     RobotSetup setup = state.scene.robots[k];
-    setup.position = robot.position;
-    if (setup.car) setup.car->heading = robot.heading;
+    setup.heading = robot.heading;
     fleet.add(robot.id, setup);
-    fleet.velocity[k] = robot.velocity;  // to the last bit, of cars as well
+    fleet.position[k] = robot.position;  // of its disc, to the last bit
+    fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
     fleet.detour[k] = robot.detour;
   }
   const bool seen = std::any_of(state.robots.begin(), state.robots.end(), [](const RobotState& r) {
@@ -144,7 +145,7 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
       continue;
     }
     travels.push_back(
-        ways.resume(setup.radius, setup.goal, state.ways[k].target, state.ways[k].is_exact));
+        ways.resume(disc_radius(setup), setup.goal, state.ways[k].target, state.ways[k].is_exact));
   }
   return travels;
 }

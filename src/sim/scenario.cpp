@@ -7,10 +7,12 @@
 #include <cstddef>
 #include <numbers>
 #include <string_view>
+#include <variant>
 
 #include "avo/response.h"
 #include "core/ranges.h"
 #include "planner/options.h"
+#include "robots/model.h"
 #include "sim/clocks.h"
 
 namespace avo {
@@ -58,6 +60,16 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
   require_usual("avoids", robot.avoids, usual.avoids);
 }
 
+void check_car(std::size_t i, const Car& car) {
+  const std::string_view list = "robots";
+  require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
+  if (car.max_curvature)
+    require(Place{list, i, "car.max_curvature"}, *car.max_curvature, kPositive, "1/m");
+  if (!car.body) return;
+  require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
+  require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
+}
+
 void check_robot(std::size_t i, const RobotSetup& robot) {
   const std::string_view list = "robots";
   require(Place{list, i, "position"}, robot.position, "m");
@@ -69,9 +81,8 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
   require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
   require(Place{list, i, "priority"}, robot.priority, kPositive, "");
   if (robot.parked) check_parked(i, robot);
-  if (!robot.car) return;
-  require(Place{list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
-  require(Place{list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
+  require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
+  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
@@ -193,8 +204,8 @@ void check_beside_walls(const Scenario& scenario) {
     const double time_step = time_step_of(scenario, robot);
     const double most = std::min(robot.max_acceleration * time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * time_step;
-    if (robot.radius > height) continue;
-    refuse(std::string(Place{"robots", i, "radius"}), text(robot.radius),
+    if (disc_radius(robot) > height) continue;
+    refuse(std::string(Place{"robots", i, "radius"}), text(disc_radius(robot)),
            "> " + text(height) + " m beside obstacles, with a certificate: what a step of " +
                text(time_step) + " s can turn off its way");
   }
@@ -203,9 +214,14 @@ void check_beside_walls(const Scenario& scenario) {
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-    if (scenario.robots[i].car && options.motion != Motion::held)
-      refuse(std::string(Place{"robots", i, "car"}), "a car-like robot",
-             "none with a certificate where motion is exponential");
+    if (!is_holonomic(scenario.robots[i].model) && options.motion != Motion::held)
+      refuse(std::string(Place{"robots", i, "model"}), "one that is not holonomic",
+             "holonomic with a certificate where motion is exponential");
+    // others count on what a_max can do to the velocity of its disc within the rest of its step
+    if (scenario.clock == Clock::free && may_exceed_reach(scenario.robots[i].model))
+      refuse(std::string(Place{"robots", i, "car"}),
+             "one with a body ahead of its axle, or with the exact set of accelerations",
+             "without both where clock is free, with a certificate");
   }
   check_braking(scenario, options);
   check_beside_walls(scenario);
@@ -234,7 +250,10 @@ void validate(const Scenario& scenario) {
 std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
   std::vector<Wall> discs;
   for (const RobotSetup& robot : robots) {
-    if (robot.parked) discs.push_back({robot.position, robot.position, robot.radius});
+    if (robot.parked) {
+      const Vec2 center = disc_center(robot);
+      discs.push_back({center, center, disc_radius(robot)});
+    }
   }
   return discs;
 }

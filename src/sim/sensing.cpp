@@ -13,6 +13,7 @@
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
 #include "planner/certify.h"
+#include "robots/model.h"
 #include "sim/assumptions.h"
 #include "sim/senses.h"
 
@@ -35,7 +36,9 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
   const StepLaw own = step_law(scenario, robot, law);
   const double v = robot.max_speed, step = own.time_step, late = time_unseen(scenario);
   const double u = braking_decrement(robot.max_acceleration, own);
-  return {static_cast<int>(i), robot.radius + ((step + late) * v + stopping_length(v, u, own)),
+  const double fastest = fastest_of(robot.model, v);
+  return {static_cast<int>(i),
+          disc_radius(robot) + ((step + late) * fastest + stopping_length(v, u, own)),
           step * (1.0 + braking_steps(v, u)) + late};
 }
 
@@ -63,7 +66,7 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
 // A robot that reacts to nobody, as far as it is from another one that needs so many seconds until
 // rest: predicted to keep its acceleration.
 double part_of_mover(const RobotSetup& robot, double seconds) {
-  return robot.radius + seconds * (robot.max_speed + 0.5 * seconds * robot.max_acceleration);
+  return disc_radius(robot) + seconds * (robot.max_speed + 0.5 * seconds * robot.max_acceleration);
 }
 
 // Robots of the same layers, longest first.

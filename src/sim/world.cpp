@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "planner/certify.h"
+#include "planner/demands.h"
 #include "planner/scratch.h"
-#include "planner/wall_planes.h"
+#include "robots/model.h"
 #include "sim/clocks.h"
 
 namespace avo {
@@ -134,7 +135,12 @@ void find_walls(World& world) {
     if (fleet.conduct[slot].parked) continue;
     const RobotTraits& traits = fleet.traits[slot];
     const double speed = norm(fleet.velocity[slot]);
-    needs.include(traits, speed, certificate_law(world.pace(slot).planner).step);
+    const StepLaw law = certificate_law(world.pace(slot).planner).step;
+    const double stray =
+        traits.has_model
+            ? stray_of(fleet.model(slot), traits.max_acceleration, law.time_step).distance
+            : 0.0;
+    needs.include(traits, stray, speed, law);
     if (options.method == Method::avo) continue;
     needs.reach =
         std::max(needs.reach, traits.radius + obstacle_reach(speed, traits.max_speed, options));
@@ -178,6 +184,7 @@ Robot World::robot(std::size_t slot, double nearest) const {
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Heading heading{goal, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
+  heading.goal = disc_goal(fleet, slot, heading.goal);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{
@@ -189,8 +196,7 @@ Robot World::robot(std::size_t slot, double nearest) const {
       .max_speed = robot_traits.max_speed,
       .distance_to_goal = norm(heading.goal - p),
       .priority = fleet.conduct[slot].priority};
-  if (robot_traits.wheelbase > 0.0)
-    robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
+  if (robot_traits.has_model) robot.model = fleet.model(slot), robot.heading = fleet.heading[slot];
   return robot;
 }
 

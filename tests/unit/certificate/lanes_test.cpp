@@ -8,6 +8,7 @@
 
 #include "certificate/kernels.h"
 #include "core/simd_target.h"
+#include "robots/model.h"
 #include "situations.h"
 
 namespace avo::test {
@@ -241,9 +242,13 @@ struct Look {
   scalar::PackNeighbor<Real> other;
 };
 
+Real strays(const Robot& a) {
+  return stray_of(a.model, a.max_acceleration, 0.1).velocity;
+}
+
 Look look_of(const Robot& a, const Neighbor& b, const StepLaw& law) {
   const auto own = scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), law);
-  const auto deviation = scalar::deviation_of(own, scalar::Mask{a.car.has_value()}, law);
+  const auto deviation = scalar::deviation_of(own, strays(a), Real(0.0), law);
   return {
       scalar::bound_of(pack(a.position), Real(a.radius), own.profile, deviation, Real(a.max_speed),
                        law),
@@ -299,7 +304,7 @@ TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
                                       s.a.max_acceleration, s.a.priority,       own};
     const auto pair = scalar::pair_of(self, look.other, law);
     const auto [gap, against] = scalar::clearance_of(self, pair, look.other, law);
-    const auto deviation = scalar::deviation_of(own, scalar::Mask{s.a.car.has_value()}, law);
+    const auto deviation = scalar::deviation_of(own, strays(s.a), Real(0.0), law);
     const bool refuses_nothing =
         gap.value > against.value * deviation.most_ahead.value + deviation.most_aside.value;
     EXPECT_TRUE(!told || refuses_nothing) << "pair " << i;
