@@ -82,7 +82,7 @@ void add_clocks(const SavedState& state, World& world, Fleet& fleet) {
     clock.begin = saved.begin, clock.end = saved.end;
     clock.from = saved.from, clock.to = saved.to;
     if (is_holonomic(state.scene.robots[k].model))
-      clock.from.heading = clock.to.heading = state.robots[k].heading;
+      clock.from.heading = clock.to.heading = fleet.heading[k];
     clock.has_decided = saved.has_decided;
   }
 }
