@@ -77,6 +77,8 @@ const std::vector<Field<Scenario>>& fields() {
        {},
        "",
        "what robots declare to braking_trajectories; omitted: what covers noise and delay"},
+      {"clock", &Scenario::clock, kOptional, kNoNumber, "",
+       "free: each robot decides at times of its own, from a phase that the seed gives it"},
   };
   return table;
 }
@@ -147,6 +149,8 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"layers", &RobotSetup::layers, kOptional, kLayer, "", "that it is in"},
       {"avoids", &RobotSetup::avoids, kOptional, kLayer, "",
        "it avoids the robots that are in one of these layers", "all of them"},
+      {"time_step", &RobotSetup::time_step, kOptional, kPositive, "s",
+       "between its own decisions; only where clock is free", "the scene's"},
   };
   return table;
 }

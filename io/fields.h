@@ -125,7 +125,8 @@ struct MembersOf {
 };
 template <>
 struct MembersOf<avo::RobotSetup> {
-  using type = MemberOf<avo::RobotSetup, double, avo::Vec2, bool, avo::LayerSet>;
+  using type =
+      MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool, avo::LayerSet>;
 };
 template <>
 struct MembersOf<avo::Car> {
@@ -187,7 +188,7 @@ template <>
 struct MembersOf<avo::Scenario> {
   using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
                         std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
-                        avo::Motion, std::optional<bool>, avo::RightOfWay>;
+                        avo::Motion, std::optional<bool>, avo::RightOfWay, avo::Clock>;
 };
 template <>
 struct MembersOf<avo::SensingModel> {
@@ -243,6 +244,7 @@ inline const auto kCertificates =
     by_name(avo::Certificate::none, avo::Certificate::stopping_capsules,
             avo::Certificate::braking_trajectories);
 inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);
+inline const auto kClocks = by_name(avo::Clock::common, avo::Clock::free);
 inline const auto kRightsOfWay =
     by_name(avo::RightOfWay::none, avo::RightOfWay::seen, avo::RightOfWay::told);
 inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>, 2> kDistributions{

@@ -59,6 +59,13 @@ void add_walls(std::vector<Family>& all, double robot_steps) {
   add("walls-corners", "30 unequal robots sent into one sharp corner after the other",
       wall_corners);
   add("walls-gaps", "the same through gaps of 2r + 1e-6 m", wall_gaps);
+  all.push_back({"clocks-walls", "walls-cars with free clocks, half of them twice as fast", kScenes,
+                 true, [of_each](std::uint64_t seed) {
+                   return with_clocks(walls_and_cars(of_each, seed), true, seed);
+                 }});
+  all.push_back({"clocks-movers", "movers with free clocks, half of them twice as fast", kScenes,
+                 true,
+                 [](std::uint64_t seed) { return with_clocks(among_movers(seed), true, seed); }});
   all.push_back({"walls-movers", "20 among random segments and obstacles that keep their velocity",
                  100, true, walls_and_movers});
 }

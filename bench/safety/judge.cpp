@@ -30,6 +30,8 @@ Check make_check(const Scenario& scenario) {
       robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
       robot.straight = adopts_at_once(options.method);
     }
+    if (scenario.clock == Clock::free && !robot.straight)
+      robot.time_step = time_step_of(scenario, setup);
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
@@ -89,6 +91,7 @@ void Verdict::add(const Verdict& later) {
   speed_violations += later.speed_violations;
   jumps += later.jumps;
   kinematic_violations += later.kinematic_violations;
+  changes += later.changes;
   least_clearance = least_of(least_clearance, later.least_clearance);
   least_static_clearance = least_of(least_static_clearance, later.least_static_clearance);
   interpolation_error = std::max(interpolation_error, later.interpolation_error);
@@ -121,6 +124,7 @@ Verdict Judge::verdict() const {
   verdict.acceleration_violations = report.accelerations.count;
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;
+  verdict.changes = report.changes.count;
   verdict.least_clearance = report.least_clearance;
   verdict.least_static_clearance = report.least_static_clearance;
   verdict.interpolation_error = report.interpolation_error;
@@ -136,6 +140,7 @@ Verdict Judge::verdict() const {
     verdict.kinematic_violations += count.count;
     name_first(rule.what, count, verdict.violations);
   }
+  name_first("changes between decisions (m/s^2)", report.changes, verdict.violations);
   return verdict;
 }
 

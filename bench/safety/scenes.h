@@ -42,6 +42,9 @@ double straight_time(const Scenario& scenario);
 /// Widens the sensing radius to what the scene's certificate needs.
 void see_far_enough(Scenario& scenario);
 
+/// The same robots with clocks of their own; `unequal`: every other one decides twice as often.
+Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed);
+
 /// Circle-N of the paper's §VI-B.
 struct CircleRow {
   int robots = 0;

@@ -73,6 +73,10 @@ struct CheckedRobot {
   /// Bits: it avoids whoever is in one of the layers `avoids`. Pairs of which nobody avoids the
   /// other are not judged, see also one_sided_contacts_moving.
   std::uint32_t layers = 1, avoids = 0xffffffff;
+  /// s, > 0: it decides by a clock of its own, and changes its acceleration (a car the change of
+  /// its speed, and its curvature) at no other times. Rows have to stand at all of these; their
+  /// phase is that of the first change.
+  std::optional<double> time_step = {};
 };
 
 /// A disc whose whole motion is known: p + t v + t²/2 a.
@@ -159,6 +163,9 @@ struct CheckReport {
   CheckCount wheel_accelerations;    ///< likewise
   std::int64_t with_heading = 0;     ///< robot-steps that were judged by headings
   std::int64_t without_heading = 0;  ///< robot-steps of those that have one, which the rows lack
+  /// Robot-rows at which an acceleration changed that a robot with a time_step had to hold; amounts
+  /// in m/s^2.
+  CheckCount changes;
   std::optional<double> least_clearance;  ///< m, over such pairs and all times; none without any
   std::optional<double> least_static_clearance;  ///< m, over all robots, walls and times
   double largest_acceleration = 0.0;             ///< m/s^2

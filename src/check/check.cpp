@@ -14,6 +14,7 @@
 #include "check/course.h"
 #include "check/duty.h"
 #include "check/kinematics.h"
+#include "check/own_clock.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
@@ -39,6 +40,7 @@ struct Seen {
   CheckedState row;
   std::int64_t at = -1;  // number of the time, -1: never
   bool arrived = false, at_goal = false;
+  judge::OwnClock clock;
 };
 
 using Pairs = std::unordered_set<std::uint64_t>;
@@ -85,6 +87,7 @@ struct Check::State {
                   double time);
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
+  void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
   void judge_arrival(double time, const CheckedState& row);
   void meet(std::size_t first, std::size_t second);
   void meet_robots(const Mover& a, const Mover& b);
@@ -151,6 +154,16 @@ void Check::State::judge_step(const CheckedRobot& robot, const CheckedState& bef
   judge_limits(robot, before, now, time);
 }
 
+void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& now, double time) {
+  if (!robot.time_step) return;
+  Seen& mine = seen[static_cast<std::size_t>(now.robot)];
+  const auto amount = judge::early_change(
+      robot, {{mine.row, last_time}, {now, time}, options.relative_tolerance}, mine.clock);
+  if (!amount) return;
+  ++report.changes.count;
+  note(report.changes, {last_time, now.robot, {}, *amount});
+}
+
 void Check::State::judge_arrival(double time, const CheckedState& row) {
   const auto index = static_cast<std::size_t>(row.robot);
   const std::optional<Vec2>& goal = robots[index].goal;
@@ -179,10 +192,12 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   if (mine.at >= 0 && mine.at == times - 1) {
     ++report.robot_steps;
     judge_step(robot, mine.row, row, time);
+    judge_changes(robot, row, time);
     movers.push_back(judge::robot_mover(robot, mine.row, row, duration));
     report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
   } else {
     if (mine.at >= 0) ++report.gaps;
+    mine.clock.before.reset();
     movers.push_back(judge::newcomer(robot, row));
   }
   mine.row = row;
@@ -336,7 +351,8 @@ bool CheckReport::safe() const {
          one_sided_contacts_moving.count == 0 && static_contacts.count == 0 &&
          accelerations.count == 0 && speeds.count == 0 && jumps.count == 0 && headings.count == 0 &&
          turns.count == 0 && lateral_accelerations.count == 0 && reversals.count == 0 &&
-         slow_flights.count == 0 && wheel_speeds.count == 0 && wheel_accelerations.count == 0;
+         slow_flights.count == 0 && wheel_speeds.count == 0 && wheel_accelerations.count == 0 &&
+         changes.count == 0;
 }
 
 }  // namespace avo

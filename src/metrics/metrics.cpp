@@ -54,7 +54,7 @@ struct Metrics::State {
   FirstSights first_sights;
 
   bool started = false;
-  double last_time = 0.0;
+  double last_time = 0.0, duration = 0.0;  // s, of the last step
   LastSeen last;
 
   std::vector<Body> robots, obstacles;
@@ -105,13 +105,13 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
     if (!started) {
       body.path.control.fill(body.position);
     } else if (is_holonomic(model)) {
-      body.path = hermite_path(body.position, start, next, fleet.velocity[i], settings.time_step);
+      body.path = hermite_path(body.position, start, next, fleet.velocity[i], duration);
     } else {
       const double turn =
           std::remainder(fleet.heading[i] - last.robots[j].heading, 2.0 * std::numbers::pi);
       body.arc = arc_path(body.position, next, turn);
       body.path =
-          hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), settings.time_step);
+          hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), duration);
     }
     robots.push_back(body);
   }
@@ -127,8 +127,8 @@ void Metrics::State::collect_obstacles(const Simulation& simulation) {
     body.position = last.obstacles[k].position;
     body.velocity = last.obstacles[k].velocity;
     body.exact = started && now.setup[k].acceleration == Vec2{};
-    body.path = hermite_path(body.position, body.velocity, now.position[k], now.velocity[k],
-                             settings.time_step);
+    body.path =
+        hermite_path(body.position, body.velocity, now.position[k], now.velocity[k], duration);
     if (!started) body.path.control.fill(body.position);
     obstacles.push_back(body);
   }
@@ -148,7 +148,7 @@ void Metrics::State::collect_walls(const Simulation& simulation) {
 double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
   if (!response || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
   const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};
-  const Obstacle obstacle{pair, *response, settings.time_step};
+  const Obstacle obstacle{pair, *response, duration};
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
 }
 
@@ -169,7 +169,7 @@ void Metrics::State::meet(const Body& a, const Body& b) {
   collided.insert(std::minmax(a.name, b.name));
   const Separation closest = separation(a.path, b.path, overlapping);
   const double fraction = first_below(a.path, b.path, overlapping, closest.fraction);
-  const double time = last_time + fraction * settings.time_step;
+  const double time = last_time + fraction * duration;
   summary.first_collision_time = std::min(summary.first_collision_time.value_or(time), time);
 }
 
@@ -235,7 +235,7 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
     if (a > a_max * (1.0 + kRounding)) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
     }
-    if (fleet.setup[i].parked) continue;
+    if (!simulation.decided(i)) continue;
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
     ++(summary.decisions.*kCounts[static_cast<std::size_t>(fleet.plan[i].status)]);
   }
@@ -266,6 +266,8 @@ Metrics::~Metrics() = default;
 
 void Metrics::observe(const Simulation& simulation) {
   State& state = *state_;
+  const bool is_free = state.settings.clock == Clock::free;
+  state.duration = is_free ? simulation.time() - state.last_time : state.settings.time_step;
   state.observe_arrivals(simulation);
   state.observe_limits(simulation);
   state.first_sights.observe(simulation);
@@ -274,7 +276,7 @@ void Metrics::observe(const Simulation& simulation) {
   state.collect_obstacles(simulation);
   state.collect_walls(simulation);
   state.observe_separation();
-  state.walls.observe(state.robots, state.response, state.settings.time_step);
+  state.walls.observe(state.robots, state.response, state.duration);
   state.remember(simulation);
   state.summary.steps = simulation.steps();
   state.started = true;

@@ -32,6 +32,11 @@ MotionStep advance(const MotionModel& model, const MotionLimits& limits, const M
   return advance_car(std::get<Car>(model), limits, state, plan, time_step);
 }
 
+MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
+                   double time, double duration) {
+  return within_arc(std::get<Car>(model), from, to, time, duration);
+}
+
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step) {
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr ? stray_of_car(*car, max_acceleration, time_step) : Stray{};

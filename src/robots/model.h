@@ -25,6 +25,10 @@ struct MotionLimits {
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step);
 
+/// The same robot in the midst of such a step, see within() in robots/motion.h.
+MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
+                   double time, double duration);
+
 /// How far any two decisions may lead apart, besides what holonomic motion makes of them.
 struct Stray {
   double velocity = 0.0;  // of the most that a step of max_acceleration adds; 0: as holonomic ones

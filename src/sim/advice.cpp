@@ -74,11 +74,12 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
 }
 
 void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
-  const double dt = scenario.time_step;
-  const Worst jump = worst(scenario.robots,
-                           [&](const RobotSetup& r) { return r.max_speed * dt / disc_radius(r); });
+  const Worst jump = worst(scenario.robots, [&](const RobotSetup& r) {
+    return r.max_speed * time_step_of(scenario, r) / disc_radius(r);
+  });
   if (jump.value <= 1.0) return;
   const RobotSetup& robot = scenario.robots[jump.robot];
+  const double dt = time_step_of(scenario, robot);
   lines.push_back("time_step " + text(dt) + " s lets " + robot_name(jump.robot) + " travel " +
                   text(robot.max_speed) + " * " + text(dt) + " = " + text(robot.max_speed * dt) +
                   " m between decisions, more than its radius = " + text(disc_radius(robot)) +
@@ -111,7 +112,9 @@ double braking_reach(const RobotSetup& robot, double time_step) {
 void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
   std::vector<RobotSetup> robots = scenario.robots;
   if (robots.size() < 2 || is_certified(scenario)) return;
-  const auto reach = [&](const RobotSetup& r) { return braking_reach(r, scenario.time_step); };
+  const auto reach = [&](const RobotSetup& r) {
+    return braking_reach(r, time_step_of(scenario, r));
+  };
   const Worst first = worst(robots, reach);
   robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
   const Worst second = worst(robots, reach);

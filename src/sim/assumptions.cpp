@@ -46,7 +46,8 @@ void collect_starters(Starts& starts) {
     const Vec2 way = way_to_rest(robots[i], starts.law);
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
     starts.starters.push_back(
-        {disc_center(robots[i]), static_cast<int>(i), way, disc_radius(robots[i]) + norm(way)});
+        {disc_center(robots[i]), static_cast<int>(i), way,
+         disc_radius(robots[i]) + norm(way) + late_phase(starts.scenario, robots[i], starts.law)});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
     starts.starters[i].reach = disc_radius(robots[i]) + longest * norm(robots[i].velocity);
@@ -94,6 +95,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .behavior = own.parked || other.parked || avo::avoids(other, own)
                                 ? Behavior::decides
                                 : Behavior::moves_on};
+    margin = late_phase(scenario, own, law) + late_phase(scenario, other, law);
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
@@ -102,10 +104,10 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .radius = other.radius,
                 .acceleration = other.acceleration,
                 .behavior = Behavior::moves_on};
-    margin = parabola_error(other.acceleration, law.step);
+    margin = parabola_error(other.acceleration, law.step) + late_phase(scenario, own, law);
   }
   const double contact = disc_radius(own) + neighbor.radius;
-  if (are_apart(a, b, neighbor.behavior, contact)) return;
+  if (are_apart(a, b, neighbor.behavior, contact + margin)) return;
   Robot robot;
   robot.position = disc_center(own);
   robot.velocity = start_velocity(own);
@@ -201,6 +203,20 @@ void find_fast_starts(const Scenario& scenario, BrokenAssumptions& result) {
 }
 
 }  // namespace
+
+StepLaw step_law(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
+  StepLaw own = law.step;
+  if (!own.has_free_clocks()) return own;
+  own.time_step = own.braking_time = time_step_of(scenario, robot);
+  own.lag = 0.5 * own.time_step;
+  return own;
+}
+
+// Braking in steps of any lengths up to L is ahead of continuous braking by 0 to a L²/8.
+double late_phase(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
+  if (scenario.clock == Clock::common || robot.velocity == Vec2{}) return 0.0;
+  return 0.125 * robot.max_acceleration * law.step.longest_step * law.step.longest_step;
+}
 
 bool is_layered(const Scenario& scenario) {
   const RobotSetup usual;

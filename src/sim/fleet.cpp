@@ -63,6 +63,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
   if (!seen_acceleration.empty()) seen_acceleration.resize(slot + 1);
+  if (has_clocks) clock.resize(slot + 1);
   if (!models.empty() || !is_holonomic(setup.model)) models.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
@@ -82,6 +83,7 @@ void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
   if (!models.empty()) models.erase(models.begin() + rank[slot]);
   if (!seen_acceleration.empty()) seen_acceleration.erase(seen_acceleration.begin() + rank[slot]);
+  if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
@@ -111,19 +113,21 @@ std::size_t Fleet::find(RobotId robot) const {
 
 RobotSetup Fleet::setup(std::size_t slot) const {
   const RobotTraits& robot_traits = traits[slot];
-  return {.position = place(slot),
-          .velocity = velocity[slot],
-          .goal = goal[slot],
-          .radius = robot_traits.radius,
-          .max_speed = robot_traits.max_speed,
-          .max_acceleration = robot_traits.max_acceleration,
-          .preferred_speed = robot_traits.preferred_speed,
-          .model = model(slot),
-          .heading = heading[slot],
-          .priority = conduct[slot].priority,
-          .parked = conduct[slot].parked,
-          .layers = conduct[slot].layers,
-          .avoids = conduct[slot].avoids};
+  RobotSetup setup{.position = place(slot),
+                   .velocity = velocity[slot],
+                   .goal = goal[slot],
+                   .radius = robot_traits.radius,
+                   .max_speed = robot_traits.max_speed,
+                   .max_acceleration = robot_traits.max_acceleration,
+                   .preferred_speed = robot_traits.preferred_speed,
+                   .model = model(slot),
+                   .heading = heading[slot],
+                   .priority = conduct[slot].priority,
+                   .parked = conduct[slot].parked,
+                   .layers = conduct[slot].layers,
+                   .avoids = conduct[slot].avoids};
+  if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
+  return setup;
 }
 
 Vec2 Fleet::offset(std::size_t slot) const {
@@ -213,6 +217,19 @@ void ObstacleColumns::advance(double time_step) {
   }
 }
 
+namespace {
+
+// When it decides again, and all that tells where it is until then.
+std::uint64_t mixed(std::uint64_t hash, const OwnClock& clock) {
+  hash = avo::mixed(hash, static_cast<std::uint64_t>(clock.begin));
+  hash = avo::mixed(hash, static_cast<std::uint64_t>(clock.end));
+  for (const MotionState* state : {&clock.from, &clock.to})
+    hash = mixed(mixed(mixed(hash, state->position), state->velocity), state->heading);
+  return mixed(hash, clock.time_step);
+}
+
+}  // namespace
+
 std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps) {
   std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(steps));
   for (const std::uint32_t i : fleet.slot_of) {
@@ -222,6 +239,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
     const Vec2 seen = fleet.acceleration_seen(i);
     if (!(seen == Vec2{})) hash = mixed(hash, seen);
+    if (fleet.has_clocks) hash = mixed(hash, fleet.clock_of(i));
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

@@ -9,6 +9,7 @@
 #include "avo/simulation.h"
 #include "core/executor.h"
 #include "planner/relevance.h"
+#include "robots/motion.h"
 
 namespace avo {
 
@@ -38,6 +39,25 @@ inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
 /// m/s; that of a robot with a heading points along it, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
+/// Nanoseconds since the start of a run. Two robots decide at once or they do not: no rounding
+/// tells.
+using Instant = std::int64_t;
+
+/// The clock of one robot, and the step of its own that it is in.
+struct OwnClock {
+  double time_step = 0.0;      // s, from decision to decision
+  std::uint32_t pace = 0;      // see World::paces
+  Instant begin = 0, end = 0;  // of the step
+  MotionState from, to;        // at both
+  bool has_decided = false;    // else it brakes until its first decision
+
+  // m/s², on average.
+  Vec2 acceleration() const {
+    if (!(end > begin)) return {};
+    return (to.velocity - from.velocity) / (static_cast<double>(end - begin) / 1e9);
+  }
+};
+
 /// Columns by slot: robots that are near each other lie near each other once the fleet has been
 /// put in order. Ids ascend by rank.
 struct Fleet {
@@ -59,6 +79,8 @@ struct Fleet {
   std::vector<std::uint32_t> slot_of;  // by rank
   // m/s², of the last step, by rank; empty where nobody has to see it
   std::vector<Vec2> seen_acceleration;
+  std::vector<OwnClock> clock;  // by rank; empty where the clock is common
+  bool has_clocks = false;
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
 
   std::size_t size() const { return id.size(); }
@@ -69,6 +91,10 @@ struct Fleet {
   std::vector<Wall> parked_discs() const;
   /// Slot of the robot; throws Error if there is none.
   std::size_t find(RobotId robot) const;
+  OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
+  const OwnClock& clock_of(std::size_t slot) const {
+    return clock[static_cast<std::size_t>(rank[slot])];
+  }
   MotionModel model(std::size_t slot) const {
     return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
   }
@@ -84,6 +110,7 @@ struct Fleet {
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
   Vec2 acceleration_seen(std::size_t slot) const {
+    if (has_clocks) return clock_of(slot).acceleration();
     return seen_acceleration.empty() ? Vec2{}
                                      : seen_acceleration[static_cast<std::size_t>(rank[slot])];
   }

@@ -21,7 +21,7 @@ constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 11, kRobotWords = 20;
-constexpr std::size_t kPastWords = 4;
+constexpr std::size_t kPastWords = 4, kClockWords = 15;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 
 std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t index) {
@@ -149,6 +149,17 @@ void describe(Archive<kReads>& archive, PastState& state) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, SavedClock& clock, RobotSetup& setup) {
+  describe(archive, clock.begin), describe(archive, clock.end);
+  for (MotionState* state : {&clock.from, &clock.to}) {
+    describe(archive, state->position), describe(archive, state->velocity);
+    describe(archive, state->heading);
+  }
+  describe(archive, clock.has_decided);
+  describe(archive, setup.time_step);
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
@@ -258,6 +269,15 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   state.robots.resize(scene.robots.size());
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     describe(archive, scene.robots[k], state.robots[k]);
+  }
+  if (scene.clock == Clock::free) {
+    describe(archive, state.now);
+    archive.size(state.clocks, kClockWords);
+    if (state.clocks.size() != scene.robots.size())
+      refuse_saved(std::to_string(state.clocks.size()) + " clocks",
+                   std::to_string(scene.robots.size()));
+    for (std::size_t k = 0; k < state.clocks.size(); ++k)
+      describe(archive, state.clocks[k], scene.robots[k]);
   }
   if (generations_needed(scene.sensing) < 2) return;  // they remember nothing
   archive.size(state.since, 1);

@@ -10,6 +10,7 @@
 
 #include "avo/scenario.h"
 #include "avo/simulation.h"
+#include "robots/motion.h"
 #include "sim/senses.h"
 
 namespace avo {
@@ -36,6 +37,13 @@ struct SavedWay {
   bool is_exact = false;     // of the graph of the robot's own radius
 };
 
+/// What else there is of a robot whose clock is free, see OwnClock.
+struct SavedClock {
+  std::int64_t begin = 0, end = 0;  // ns
+  MotionState from, to;
+  bool has_decided = false;
+};
+
 struct SavedState {
   Scenario scene;  // what is in RobotState does not count in its robots
   std::int64_t steps = 0;
@@ -47,6 +55,8 @@ struct SavedState {
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing
   std::vector<PastState> past;
+  std::int64_t now = 0;            // ns, of free clocks
+  std::vector<SavedClock> clocks;  // of the robots; none where the clock is common
 };
 
 /// visit(key, member) for all that a scene has besides robots and obstacles.
@@ -69,6 +79,8 @@ void for_each_setting(const Visit& visit) {
   visit("right_of_way", &Scenario::right_of_way);
   visit("sensing", &Scenario::sensing);
   visit("sensing_error", &Scenario::sensing_error);
+  visit("clock", &Scenario::clock);
+  visit("longest_step", &Scenario::longest_step);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.

@@ -33,11 +33,12 @@ struct Part {
 
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[i];
-  const double v = robot.max_speed, step = law.step.time_step, late = time_unseen(scenario);
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const StepLaw own = step_law(scenario, robot, law);
+  const double v = robot.max_speed, step = own.time_step, late = time_unseen(scenario);
+  const double u = braking_decrement(robot.max_acceleration, own);
   const double fastest = fastest_of(robot.model, v);
   return {static_cast<int>(i),
-          disc_radius(robot) + ((step + late) * fastest + stopping_length(v, u, law.step)),
+          disc_radius(robot) + ((step + late) * fastest + stopping_length(v, u, own)),
           step * (1.0 + braking_steps(v, u)) + late};
 }
 

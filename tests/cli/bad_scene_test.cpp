@@ -20,11 +20,11 @@ const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, time_horizon, sensing_radius, "
     "max_neighbors, method, certificate, motion, precision, samples, arrival_distance, seed, "
     "robots, groups, robots_from, "
-    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error";
+    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
     "heading, car, "
-    "priority, parked, layers, avoids";
+    "priority, parked, layers, avoids, time_step";
 
 struct BadScene {
   const char* name;
@@ -261,7 +261,7 @@ const std::vector<BadScene> kBadScenes{
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
      "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, "
-     "priority, parked, layers, avoids"},
+     "priority, parked, layers, avoids, time_step"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
      "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random; did "

@@ -262,6 +262,7 @@ TEST(Check, json_has_all_keys_in_order) {
                            "wheel_accelerations",
                            "with_heading",
                            "without_heading",
+                           "changes",
                            "least_clearance",
                            "least_static_clearance",
                            "largest_acceleration",

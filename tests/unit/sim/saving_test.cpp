@@ -95,11 +95,25 @@ Scenario random_scene(Random& random) {
   return scene;
 }
 
+// Each robot decides by a clock of its own, some of them more often.
+Scenario with_clocks(Random& random, Scenario scene) {
+  scene.motion = Motion::held;
+  if (scene.certificate == Certificate::stopping_capsules)
+    scene.certificate = Certificate::braking_trajectories;
+  scene.clock = Clock::free;
+  scene.longest_step = 0.2;
+  for (RobotSetup& robot : scene.robots) {
+    if (!robot.parked && random.below(3) == 0) robot.time_step = random.below(2) == 0 ? 0.05 : 0.2;
+  }
+  return scene;
+}
+
 TEST(Saving, any_simulation_goes_on_as_before) {
   for (std::uint64_t seed = 0; seed < 60 && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const Scenario scene = random_scene(random);
+    Scenario scene = random_scene(random);
+    if (seed % 3 == 0) scene = with_clocks(random, scene);
     Simulation original(scene, 1), fresh(scene, 2), used(scene, 2);
     for (int k = random.below(60); k > 0; --k) edit(random, original);
     for (int k = random.below(30); k > 0; --k) edit(random, used);
@@ -271,6 +285,7 @@ TEST(Saving, arbitrary_bytes_do_no_harm) {
   const Bytes without_walls = Simulation(scene, 1).save();
   scene.obstacles = {{{{{{-9, -9}, {9, -9}, {9, -8}}, true}}, 0.1}, {{{{{20, 3}}, false}}, 0.5}};
   const Bytes among_walls = Simulation(scene, 1).save();
+  const Bytes by_clocks = Simulation(with_clocks(random, scene), 1).save();
   constexpr std::uint64_t kOdd[] = {0,
                                     1,
                                     2,
@@ -283,7 +298,7 @@ TEST(Saving, arbitrary_bytes_do_no_harm) {
                                     0x3ff0000000000000,
                                     0x7fefffffffffffff};
   for (int k = 0; k < 4000; ++k) {
-    Bytes bytes = k % 8 < 4 ? without_walls : among_walls;
+    Bytes bytes = k % 12 < 4 ? without_walls : k % 12 < 8 ? among_walls : by_clocks;
     if (k % 4 == 0) {
       bytes.assign(static_cast<std::size_t>(random.below(400)), std::byte{0});
       for (std::byte& value : bytes) value = std::byte(random.below(256));
