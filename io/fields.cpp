@@ -138,6 +138,8 @@ const std::vector<Field<RobotSetup>>& fields() {
        "makes it a car-like robot, position is its rear axle"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
+      {"max_braking", &RobotSetup::max_braking, kOptional, kPositive, "m/s^2",
+       "that it surely brakes with whenever it has to, <= max_acceleration", "max_acceleration"},
       {"parked", &RobotSetup::parked, kOptional, kNoNumber, "",
        "never moves and never decides: a disc that nobody may touch; its goal is its position"},
       {"layers", &RobotSetup::layers, kOptional, kLayer, "", "that it is in"},

@@ -125,7 +125,7 @@ struct MembersOf {
 };
 template <>
 struct MembersOf<avo::RobotSetup> {
-  using type = MemberOf<avo::RobotSetup, double, avo::Vec2, bool, avo::LayerSet>;
+  using type = MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool, avo::LayerSet>;
 };
 template <>
 struct MembersOf<AntipodalGoals> {

@@ -37,6 +37,9 @@ struct Robot {
   /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
   /// reciprocal_share(). Others have to know it.
   double priority = 1.0;
+  /// [b_A] m/s^2, > 0, <= max_acceleration: with which it surely brakes whenever it has to, and
+  /// others have to know it; unset: max_acceleration. A decision may ask for more.
+  std::optional<double> max_braking = {};
 };
 
 /// What A counts on from another one.
@@ -59,7 +62,15 @@ struct Neighbor {
   /// was sensed (docs/certificate.md, "Age").
   int age = 0;
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
+  /// [b_B] m/s^2, see Robot::max_braking; likewise
+  std::optional<double> max_braking = {};
 };
+
+/// [b] m/s^2, with which a robot brakes.
+template <typename Robot>
+double braking_limit(const Robot& robot) {
+  return robot.max_braking.value_or(robot.max_acceleration);
+}
 
 /// Of a Neighbor, steps.
 inline constexpr int kMostAge = 1'000'000;

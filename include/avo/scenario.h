@@ -34,6 +34,8 @@ struct RobotSetup {
   bool parked = false;
   LayerSet layers{1};           ///< that it is in; of one that is parked the usual ones
   LayerSet avoids{0xffffffff};  ///< it avoids those who are in one of these
+  /// [b] m/s^2, > 0, <= max_acceleration, see Robot::max_braking; unset: max_acceleration
+  std::optional<double> max_braking = {};
 };
 
 /// Whether A avoids B by their layers. To A, one that does not avoid A is a mover: it reacts to

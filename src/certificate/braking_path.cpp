@@ -73,7 +73,7 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
     path.next_velocity = step.next.velocity;
     path.bend = step.bend;
   }
-  const double decrement = braking_decrement(robot.max_acceleration, law);
+  const double decrement = decrement_of(robot, law);
   path.speed = norm(path.next_velocity);
   path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
   const bool stays = path.speed == 0.0 && robot.velocity == Vec2{};

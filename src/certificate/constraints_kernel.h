@@ -152,8 +152,9 @@ template <typename Real>
 AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPair& pair, const StepLaw& law, Real m,
                                          Real distance, Real moved) {
   const auto& [position, velocity] = law.sensing_error;
+  const BrakingProfile& b = pair.b.profile;
   const PackDrift<Real> drift =
-      drift_of(Real(pair.b.profile.speed), Real(pair.b.profile.decrement), law);
+      drift_of(Real(b.speed), Real(pair.b.increment), Real(b.decrement), law);
   const Real time = Real(law.time_step) * (m + Real(1.0));
   const Real error =
       Real(position) + Real(velocity) * time + min(drift.start + drift.per_time * time, drift.most);

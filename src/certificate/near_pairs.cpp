@@ -5,7 +5,7 @@ namespace avo {
 
 void BrakingColumns::reserve(std::size_t robots) {
   if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // the last to grow
-  for (Column* column : {&speed,          &decrement,
+  for (Column* column : {&speed,          &decrement,      &increment,
                          &full_steps,     &direction_x,
                          &direction_y,    &length,
                          &reach,          &intervals,
@@ -26,6 +26,7 @@ void BrakingColumns::reserve(std::size_t robots) {
 
 Braking BrakingColumns::braking(std::size_t i) const {
   return {.profile = {.speed = speed[i], .decrement = decrement[i], .full_steps = full_steps[i]},
+          .increment = increment[i],
           .direction = {direction_x[i], direction_y[i]},
           .length = length[i],
           .reach = reach[i],

@@ -16,8 +16,12 @@ BrakingProfile plain(const scalar::PackProfile<Real>& profile) {
 }
 
 Braking plain(const scalar::PackBraking<Real>& braking) {
-  return {plain(braking.profile), plain(braking.direction), braking.length.value,
-          braking.reach.value, braking.intervals.value};
+  return {.profile = plain(braking.profile),
+          .increment = braking.increment.value,
+          .direction = plain(braking.direction),
+          .length = braking.length.value,
+          .reach = braking.reach.value,
+          .intervals = braking.intervals.value};
 }
 
 scalar::Vec<Real> pack(Vec2 a) {
@@ -30,20 +34,22 @@ scalar::PackBraking<Real> pack(const Braking& braking) {
 
 }  // namespace
 
-Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
-  return plain(scalar::braking_of(pack(velocity), Real(max_acceleration), law));
+Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law) {
+  return plain(
+      scalar::braking_of(pack(velocity), Real(ability.acceleration), Real(ability.braking), law));
 }
 
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.behavior == Behavior::decides) {
-    const scalar::PackSelf<Real> self{pack(robot.position),   pack(robot.velocity), robot.radius,
-                                      robot.max_acceleration, robot.priority,       pack(a)};
-    const auto packed =
-        scalar::pair_of<true, Real>(self,
-                                    {pack(neighbor.position), pack(neighbor.velocity),
-                                     neighbor.radius, neighbor.max_acceleration, neighbor.priority},
-                                    law);
+    const scalar::PackSelf<Real> self{pack(robot.position),   pack(robot.velocity),
+                                      robot.radius,           robot.max_acceleration,
+                                      braking_limit(robot),   robot.priority,
+                                      pack(a)};
+    const scalar::PackNeighbor<Real> other{pack(neighbor.position),   pack(neighbor.velocity),
+                                           neighbor.radius,           neighbor.max_acceleration,
+                                           braking_limit(neighbor),   neighbor.priority};
+    const auto packed = scalar::pair_of<true>(self, other, law);
     return {plain(packed.p),
             packed.contact.value,
             packed.inflated.value,

@@ -7,7 +7,7 @@ namespace avo {
 
 void NeighborColumns::grow(std::size_t size) {
   size = std::max(size, acceleration.size() + acceleration.size() / 2);
-  for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &decides, &priority}) {
+  for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &max_braking, &decides, &priority}) {
     column->resize(size, 1.0);
   }
   age.resize(size);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,10 +21,12 @@ struct NeighborColumns {
   bool has_movers = false;                       // some do not decide
   bool has_aged = false;                         // the age of some is not 0
   bool has_priorities = false;                   // some have another one than 1
+  bool has_max_braking = false;                  // some have one
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
   std::vector<double> decides;     // see below; kPrompt unless add() was told otherwise
   std::vector<double> priority;    // likewise 1
+  std::vector<double> max_braking;  // m/s², read where some have one
   std::vector<int> age;            // steps, of all that are not kPrompt
   std::vector<Vec2> acceleration;  // m/s², of those that do not decide
 
@@ -43,10 +46,12 @@ struct NeighborColumns {
     decides[count] = moves_on ? kMover : aged ? kAged : kPrompt;
     age[count] = neighbor.age;
     priority[count] = neighbor.priority;
+    max_braking[count] = braking_limit(neighbor);
     acceleration[count++] = neighbor.acceleration;
     has_movers = has_movers || moves_on;
     has_aged = has_aged || aged;
     has_priorities = has_priorities || neighbor.priority != 1.0;
+    has_max_braking = has_max_braking || neighbor.max_braking;
   }
   /// The one at `place` by the one at `other`, which stays.
   void replace(std::size_t place, std::size_t other) {
@@ -55,13 +60,13 @@ struct NeighborColumns {
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
     decides[place] = decides[other], age[place] = age[other];
     acceleration[place] = acceleration[other];
-    priority[place] = priority[other];
+    priority[place] = priority[other], max_braking[place] = max_braking[other];
   }
   void clear() {
     if (has_movers || has_aged) std::fill(decides.begin(), decides.end(), kPrompt);
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     count = 0;
-    has_movers = has_aged = has_priorities = false;
+    has_movers = has_aged = has_priorities = has_max_braking = false;
   }
   Neighbor operator[](std::size_t i) const {
     const bool moves_on = decides[i] == kMover;
@@ -72,7 +77,8 @@ struct NeighborColumns {
             .acceleration = moves_on ? acceleration[i] : Vec2{},
             .behavior = moves_on ? Behavior::moves_on : Behavior::decides,
             .age = decides[i] == kPrompt ? 0 : age[i],
-            .priority = priority[i]};
+            .priority = priority[i],
+            .max_braking = has_max_braking ? std::optional(max_braking[i]) : std::nullopt};
   }
 
  private:

@@ -19,6 +19,7 @@ struct RobotColumns {
   Column preferred_x, preferred_y;     // m/s
   Column distance_to_goal, radius;     // m
   Column max_acceleration, max_speed;  // m/s², m/s
+  Column max_braking;                  // m/s²
   Column wheelbase, heading;           // m, 0: not a car; rad
   Column priority;
   std::vector<Neighbors> neighbors;  // that each senses, nearest first

@@ -39,7 +39,7 @@ struct Decision {
   std::span<const HalfPlane> half_planes, walls;
   CertifiedWorkspace& certified;
 
-  double decrement() const { return braking_decrement(robot.max_acceleration, law.step); }
+  double most_change() const { return increment(robot.max_acceleration, law.step); }  // m/s
 };
 
 // The nearest admitted to `wanted`, one step towards what Eq. (23) chose.
@@ -52,7 +52,7 @@ CertifiedChoice choose_by_program(const Decision& decision, std::span<const Half
   const ProgramResult result = nearest_point(
       half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
   return choose_admitted(decision,
-                         approach(decision.robot.velocity, result.point, decision.decrement()));
+                         approach(decision.robot.velocity, result.point, decision.most_change()));
 }
 
 // unhindered: as far as one step leads to the wish.
@@ -82,7 +82,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   }
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = turned_right(wish, detour.angle);
-    const Vec2 unhindered = approach(robot.velocity, turned, decision.decrement());
+    const Vec2 unhindered = approach(robot.velocity, turned, decision.most_change());
     choice = choose_by_program(decision, decision.walls, turned);
     if (is_way_blocked(decision, choice, unhindered, turned))
       turn_off(detour, robot, time_step, !decision.walls.empty());
@@ -140,7 +140,7 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);
   const Vec2 wanted = approach(robot.velocity, target.velocity,
-                               braking_decrement(robot.max_acceleration, law.step));
+                               increment(robot.max_acceleration, law.step));
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
   return plan_under(law, robot, choice.next_velocity,
                     status_of(choice.chosen, target.violation, certified.constraints, overlapping),

@@ -36,7 +36,7 @@ struct Starts {
 double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
   const double speed = norm(robot.velocity);
   return law.step.time_step *
-         braking_steps(speed, braking_decrement(robot.max_acceleration, law.step));
+         braking_steps(speed, decrement_of(robot, law.step));
 }
 
 void collect_starters(Starts& starts) {
@@ -93,7 +93,8 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .max_acceleration = other.max_acceleration,
                 .behavior = own.parked || other.parked || avo::avoids(other, own)
                                 ? Behavior::decides
-                                : Behavior::moves_on};
+                                : Behavior::moves_on,
+                .max_braking = other.max_braking};
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
@@ -112,6 +113,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   robot.radius = own.radius;
   robot.max_acceleration = own.max_acceleration;
   robot.max_speed = own.max_speed;
+  robot.max_braking = own.max_braking;
   collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
   const double distance = norm(robot.position - neighbor.position);
   // beside a robot at rest the slack does not count what may touch it, but that is contact
@@ -210,8 +212,7 @@ bool is_layered(const Scenario& scenario) {
 }
 
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
-  return stopping_way(start_velocity(robot), braking_decrement(robot.max_acceleration, law.step),
-                      law.step);
+  return stopping_way(start_velocity(robot), decrement_of(robot, law.step), law.step);
 }
 
 BrokenAssumptions broken_assumptions(const Scenario& scenario) {

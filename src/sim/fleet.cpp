@@ -27,8 +27,8 @@ std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
 }  // namespace
 
 RobotTraits traits_of(const RobotSetup& setup) {
-  return {setup.radius, setup.max_speed, setup.max_acceleration, setup.preferred_speed,
-          setup.car ? setup.car->wheelbase : 0.0};
+  return {setup.radius,         setup.max_speed,       setup.max_acceleration,
+          braking_limit(setup), setup.preferred_speed, setup.car ? setup.car->wheelbase : 0.0};
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
@@ -115,7 +115,8 @@ RobotSetup Fleet::setup(std::size_t slot) const {
                    .priority = conduct[slot].priority,
                    .parked = conduct[slot].parked,
                    .layers = conduct[slot].layers,
-                   .avoids = conduct[slot].avoids};
+                   .avoids = conduct[slot].avoids,
+                   .max_braking = max_braking_of(robot_traits)};
   if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
   return setup;
 }
@@ -127,7 +128,8 @@ Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
           .max_acceleration = traits[slot].max_acceleration,
           .acceleration = behavior == Behavior::moves_on ? acceleration_seen(slot) : Vec2{},
           .behavior = behavior,
-          .priority = conduct[slot].priority};
+          .priority = conduct[slot].priority,
+          .max_braking = max_braking_of(traits[slot])};
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "certificate/braking_path.h"
 #include "core/executor.h"
 #include "planner/relevance.h"
 
@@ -17,10 +18,19 @@ struct RobotTraits {
   double radius = 0.0;            // m
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
+  double max_braking = 0.0;       // m/s^2
   double preferred_speed = 0.0;   // m/s
   double wheelbase = 0.0;         // m, 0: not a car
 };
 RobotTraits traits_of(const RobotSetup& setup);
+inline Ability ability_of(const RobotTraits& traits) {
+  return {traits.max_acceleration, traits.max_braking};
+}
+/// See Robot::max_braking; unset where it brakes with its max_acceleration.
+inline std::optional<double> max_braking_of(const RobotTraits& traits) {
+  if (traits.max_braking == traits.max_acceleration) return std::nullopt;
+  return traits.max_braking;
+}
 
 /// How a robot and the others give way to each other. Nearly all are alike.
 struct Conduct {

@@ -43,6 +43,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.v_x[k] = fleet.velocity[slot].x, robots.v_y[k] = fleet.velocity[slot].y;
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
+    robots.max_braking[k] = traits.max_braking;
     robots.wheelbase[k] = traits.wheelbase, robots.heading[k] = fleet.heading[slot];
     robots.priority[k] = fleet.conduct[slot].priority;
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kWord = 8;                     // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
 constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
-constexpr std::size_t kObstacleWords = 11, kRobotWords = 20;
+constexpr std::size_t kObstacleWords = 11, kRobotWords = 22;
 constexpr std::size_t kPastWords = 4;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 
@@ -185,6 +185,7 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
   describe(archive, setup.preferred_speed), describe(archive, setup.priority);
   describe(archive, setup.parked);
+  describe(archive, setup.max_braking);
   std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
   archive.word(layers);
   setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);

@@ -67,6 +67,12 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
   require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
   require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
   require(Place{list, i, "priority"}, robot.priority, kPositive, "");
+  if (robot.max_braking) {
+    require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
+    if (*robot.max_braking > robot.max_acceleration)
+      refuse(std::string(Place{list, i, "max_braking"}), text(*robot.max_braking),
+             "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
+  }
   if (robot.parked) check_parked(i, robot);
   if (!robot.car) return;
   require(Place{list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
@@ -111,9 +117,10 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
                 options.control_time;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (robot.max_speed <= longest * robot.max_acceleration) continue;
+    const double most = longest * braking_limit(robot);
+    if (robot.max_speed <= most) continue;
     refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
-           "<= " + text(longest * robot.max_acceleration) + " m/s, " +
+           "<= " + text(most) + " m/s, " +
                std::to_string(kMostBrakingSteps) + " steps of braking, with a certificate");
   }
 }

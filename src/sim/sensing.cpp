@@ -33,7 +33,7 @@ struct Part {
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[i];
   const double v = robot.max_speed, step = law.step.time_step, late = time_unseen(scenario);
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const double u = decrement_of(robot, law.step);
   return {static_cast<int>(i), robot.radius + ((step + late) * v + stopping_length(v, u, law.step)),
           step * (1.0 + braking_steps(v, u)) + late};
 }

@@ -32,6 +32,7 @@ void find_ranges(World& world) {
     robot.max_acceleration = robot_traits.max_acceleration;
     robot.max_speed = robot_traits.max_speed;
     robot.priority = fleet.conduct[slot].priority;
+    robot.max_braking = max_braking_of(robot_traits);
     return robot;
   };
   Peers peers;
@@ -51,7 +52,9 @@ void find_ranges(World& world) {
   if (world.layered) fleet.seen_acceleration.resize(fleet.size());
   world.selective = world.parked > 0 || world.layered;
   world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
-                            [](const Conduct& conduct) { return conduct == Conduct{}; });
+                            [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
+                std::none_of(fleet.traits.begin(), fleet.traits.end(),
+                             [](const RobotTraits& traits) { return max_braking_of(traits); });
   for (const std::uint32_t slot : fleet.slot_of) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
     sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed),

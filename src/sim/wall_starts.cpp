@@ -40,7 +40,7 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
 std::optional<WallStart> start_beside(const RobotSetup& robot, int number,
                                       const ListedWalls& listed, const CertificateLaw& law) {
   const WallRounding rounding =
-      wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law.step);
+      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law.step);
   const Vec2 way = way_to_rest(robot, law);
   const auto start_at = [&](const Wall& wall) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
