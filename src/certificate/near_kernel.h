@@ -79,7 +79,7 @@ AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::s
   queue.count += some(neighbor, queue.neighbor);
 }
 
-template <typename Real>
+template <bool kUnlike, typename Real>
 AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real>& clearance,
                             std::size_t lane, double robot, double neighbor) {
   const auto number = [lane](Real value) {
@@ -98,7 +98,7 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
           .b = {.profile = {.speed = number(b.profile.speed),
                             .decrement = number(b.profile.decrement),
                             .full_steps = number(b.profile.full_steps)},
-                .increment = number(b.increment),
+                .increment = number(kUnlike ? b.increment : b.profile.decrement),
                 .direction = {number(b.direction.x), number(b.direction.y)},
                 .length = number(b.length),
                 .reach = number(b.reach),
@@ -143,7 +143,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
     for (std::uint32_t lanes = bits(chosen); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
       kept.push_back(
-          lane_of(pair, clearance, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
+          lane_of<kUnlike>(pair, clearance, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
     }
   }
   queue.count = 0;

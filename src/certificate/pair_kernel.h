@@ -101,8 +101,11 @@ AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a,
                   select(steady, rounding, zero)};
   result.across = {select(steady, rounding * lead * u_a, zero),
                    select(steady, rounding * u_a / (speed + u_a), zero)};
-  // what may be chosen brakes harder than braking: so far y falls behind x
-  const Real behind = lead * (u_a - u) + (left - stopping_length(profile(max(speed - u_a, zero), u), law));
+  Real behind = zero;  // so far y falls behind x, where what may be chosen brakes harder than braking
+  if (any(u_a > u)) {
+    const Real least = stopping_length(profile(max(speed - u_a, zero), u), law);
+    behind = lead * (u_a - u) + (left - least);
+  }
   // of a car |v_1 - v_1'| <= u_a + u_b, and a velocity moves a braking path by no more than itself
   // times the time
   const Real car = (u_a + u) * Real(law.time_step) * a.intervals;

@@ -48,7 +48,7 @@ std::vector<Clocked> clocked_fleet(Random& random, const Belief& belief) {
   std::vector<Clocked> fleet;
   std::vector<Robot> robots;
   const int count = 2 + random.below(5);
-  const bool brakes_less = random.below(2) == 0;
+  const bool brakes_less = belief.part_of_longest == 1.0 && random.below(2) == 0;
   double extent = 1.0;
   while (static_cast<int>(fleet.size()) < count) {
     extent *= 1.05;
