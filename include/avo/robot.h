@@ -45,7 +45,7 @@ struct Robot {
 /// What A counts on from another one.
 enum class Behavior : std::uint8_t {
   decides,   ///< calls plan() at the same times: does its share, and can brake
-  moves_on,  ///< reacts to nobody and keeps its acceleration: A does all
+  moves_on,  ///< reacts to nobody; keeps its acceleration, as far as max_deviation says: A does all
 };
 
 /// Another robot B as A senses it, or a moving obstacle.
@@ -64,6 +64,11 @@ struct Neighbor {
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
   /// [b_B] m/s^2, see Robot::max_braking; likewise
   std::optional<double> max_braking = {};
+  /// [η] m/s^2, >= 0, of one that moves on: its acceleration may at any time be that far from the
+  /// one given. A certificate keeps A clear of wherever it may then be while A moves.
+  double max_deviation = 0.0;
+  /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
+  double max_speed = std::numeric_limits<double>::infinity();
 };
 
 /// [b] m/s^2, with which a robot brakes.

@@ -87,7 +87,8 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
 // of the velocity made of the way on which it was carried (docs/certificate.md, "Age").
 StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
   const double time = neighbor.age * law.time_step;
-  const double a = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : 0.0;
+  const double a =
+      neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : neighbor.max_deviation;
   StepLaw result = law;
   result.sensing_error.position += time * law.sensing_error.velocity + 0.5 * a * time * time;
   result.sensing_error.velocity += a * time;

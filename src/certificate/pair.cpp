@@ -32,6 +32,14 @@ scalar::PackBraking<Real> pack(const Braking& braking) {
   return scalar::constant<Real>(braking);
 }
 
+// m, that a mover may come in all intervals in which A may move.
+double way_of_mover(const Neighbor& mover, const Braking& a, const StepLaw& law) {
+  const double t = law.time_step * a.intervals;
+  const double way = t * norm(mover.velocity) + 0.5 * t * t * norm(mover.acceleration);
+  if (!(mover.max_deviation > 0.0)) return way;
+  return std::min(way + 0.5 * t * t * mover.max_deviation, t * mover.max_speed);
+}
+
 }  // namespace
 
 Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law) {
@@ -42,13 +50,12 @@ Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law) {
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.behavior == Behavior::decides) {
-    const scalar::PackSelf<Real> self{pack(robot.position),   pack(robot.velocity),
-                                      robot.radius,           robot.max_acceleration,
-                                      braking_limit(robot),   robot.priority,
-                                      pack(a)};
-    const scalar::PackNeighbor<Real> other{pack(neighbor.position),   pack(neighbor.velocity),
-                                           neighbor.radius,           neighbor.max_acceleration,
-                                           braking_limit(neighbor),   neighbor.priority};
+    const scalar::PackSelf<Real> self{
+        pack(robot.position), pack(robot.velocity), robot.radius, robot.max_acceleration,
+        braking_limit(robot), robot.priority,       pack(a)};
+    const scalar::PackNeighbor<Real> other{pack(neighbor.position), pack(neighbor.velocity),
+                                           neighbor.radius,         neighbor.max_acceleration,
+                                           braking_limit(neighbor), neighbor.priority};
     const auto packed = scalar::pair_of<true>(self, other, law);
     return {plain(packed.p),
             packed.contact.value,
@@ -64,7 +71,8 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   pair.contact = robot.radius + neighbor.radius;
   pair.share = 1.0;
   pair.a = a;
-  const double lengths = pair.contact + a.reach + norm(robot.position) + norm(neighbor.position);
+  double lengths = pair.contact + a.reach + norm(robot.position) + norm(neighbor.position);
+  if (neighbor.max_deviation > 0.0) lengths += way_of_mover(neighbor, a, law);
   pair.inflated = pair.contact + scalar::rounding_margin<Real>(lengths, a.intervals, 1.0).value;
   pair.error =
       law.sensing_error.position + law.sensing_error.velocity * law.time_step * a.intervals;
@@ -73,10 +81,7 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
 
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law) {
   double reach = pair.a.reach + pair.b.reach;
-  if (!pair.decides) {
-    const double t = law.time_step * pair.a.intervals;
-    reach += t * norm(neighbor.velocity) + 0.5 * t * t * norm(neighbor.acceleration);
-  }
+  if (!pair.decides) reach += way_of_mover(neighbor, pair.a, law);
   return norm(pair.p) - reach > pair.inflated + pair.error;
 }
 

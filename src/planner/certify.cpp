@@ -135,12 +135,12 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   std::vector<Neighbor>& movers = scratch.movers;
   movers.assign(neighbors.begin(), neighbors.end());
   for (Neighbor& mover : movers) {
-    if (mover.behavior == Behavior::decides) mover.acceleration = {};
+    if (mover.behavior == Behavior::decides) mover.acceleration = {}, mover.max_deviation = 0.0;
     mover.behavior = Behavior::moves_on;
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);
-  const Vec2 wanted = approach(robot.velocity, target.velocity,
-                               increment(robot.max_acceleration, law.step));
+  const Vec2 wanted =
+      approach(robot.velocity, target.velocity, increment(robot.max_acceleration, law.step));
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
   return plan_under(law, robot, choice.next_velocity,
                     status_of(choice.chosen, target.violation, certified.constraints, overlapping),

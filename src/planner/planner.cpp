@@ -47,7 +47,8 @@ int is_braking(double max_braking, double max_acceleration) {
 // Where the robot is does not matter for slowing down.
 bool can_brake(const Robot& robot) {
   const int velocity = is_known(robot.velocity);
-  const int braking = robot.max_braking ? is_braking(*robot.max_braking, robot.max_acceleration) : 1;
+  const int braking =
+      robot.max_braking ? is_braking(*robot.max_braking, robot.max_acceleration) : 1;
   return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed) & braking) != 0;
 }
 
@@ -83,13 +84,15 @@ bool follows_heading(const Robot& robot) {
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  const auto& [p, v, r, a_max, a, behavior, age, priority, b] = neighbor;
+  const auto& [p, v, r, a_max, a, behavior, age, priority, b, deviation, top] = neighbor;
   const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
-  const int able =
-      static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) & is_size(priority) &
-      (b ? is_braking(*b, a_max) : 1);
+  const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
+                   is_size(priority) & (b ? is_braking(*b, a_max) : 1);
   const int dated = static_cast<int>(age >= 0) & static_cast<int>(age <= kMostAge);
-  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able) & dated) != 0;
+  const int bounded =
+      static_cast<int>(deviation >= 0.0) & is_known(deviation) & static_cast<int>(top >= kSmallest);
+  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on ? bounded : able) &
+          dated) != 0;
 }
 
 bool is_valid(const Wall& wall) {
