@@ -174,6 +174,13 @@ const std::vector<Field<MovingObstacle>>& fields() {
       {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},
       {"acceleration", &MovingObstacle::acceleration, kOptional, kAnyValue, "m/s^2", "constant"},
       {"radius", &MovingObstacle::radius, kOptional, kPositive, "m", "of its disc"},
+      {"max_deviation", &MovingObstacle::max_deviation, kOptional, kNotNegative, "m/s^2",
+       "by which robots count on its acceleration being another one at any time"},
+      {"max_speed", &MovingObstacle::max_speed, kOptional, kPositive, "m/s",
+       "with max_deviation: that it never exceeds", "no limit"},
+      {"path", &MovingObstacle::path, kOptional, kAnyValue, "m",
+       "that it goes along within these, from point to point and on to the first again",
+       "none: it keeps its acceleration"},
   };
   return table;
 }

@@ -125,7 +125,13 @@ struct MembersOf {
 };
 template <>
 struct MembersOf<avo::RobotSetup> {
-  using type = MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool, avo::LayerSet>;
+  using type =
+      MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool, avo::LayerSet>;
+};
+template <>
+struct MembersOf<avo::MovingObstacle> {
+  using type = MemberOf<avo::MovingObstacle, double, std::optional<double>, avo::Vec2,
+                        std::vector<avo::Vec2>>;
 };
 template <>
 struct MembersOf<AntipodalGoals> {

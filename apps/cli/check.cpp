@@ -67,10 +67,13 @@ struct Judge {
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
+  std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles that have a path
+  std::int64_t steps = 0;            // that these have gone
 
   explicit Judge(const CheckArguments& arguments);
   void number_densely(std::vector<avo::CheckedState>& rows);
   void add(avo_io::RecordedTime& moment);
+  void place_obstacles(double time);
 };
 
 std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
@@ -118,6 +121,8 @@ Judge::Judge(const CheckArguments& arguments)
     judgement.scene = scenario->name;
     judgement.time_step = scenario->time_step;
     take_walls(*scenario, check, judgement.obstacle_of_wall);
+    for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
+      walks.push_back({obstacle.position, obstacle.velocity});
   } else {
     like = {*arguments.radius, *arguments.max_acceleration, *arguments.max_speed};
   }
@@ -136,6 +141,25 @@ void Judge::number_densely(std::vector<avo::CheckedState>& rows) {
             [](const auto& a, const auto& b) { return a.robot < b.robot; });
 }
 
+// Those with a path: nothing that robots do changes it.
+void Judge::place_obstacles(double time) {
+  const double h = scenario->time_step;
+  const std::int64_t first = steps;
+  const auto last = static_cast<std::int64_t>(std::floor(time / h + 1e-6));
+  steps = std::max(steps, last);
+  for (std::size_t k = 0; k < walks.size(); ++k) {
+    const avo::MovingObstacle& obstacle = scenario->moving_obstacles[k];
+    if (obstacle.path.empty()) continue;
+    avo::PathWalk& walk = walks[k];
+    for (std::int64_t step = first; step < steps; ++step) walk = next_on_path(obstacle, walk, h);
+    const double t = std::max(time - h * static_cast<double>(steps), 0.0);
+    const avo::Vec2 a = (next_on_path(obstacle, walk, h).velocity - walk.velocity) / h;
+    check.place_obstacle(static_cast<std::int64_t>(k),
+                         walk.position + t * walk.velocity + (0.5 * t * t) * a,
+                         walk.velocity + t * a);
+  }
+}
+
 void Judge::add(avo_io::RecordedTime& moment) {
   constexpr double kEven = 1e-6;  // of the scene's step
   if (!scenario)
@@ -144,6 +168,7 @@ void Judge::add(avo_io::RecordedTime& moment) {
            std::abs(moment.time - *last_time - scenario->time_step) > kEven * scenario->time_step)
     ++judgement.uneven_steps;
   last_time = moment.time;
+  if (scenario) place_obstacles(moment.time);
   check.add(moment.time, moment.rows);
 }
 

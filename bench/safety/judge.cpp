@@ -113,6 +113,12 @@ void Judge::observe(const Simulation& simulation) {
     state_->rows.push_back(
         {static_cast<std::int64_t>(fleet.id[i].value), fleet.position[i], fleet.velocity[i]});
   }
+  const ObstacleView obstacles = simulation.obstacles();
+  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
+    if (!obstacles.setup[k].path.empty())
+      state_->check.place_obstacle(static_cast<std::int64_t>(k), obstacles.position[k],
+                                   obstacles.velocity[k]);
+  }
   state_->check.add(simulation.time(), state_->rows);
 }
 

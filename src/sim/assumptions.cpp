@@ -35,8 +35,7 @@ struct Starts {
 
 double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
   const double speed = norm(robot.velocity);
-  return law.step.time_step *
-         braking_steps(speed, decrement_of(robot, law.step));
+  return law.step.time_step * braking_steps(speed, decrement_of(robot, law.step));
 }
 
 void collect_starters(Starts& starts) {
@@ -53,9 +52,10 @@ void collect_starters(Starts& starts) {
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
-    const double way = longest * norm(obstacle.velocity) +
-                       0.5 * longest * longest * norm(obstacle.acceleration) +
-                       parabola_error(obstacle.acceleration, starts.law.step);
+    const double way =
+        longest * norm(obstacle.velocity) +
+        0.5 * longest * longest * (norm(obstacle.acceleration) + obstacle.max_deviation) +
+        parabola_error(obstacle.acceleration, starts.law.step);
     starts.starters.push_back(
         {obstacle.position, -1 - static_cast<int>(k), {}, obstacle.radius + way});
   }
@@ -102,7 +102,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .velocity = other.velocity,
                 .radius = other.radius,
                 .acceleration = other.acceleration,
-                .behavior = Behavior::moves_on};
+                .behavior = Behavior::moves_on,
+                .max_deviation = other.max_deviation,
+                .max_speed = other.max_speed.value_or(std::numeric_limits<double>::infinity())};
     margin = parabola_error(other.acceleration, law.step);
   }
   const double contact = own.radius + neighbor.radius;

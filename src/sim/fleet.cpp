@@ -186,6 +186,7 @@ void ObstacleColumns::add(const MovingObstacle& obstacle) {
   setup.push_back(obstacle);
   position.push_back(obstacle.position);
   velocity.push_back(obstacle.velocity);
+  target.push_back(0);
 }
 
 Neighbor ObstacleColumns::sensed(std::size_t index) const {
@@ -193,11 +194,19 @@ Neighbor ObstacleColumns::sensed(std::size_t index) const {
           .velocity = velocity[index],
           .radius = setup[index].radius,
           .acceleration = setup[index].acceleration,
-          .behavior = Behavior::moves_on};
+          .behavior = Behavior::moves_on,
+          .max_deviation = setup[index].max_deviation,
+          .max_speed = setup[index].max_speed.value_or(std::numeric_limits<double>::infinity())};
 }
 
 void ObstacleColumns::advance(double time_step) {
   for (std::size_t k = 0; k < setup.size(); ++k) {
+    if (!setup[k].path.empty()) {
+      const PathWalk next =
+          next_on_path(setup[k], {position[k], velocity[k], target[k]}, time_step);
+      position[k] = next.position, velocity[k] = next.velocity, target[k] = next.target;
+      continue;
+    }
     const Vec2 a = setup[k].acceleration;
     position[k] = position[k] + time_step * velocity[k] + (0.5 * time_step * time_step) * a;
     velocity[k] = velocity[k] + time_step * a;
@@ -216,6 +225,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);
+    if (!obstacles.setup[k].path.empty()) hash = mixed(hash, std::uint64_t{obstacles.target[k]});
   }
   return hash;
 }

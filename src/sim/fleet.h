@@ -103,10 +103,11 @@ struct Fleet {
 struct ObstacleColumns {
   std::vector<MovingObstacle> setup;
   std::vector<Vec2> position, velocity;
+  std::vector<std::uint32_t> target;  // see PathWalk
 
   void add(const MovingObstacle& obstacle);
   Neighbor sensed(std::size_t index) const;
-  /// Constant acceleration, exactly.
+  /// Constant acceleration, exactly; or along a path.
   void advance(double time_step);
 };
 

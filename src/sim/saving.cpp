@@ -98,6 +98,7 @@ ObstacleColumns obstacles_of(const SavedState& state) {
     obstacles.add(state.scene.moving_obstacles[k]);
     obstacles.position[k] = state.obstacles[k].position;
     obstacles.velocity[k] = state.obstacles[k].velocity;
+    obstacles.target[k] = state.obstacles[k].target;
   }
   return obstacles;
 }
@@ -154,7 +155,8 @@ SavedState saved_state(const World& world) {
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
-    state.obstacles.push_back({world.obstacles.position[k], world.obstacles.velocity[k]});
+    state.obstacles.push_back(
+        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.target[k]});
   }
   state.scene.robots.reserve(fleet.size());
   state.robots.reserve(fleet.size());

@@ -42,9 +42,12 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
                const CertificateLaw& law) {
   // |v + t a| is largest at one of the ends
   const double speed =
-      std::max(norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration));
-  return obstacle.radius + seconds * speed + 0.5 * seconds * seconds * norm(obstacle.acceleration) +
-         parabola_error(obstacle.acceleration, law.step);
+      std::max({norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration),
+                obstacle.path.empty() ? 0.0 : *obstacle.max_speed});
+  const double change = norm(obstacle.acceleration) + obstacle.max_deviation;
+  const double way = seconds * speed + 0.5 * seconds * seconds * change;
+  const double most = obstacle.max_speed ? seconds * *obstacle.max_speed : way;
+  return obstacle.radius + std::min(way, most) + parabola_error(obstacle.acceleration, law.step);
 }
 
 // Whoever needs more time or more length than all others: all that an obstacle can be worst for.
