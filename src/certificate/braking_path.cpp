@@ -68,7 +68,7 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
   if (robot.car) {
     const MotionStep step =
         advance_car({{}, robot.velocity, robot.car->heading}, plan_to(robot, next_velocity, law),
-                    {robot.car->wheelbase, robot.max_acceleration, robot.max_speed}, law.time_step);
+                    {robot.car->wheelbase, braking_limit(robot), robot.max_speed}, law.time_step);
     path.first = step.next.position;
     path.next_velocity = step.next.velocity;
     path.bend = step.bend;

@@ -243,7 +243,7 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   if (!can_brake(robot)) return plan;
   if (robot.car && can_drive(*robot.car)) {
     const MotionState state{{}, robot.velocity, robot.car->heading};
-    const CarLimits limits{robot.car->wheelbase, robot.max_acceleration, robot.max_speed};
+    const CarLimits limits{robot.car->wheelbase, braking_limit(robot), robot.max_speed};
     plan.next_velocity =
         advance_car(state, plan, limits, planner.options().time_step).next.velocity;
   } else {

@@ -15,8 +15,8 @@
 namespace avo {
 namespace {
 
-// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of a_max adds or
-// takes away, a car that would have to turn by more than this first stops, and then turns in place
+// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of braking takes
+// away, a car that would have to turn by more than this first stops, and then turns in place
 // about its rear axle (front wheels across), which moves neither the axle nor the disc around it.
 constexpr double kTurnInPlace = 0.25;  // rad
 
@@ -86,7 +86,7 @@ MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimi
   const double speed = norm(state.velocity);
   const Controls control = controls(plan.acceleration, heading, speed, time_step);
   const double top = std::max(speed, speed + control.linear * time_step);
-  const double slow = limits.max_acceleration * time_step;
+  const double slow = limits.max_braking * time_step;
   if (top > slow) return drive(state, heading, speed, control, time_step);
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn =

@@ -36,9 +36,9 @@ MotionStep advance(const MotionState& state, const Plan& plan, const StepRespons
 
 /// A car-like robot, Eqs. (24), (25), integrated exactly along its arc.
 struct CarLimits {
-  double wheelbase;         // m
-  double max_acceleration;  // m/s^2
-  double max_speed;         // m/s
+  double wheelbase;    // m
+  double max_braking;  // m/s^2
+  double max_speed;    // m/s
 };
 MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimits& limits,
                        double time_step);

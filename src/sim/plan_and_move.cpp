@@ -75,7 +75,7 @@ void move_car(World& world, std::size_t slot) {
   const RobotTraits& traits = fleet.traits[slot];
   const MotionStep step = advance_car(
       {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]}, fleet.plan[slot],
-      {traits.wheelbase, traits.max_acceleration, traits.max_speed}, world.settings.time_step);
+      {traits.wheelbase, traits.max_braking, traits.max_speed}, world.settings.time_step);
   fleet.position[slot] = step.next.position;
   fleet.velocity[slot] = fleet.plan[slot].next_velocity = step.next.velocity;
   fleet.heading[slot] = step.next.heading;

@@ -189,11 +189,11 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
-  describe(archive, setup.preferred_speed), describe(archive, setup.priority);
-  describe(archive, setup.parked);
   double max_braking = setup.max_braking.value_or(0.0);  // 0: unset
   describe(archive, max_braking);
   if (max_braking != 0.0) setup.max_braking = max_braking;
+  describe(archive, setup.preferred_speed), describe(archive, setup.priority);
+  describe(archive, setup.parked);
   std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
   archive.word(layers);
   setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);

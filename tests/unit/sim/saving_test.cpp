@@ -30,6 +30,7 @@ void add_any_robot(Random& random, Simulation& simulation) {
   RobotSetup setup = test::robot_at(place, somewhere(random, 0.0, 20.0));
   setup.max_speed = setup.preferred_speed = random.uniform(0.05, 0.2);
   if (random.below(3) == 0) setup.priority = random.log_uniform(0.01, 100.0);
+  if (random.below(3) == 0) setup.max_braking = 0.6 * setup.max_acceleration;
   if (random.below(2) == 0 && simulation.planner().options().motion == Motion::held) {
     setup.car = CarSetup{0.7, random.uniform(-3.0, 3.0)};
   }
@@ -91,6 +92,12 @@ Scenario random_scene(Random& random) {
   Scenario scene = dense_avo_scene(robots, motion, kCertificates[random.below(2)], seed);
   scene.sensing_radius = 20.0;
   if (random.below(3) == 0) scene.moving_obstacles.clear();
+  for (MovingObstacle& each : scene.moving_obstacles) {
+    if (random.below(3) > 0) continue;
+    each.acceleration = {};
+    each.max_deviation = 0.5, each.max_speed = norm(each.velocity) + 0.1;
+    if (random.below(2) == 0) each.path = {somewhere(random, 0.0, 20.0), {3.0, 4.0}, {5.0, 4.0}};
+  }
   if (mixed) mix_conduct(random, scene);
   return scene;
 }
@@ -183,7 +190,7 @@ TEST(Saving, ids_are_not_reused_after_it) {
 }
 
 TEST(Saving, takes_80_bytes_a_robot_beside_its_setup) {
-  constexpr std::size_t kSetup = 10 * sizeof(double);  // goal, radius, limits, wheelbase, conduct
+  constexpr std::size_t kSetup = 11 * sizeof(double);  // goal, radius, limits, wheelbase, conduct
   Simulation few(dense_scene(10, Motion::held), 1), many(dense_scene(110, Motion::held), 1);
   few.step(), many.step();
   EXPECT_LE(many.save().size() - few.save().size(), 100 * (kSetup + 80));
@@ -322,7 +329,7 @@ TEST(Saving, forged_values_are_refused) {
   EXPECT_EQ(word(saved, 14), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(14, 4), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(14, 1000), "saved state: found the number 1000, must be one that its type has");
-  const std::size_t robots = last - 3 * 20 - 1, obstacles = robots - 3 * 11 - 1;
+  const std::size_t robots = last - 3 * 21 - 1, obstacles = robots - 3 * 16 - 1;
   ASSERT_EQ(word(saved, robots), 3u);
   EXPECT_EQ(forged(obstacles - 2, 1ull << 63),
             "saved state: found -9223372036854775808 steps, must be 0 to 9007199254740992");
@@ -333,7 +340,7 @@ TEST(Saving, forged_values_are_refused) {
             "saved state: found a parked robot that has moved, must be one at its goal");
   EXPECT_EQ(forged(end, kNan),
             "saved state: found an acceleration that is not finite, must be finite");
-  EXPECT_EQ(forged(robots, 2), "saved state: found 160 more bytes, must be no more");
+  EXPECT_EQ(forged(robots, 2), "saved state: found 168 more bytes, must be no more");
 }
 
 TEST(Saving, forged_ways_and_static_obstacles_are_refused) {
@@ -403,6 +410,7 @@ TEST(Saving, other_scenes_are_refused_by_what_differs) {
       "saved state: moving_obstacles: found others, must be those of this simulation";
   EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles.pop_back(); }), obstacles);
   EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles[1].radius = 0.41; }), obstacles);
+  EXPECT_EQ(refused_by([](Scenario& s) { s.moving_obstacles[1].max_deviation = 1.0; }), obstacles);
   EXPECT_EQ(refused_by([](Scenario& s) { s.robots.clear(); }), "accepted");  // they come and go
 }
 
