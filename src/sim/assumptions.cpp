@@ -38,6 +38,11 @@ double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
   return law.step.time_step * braking_steps(speed, decrement_of(robot, law.step));
 }
 
+// m/s
+double top_speed(const RobotSetup& robot) {
+  return std::max(robot.max_speed, norm(robot.velocity));
+}
+
 void collect_starters(Starts& starts) {
   double longest = 0.0;  // s
   const std::vector<RobotSetup>& robots = starts.scenario.robots;
@@ -48,7 +53,7 @@ void collect_starters(Starts& starts) {
         {robots[i].position, static_cast<int>(i), way, robots[i].radius + norm(way)});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
-    starts.starters[i].reach = robots[i].radius + longest * norm(robots[i].velocity);
+    starts.starters[i].reach = robots[i].radius + longest * top_speed(robots[i]);
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
@@ -94,7 +99,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .behavior = own.parked || other.parked || avo::avoids(other, own)
                                 ? Behavior::decides
                                 : Behavior::moves_on,
-                .max_braking = other.max_braking};
+                .max_braking = other.max_braking,
+                .max_deviation = other.max_acceleration,
+                .max_speed = top_speed(other)};
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];

@@ -59,7 +59,6 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   bool full = slot_of.capacity() == slot;
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
-  if (!seen_acceleration.empty()) seen_acceleration.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -75,7 +74,6 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
-  if (!seen_acceleration.empty()) seen_acceleration.erase(seen_acceleration.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
@@ -121,15 +119,23 @@ RobotSetup Fleet::setup(std::size_t slot) const {
   return setup;
 }
 
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
+                Vec2 velocity) {
+  Neighbor neighbor{.position = position,
+                    .velocity = velocity,
+                    .radius = traits.radius,
+                    .max_acceleration = traits.max_acceleration,
+                    .behavior = behavior,
+                    .priority = conduct.priority,
+                    .max_braking = max_braking_of(traits)};
+  if (behavior == Behavior::decides) return neighbor;
+  neighbor.max_deviation = traits.max_acceleration;
+  neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
+  return neighbor;
+}
+
 Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
-  return {.position = position[slot],
-          .velocity = velocity[slot],
-          .radius = traits[slot].radius,
-          .max_acceleration = traits[slot].max_acceleration,
-          .acceleration = behavior == Behavior::moves_on ? acceleration_seen(slot) : Vec2{},
-          .behavior = behavior,
-          .priority = conduct[slot].priority,
-          .max_braking = max_braking_of(traits[slot])};
+  return avo::sensed(traits[slot], conduct[slot], behavior, position[slot], velocity[slot]);
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
@@ -220,8 +226,6 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
-    const Vec2 seen = fleet.acceleration_seen(i);
-    if (!(seen == Vec2{})) hash = mixed(hash, seen);
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

@@ -45,6 +45,10 @@ inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
   return (b.avoids.bits & a.layers.bits) != 0 ? Behavior::decides : Behavior::moves_on;
 }
+/// A robot as others sense it who count on that much of it. One that reacts to them in nothing does
+/// as it likes, within its limits.
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
+                Vec2 velocity);
 /// m/s; that of a car points along its heading.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -67,8 +71,6 @@ struct Fleet {
   std::vector<std::uint32_t> cell;  // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
-  // m/s², of the last step, by rank; empty where nobody has to see it
-  std::vector<Vec2> seen_acceleration;
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -80,10 +82,6 @@ struct Fleet {
   std::size_t find(RobotId robot) const;
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
-  Vec2 acceleration_seen(std::size_t slot) const {
-    return seen_acceleration.empty() ? Vec2{}
-                                     : seen_acceleration[static_cast<std::size_t>(rank[slot])];
-  }
   /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
   std::optional<Behavior> expected(std::size_t b, std::size_t a) const {
     if (conduct[a].parked || conduct[b].parked) return std::nullopt;

@@ -94,7 +94,6 @@ void move(World& world, Worker& worker) {
   std::uint64_t fast = advance(world.response, moving, tile.robots);
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
     const std::uint32_t slot = tile.slot[k];
-    const Vec2 before = fleet.velocity[slot];
     if (tile.robots.wheelbase[k] > 0.0) {
       move_car(world, slot);
       const std::uint64_t bit = std::uint64_t{1} << k;
@@ -104,9 +103,6 @@ void move(World& world, Worker& worker) {
       fleet.velocity[slot] = tile.plan[k]->next_velocity = tile.robots.velocity(k);
       fleet.applied_acceleration[slot] = moving.acceleration[k];
     }
-    if (world.layered)
-      fleet.seen_acceleration[static_cast<std::size_t>(fleet.rank[slot])] =
-          (fleet.velocity[slot] - before) / world.settings.time_step;
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
   }
   worker.fast = worker.fast || fast != 0;

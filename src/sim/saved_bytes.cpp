@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kWord = 8;                              // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
 constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
-constexpr std::size_t kObstacleWords = 16, kRobotWords = 21;  // at least
+constexpr std::size_t kObstacleWords = 16, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 
@@ -206,7 +206,6 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, state.id.value), describe(archive, state.position);
   describe(archive, state.velocity), describe(archive, state.heading);
   describe(archive, state.detour.angle), describe(archive, state.detour.yielded);
-  describe(archive, state.seen_acceleration);
 }
 
 template <bool kReads>

@@ -73,8 +73,6 @@ void check_states(const SavedState& state) {
       refuse_saved("heading " + text(robot.heading), "an angle in rad");
     if (!is_sound(robot.detour)) refuse_saved("a detour that no robot can remember", "a sound one");
     check_id(robot.id.value, state.next_id);
-    if (!is_finite(robot.seen_acceleration))
-      refuse_saved("an acceleration that is not finite", "finite");
   }
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];

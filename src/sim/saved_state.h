@@ -22,9 +22,8 @@ struct RobotState {
   Vec2 position, velocity;  // m, m/s
   double heading = 0.0;     // rad
   Detour detour;
-  Vec2 seen_acceleration;  // m/s^2
 };
-static_assert(sizeof(RobotState) == 80, "it says so in avo/simulation.h");
+static_assert(sizeof(RobotState) == 64, "it says so in avo/simulation.h");
 
 /// What steps change of a robot's way around walls.
 struct SavedWay {

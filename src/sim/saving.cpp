@@ -84,11 +84,6 @@ Fleet fleet_of(const SavedState& state) {
     fleet.velocity[k] = robot.velocity;  // to the last bit, of cars as well
     fleet.detour[k] = robot.detour;
   }
-  const bool seen = std::any_of(state.robots.begin(), state.robots.end(), [](const RobotState& r) {
-    return !(r.seen_acceleration == Vec2{});
-  });
-  for (std::size_t k = 0; k < state.robots.size() && seen; ++k)
-    fleet.seen_acceleration.push_back(state.robots[k].seen_acceleration);
   return fleet;
 }
 
@@ -163,8 +158,7 @@ SavedState saved_state(const World& world) {
   for (const std::uint32_t slot : fleet.slot_of) {
     state.scene.robots.push_back(fleet.setup(slot));
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
-                            fleet.heading[slot], fleet.detour[slot],
-                            fleet.acceleration_seen(slot)});
+                            fleet.heading[slot], fleet.detour[slot]});
   }
   return state;
 }

@@ -63,9 +63,9 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
 }
 
 // A robot that reacts to nobody, as far as it is from another one that needs so many seconds until
-// rest: predicted to keep its acceleration.
+// rest.
 double part_of_mover(const RobotSetup& robot, double seconds) {
-  return robot.radius + seconds * (robot.max_speed + 0.5 * seconds * robot.max_acceleration);
+  return robot.radius + seconds * robot.max_speed;
 }
 
 // Robots of the same layers, longest first.

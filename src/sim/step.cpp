@@ -45,12 +45,11 @@ void find_ranges(World& world) {
       std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
                     [](const Conduct& conduct) { return conduct.parked; }));
   const Conduct usual;
-  world.layered =
+  const bool layered =
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
       });
-  if (world.layered) fleet.seen_acceleration.resize(fleet.size());
-  world.selective = world.parked > 0 || world.layered;
+  world.selective = world.parked > 0 || layered;
   world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                             [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
                 std::none_of(fleet.traits.begin(), fleet.traits.end(),
@@ -84,7 +83,7 @@ void lay_out(World& world, Executor& executor) {
 
 void take_snapshot(World& world, Executor& executor) {
   const std::size_t parts = executor.workers();
-  prepare(world.fleet, world.layered, world.snapshot);
+  prepare(world.fleet, world.snapshot);
   parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
     StageClock& clock = world.workers[worker].clock;
     clock.start();

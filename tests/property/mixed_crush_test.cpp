@@ -97,7 +97,6 @@ TEST(MixedCrush, nobody_touches_anybody_but_at_rest) {
   Simulation simulation(scene, 1);
   Check check = judge_of(scene);
   observe(simulation, check);
-  std::int64_t too_late = 0;
   for (int step = 0; step < 2000; ++step) {
     if (step % kRally == 0) {
       const Vec2 rally = in_square(random, 0.5 * kExtent);
@@ -105,21 +104,16 @@ TEST(MixedCrush, nobody_touches_anybody_but_at_rest) {
     }
     simulation.step();
     observe(simulation, check);
-    for (const Plan& plan : simulation.fleet().plan)
-      too_late += plan.status == PlanStatus::overlapping ? 1 : 0;
   }
   const CheckReport report = check.report();
-  std::printf("late %lld, moving %lld one-sided moving %lld, rest %lld %lld least %g\n",
-              (long long)too_late, (long long)report.obstacle_contacts_moving.count,
-              (long long)report.one_sided_contacts_moving.count,
-              (long long)report.obstacle_contacts_at_rest,
-              (long long)report.one_sided_contacts_at_rest, *report.least_clearance);
   EXPECT_EQ(report.overlaps.count, 0) << "deepest " << report.overlaps.worst;
   EXPECT_EQ(report.obstacle_contacts_moving.count, 0) << report.obstacle_contacts_moving.worst;
+  EXPECT_EQ(report.one_sided_contacts_moving.count, 0) << report.one_sided_contacts_moving.worst;
   EXPECT_EQ(report.accelerations.count, 0) << "by up to " << report.accelerations.worst;
   EXPECT_EQ(report.speeds.count, 0);
   EXPECT_EQ(report.jumps.count, 0);
-  EXPECT_GT(report.obstacle_contacts_at_rest, 0);
+  EXPECT_GT(report.obstacle_contacts_at_rest, 100);
+  EXPECT_GT(report.one_sided_contacts_at_rest, 100);
   ASSERT_TRUE(report.least_clearance);
   EXPECT_LT(*report.least_clearance, 0.02);  // it was tight
   EXPECT_GT(report.largest_speed, 1.0);      // and fast
