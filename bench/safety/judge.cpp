@@ -31,6 +31,8 @@ Check make_check(const Scenario& scenario) {
     robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
     robot.straight = adopts_at_once(options.method);
     robot.car = setup.car.has_value();
+    robot.parked = setup.parked;
+    robot.layers = setup.layers.bits, robot.avoids = setup.avoids.bits;
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
@@ -92,18 +94,37 @@ struct Judge::State {
   // 4096 times less.
   int parts = 1;  // that a step is judged in
   std::vector<CheckedState> rows = {};
-  std::vector<Pose> before = {};  // where a step is judged in parts
+  std::vector<Pose> before = {};     // where a step is judged in parts
+  std::vector<PathWalk> walks = {};  // of the obstacles, likewise
+
+  void place_obstacles(const ObstacleView& obstacles, double part);
 };
 
 Judge::Judge(const Scenario& scenario)
     : state_(new State{make_check(scenario), scenario.time_step, has_cars(scenario) ? 8 : 1}) {}
 Judge::~Judge() = default;
 
+// Those with a path, at a part of the step that ends now. Over a step they hold an acceleration.
+void Judge::State::place_obstacles(const ObstacleView& obstacles, double part) {
+  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
+    if (obstacles.setup[k].path.empty()) continue;
+    Vec2 position = obstacles.position[k], velocity = obstacles.velocity[k];
+    if (part < 1.0) {
+      const Vec2 change = velocity - walks[k].velocity;
+      velocity = walks[k].velocity + part * change;
+      position =
+          walks[k].position + (part * time_step) * (walks[k].velocity + (0.5 * part) * change);
+    }
+    check.place_obstacle(static_cast<std::int64_t>(k), position, velocity);
+  }
+}
+
 void Judge::observe(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
   const double start = simulation.time() - state_->time_step;
   for (int k = 1; k < state_->parts && !state_->before.empty(); ++k) {
     const double part = static_cast<double>(k) / state_->parts;
+    state_->place_obstacles(simulation.obstacles(), part);
     state_->check.add(start + part * state_->time_step,
                       states_within(state_->before, fleet, state_->time_step, part));
   }
@@ -114,11 +135,10 @@ void Judge::observe(const Simulation& simulation) {
         {static_cast<std::int64_t>(fleet.id[i].value), fleet.position[i], fleet.velocity[i]});
   }
   const ObstacleView obstacles = simulation.obstacles();
-  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
-    if (!obstacles.setup[k].path.empty())
-      state_->check.place_obstacle(static_cast<std::int64_t>(k), obstacles.position[k],
-                                   obstacles.velocity[k]);
-  }
+  state_->place_obstacles(obstacles, 1.0);
+  state_->walks.clear();
+  for (std::size_t k = 0; k < obstacles.setup.size(); ++k)
+    state_->walks.push_back({obstacles.position[k], obstacles.velocity[k]});
   state_->check.add(simulation.time(), state_->rows);
 }
 
@@ -130,10 +150,12 @@ Verdict Judge::verdict() const {
   const CheckReport report = state_->check.report();
   Verdict verdict;
   verdict.overlapping_pairs = report.overlaps.count;
-  verdict.moving_contacts = report.obstacle_contacts_moving.count;
-  verdict.resting_contacts = report.obstacle_contacts_at_rest;
+  verdict.moving_contacts =
+      report.obstacle_contacts_moving.count + report.one_sided_contacts_moving.count;
+  verdict.resting_contacts = report.obstacle_contacts_at_rest + report.one_sided_contacts_at_rest;
   verdict.static_contacts = report.static_contacts.count;
-  verdict.deepest_contact = report.obstacle_contacts_moving.worst;
+  verdict.deepest_contact =
+      std::max(report.obstacle_contacts_moving.worst, report.one_sided_contacts_moving.worst);
   verdict.acceleration_violations = report.accelerations.count;
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;
@@ -142,6 +164,8 @@ Verdict Judge::verdict() const {
   verdict.interpolation_error = report.interpolation_error;
   name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
   name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
+             verdict.violations);
+  name_first("one-sided contacts in motion (m)", report.one_sided_contacts_moving,
              verdict.violations);
   name_first("robots that touched a wall (m)", report.static_contacts, verdict.violations);
   name_first("steps above a_max (m/s^2)", report.accelerations, verdict.violations);

@@ -19,6 +19,7 @@ namespace {
 // away, a car that would have to turn by more than this first stops, and then turns in place
 // about its rear axle (front wheels across), which moves neither the axle nor the disc around it.
 constexpr double kTurnInPlace = 0.25;  // rad
+constexpr double kEarly = 1e-9;        // of the speed, beyond rest: more is not rounding
 
 struct Controls {
   double linear = 0.0;     // [a_lin] m/s^2
@@ -72,7 +73,7 @@ MotionStep drive(const MotionState& state, Vec2 heading, double speed, const Con
   step.next.heading = wrapped(state.heading + 2.0 * half_turn);
   step.next.velocity = next_speed * turned(middle, half);
   step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
-  const bool early = speed + control.linear * time_step < -1e-9 * speed;
+  const bool early = speed + control.linear * time_step < -kEarly * speed;
   step.bend =
       early ? std::numeric_limits<double>::infinity() : bend(speed, next_speed, control, time_step);
   return step;
@@ -87,7 +88,12 @@ MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimi
   const Controls control = controls(plan.acceleration, heading, speed, time_step);
   const double top = std::max(speed, speed + control.linear * time_step);
   const double slow = limits.max_braking * time_step;
-  if (top > slow) return drive(state, heading, speed, control, time_step);
+  if (top > slow) {
+    // what may brake harder than it surely does comes to rest at the end of the step, not within
+    const bool early = speed + control.linear * time_step < -kEarly * speed;
+    const Controls gentle{early ? -speed / time_step : control.linear, control.curvature};
+    return drive(state, heading, speed, gentle, time_step);
+  }
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn =
       moves ? elementary::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity))
