@@ -92,9 +92,9 @@ TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
   ASSERT_EQ(refusal(scenario), "");
   EXPECT_EQ(check_ranges(scenario, scenario, ""), 6);
-  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 8);
+  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 9);
   EXPECT_EQ(check_ranges(scenario, *scenario.robots[0].car, "robots.0.car."), 2);
-  EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 4);
+  EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 6);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing.noise, "sensing.noise."), 3);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing_error.emplace(), "sensing_error."), 2);
