@@ -23,9 +23,9 @@ bool all_finite(std::span<const Vec2> points) {
   return std::all_of(points.begin(), points.end(), [](Vec2 point) { return is_finite(point); });
 }
 
-bool has_cars(const Scenario& scenario) {
+bool has_headings(const Scenario& scenario) {
   return std::any_of(scenario.robots.begin(), scenario.robots.end(),
-                     [](const RobotSetup& robot) { return robot.car.has_value(); });
+                     [](const RobotSetup& robot) { return !is_holonomic(robot.model); });
 }
 
 // Diameters per second of a robot on its way: the upper quintile over all robots and frames that
@@ -37,7 +37,7 @@ double cruising_rate(const Scenario& scenario, std::span<const TrajectoryFrame> 
     const double dt = frames[k].time - frames[k - 1].time;
     for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
       const double moved = norm(frames[k].position[i] - frames[k - 1].position[i]);
-      const double rate = moved / (2.0 * scenario.robots[i].radius * dt);
+      const double rate = moved / (2.0 * disc_radius(scenario.robots[i]) * dt);
       if (rate > 0.01) rates.push_back(rate);
     }
   }
@@ -61,8 +61,8 @@ void check_frames(const Scenario& scenario, std::span<const TrajectoryFrame> fra
                   std::to_string(scenario.robots.size()) + " and " +
                   std::to_string(scenario.moving_obstacles.size()));
     }
-    if (has_cars(scenario) && frame.heading.size() != scenario.robots.size()) {
-      throw Error(where + "the headings of the cars are missing");
+    if (has_headings(scenario) && frame.heading.size() != scenario.robots.size()) {
+      throw Error(where + "the headings of the robots are missing");
     }
     if (!std::isfinite(frame.time) || !all_finite(frame.position) ||
         !all_finite(frame.obstacle_position)) {

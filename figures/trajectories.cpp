@@ -48,17 +48,19 @@ void draw_robot(Canvas& canvas, const TimeLapse& lapse, std::size_t frame, std::
   const Color color = setup.parked ? kParked : lapse.colors[robot];
   const Color body = mix(mix(kWhite, color, 0.13), color, age * age);
   const Stroke edge{mix(mix(kWhite, color, 0.45), mix(color, kBlack, 0.45), age * age),
-                    std::clamp(0.06 * setup.radius * canvas.scale(), 0.25, 0.7)};
-  if (!setup.car) {
-    canvas.add_disc({at.position[robot], setup.radius});
+                    std::clamp(0.06 * disc_radius(setup) * canvas.scale(), 0.25, 0.7)};
+  const double radius = disc_radius(setup);
+  if (is_holonomic(setup.model)) {
+    canvas.add_disc({at.position[robot], radius});
     canvas.fill_and_stroke(body, edge);
     return;
   }
+  const Vec2 center = disc_center(setup.model, at.position[robot], at.heading[robot]);
   if (age == 1.0) {
-    canvas.add_disc({at.position[robot], setup.radius});
+    canvas.add_disc({center, radius});
     canvas.fill_and_stroke(mix(kWhite, color, 0.3), edge);
   }
-  canvas.add_polygon(car_body(at.position[robot], at.heading[robot], setup.radius));
+  canvas.add_polygon(car_body(center, at.heading[robot], radius));
   canvas.fill_and_stroke(body, edge);
 }
 

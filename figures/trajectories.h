@@ -18,7 +18,7 @@ namespace avo::figures {
 struct TrajectoryFrame {
   double time = 0.0;                      ///< s
   std::vector<Vec2> position{};           ///< m
-  std::vector<double> heading{};          ///< rad; read for cars only, may be empty without them
+  std::vector<double> heading{};          ///< rad; may be empty where all are holonomic
   std::vector<Vec2> obstacle_position{};  ///< m
 };
 

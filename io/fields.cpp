@@ -7,7 +7,8 @@
 
 namespace avo_io {
 
-using avo::CarSetup;
+using avo::Car;
+using avo::CarBody;
 using avo::kAnyValue;
 using avo::kAtLeastOne;
 using avo::kNotNegative;
@@ -126,7 +127,7 @@ const std::vector<Field<RobotSetup>>& fields() {
   static const std::vector<Field<RobotSetup>> table{
       {"position", &RobotSetup::position, kRequired, kAnyValue, "m", "where it starts"},
       {"velocity", &RobotSetup::velocity, kOptional, kAnyValue, "m/s",
-       "at the start; of a car only its length counts"},
+       "at the start; of one with a heading its length counts, along it"},
       {"goal", &RobotSetup::goal, kRequired, kAnyValue, "m", "where it wants to come to rest"},
       {"radius", &RobotSetup::radius, kOptional, kPositive, "m", "of its disc"},
       {"max_speed", &RobotSetup::max_speed, kOptional, kPositive, "m/s", "never exceeded"},
@@ -134,8 +135,11 @@ const std::vector<Field<RobotSetup>>& fields() {
        "never exceeded"},
       {"preferred_speed", &RobotSetup::preferred_speed, kOptional, kNotNegative, "m/s",
        "towards the goal", "max_speed"},
-      {"car", kNested, kOptional, kNoNumber, "",
-       "makes it a car-like robot, position is its rear axle"},
+      {"model", kNested, kOptional, kNoNumber, "", "how it moves",
+       "car with the keys of one, else holonomic"},
+      {"heading", kNested, kOptional, kHeadingField.range, kHeadingField.unit, kHeadingField.doc,
+       "0"},
+      {"car", kNested, kOptional, kNoNumber, "", "a car's own; its position is its rear axle"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
       {"max_braking", &RobotSetup::max_braking, kOptional, kPositive, "m/s^2",
@@ -159,10 +163,26 @@ const std::vector<Field<RobotSetup>>& group_robot_fields() {
 }
 
 template <>
-const std::vector<Field<CarSetup>>& fields() {
-  static const std::vector<Field<CarSetup>> table{
-      {"wheelbase", &CarSetup::wheelbase, kOptional, kPositive, "m", "between the axles"},
-      {"heading", &CarSetup::heading, kOptional, kAnyValue, "rad", "counter-clockwise from +x"},
+const std::vector<Field<Car>>& fields() {
+  static const std::vector<Field<Car>> table{
+      {"wheelbase", &Car::wheelbase, kOptional, kPositive, "m", "between the axles"},
+      {"max_curvature", &Car::max_curvature, kOptional, kPositive, "1/m",
+       "of its way; it turns in place only without", "unlimited"},
+      {"body", kNested, kOptional, kNoNumber, "", "the disc that covers it",
+       "that of radius, about the rear axle"},
+      {"reverse", &Car::reverse, kOptional, kNoNumber, "", "it may drive backwards"},
+      {"acceleration_set", &Car::acceleration_set, kOptional, kNoNumber, "",
+       "exact: |a_lin| and |a_lat| <= max_acceleration; incircle: |a| is"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<CarBody>>& fields() {
+  static const std::vector<Field<CarBody>> table{
+      {"offset", &CarBody::offset, kOptional, kAnyValue, "m",
+       "of its center, ahead of the rear axle"},
+      {"radius", &CarBody::radius, kOptional, kPositive, "m", "of the disc, instead of radius"},
   };
   return table;
 }

@@ -134,6 +134,10 @@ struct MembersOf<avo::MovingObstacle> {
                         std::vector<avo::Vec2>>;
 };
 template <>
+struct MembersOf<avo::Car> {
+  using type = MemberOf<avo::Car, double, std::optional<double>, bool, avo::AccelerationSet>;
+};
+template <>
 struct MembersOf<AntipodalGoals> {
   using type = MemberOf<AntipodalGoals>;
 };
@@ -220,6 +224,14 @@ struct Field {
 template <class T>
 const std::vector<Field<T>>& fields();
 
+/// Of a robot, also among the keys of a car.
+struct HeadingField {
+  std::string_view key, unit, doc;
+  avo::Range range;
+};
+inline constexpr HeadingField kHeadingField{"heading", "rad", "counter-clockwise from +x",
+                                            avo::kAnyValue};
+
 /// RobotSetup's fields without position and goal, for groups.
 const std::vector<Field<avo::RobotSetup>>& group_robot_fields();
 
@@ -241,6 +253,16 @@ inline const auto kRightsOfWay =
     by_name(avo::RightOfWay::none, avo::RightOfWay::seen, avo::RightOfWay::told);
 inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>, 2> kDistributions{
     {{"gaussian", avo::NoiseDistribution::gaussian}, {"uniform", avo::NoiseDistribution::uniform}}};
+inline const auto kAccelerationSets =
+    by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
+
+/// The alternatives of avo::MotionModel, in their order.
+enum class ModelKind : std::uint8_t { holonomic, car };
+inline constexpr std::array<std::pair<std::string_view, ModelKind>, 2> kModels{
+    {{"holonomic", ModelKind::holonomic}, {"car", ModelKind::car}}};
+constexpr std::string_view model_name(ModelKind kind) {
+  return kModels[static_cast<std::size_t>(kind)].first;
+}
 inline constexpr std::array<std::pair<std::string_view, GroupHeading>, 2> kHeadings{
     {{"goal", GroupHeading::goal}, {"random", GroupHeading::random}}};
 

@@ -89,11 +89,11 @@ Starts starts(const LinePlacement& line, int n) {
 
 Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenario& scenario,
               Random& random) {
-  const double radius = group.robot.radius;
+  const double radius = room_of(group.robot);
   const std::size_t count = scenario.robots.size() + scenario.moving_obstacles.size();
   FreeSpace space(area.min, area.max, radius, area.clearance,
                   count + static_cast<std::size_t>(group.number));
-  for (const auto& robot : scenario.robots) space.add({robot.position, robot.radius});
+  for (const auto& robot : scenario.robots) space.add({disc_center(robot), disc_radius(robot)});
   for (const auto& mover : scenario.moving_obstacles) space.add({mover.position, mover.radius});
   const WallSpace walls(scenario.obstacles, radius + area.clearance);
   return {random_points(group.number, area.min, area.max, radius, space, walls, random),
@@ -108,7 +108,7 @@ std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scena
   } else if (const auto* offset = std::get_if<OffsetGoals>(&group.goals)) {
     for (Vec2& p : result) p = p + offset->by;
   } else if (const auto* area = std::get_if<RandomGoals>(&group.goals)) {
-    const double radius = group.robot.radius;
+    const double radius = room_of(group.robot);
     FreeSpace space(area->min, area->max, radius, area->clearance, from.points.size());
     const WallSpace walls(scenario.obstacles, radius + area->clearance);
     result = random_points(group.number, area->min, area->max, radius, space, walls, random);
@@ -141,15 +141,20 @@ Vec2 circle_point(int k, int n) {
   return point + Vec2{};  // no -0
 }
 
+double room_of(const avo::RobotSetup& robot) {
+  return norm(disc_center(robot.model, {}, 0.0)) + disc_radius(robot);
+}
+
 void append_robot(const avo::RobotSetup& model, GroupHeading heading, Vec2 start, Vec2 goal,
                   Random& random, avo::Scenario& scenario) {
   avo::RobotSetup& robot = scenario.robots.emplace_back(model);
   robot.position = start;
   robot.goal = goal;
-  if (robot.car && heading == GroupHeading::random) robot.car->heading = random.between(-kPi, kPi);
-  if (robot.car && heading == GroupHeading::goal) {
+  if (is_holonomic(robot.model)) return;
+  if (heading == GroupHeading::random) robot.heading = random.between(-kPi, kPi);
+  if (heading == GroupHeading::goal) {
     const Vec2 way = goal - start;
-    robot.car->heading = avo::elementary::atan2(way.y, way.x);
+    robot.heading = avo::elementary::atan2(way.y, way.x);
   }
 }
 

@@ -13,7 +13,10 @@ namespace avo_io {
 /// machine, and symmetric: point k + n/2 is the negative of point k where n is even.
 avo::Vec2 circle_point(int k, int n);
 
-/// Appends a robot with that start and goal, and the heading of a car.
+/// m: of the disc about its position that holds the robot's own, whatever its heading.
+double room_of(const avo::RobotSetup& robot);
+
+/// Appends a robot with that start and goal, and the heading of one that has any.
 void append_robot(const avo::RobotSetup& model, GroupHeading heading, avo::Vec2 start,
                   avo::Vec2 goal, Random& random, avo::Scenario& scenario);
 

@@ -6,36 +6,16 @@
 #include <fmt/format.h>
 #include <variant>
 
+#include "read_model.h"
+
 namespace avo_io {
-namespace {
-
-/// `heading`: of groups, where it may be a word.
-void read_car(const Reader& reader, const YamlNode& node, const std::string& path,
-              avo::CarSetup& car, GroupHeading* heading) {
-  std::vector<Field<avo::CarSetup>> table = fields<avo::CarSetup>();
-  reader.check_keys(node, path, keys_of(table));
-  const YamlNode* given = node.find("heading");
-  if (heading != nullptr && given != nullptr) {
-    const bool word = given->kind == YamlNode::Kind::text && !is_number(given->text);
-    *heading =
-        word ? reader.choice(*given, path_to(path, "heading"), kHeadings) : GroupHeading::given;
-    if (word) std::erase_if(table, [](const auto& field) { return field.key == "heading"; });
-  }
-  reader.read(node, path, table, car);
-}
-
-}  // namespace
-
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch) {
   const auto& table = fields<avo::RobotSetup>();
   reader.check_keys(node, path, keys_of(table));
   reader.read(node, path, table, robot, patch);
   if (!patch && node.find("preferred_speed") == nullptr) robot.preferred_speed = robot.max_speed;
-  const YamlNode* car = node.find("car");
-  if (car == nullptr) return;
-  if (!robot.car) robot.car.emplace();
-  read_car(reader, *car, path_to(path, "car"), *robot.car, nullptr);
+  read_model(reader, node, path, robot, nullptr);
 }
 
 namespace {
@@ -99,8 +79,7 @@ void read_alike(const Reader& reader, const YamlNode& node, const std::string& p
   reader.read(node, path, group_robot_fields(), target.robot);
   if (node.find("preferred_speed") == nullptr)
     target.robot.preferred_speed = target.robot.max_speed;
-  if (const YamlNode* car = node.find("car"))
-    read_car(reader, *car, path_to(path, "car"), target.robot.car.emplace(), &target.heading);
+  read_model(reader, node, path, target.robot, &target.heading);
 }
 
 }  // namespace

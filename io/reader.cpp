@@ -216,6 +216,11 @@ void Reader::set(avo::NoiseDistribution& value, const YamlNode& node, const Path
   value = choice(node, path, kDistributions);
 }
 
+void Reader::set(avo::AccelerationSet& value, const YamlNode& node, const Path& path,
+                 const Rule&) const {
+  value = choice(node, path, kAccelerationSets);
+}
+
 void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kFills);
 }

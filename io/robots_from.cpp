@@ -48,8 +48,8 @@ void check_row(const SourceText& source, const ScenRow& row, const OccupancyGrid
 void fail_overlap(const SourceText& source, const ScenRow& row, Vec2 start, double radius,
                   const std::vector<avo::RobotSetup>& before) {
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const double distance = norm(start - before[i].position);
-    const double least = radius + before[i].radius;
+    const double distance = norm(start - disc_center(before[i]));
+    const double least = radius + disc_radius(before[i]);
     if (!(distance < least)) continue;
     source.fail(row.offset, fmt::format("found the start of robots.{}, {:g} m from that of "
                                         "robots.{}, must be at least {:g} m",
@@ -73,11 +73,12 @@ void append_robots_from(const Reader& reader, const YamlNode& node, const std::s
   const OccupancyGrid& grid =
       map_of(reader, *node.find("scen"), path_to(path, "scen"), maps, rows[0].map);
   if (node.find("radius") == nullptr) from.robot.radius = kUsualRadius * grid.cell;
-  const double radius = from.robot.radius;
+  const double radius = room_of(from.robot);
   const Vec2 size{static_cast<double>(grid.width) * grid.cell,
                   static_cast<double>(grid.height) * grid.cell};
   FreeSpace space(grid.origin, grid.origin + size, radius, 0.0, scenario.robots.size() + number);
-  for (const avo::RobotSetup& robot : scenario.robots) space.add({robot.position, robot.radius});
+  for (const avo::RobotSetup& robot : scenario.robots)
+    space.add({disc_center(robot), disc_radius(robot)});
   Random random(scenario.seed, kStreamOfScenarios);
   for (std::size_t i = 0; i < number; ++i) {
     const ScenRow& row = rows[i];

@@ -92,6 +92,9 @@ ValueSchema describe(avo::RightOfWay value, const avo::Range&) {
 ValueSchema describe(avo::NoiseDistribution value, const avo::Range&) {
   return {names_schema(kDistributions), name_of(kDistributions, value)};
 }
+ValueSchema describe(avo::AccelerationSet value, const avo::Range&) {
+  return {names_schema(kAccelerationSets), name_of(kAccelerationSets, value)};
+}
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
 }
@@ -186,14 +189,20 @@ Json list_schema(const char* definition) {
   return {{"type", "array"}, {"items", {{"$ref", std::string("#/$defs/") + definition}}}};
 }
 
+/// What the keys of a robot's motion may say.
+Json nested_of_robots(const Json& heading) {
+  Json car = map_schema(fields<avo::Car>(), {{"body", map_schema(fields<avo::CarBody>())}});
+  car["properties"]["heading"] = heading;
+  return {{"model", names_schema(kModels)}, {"heading", heading}, {"car", car}};
+}
+
 /// The keys that many like robots share.
 Json alike_schema() {
-  Json car = map_schema(fields<avo::CarSetup>());
-  Json& heading = car["properties"]["heading"];
-  heading = {{"description", "rad, counter-clockwise from +x; goal: towards it"},
-             {"oneOf", Json::array({number_schema(avo::kAnyValue), names_schema(kHeadings)})},
-             {"default", "goal"}};
-  return map_schema(group_robot_fields(), {{"car", car}});
+  const Json heading{
+      {"description", "rad, counter-clockwise from +x; goal: towards it"},
+      {"oneOf", Json::array({number_schema(avo::kAnyValue), names_schema(kHeadings)})},
+      {"default", "goal"}};
+  return map_schema(group_robot_fields(), nested_of_robots(heading));
 }
 
 Json group_schema(const Json& alike) {
@@ -247,8 +256,8 @@ std::string scenario_schema() {
       {{"required", {"groups"}}, {"properties", {{"groups", {{"minItems", 1}}}}}},
       {{"required", {"robots_from"}}},
   };
-  json["$defs"] = {{"robot", map_schema(fields<avo::RobotSetup>(),
-                                        {{"car", map_schema(fields<avo::CarSetup>())}})},
+  const Json heading = number_schema(kHeadingField.range);
+  json["$defs"] = {{"robot", map_schema(fields<avo::RobotSetup>(), nested_of_robots(heading))},
                    {"group", group_schema(alike)},
                    {"moving_obstacle", map_schema(fields<avo::MovingObstacle>())},
                    {"obstacle", entry_schema(static_cast<const ObstacleEntry*>(nullptr))}};

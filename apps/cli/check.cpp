@@ -101,10 +101,11 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
   const avo::PlannerOptions options = planner_options(*scenario);
   std::vector<avo::CheckedRobot> robots;
   for (const avo::RobotSetup& robot : scenario->robots)
-    robots.push_back({robot.radius, robot.max_acceleration, robot.max_speed, robot.goal,
-                      robot.car ? 0.0 : interpolation_error(options, robot.max_acceleration),
-                      adopts_at_once(options.method) && !robot.car, robot.car.has_value(),
-                      robot.parked, robot.layers.bits, robot.avoids.bits});
+    robots.push_back(
+        {robot.radius, robot.max_acceleration, robot.max_speed, robot.goal,
+         is_holonomic(robot.model) ? interpolation_error(options, robot.max_acceleration) : 0.0,
+         adopts_at_once(options.method) && is_holonomic(robot.model), !is_holonomic(robot.model),
+         robot.parked, robot.layers.bits, robot.avoids.bits});
   std::vector<avo::CheckedObstacle> obstacles;
   for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
     obstacles.push_back(

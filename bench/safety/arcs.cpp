@@ -45,7 +45,7 @@ std::vector<CheckedState> states_within(const std::vector<Pose>& before, const F
   std::vector<CheckedState> states;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double turn = std::remainder(now.heading[i] - before[i].heading, 2.0 * kPi);
-    const Pose pose = now.setup[i].car
+    const Pose pose = !is_holonomic(now.setup[i].model)
                           ? on_arc(before[i], norm(now.velocity[i]), turn, time_step, part)
                           : on_parabola(before[i], now.velocity[i], time_step, part);
     states.push_back({static_cast<std::int64_t>(now.id[i].value), pose.position, pose.velocity});

@@ -30,7 +30,7 @@ Check make_check(const Scenario& scenario) {
     robot.max_speed = setup.max_speed;
     robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
     robot.straight = adopts_at_once(options.method);
-    robot.car = setup.car.has_value();
+    robot.car = !is_holonomic(setup.model);
     robot.parked = setup.parked;
     robot.layers = setup.layers.bits, robot.avoids = setup.avoids.bits;
     robots.push_back(robot);
@@ -51,7 +51,7 @@ Check make_check(const Scenario& scenario) {
 
 bool has_cars(const Scenario& scenario) {
   return std::any_of(scenario.robots.begin(), scenario.robots.end(),
-                     [](const RobotSetup& robot) { return robot.car.has_value(); });
+                     [](const RobotSetup& robot) { return !is_holonomic(robot.model); });
 }
 
 void name_first(const char* what, const CheckCount& count, std::string& text) {

@@ -63,7 +63,7 @@ RobotSetup any_robot(Vec2 position, double radius, Random& random) {
   robot.max_braking = random.between(0.5, 1.0) * robot.max_acceleration;
   robot.priority = std::ldexp(1.0, static_cast<int>(random.below(21)) - 10);
   const std::size_t kind = random.below(6);
-  if (kind == 0) robot.car = CarSetup{0.3, random.between(-3.0, 3.0)};
+  if (kind == 0) robot.model = Car{0.3}, robot.heading = random.between(-3.0, 3.0);
   if (kind == 1) robot.layers.bits = robot.avoids.bits = 2;
   return robot;
 }

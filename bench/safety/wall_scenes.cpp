@@ -95,7 +95,8 @@ Scene walls_and_cars(double robot_steps, std::uint64_t seed) {
   Random random(seed, 28);
   for (std::size_t i = 0; i < kRobots; i += 2) {
     RobotSetup& robot = scene.scenario.robots[i];
-    robot.car = CarSetup{2.0 * robot.radius, random.between(-kPi, kPi)};
+    robot.model = Car{2.0 * robot.radius};
+    robot.heading = random.between(-kPi, kPi);
   }
   return scene;
 }

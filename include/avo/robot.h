@@ -3,37 +3,31 @@
 #pragma once
 #include <cstdint>
 #include <limits>
-#include <optional>
 
+#include "avo/model.h"
 #include "avo/vec.h"
 
 namespace avo {
 
-/// Car-like robot of the paper's §V: the robot's position is the center of its rear axle, its disc
-/// is centered there, and its velocity always points along its heading (it does not reverse):
-/// Robot::velocity has to, up to an angle of kHeadingTolerance.
-struct CarSetup {
-  double wheelbase = 1.0;  ///< [d] m, > 0, between the axles
-  double heading = 0.0;    ///< [θ] rad, counter-clockwise from +x
-};
-
-/// rad, of a car's velocity off its heading: more is PlanStatus::invalid_input. What is rounded to
-/// float keeps within it; others predict the car's braking that much off, 2 µm after 2 m.
+/// rad, of the velocity off the heading of a robot with wheels: more is PlanStatus::invalid_input.
+/// What is rounded to float keeps within it; others predict the car's braking that much off, 2 µm
+/// after 2 m.
 inline constexpr double kHeadingTolerance = 1e-6;
 
 /// Robot A, the one that decides.
 struct Robot {
-  Vec2 position = {};             ///< [p_A] m
+  Vec2 position = {};             ///< [p_A] m, the center of its disc: see disc_center()
   Vec2 velocity = {};             ///< [v_A] m/s
   Vec2 preferred_velocity = {};   ///< [v_A^pref] m/s
-  double radius = 0.5;            ///< [r_A] m, > 0
+  double radius = 0.5;            ///< [r_A] m, > 0, of that disc
   double max_acceleration = 1.0;  ///< [a_A^max] m/s^2, > 0
   double max_speed = 2.0;         ///< [v_A^max] m/s, > 0
   /// m left to where it comes to rest, where it has such a goal; method avo then makes no detours
   /// on the last of it.
   double distance_to_goal = std::numeric_limits<double>::infinity();
-  /// With its present heading; a certificate then judges what Eqs. (24), (25) make of a decision.
-  std::optional<CarSetup> car = {};
+  /// A certificate judges what the model makes of a decision, Eqs. (24), (25).
+  MotionModel model = {};
+  double heading = 0.0;  ///< [θ] rad, counter-clockwise from +x; read where it is not holonomic
   /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
   /// reciprocal_share(). Others have to know it.
   double priority = 1.0;

@@ -20,15 +20,18 @@ struct LayerSet {
 };
 
 struct RobotSetup {
-  Vec2 position = {};                ///< m
-  Vec2 velocity = {};                ///< m/s; for a car only its length counts, along the heading
-  Vec2 goal = {};                    ///< m
-  double radius = 0.5;               ///< m, > 0
-  double max_speed = 2.0;            ///< m/s, > 0
-  double max_acceleration = 1.0;     ///< m/s^2, > 0
-  double preferred_speed = 2.0;      ///< m/s, >= 0
-  std::optional<CarSetup> car = {};  ///< a car-like robot if set
-  double priority = 1.0;             ///< > 0, see Robot::priority
+  Vec2 position = {};  ///< m, see disc_center()
+  /// m/s; of one with wheels its length counts, along the heading, or against it where it may drive
+  /// backwards and the velocity points there.
+  Vec2 velocity = {};
+  Vec2 goal = {};                 ///< m
+  double radius = 0.5;            ///< m, > 0, about the position; see disc_radius()
+  double max_speed = 2.0;         ///< m/s, > 0
+  double max_acceleration = 1.0;  ///< m/s^2, > 0
+  double preferred_speed = 2.0;   ///< m/s, >= 0
+  MotionModel model = {};         ///< how it moves
+  double heading = 0.0;           ///< rad, counter-clockwise from +x; not of holonomic ones
+  double priority = 1.0;          ///< > 0, see Robot::priority
   /// Never moves and decides nothing: to the others a disc that does not move, and that nobody may
   /// touch. Its goal is its position, and its velocity is 0.
   bool parked = false;
@@ -37,6 +40,14 @@ struct RobotSetup {
   /// [b] m/s^2, > 0, <= max_acceleration, see Robot::max_braking; unset: max_acceleration
   std::optional<double> max_braking = {};
 };
+
+/// Of the disc that others sense.
+inline Vec2 disc_center(const RobotSetup& robot) {
+  return disc_center(robot.model, robot.position, robot.heading);
+}
+inline double disc_radius(const RobotSetup& robot) {
+  return disc_radius(robot.model, robot.radius);
+}
 
 /// Whether A avoids B by their layers. To A, one that does not avoid A is a mover: it reacts to
 /// nobody (docs/certificate.md, "Movers").

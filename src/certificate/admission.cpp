@@ -38,7 +38,7 @@ Vec2 deviation_at(const Braking& own, const TrajectoryConstraint& constraint, in
     return point == 0 ? along.start : point == 1 ? along.middle : along.end;
   };
   const Vec2 x = pick(braking_distances(own.profile, law, constraint.interval)) * own.direction;
-  if (constraint.interval == 0) return path.first - x;
+  if (constraint.interval == 0) return point == 1 ? path.swing : path.first - x;
   const BrakingDistances along = braking_distances(path.braking, law, constraint.interval - 1);
   return path.first + pick(along) * path.direction - x;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "certificate/kernels.h"
-#include "robots/motion.h"
+#include "robots/model.h"
 
 namespace avo {
 
@@ -65,18 +65,20 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
   CandidatePath path;
   path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
   path.next_velocity = next_velocity;
-  if (robot.car) {
-    const MotionStep step =
-        advance_car({{}, robot.velocity, robot.car->heading}, plan_to(robot, next_velocity, law),
-                    {robot.car->wheelbase, braking_limit(robot), robot.max_speed}, law.time_step);
+  if (!is_holonomic(robot.model)) {
+    const MotionStep step = advance(robot.model, {braking_limit(robot), robot.max_speed},
+                                    {{}, robot.velocity, robot.heading},
+                                    plan_to(robot, next_velocity, law), law.time_step);
     path.first = step.next.position;
     path.next_velocity = step.next.velocity;
     path.bend = step.bend;
+    path.swing = law.lag * step.swing;
+    path.way = step.way;
   }
   const double decrement = decrement_of(robot, law);
   path.speed = norm(path.next_velocity);
   path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
-  const bool stays = path.speed == 0.0 && robot.velocity == Vec2{};
+  const bool stays = path.speed == 0.0 && robot.velocity == Vec2{} && path.first == Vec2{};
   constexpr double kForEver = 1e9;  // more than any constraint's interval
   path.braking = braking_profile(path.speed, decrement);
   const double steps = path.speed > 0.0 ? std::min(path.braking.full_steps + 1.0, kForEver) : 0.0;

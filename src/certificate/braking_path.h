@@ -94,16 +94,19 @@ double parabola_error(Vec2 acceleration, const StepLaw& law);
 
 /// A's path for a candidate: v_1 after one step, then braking. Relative to p_A.
 struct CandidatePath {
-  Vec2 first;          ///< m, end of the first step
-  Vec2 next_velocity;  ///< [v_1] m/s
-  Vec2 direction;      ///< of v_1; 0 at rest
-  double speed = 0.0;  ///< |v_1| m/s
-  int moving = 0;      ///< intervals in which it moves, the first step included
-  double bend = 0.0;   ///< m, for a car: what the arc of its first step asks for beyond a parabola
+  Vec2 first;              ///< m, end of the first step
+  Vec2 next_velocity;      ///< [v_1] m/s
+  Vec2 direction;          ///< of v_1; 0 at rest
+  double speed = 0.0;      ///< |v_1| m/s
+  double way = 0.0;        ///< m, of the first step at least, where the robot is not holonomic
+  int moving = 0;          ///< intervals in which it moves, the first step included
+  double bend = 0.0;       ///< m: what the arc of its first step asks for beyond a parabola
+  Vec2 swing = {};         ///< m: p_1 of that parabola is so far from that of the braking path
   BrakingProfile braking;  ///< from v_1
 };
 
-/// A car's path is that of the velocity that it reaches where v_1 was wanted.
+/// The path of a robot that is not holonomic is that of the velocity that it reaches where v_1 was
+/// wanted.
 CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law);
 
 }  // namespace avo

@@ -148,7 +148,7 @@ void collect_refusing(const Robot& robot, const CandidatePath& path, const StepL
                       TrajectoryConstraints& constraints, Invariant& invariant) {
   if (constraints.waiting.empty()) return;
   double ahead = constraints.deviation.most_ahead, aside = constraints.deviation.most_aside;
-  if (!robot.car) {
+  if (is_holonomic(robot.model)) {
     using Real = scalar::Pack<double>;
     const auto deviation = scalar::candidate_deviation(
         scalar::constant<Real>(constraints.own), scalar::constant<Real>(path.next_velocity), law);

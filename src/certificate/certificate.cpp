@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "robots/model.h"
+
 namespace avo {
 
 void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
@@ -54,12 +56,29 @@ void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size
   }
 }
 
+namespace {
+
+// Others who are farther apart than both could come count on it (docs/certificate.md, "Robots with
+// wheels").
+bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& law) {
+  if (!may_exceed_reach(robot.model)) return true;
+  constexpr double kRounding = 1.0 + 0x1p-46;
+  const double u = braking_decrement(robot.max_acceleration, law), speed = norm(robot.velocity);
+  const double expected = law.lag * speed + (law.time_step - law.lag) * (speed + u) +
+                          stopping_length(speed + u, u, law);
+  return path.way + stopping_length(path.braking, law) <= kRounding * expected;
+}
+
+}  // namespace
+
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateConstraints& constraints) {
-  if (constraints.demand_nothing()) return true;
+  const bool held = may_exceed_reach(robot.model);
+  if (constraints.demand_nothing() && !held) return true;
   // as long as nothing is broken, braking keeps what no test with a reserve for rounding admits
   if (law.step.has_free_clocks() && next_velocity == backup_velocity(robot, law)) return true;
   constraints.path = follow(robot, next_velocity, law.step);
+  if (!keeps_reach(robot, constraints.path, law.step)) return false;
   collect_refusing(robot, constraints.path, law.step, constraints.trajectories,
                    constraints.invariant);
   const bool trajectories_kept =

@@ -27,8 +27,8 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
     store(a.direction.x, own.direction_x), store(a.direction.y, own.direction_y);
     store(a.length, own.length), store(a.reach, own.reach), store(a.intervals, own.intervals);
 
-    const auto is_car = load(robots.wheelbase) > Real(0.0);
-    const PackDeviation<Real> deviation = deviation_of(a, is_car, law);
+    const PackDeviation<Real> deviation =
+        deviation_of(a, load(own.stray_velocity), load(own.stray_distance), law);
     const auto& [ahead, across, anyhow, fast, slow, most_ahead, most_aside] = deviation;
     store(ahead.start, own.ahead_start), store(ahead.per_distance, own.ahead_slope);
     store(across.start, own.across_start), store(across.per_distance, own.across_slope);
@@ -232,6 +232,7 @@ AVO_KERNEL void look_for_all(const RobotColumns& robots, Whom whom, const StepLa
 template <typename Real>
 void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPairs& pairs) {
   pairs.own.reserve(robots.count);
+  pairs.own.take_strays(robots, law);
   fill<Real>(robots, law, pairs.own);
   pairs.kept.clear();
   pairs.queue.count = 0;  // some are left where memory ran out
@@ -268,7 +269,7 @@ void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
   }
   pairs.admits.resize(robots.count);
   for (std::size_t i = 0; i < robots.count; ++i) {
-    bool admits = robots.wheelbase[i] == 0.0 && pairs.has_others[i] == 0;
+    bool admits = robots.model[i] == nullptr && pairs.has_others[i] == 0;
     for (const NearPair& pair : pairs.of(i)) {
       admits = admits && pair.gap > pair.against * own.next_ahead[i] + own.next_aside[i];
     }

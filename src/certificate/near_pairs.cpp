@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certificate/near_pairs.h"
 
+#include "robots/model.h"
+
 namespace avo {
 
 void BrakingColumns::reserve(std::size_t robots) {
   if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // the last to grow
-  for (Column* column : {&speed,          &decrement,      &increment,
-                         &full_steps,     &direction_x,
-                         &direction_y,    &length,
-                         &reach,          &intervals,
-                         &ahead_start,    &ahead_slope,
-                         &across_start,   &across_slope,
-                         &anyhow_start,   &anyhow_slope,
-                         &fast_speed,     &fast_steps,
-                         &slow_speed,     &slow_steps,
-                         &most_ahead,     &most_aside,
-                         &far_distance,   &far_speed_squared,
-                         &clear_distance, &next_ahead,
-                         &next_aside,     &per_decrement,
-                         &far_reach[0],   &far_reach[1],
-                         &far_reach[2]}) {
+  for (Column* column :
+       {&speed,          &decrement,    &increment,      &full_steps,     &direction_x,
+        &direction_y,    &length,       &stray_velocity, &stray_distance, &reach,
+        &intervals,      &ahead_start,  &ahead_slope,    &across_start,   &across_slope,
+        &anyhow_start,   &anyhow_slope, &fast_speed,     &fast_steps,     &slow_speed,
+        &slow_steps,     &most_ahead,   &most_aside,     &far_distance,   &far_speed_squared,
+        &clear_distance, &next_ahead,   &next_aside,     &per_decrement,  &far_reach[0],
+        &far_reach[1],   &far_reach[2]}) {
     column->resize(robots + kSpareNeighbors, 1.0);
+  }
+}
+
+void BrakingColumns::take_strays(const RobotColumns& robots, const StepLaw& law) {
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    Stray stray;
+    if (robots.model[i] != nullptr)
+      stray = stray_of(*robots.model[i], robots.max_acceleration[i], law.time_step);
+    stray_velocity[i] = stray.velocity, stray_distance[i] = stray.distance;
   }
 }
 

@@ -22,7 +22,9 @@ enum class Whom : unsigned char { everyone, movers };
 /// told who can refuse nothing, see PackBound.
 struct BrakingColumns {
   using Column = std::vector<double>;
-  Column speed, decrement, increment, full_steps, direction_x, direction_y, length, reach, intervals;
+  Column speed, decrement, increment, full_steps, direction_x, direction_y, length, reach,
+      intervals;
+  Column stray_velocity, stray_distance;  // see Stray
   // see Deviation
   Column ahead_start, ahead_slope, across_start, across_slope, anyhow_start, anyhow_slope;
   Column fast_speed, fast_steps, slow_speed, slow_steps, most_ahead, most_aside;
@@ -32,6 +34,8 @@ struct BrakingColumns {
   std::array<Column, 3> far_reach;         // of the other's speed, a polynomial: m, s, s²/m
 
   void reserve(std::size_t robots);
+  /// How far the models of the robots stray.
+  void take_strays(const RobotColumns& robots, const StepLaw& law);
   Braking braking(std::size_t i) const;
   Deviation deviation(std::size_t i) const;
 };

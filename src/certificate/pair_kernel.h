@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs that may have to brake for each other, as many at once as Pack has lanes:
-// docs/certificate.md, "What can refuse nothing" and "Cars".
+// docs/certificate.md, "What can refuse nothing" and "Robots with wheels".
 #ifndef AVO_CERTIFICATE_PAIR_KERNEL_H
 #define AVO_CERTIFICATE_PAIR_KERNEL_H
 
@@ -36,8 +36,8 @@ AVO_KERNEL PackBraking<Real> constant(const Braking& a) {
 }
 
 template <typename Real>
-AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleration,
-                                        Real max_braking, const StepLaw& law) {
+AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleration, Real max_braking,
+                                        const StepLaw& law) {
   const Real zero(0.0), one(1.0), speed = norm(velocity);
   const Real u = max_braking * Real(law.braking_time);
   const auto moves = speed > zero;
@@ -84,11 +84,12 @@ struct PackDeviation {
 
 // docs/certificate.md, "What can refuse nothing"
 template <typename Real>
-AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a,
-                                            decltype(Real() < Real()) is_car, const StepLaw& law) {
+AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real stray_velocity,
+                                            Real stray_distance, const StepLaw& law) {
   const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
   const Real speed = a.profile.speed, u = a.profile.decrement, u_a = a.increment;
-  const auto slow = speed < u_a, turns = (!is_car) & slow, steady = !(is_car | slow);
+  const auto strays = stray_velocity > zero;
+  const auto slow = speed < u_a, turns = (!strays) & slow, steady = !(strays | slow);
   PackDeviation<Real> result;
   result.fast = profile(speed + u_a, u);
   const PackProfile<Real> braked = profile(max(speed - u, zero), u);
@@ -101,16 +102,16 @@ AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a,
                   select(steady, rounding, zero)};
   result.across = {select(steady, rounding * lead * u_a, zero),
                    select(steady, rounding * u_a / (speed + u_a), zero)};
-  Real behind = zero;  // so far y falls behind x, where what may be chosen brakes harder than braking
+  Real behind =
+      zero;  // so far y falls behind x, where what may be chosen brakes harder than braking
   if (any(u_a > u)) {
     const Real least = stopping_length(profile(max(speed - u_a, zero), u), law);
     behind = lead * (u_a - u) + (left - least);
   }
-  // of a car |v_1 - v_1'| <= u_a + u_b, and a velocity moves a braking path by no more than itself
-  // times the time
-  const Real car = (u_a + u) * Real(law.time_step) * a.intervals;
+  // a velocity moves a braking path by no more than itself times the time
+  const Real astray = stray_velocity * u_a * Real(law.time_step) * a.intervals + stray_distance;
   const Real slow_start = lead * (speed + u_a + braked.speed) + left;
-  result.anyhow = {select(is_car, car, rounding * select(turns, slow_start, behind)),
+  result.anyhow = {select(strays, astray, rounding * select(turns, slow_start, behind)),
                    select(turns, rounding, zero)};
   const auto over = [](const typename PackDeviation<Real>::Line& line, Real distance) {
     return line.start + line.per_distance * distance;
@@ -134,7 +135,8 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
                                                             const StepLaw& law) {
   const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
   const Real u = a.profile.decrement, speed = norm(next_velocity);
-  const Real braked = max(a.profile.speed - u, zero), left = stopping_length(profile(braked, u), law);
+  const Real braked = max(a.profile.speed - u, zero),
+             left = stopping_length(profile(braked, u), law);
   const auto moves = speed > zero;
   const Vec<Real> direction = (Real(1.0) / select(moves, speed, Real(1.0))) * next_velocity;
   const Real length = stopping_length(profile(speed, u), law);
@@ -145,7 +147,8 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
   const auto weak = a.increment > u;
   if (any(weak)) {
     const Real along = dot(a.direction, next_velocity);
-    const Real behind = lead * (braked - along) + left - stopping_length(profile(max(along, zero), u), law);
+    const Real behind =
+        lead * (braked - along) + left - stopping_length(profile(max(along, zero), u), law);
     aside = aside + select(weak, select(steady, max(behind, zero), lead * braked + left), zero);
   }
   return {select(steady, rounding * max(ahead, zero) + margin, zero), rounding * aside + margin};
@@ -304,8 +307,7 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackB
   const std::array<Real, 3> reach = reach_bound(a.increment, u, law);
   const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
   const Real speed = Real(kFarther) * max(max_speed, own.speed);
-  const Real intervals =
-      (Real(3.0) + later_intervals(a.increment, u, law)) + (speed + top) * per_u;
+  const Real intervals = (Real(3.0) + later_intervals(a.increment, u, law)) + (speed + top) * per_u;
   Real error = Real(law.sensing_error.position) + Real(law.sensing_error.velocity) * h * intervals;
   if (law.has_free_clocks()) error = error + drift_of(speed, a.increment, u, law).most;
   // of the rounding margin, what does not grow with the distance

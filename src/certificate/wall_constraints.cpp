@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "robots/model.h"
+
 namespace avo {
 namespace {
 
@@ -16,19 +18,23 @@ double length_1(Vec2 a) {
 }
 
 // A's candidate as segments, relative to p_A: where it stops from p_1 on, and the sides of the
-// triangle of its step that do not lie in the present capsule.
+// triangle of its step. The side from p lies in the present capsule, but where the disc swings.
 struct Pieces {
-  std::array<Segment, 3> segment;
+  std::array<Segment, 4> segment;
+  std::size_t count = 3;
   double extent = 0.0;  // m, that no point of them is farther than from p_A
-  double height = 0.0;  // m, of p + s v over [p, p_1]: that no point of the triangle exceeds
+  double height =
+      0.0;  // m, of its middle point over [p, p_1]: that no point of the triangle exceeds
 };
 constexpr std::size_t kBraking = 0;
 
 Pieces pieces_of(const WallConstraints& walls, const CandidatePath& path, const StepLaw& law) {
   const Vec2 end = path.first + stopping_length(path.braking, law) * path.direction;
-  Pieces pieces{{{{path.first, end}, {walls.middle, path.first}, {{}, path.first}}}};
-  pieces.extent = std::max({norm(path.first), norm(end), norm(walls.middle)}) + path.bend;
-  pieces.height = distance(walls.middle, pieces.segment[2]) + path.bend;
+  const Vec2 middle = walls.middle + path.swing;
+  Pieces pieces{{{{path.first, end}, {middle, path.first}, {{}, path.first}, {{}, middle}}}};
+  if (!(path.swing == Vec2{})) pieces.count = 4;
+  pieces.extent = std::max({norm(path.first), norm(end), norm(middle)}) + path.bend;
+  pieces.height = distance(middle, pieces.segment[2]) + path.bend;
   return pieces;
 }
 
@@ -51,7 +57,7 @@ bool keeps_wall(const NearWall& wall, const Pieces& pieces, const CandidatePath&
   // the margin is more than what rounding may hide
   if (wall.distance - pieces.extent > wall.held + wall.margin) return true;
   if (pieces.height > wall.held) return false;  // the wall may lie inside the triangle
-  for (std::size_t k = 0; k < pieces.segment.size(); ++k) {
+  for (std::size_t k = 0; k < pieces.count; ++k) {
     const NearestPoints nearest = nearest_points(pieces.segment[k], wall.segment);
     const double least = demanded(wall, k);
     if (!(nearest.distance >= least)) return false;
@@ -71,7 +77,7 @@ struct WorstPoint {
 std::optional<WorstPoint> worst_point(const NearWall& wall, const Pieces& pieces, Vec2 stop) {
   WorstPoint worst;
   double least = std::numeric_limits<double>::infinity(), distance = least;
-  for (std::size_t k = 0; k < pieces.segment.size(); ++k) {
+  for (std::size_t k = 0; k < pieces.count; ++k) {
     const NearestPoints nearest = nearest_points(pieces.segment[k], wall.segment);
     if (!(nearest.distance - demanded(wall, k) < least)) continue;
     least = nearest.distance - demanded(wall, k), distance = nearest.distance;
@@ -158,7 +164,8 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
   constraints.must_brake = constraints.broken = false;
   if (walls.empty()) return;
   const double u = decrement_of(robot, law), speed = norm(robot.velocity);
-  const double reach = wall_reach(speed, robot.max_speed, ability_of(robot), law);
+  const double reach = wall_reach(speed, robot.max_speed, ability_of(robot), law) +
+                       stray_of(robot.model, robot.max_acceleration, law.time_step).distance;
   const WallRounding rounding =
       wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
   constraints.middle = law.lag * robot.velocity;
@@ -181,7 +188,10 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
 
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
                  const StepLaw& law) {
-  if (constraints.near.empty() || path.next_velocity == constraints.backup) return true;
+  // a disc that is at rest may swing all the same
+  const bool brakes = path.next_velocity == constraints.backup &&
+                      (path.first == Vec2{} || !(constraints.middle == Vec2{}));
+  if (constraints.near.empty() || brakes) return true;
   if (constraints.must_brake) return false;
   const Pieces pieces = pieces_of(constraints, path, law);
   return std::all_of(constraints.near.begin(), constraints.near.end(),

@@ -11,7 +11,7 @@ void for_each_column(Columns& robots, const Action& action) {
   for (auto* column :
        {&robots.x, &robots.y, &robots.v_x, &robots.v_y, &robots.preferred_x, &robots.preferred_y,
         &robots.distance_to_goal, &robots.radius, &robots.max_acceleration, &robots.max_speed,
-        &robots.max_braking, &robots.wheelbase, &robots.priority, &robots.heading}) {
+        &robots.max_braking, &robots.priority, &robots.heading}) {
     action(*column);
   }
 }
@@ -20,6 +20,7 @@ void for_each_column(Columns& robots, const Action& action) {
 
 void RobotColumns::reserve(std::size_t robots) {
   neighbors.reserve(robots);
+  model.reserve(robots);
   if (heading.size() >= robots + kSpareNeighbors) return;  // the last to grow
   for_each_column(*this, [&](Column& column) { column.resize(robots + kSpareNeighbors, 1.0); });
 }
@@ -33,8 +34,8 @@ void RobotColumns::add(const Robot& robot, const Neighbors& sensed) {
   radius[count] = robot.radius;
   max_acceleration[count] = robot.max_acceleration, max_speed[count] = robot.max_speed;
   max_braking[count] = braking_limit(robot);
-  wheelbase[count] = robot.car ? robot.car->wheelbase : 0.0;
-  heading[count] = robot.car ? robot.car->heading : 0.0;
+  heading[count] = robot.heading;
+  model.push_back(is_holonomic(robot.model) ? nullptr : &robot.model);
   priority[count] = robot.priority;
   neighbors.push_back(sensed);
   ++count;
@@ -49,12 +50,13 @@ Robot RobotColumns::robot(std::size_t i) const {
   robot.distance_to_goal = distance_to_goal[i];
   robot.priority = priority[i];
   if (max_braking[i] != max_acceleration[i]) robot.max_braking = max_braking[i];
-  if (wheelbase[i] != 0.0) robot.car = CarSetup{wheelbase[i], heading[i]};
+  if (model[i] != nullptr) robot.model = *model[i], robot.heading = heading[i];
   return robot;
 }
 
 void RobotColumns::swap(std::size_t i, std::size_t k) {
   for_each_column(*this, [&](Column& column) { std::swap(column[i], column[k]); });
+  std::swap(model[i], model[k]);
   std::swap(neighbors[i], neighbors[k]);
 }
 

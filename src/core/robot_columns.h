@@ -20,15 +20,18 @@ struct RobotColumns {
   Column distance_to_goal, radius;     // m
   Column max_acceleration, max_speed;  // m/s², m/s
   Column max_braking;                  // m/s²
-  Column wheelbase, heading;           // m, 0: not a car; rad
+  Column heading;                      // rad; read where there is a model
   Column priority;
-  std::vector<Neighbors> neighbors;  // that each senses, nearest first
+  std::vector<const MotionModel*> model;  // of holonomic robots none
+  std::vector<Neighbors> neighbors;       // that each senses, nearest first
 
   void reserve(std::size_t robots);
   void clear() {
     count = 0;
+    model.clear();
     neighbors.clear();
   }
+  /// robot.model has to stay where it is.
   void add(const Robot& robot, const Neighbors& sensed);
   Robot robot(std::size_t i) const;
   /// Two robots in each other's place.

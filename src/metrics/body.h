@@ -19,7 +19,7 @@ struct Body {
   bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
   StepPath path;
   const RobotSetup* setup = nullptr;  // of a robot
-  std::optional<ArcPath> arc = {};    // the path of a car, which `path` interpolates
+  std::optional<ArcPath> arc = {};    // of one that turns, which `path` interpolates
 };
 
 /// Bounds how far the body goes in the step, m.

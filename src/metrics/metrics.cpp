@@ -91,18 +91,25 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
     Body body;
     body.name = fleet.id[i].value;
     body.setup = &fleet.setup[i];
-    body.radius = fleet.setup[i].radius;
-    body.position = last.robots[j].position;
+    body.radius = disc_radius(fleet.setup[i]);
     body.velocity = last.robots[j].velocity;
+    const MotionModel& model = fleet.setup[i].model;
+    body.position = disc_center(model, last.robots[j].position, last.robots[j].heading);
+    const Vec2 next = disc_center(model, fleet.position[i], fleet.heading[i]);
     body.w = fleet.plan[i].new_velocity - body.velocity;
-    body.exact = started && !fleet.setup[i].car;
+    body.exact = started && is_holonomic(model);
     const Vec2 start = at_once && body.exact ? fleet.velocity[i] : body.velocity;
-    body.path = hermite_path(body.position, start, fleet.position[i], fleet.velocity[i],
-                             settings.time_step);
-    if (!started) body.path.control.fill(body.position);
-    if (started && fleet.setup[i].car)
-      body.arc =
-          arc_path(body.position, last.robots[j].heading, fleet.position[i], fleet.heading[i]);
+    if (!started) {
+      body.path.control.fill(body.position);
+    } else if (is_holonomic(model)) {
+      body.path = hermite_path(body.position, start, next, fleet.velocity[i], settings.time_step);
+    } else {
+      const double turn =
+          std::remainder(fleet.heading[i] - last.robots[j].heading, 2.0 * std::numbers::pi);
+      body.arc = arc_path(body.position, next, turn);
+      body.path =
+          hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), settings.time_step);
+    }
     robots.push_back(body);
   }
 }

@@ -13,7 +13,7 @@ struct LastSeen {
   struct Robot {
     RobotId id;
     Vec2 position, velocity, goal;
-    double heading;  // rad, of cars
+    double heading;  // rad, of those that have one
     double radius;
     PlanStatus status;
     double detour;  // rad

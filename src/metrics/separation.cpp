@@ -169,10 +169,21 @@ StepPath hermite_path(Vec2 position, Vec2 velocity, Vec2 next_position, Vec2 nex
            next_position}};
 }
 
-ArcPath arc_path(Vec2 position, double heading, Vec2 next_position, double next_heading) {
-  const double turn = std::remainder(next_heading - heading, 2.0 * std::numbers::pi);
-  const double chord = norm(next_position - position);
-  return {position, heading, turn, chord / chord_of_arc(0.5 * turn)};
+ArcPath arc_path(Vec2 position, Vec2 next_position, double turn) {
+  const Vec2 way = next_position - position;
+  const double heading = elementary::atan2(way.y, way.x) - 0.5 * turn;
+  return {position, heading, turn, norm(way) / chord_of_arc(0.5 * turn)};
+}
+
+StepPath hermite_path(const ArcPath& arc, double speed, double next_speed, double time_step) {
+  const double half_turn = 0.5 * arc.turn, chord = arc.length * chord_of_arc(half_turn);
+  const Vec2 next = arc.position + chord * elementary::direction(arc.heading + half_turn);
+  // in proportion to the robot's speed all along
+  const double covered = 0.5 * (speed + next_speed) * time_step;
+  const double lever = covered > 0.0 ? arc.length / covered : 0.0;
+  return hermite_path(arc.position, lever * speed * elementary::direction(arc.heading), next,
+                      lever * next_speed * elementary::direction(arc.heading + arc.turn),
+                      time_step);
 }
 
 Separation separation(const StepPath& a, const StepPath& b, double cutoff) {

@@ -25,15 +25,17 @@ struct ResponsePath {
   double time_step;  // s
 };
 
-/// A car's path over one step: an arc of a circle that begins along the heading.
+/// The path of a disc over one step that turns with its robot: an arc of a circle.
 struct ArcPath {
   Vec2 position;         // m
-  double heading, turn;  // rad
+  double heading, turn;  // rad, of its tangent at the start
   double length;         // m
 };
 
-/// That of a car from one place and heading to the next ones, with less than half a turn.
-ArcPath arc_path(Vec2 position, double heading, Vec2 next_position, double next_heading);
+/// That from one place to the next one, turning by less than half a turn.
+ArcPath arc_path(Vec2 position, Vec2 next_position, double turn);
+/// As a cubic, by a disc whose robot has those speeds along its heading; m/s.
+StepPath hermite_path(const ArcPath& arc, double speed, double next_speed, double time_step);
 
 struct Separation {
   double distance = 0.0;  // m, smallest

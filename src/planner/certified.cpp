@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "lp/linear_program.h"
+#include "robots/model.h"
 
 namespace avo {
 namespace {
@@ -23,22 +24,41 @@ struct Proposals {
   const Robot& robot;
   const CertificateLaw& law;
   Disc acceleration;  // of v_1
+  double top_speed;   // m/s
   Vec2 wanted;
   CertifiedWorkspace& workspace;
+
+  // with what the robot's own motion can follow alone
+  void begin() const {
+    workspace.hard.clear();
+    append_own_half_planes(robot, law.step.braking_time, workspace.hard);
+  }
 };
+
+// m/s. Others count on no more than |v| + u of whoever decides, which the corners of a square
+// exceed; and the disc of a car that turns about its axle comes farther than the axle.
+double top_speed_of(const Robot& robot, double u) {
+  constexpr double kForTurning = 0.9;
+  if (!may_exceed_reach(robot.model)) return robot.max_speed;
+  return std::min(norm(robot.velocity) + kForTurning * u, robot.max_speed);
+}
 
 ProgramResult propose(const Proposals& proposals, double top_speed) {
   return nearest_point(proposals.workspace.hard, proposals.acceleration, top_speed,
                        proposals.wanted, proposals.workspace.rows);
 }
 
-// What a program without half-planes would return.
+// What a program with the robot's own half-planes alone would return.
 bool is_within_limits(const Proposals& proposals) {
   const auto within = [](Vec2 a, double radius) {
     return norm_squared(a) <= kLimitRounding * radius * radius;
   };
+  const std::vector<HalfPlane>& own = proposals.workspace.hard;
   return within(proposals.wanted - proposals.robot.velocity, proposals.acceleration.radius) &&
-         within(proposals.wanted, proposals.robot.max_speed);
+         within(proposals.wanted, proposals.top_speed) &&
+         std::all_of(own.begin(), own.end(), [&](const HalfPlane& plane) {
+           return violation(plane, proposals.wanted) <= 0.0;
+         });
 }
 
 bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
@@ -70,12 +90,11 @@ void append_cuts(const Proposals& proposals) {
 // their tangents there. At last, the admitted point between the backup and what is wanted that
 // bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
-  proposals.workspace.hard.clear();
-  const double top_speed = proposals.robot.max_speed;
+  proposals.begin();
   for (int round = 0; round < kRounds; ++round) {
     ProgramResult result;
     result.point = proposals.wanted;
-    if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, top_speed);
+    if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, proposals.top_speed);
     if (result.state == ProgramState::discs_disjoint) break;
     if (is_admitted(proposals, result.point)) {
       return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};
@@ -85,8 +104,8 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   }
   const Vec2 backup = backup_velocity(proposals.robot, proposals.law);
   CertifiedChoice choice{backup, Chosen::backup};
-  proposals.workspace.hard.clear();
-  const ProgramResult farthest = propose(proposals, top_speed);
+  proposals.begin();
+  const ProgramResult farthest = propose(proposals, proposals.top_speed);
   if (farthest.state == ProgramState::discs_disjoint) return choice;
   double admitted = 0.0, refused = 1.0;
   for (int i = 0; i < kBisections; ++i) {
@@ -111,8 +130,8 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
   const double braked_speed = std::max(speed - decrement_of(robot, law.step), 0.0);
   for (const double limit : {speed + u, speed, braked_speed}) {
-    const double top_speed = std::min(limit, robot.max_speed);
-    workspace.hard.clear();
+    const double top_speed = std::min(limit, proposals.top_speed);
+    proposals.begin();
     append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
     for (HalfPlane& half_plane : workspace.hard) half_plane.offset += kInside * u;
     for (int round = 0; round < kRounds; ++round) {
@@ -135,7 +154,9 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace) {
   const double u = increment(robot.max_acceleration, law.step);
-  const Proposals proposals{robot, law, {robot.velocity, u}, wanted, workspace};
+  const Proposals proposals{
+      robot,  law,      {robot.velocity, reach_of(robot.model) * u}, top_speed_of(robot, u),
+      wanted, workspace};
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
                                                     : choose_by_cuts(proposals);
 }

@@ -9,6 +9,7 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/scratch.h"
+#include "robots/model.h"
 
 namespace avo {
 
@@ -39,7 +40,10 @@ struct Decision {
   std::span<const HalfPlane> half_planes, walls;
   CertifiedWorkspace& certified;
 
-  double most_change() const { return increment(robot.max_acceleration, law.step); }  // m/s
+  // m/s, of the farthest choice
+  double reach() const {
+    return reach_of(robot.model) * increment(robot.max_acceleration, law.step);
+  }
 };
 
 // The nearest admitted to `wanted`, one step towards what Eq. (23) chose.
@@ -52,18 +56,18 @@ CertifiedChoice choose_by_program(const Decision& decision, std::span<const Half
   const ProgramResult result = nearest_point(
       half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
   return choose_admitted(decision,
-                         approach(decision.robot.velocity, result.point, decision.most_change()));
+                         approach(decision.robot.velocity, result.point, decision.reach()));
 }
 
 // unhindered: as far as one step leads to the wish.
 bool is_way_blocked(const Decision& decision, const CertifiedChoice& choice, Vec2 unhindered,
                     Vec2 wish) {
-  const bool turns = decision.robot.car && decision.robot.velocity == Vec2{};
+  const bool turns = turns_in_place(decision.robot.model) && decision.robot.velocity == Vec2{};
   Vec2 next_velocity = choice.next_velocity;
   if (turns) {
     // it turns before it drives: could it, once it has turned?
     Robot turned = decision.robot;
-    turned.car.reset();
+    turned.model = Holonomic{};
     next_velocity =
         choose_certified(turned, unhindered, decision.law, decision.certified).next_velocity;
   }
@@ -81,15 +85,16 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
     return choice;
   }
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
-    const Vec2 turned = turned_right(wish, detour.angle);
-    const Vec2 unhindered = approach(robot.velocity, turned, decision.most_change());
+    const Vec2 turned = within_steering(robot, turned_right(wish, detour.angle));
+    const Vec2 unhindered = approach(robot.velocity, turned, decision.reach());
     choice = choose_by_program(decision, decision.walls, turned);
     if (is_way_blocked(decision, choice, unhindered, turned))
       turn_off(detour, robot, time_step, !decision.walls.empty());
     if (choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
   } else if (detour.angle > 0.0) {
     turn_back(detour, robot, time_step);
-    choice = choose_by_program(decision, decision.half_planes, turned_right(wish, detour.angle));
+    choice = choose_by_program(decision, decision.half_planes,
+                               within_steering(robot, turned_right(wish, detour.angle)));
   }
   return choice;
 }
@@ -139,8 +144,8 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
     mover.behavior = Behavior::moves_on;
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);
-  const Vec2 wanted =
-      approach(robot.velocity, target.velocity, increment(robot.max_acceleration, law.step));
+  const double u = increment(robot.max_acceleration, law.step);
+  const Vec2 wanted = approach(robot.velocity, target.velocity, reach_of(robot.model) * u);
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
   return plan_under(law, robot, choice.next_velocity,
                     status_of(choice.chosen, target.violation, certified.constraints, overlapping),

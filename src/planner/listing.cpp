@@ -12,10 +12,10 @@
 #include "planner/behind_walls.h"
 #include "planner/certify.h"
 #include "planner/decision.h"
+#include "planner/demands.h"
 #include "planner/neighbor_order.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
-#include "planner/wall_planes.h"
 #include "walls/segment.h"
 
 namespace avo {

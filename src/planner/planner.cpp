@@ -14,13 +14,13 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/certify.h"
+#include "planner/demands.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
 #include "planner/passive_obstacles.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
-#include "planner/wall_planes.h"
-#include "robots/motion.h"
+#include "robots/model.h"
 
 namespace avo {
 namespace {
@@ -52,8 +52,8 @@ bool can_brake(const Robot& robot) {
   return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed) & braking) != 0;
 }
 
-bool can_drive(const CarSetup& car) {
-  return (is_known(car.heading) & is_size(car.wheelbase)) != 0;
+bool can_drive(const Robot& robot) {
+  return is_known(robot.heading) != 0 && is_valid(robot.model);
 }
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
@@ -73,13 +73,15 @@ bool is_valid(const Robot& robot) {
   const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
   const int lengths = is_size(robot.radius) & is_size(robot.priority) &
                       static_cast<int>(robot.distance_to_goal >= 0.0);
-  return can_brake(robot) && (places & lengths) != 0 && (!robot.car || can_drive(*robot.car));
+  return can_brake(robot) && (places & lengths) != 0 &&
+         (is_holonomic(robot.model) || can_drive(robot));
 }
 
 bool follows_heading(const Robot& robot) {
-  if (!robot.car) return true;
-  const Vec2 v = robot.velocity, heading = elementary::direction(robot.car->heading);
-  return norm_squared(v - norm(v) * heading) <=
+  if (is_holonomic(robot.model)) return true;
+  const Vec2 v = robot.velocity, heading = elementary::direction(robot.heading);
+  const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
+  return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
          kHeadingTolerance * kHeadingTolerance * norm_squared(v);
 }
 
@@ -114,7 +116,8 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors) {
 }
 
 bool can_follow(const Robot& robot, const PlannerOptions& options) {
-  return !robot.car || options.certificate == Certificate::none || options.motion == Motion::held;
+  return is_holonomic(robot.model) || options.certificate == Certificate::none ||
+         options.motion == Motion::held;
 }
 
 PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
@@ -123,20 +126,24 @@ PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
 PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 
 void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t braking_steps) {
-  rows.reserve(program_rows(neighbors));
-  certified.hard.reserve(kMostCuts * neighbors);
-  certified.rows.reserve(program_rows(kMostCuts * neighbors));
+  reserve_planes(neighbors, 0);
   reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
 }
 
 void PlanWorkspace::Scratch::reserve_walls(std::size_t neighbors, std::size_t most_walls) {
   certified.constraints.walls.near.reserve(most_walls);
-  const std::size_t cuts = kMostCuts * (neighbors + most_walls);
+  reserve_planes(neighbors, most_walls);
+}
+
+// Room for those of one program, and for the cuts of its rounds.
+void PlanWorkspace::Scratch::reserve_planes(std::size_t neighbors, std::size_t most_walls) {
+  const std::size_t cuts = kMostCuts * (neighbors + most_walls) + kMostOwnPlanes;
   certified.hard.reserve(cuts);
   certified.rows.reserve(program_rows(cuts));
-  walls.reserve(most_walls);
-  hard_and_soft.reserve(neighbors + most_walls);
-  rows.reserve(program_rows(neighbors + most_walls));
+  const std::size_t hard = most_walls + kMostOwnPlanes;
+  demands.reserve(hard);
+  hard_and_soft.reserve(neighbors + hard);
+  rows.reserve(program_rows(neighbors + hard));
 }
 
 void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
@@ -157,7 +164,7 @@ Planner::Planner(const PlannerOptions& options) : options_(options) {
 
 Disc Planner::acceleration_disc(const Robot& robot) const {
   if (adopts_at_once(options_.method)) return {{}, std::numeric_limits<double>::infinity()};
-  return {robot.velocity, options_.control_time * robot.max_acceleration};
+  return {robot.velocity, reach_of(robot.model) * options_.control_time * robot.max_acceleration};
 }
 
 Disc Planner::speed_disc(const Robot& robot) const {
@@ -211,11 +218,11 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     scratch.obstacles.push_back(
         {{pair, response, options.time_horizon}, v_new_B, options.time_step});
   }
-  WallDemands& demands = scratch.walls;
+  Demands& demands = scratch.demands;
   demands.clear();
   // what the certificate refuses, it finds a way around
   if (options.method != Method::avo)
-    collect_wall_demands(planner, robot, walls, certificate_law(planner).step, demands);
+    collect_demands(planner, robot, walls, certificate_law(planner).step, demands);
   overlapping = overlapping || demands.overlapping;
   // Eq. (14)
   PassiveChoice choice = choose_among_obstacles(scratch.obstacles, planner.acceleration_disc(robot),
@@ -241,11 +248,11 @@ namespace {
 // Moved as a simulation moves it.
 Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   if (!can_brake(robot)) return plan;
-  if (robot.car && can_drive(*robot.car)) {
-    const MotionState state{{}, robot.velocity, robot.car->heading};
-    const CarLimits limits{robot.car->wheelbase, braking_limit(robot), robot.max_speed};
+  if (!is_holonomic(robot.model) && can_drive(robot)) {
+    const MotionState state{{}, robot.velocity, robot.heading};
+    const MotionLimits limits{braking_limit(robot), robot.max_speed};
     plan.next_velocity =
-        advance_car(state, plan, limits, planner.options().time_step).next.velocity;
+        advance(robot.model, limits, state, plan, planner.options().time_step).next.velocity;
   } else {
     plan.next_velocity = advance({{}, robot.velocity}, plan, step_response(planner)).next.velocity;
   }
@@ -281,9 +288,11 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {
-  return with_next_velocity(
-      *this, robot,
-      decide_among_obstacles(*this, robot, obstacles, {}, PlanWorkspace::Scratch::of(workspace)));
+  Robot steering = robot;
+  if (is_valid(robot)) steering.preferred_velocity = steered(robot);
+  return with_next_velocity(*this, robot,
+                            decide_among_obstacles(*this, steering, obstacles, {},
+                                                   PlanWorkspace::Scratch::of(workspace)));
 }
 
 }  // namespace avo

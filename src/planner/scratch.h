@@ -10,9 +10,9 @@
 #include "lp/programs.h"
 #include "planner/certified.h"
 #include "planner/decision_columns.h"
+#include "planner/demands.h"
 #include "planner/passive_obstacles.h"
 #include "planner/together.h"
-#include "planner/wall_planes.h"
 
 namespace avo {
 
@@ -23,8 +23,8 @@ struct PlanWorkspace::Scratch {
   DecisionColumns decisions;
   ProgramBatch programs;
   ProgramRows rows;
-  WallDemands walls;                     // of one robot
-  std::vector<HalfPlane> hard_and_soft;  // those of its walls, and its other ones behind them
+  Demands demands;                       // of one robot
+  std::vector<HalfPlane> hard_and_soft;  // those of its demands, and its other ones behind them
   std::vector<PassiveObstacle> obstacles;
   // of the neighbors given: numbers, and themselves sorted by distance
   std::vector<std::uint32_t> order;
@@ -38,6 +38,7 @@ struct PlanWorkspace::Scratch {
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);
   /// The same beside so many walls.
   void reserve_walls(std::size_t neighbors, std::size_t most_walls);
+  void reserve_planes(std::size_t neighbors, std::size_t most_walls);
 };
 
 }  // namespace avo

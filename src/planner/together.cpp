@@ -11,8 +11,9 @@
 #include "planner/arrival.h"
 #include "planner/behind_walls.h"
 #include "planner/certify.h"
+#include "planner/demands.h"
 #include "planner/scratch.h"
-#include "planner/wall_planes.h"
+#include "robots/model.h"
 
 namespace avo {
 namespace {
@@ -38,9 +39,10 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   const bool unlimited = adopts_at_once(planner.options().method);
   const double control_time = planner.options().control_time;
   for (std::size_t i = 0; i < robots.count; ++i) {
+    const double reach = robots.model[i] == nullptr ? 1.0 : reach_of(*robots.model[i]);
     const Disc acceleration =
         unlimited ? Disc{{}, std::numeric_limits<double>::infinity()}
-                  : Disc{robots.velocity(i), control_time * robots.max_acceleration[i]};
+                  : Disc{robots.velocity(i), reach * control_time * robots.max_acceleration[i]};
     batch.add(acceleration, robots.max_speed[i], decisions.wish(i), soft.of(i));
   }
   nearest_points(batch);
@@ -55,13 +57,19 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   }
 }
 
-// The half-planes of robot i: those of its walls, which are scratch.walls, and those of neighbors.
+// Whether walls or its own motion demand anything of robot i.
+bool has_demands(const Tile& tile, std::size_t i) {
+  return !tile.walls_of(i).empty() || tile.robots.model[i] != nullptr;
+}
+
+// The half-planes of robot i: those of its walls and of its own motion, which are scratch.demands,
+// and those of neighbors.
 std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const Robot& robot,
                                                  const Tile& tile, std::size_t i,
                                                  const StepLaw& law,
                                                  PlanWorkspace::Scratch& scratch) {
-  collect_wall_demands(planner, robot, tile.walls_of(i), law, scratch.walls);
-  const std::vector<HalfPlane>& hard = scratch.walls.planes;
+  collect_demands(planner, robot, tile.walls_of(i), law, scratch.demands);
+  const std::vector<HalfPlane>& hard = scratch.demands.planes;
   const std::span<const HalfPlane> soft = scratch.soft.of(i);
   std::vector<HalfPlane>& planes = scratch.hard_and_soft;
   planes.assign(hard.begin(), hard.end());
@@ -69,26 +77,27 @@ std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const R
   return planes;
 }
 
-// Walls are hard: where a target does not keep to their half-planes, Eq. (23) is asked again with
-// these, and where that has no solution the half-planes of neighbors yield.
-void keep_off_walls(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch) {
+// Walls are hard, and so is what a robot cannot do: where a target does not keep to these
+// half-planes, Eq. (23) is asked again with them, and where that has no solution those of neighbors
+// yield.
+void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch) {
   const StepLaw law = certificate_law(planner).step;
   DecisionColumns& decisions = scratch.decisions;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
-    if (tile.walls_of(i).empty() || decisions.state[i] == ProgramState::discs_disjoint) continue;
+    if (!has_demands(tile, i) || decisions.state[i] == ProgramState::discs_disjoint) continue;
     const Robot robot = tile.robots.robot(i);
     const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
     const auto planes = collect_hard_and_soft(planner, robot, tile, i, law, scratch);
-    const WallDemands& walls = scratch.walls;
-    if (walls.overlapping) scratch.soft.overlapping[i] = 1;
-    if (is_kept(walls, target)) continue;
+    const Demands& demands = scratch.demands;
+    if (demands.overlapping) scratch.soft.overlapping[i] = 1;
+    if (is_kept(demands, target)) continue;
     ProgramResult result = solve_program(planner, robot, planes, decisions.wish(i), scratch.rows);
     if (result.state == ProgramState::least_unsafe) {
-      result = solve_program(planner, robot, walls.planes, target, scratch.rows);
+      result = solve_program(planner, robot, demands.planes, target, scratch.rows);
       for (const HalfPlane& plane : scratch.soft.of(i))
         result.violation = std::max(result.violation, violation(plane, result.point));
     }
-    result.violation = with_excess(walls.planes, walls.excess, result.point, result.violation);
+    result.violation = with_excess(demands.planes, demands.excess, result.point, result.violation);
     decisions.take(i, result);
   }
 }
@@ -100,6 +109,15 @@ Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 
   if (walls.empty() || push == Vec2{}) return push;
   const Robot robot = tile.robots.robot(i);
   return !is_near_goal(robot) && is_beside(robot, walls, law) ? Vec2{} : push;
+}
+
+// Robots that cannot go everywhere at once go about it in their own way.
+void steer(RobotColumns& robots) {
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    if (robots.model[i] == nullptr || turns_in_place(*robots.model[i])) continue;
+    const Vec2 wish = steered(robots.robot(i));
+    robots.preferred_x[i] = wish.x, robots.preferred_y[i] = wish.y;
+  }
 }
 
 // What each robot wishes for.
@@ -132,7 +150,7 @@ bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs&
   } else if (law.kind != Certificate::none) {
     return false;
   }
-  return tile.robots.wheelbase[i] == 0.0 && tile.detour[i]->angle == 0.0;
+  return tile.robots.model[i] == nullptr && tile.detour[i]->angle == 0.0;
 }
 
 // m/s: the program's, and by how much a neighbor with which everything within reach collides asks
@@ -153,6 +171,15 @@ void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
   } else {
     begin_walls(robots.robot(i), near, law.step, walls);
   }
+}
+
+// As far as one step leads a robot whose choices are no disc about its velocity.
+void reach_out(const RobotColumns& robots, std::size_t i, const StepLaw& law,
+               const DecisionColumns& decisions, Wished& wished) {
+  const double u = reach_of(*robots.model[i]) * braking_decrement(robots.max_acceleration[i], law);
+  const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
+  wished.next = approach(robots.velocity(i), target, u);
+  wished.unhindered = approach(robots.velocity(i), wished.wish, u);
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
@@ -181,17 +208,18 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       continue;
     }
     std::span<const HalfPlane> planes = soft.of(i), hard;
-    if (!tile.walls_of(i).empty()) {
+    if (has_demands(tile, i)) {
       planes = collect_hard_and_soft(planner, robots.robot(i), tile, i, law.step, scratch);
-      hard = scratch.walls.planes;
+      hard = scratch.demands.planes;
     }
-    const Wished wished{planes,
-                        hard,
-                        decisions.wish(i),
-                        {decisions.next_x[i], decisions.next_y[i]},
-                        {decisions.unhindered_x[i], decisions.unhindered_y[i]},
-                        violation,
-                        overlapping};
+    Wished wished{planes,
+                  hard,
+                  decisions.wish(i),
+                  {decisions.next_x[i], decisions.next_y[i]},
+                  {decisions.unhindered_x[i], decisions.unhindered_y[i]},
+                  violation,
+                  overlapping};
+    if (robots.model[i] != nullptr) reach_out(robots, i, law.step, decisions, wished);
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
   }
 }
@@ -221,7 +249,7 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const RobotColumns& robots = tile.robots;
   const Neighbors& neighbors = robots.neighbors[i];
   const bool valid = tile.trusted || all_valid(robots.robot(i), neighbors);
-  const bool can_follow_any = robots.wheelbase[i] == 0.0;
+  const bool can_follow_any = robots.model[i] == nullptr;
   if (!valid || !(can_follow_any || can_follow(robots.robot(i), options))) {
     *tile.plan[i] = brake(planner, robots.robot(i), PlanStatus::invalid_input, 0.0);
     return true;
@@ -256,6 +284,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
+  steer(tile.robots);
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);
@@ -264,7 +293,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_wishes(planner, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
-  if (!tile.walls.empty()) keep_off_walls(planner, tile, scratch);
+  keep_to_demands(planner, tile, scratch);
   clock.lap(Stage::program);
   if (options.method == Method::avo) {
     decide(planner, tile, scratch);

@@ -1,53 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-// Car-like robots (paper §V). With heading θ, speed v >= 0 and curvature κ = tan(φ)/d,
+// Car-like robots (paper §V). With heading θ, speed v and curvature κ = tan(φ)/d,
 //   p' = v (cos θ, sin θ),  θ' = v κ,  v' = a_lin                                     Eq. (24)
 //   velocity (v, 0) and acceleration (a_lin, v² κ) in the frame turned by θ           Eq. (25)
-// |a_lin| <= a_max and |v² κ| <= a_max make a square turned by θ; its incircle is the disc
-// D(0, a_max) that the planner chooses from, so every choice can be turned into controls.
+// |a_lin| <= a_max and |v² κ| <= a_max make a square turned by θ, Fig. 6(b). The disc D(0, a_max),
+// which holonomic robots choose from, is its incircle, so every choice can be turned into controls.
+// κ turns at once, and it is held through a step, as a_lin is.
+//
+// With h along the heading and n to its left, a disc that is e ahead of the axle has the velocity
+// v h + e v κ n. A car that drives backwards drives forward with h, n and e turned round.
+#include "robots/car.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/elementary.h"
-#include "robots/motion.h"
 
 namespace avo {
 namespace {
 
 // Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of braking takes
 // away, a car that would have to turn by more than this first stops, and then turns in place
-// about its rear axle (front wheels across), which moves neither the axle nor the disc around it.
+// about its rear axle (front wheels across), which does not move the axle.
 constexpr double kTurnInPlace = 0.25;  // rad
-constexpr double kEarly = 1e-9;        // of the speed, beyond rest: more is not rounding
 
 struct Controls {
   double linear = 0.0;     // [a_lin] m/s^2
   double curvature = 0.0;  // [κ] 1/m
 };
 
+// As it drives forward, or backwards and seen from its rear.
+struct Driving {
+  Vec2 heading;   // [h] unit
+  double angle;   // [θ] rad, of h
+  double speed;   // [v] m/s, >= 0
+  double offset;  // [e] m
+};
+
 double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
-}
-
-// Eq. (25) solved for the controls. κ is that of the highest speed in the step, so that
-// |(a_lin, v² κ)| <= |a| holds all through it.
-Controls controls(Vec2 acceleration, Vec2 heading, double speed, double time_step) {
-  Controls result{dot(heading, acceleration), 0.0};
-  const double top = std::max(speed, speed + result.linear * time_step);
-  if (top > 0.0) result.curvature = cross(heading, acceleration) / (top * top);
-  return result;
-}
-
-// See MotionStep. The acceleration changes by 3 a_lin v κ across the heading and by -v³ κ² along
-// it, J(v) in all, which is convex in time: at most linear between J_0 and J_1. With y = v_0 t + t²
-// z(t), z is an average of the acceleration, and |z(Δt) - z(t)| <= Δt (3 J_0 + J_1)/24.
-double bend(double speed, double next_speed, const Controls& control, double time_step) {
-  const auto jerk = [&](double v) {
-    const double turning = std::abs(v * control.curvature);
-    return turning * (3.0 * std::abs(control.linear) + v * turning);
-  };
-  return time_step * time_step * time_step * (3.0 * jerk(speed) + jerk(next_speed)) / 24.0;
 }
 
 // a turned by the angle of a unit vector.
@@ -55,59 +46,138 @@ Vec2 turned(Vec2 a, Vec2 by) {
   return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
 }
 
-// Eq. (24) with held controls: an arc of the length that the speed covers, which stops at v = 0.
-// heading: the unit vector of state.heading, which elementary functions are not asked for again.
-MotionStep drive(const MotionState& state, Vec2 heading, double speed, const Controls& control,
-                 double time_step) {
-  const bool stops = speed + control.linear * time_step <= 0.0;
-  const double next_speed = stops ? 0.0 : speed + control.linear * time_step;
-  const double length = stops && control.linear < 0.0 ? speed * speed / (-2.0 * control.linear)
-                                                      : 0.5 * (speed + next_speed) * time_step;
+// Whether it drives backwards; one at rest, if that is where it is to go.
+bool is_reversing(const Car& car, Vec2 heading, Vec2 velocity, Vec2 wanted) {
+  if (!car.reverse) return false;
+  return dot(heading, velocity == Vec2{} ? wanted : velocity) < 0.0;
+}
+
+Driving driving_of(const Car& car, const MotionState& state, Vec2 wanted) {
+  const Vec2 heading = elementary::direction(state.heading);
+  const double speed = norm(state.velocity), offset = offset_of(car);
+  if (is_reversing(car, heading, state.velocity, wanted))
+    return {-heading, state.heading + std::numbers::pi, speed, -offset};
+  return {heading, state.heading, speed, offset};
+}
+
+// Eq. (25) solved for the controls. κ is that of the highest speed in the step, so that |v² κ|
+// stays below what was decided all through it. At the end of a step at the earliest it stands.
+Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, double time_step) {
+  Controls result;
+  result.linear = std::max(dot(driving.heading, acceleration), -driving.speed / time_step);
+  const double top = std::max(driving.speed, driving.speed + result.linear * time_step);
+  if (!(top > 0.0)) return result;
+  const double curvature = cross(driving.heading, acceleration) / (top * top);
+  result.curvature = std::clamp(curvature, -sharpest(car), sharpest(car));
+  return result;
+}
+
+// See MotionStep. With s = v κ the disc's acceleration changes by s (3 a_lin - e v s κ) across the
+// heading and by -s (v s + 3 e a_lin κ) along it, less than J(v) in all, which is convex in time:
+// at most linear between J_0 and J_1. With y = v_0 t + t² z(t), z is an average of the
+// acceleration, and |z(Δt) - z(t)| <= Δt (3 J_0 + J_1)/24.
+double bend(const Driving& driving, double next_speed, const Controls& control, double time_step) {
+  const double lever = 1.0 + std::abs(driving.offset * control.curvature);
+  const auto jerk = [&](double v) {
+    const double turning = std::abs(v * control.curvature);
+    return turning * (3.0 * std::abs(control.linear) + v * turning) * lever;
+  };
+  return time_step * time_step * time_step * (3.0 * jerk(driving.speed) + jerk(next_speed)) / 24.0;
+}
+
+// m/s²: what its limit is about, along and across each or both together.
+double largest(const Car& car, Vec2 acceleration) {
+  if (car.acceleration_set == AccelerationSet::incircle) return norm(acceleration);
+  return std::max(std::abs(acceleration.x), std::abs(acceleration.y));
+}
+
+// Eq. (24) with held controls: an arc of the length that the speed covers.
+MotionStep drive(const Car& car, const MotionState& state, const Driving& driving,
+                 const Controls& control, double time_step) {
+  const double next_speed = std::max(0.0, driving.speed + control.linear * time_step);
+  const double length = 0.5 * (driving.speed + next_speed) * time_step;
   const double half_turn = 0.5 * control.curvature * length;
-  const Vec2 half = elementary::direction(half_turn), middle = turned(heading, half);
+  const Vec2 half = elementary::direction(half_turn), middle = turned(driving.heading, half);
   const double chord = std::abs(half_turn) < 1e-8 ? length : length * (half.y / half_turn);
-  const double top = std::max(speed, next_speed);
+  const double top = std::max(driving.speed, next_speed);
+  const Vec2 next_heading = turned(middle, half);
 
   MotionStep step;
   step.next.position = state.position + chord * middle;
   step.next.heading = wrapped(state.heading + 2.0 * half_turn);
-  step.next.velocity = next_speed * turned(middle, half);
-  step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
-  const bool early = speed + control.linear * time_step < -kEarly * speed;
-  step.bend =
-      early ? std::numeric_limits<double>::infinity() : bend(speed, next_speed, control, time_step);
+  step.next.velocity = next_speed * next_heading;
+  step.acceleration = largest(car, {control.linear, top * top * control.curvature});
+  step.bend = bend(driving, next_speed, control, time_step);
+  step.way = length * (1.0 + std::abs(driving.offset * control.curvature));
+  if (driving.offset != 0.0) {
+    step.next.position = step.next.position + driving.offset * (next_heading - driving.heading);
+    step.swing =
+        (driving.offset * driving.speed * control.curvature) * perpendicular(driving.heading);
+  }
+  return step;
+}
+
+// At rest, by an angle that grows with the square of the time: so the disc leaves at rest as well,
+// and stays within e times the angle's square of a straight line.
+MotionStep turn_in_place(const MotionState& state, const Driving& driving, double angle) {
+  MotionStep step{state, 0.0};
+  step.next.heading = wrapped(state.heading + angle);
+  if (driving.offset == 0.0) return step;
+  const Vec2 next_heading = turned(driving.heading, elementary::direction(angle));
+  step.next.position = state.position + driving.offset * (next_heading - driving.heading);
+  step.way = std::abs(driving.offset * angle);
+  step.bend = step.way * std::abs(angle);
   return step;
 }
 
 }  // namespace
 
-MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimits& limits,
-                       double time_step) {
-  const Vec2 heading = elementary::direction(state.heading);
-  const double speed = norm(state.velocity);
-  const Controls control = controls(plan.acceleration, heading, speed, time_step);
-  const double top = std::max(speed, speed + control.linear * time_step);
+MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
+                       const Plan& plan, double time_step) {
+  const Driving driving = driving_of(car, state, plan.new_velocity);
+  const Controls control = controls(car, plan.acceleration, driving, time_step);
+  const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
   const double slow = limits.max_braking * time_step;
-  if (top > slow) {
-    // what may brake harder than it surely does comes to rest at the end of the step, not within
-    const bool early = speed + control.linear * time_step < -kEarly * speed;
-    const Controls gentle{early ? -speed / time_step : control.linear, control.curvature};
-    return drive(state, heading, speed, gentle, time_step);
-  }
+  if (top > slow || !turns_in_place(car)) return drive(car, state, driving, control, time_step);
   const bool moves = norm(plan.new_velocity) > 0.0;
-  const double turn =
-      moves ? elementary::atan2(cross(heading, plan.new_velocity), dot(heading, plan.new_velocity))
-            : 0.0;
-  if (moves && std::abs(turn) <= kTurnInPlace) {
-    return drive(state, heading, speed, control, time_step);
-  }
-  if (speed > 0.0) return drive(state, heading, speed, {-speed / time_step, 0.0}, time_step);
+  const double turn = moves ? elementary::atan2(cross(driving.heading, plan.new_velocity),
+                                                dot(driving.heading, plan.new_velocity))
+                            : 0.0;
+  if (moves && std::abs(turn) <= kTurnInPlace)
+    return drive(car, state, driving, control, time_step);
+  if (driving.speed > 0.0)
+    return drive(car, state, driving, {-driving.speed / time_step, 0.0}, time_step);
 
   // the front axle, one wheelbase ahead, moves at v_max at most
-  const double most = limits.max_speed / limits.wheelbase * time_step;
-  MotionStep step{state, 0.0};
-  step.next.heading = wrapped(state.heading + std::clamp(turn, -most, most));
-  return step;
+  double most = limits.max_speed / car.wheelbase * time_step;
+  // and the disc accelerates by a_max at most; the turn ends twice as fast as it is in the mean
+  if (driving.offset != 0.0)
+    most = std::min(0.5 * most, 0.5 * slow * time_step / std::abs(driving.offset));
+  return turn_in_place(state, driving, std::clamp(turn, -most, most));
+}
+
+// docs/certificate.md, "Robots with wheels"
+Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
+  Stray stray{2.0 * reach_of(car), 0.0};
+  if (offset_of(car) == 0.0) return stray;
+  const double turn = time_step * std::sqrt(max_acceleration * sharpest(car));
+  stray.distance = std::abs(offset_of(car)) * turn * (1.0 + turn * turn);
+  return stray;
+}
+
+// Along the heading a_max; across it a_max or v² κ_max. At rest it has to drive before it turns.
+void append_own_half_planes(const Car& car, const Robot& robot, double time,
+                            std::vector<HalfPlane>& half_planes) {
+  const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h), v = robot.velocity;
+  const auto bound = [&](Vec2 normal, double most) {
+    half_planes.push_back({normal, dot(normal, v) - most});
+    half_planes.push_back({-normal, -dot(normal, v) - most});
+  };
+  const double a_max = robot.max_acceleration;
+  const double lateral = turns_in_place(car) ? a_max : std::min(a_max, dot(v, v) * sharpest(car));
+  const bool exact = car.acceleration_set == AccelerationSet::exact;
+  if (exact) bound(h, a_max * time);
+  if (exact || lateral < a_max) bound(n, lateral * time);
 }
 
 }  // namespace avo

@@ -7,17 +7,19 @@
 namespace avo {
 
 struct MotionState {
-  Vec2 position;         // m
+  Vec2 position;         // m, of its disc
   Vec2 velocity;         // m/s
-  double heading = 0.0;  // rad; of cars
+  double heading = 0.0;  // rad; not of holonomic robots
 };
 
 struct MotionStep {
   MotionState next;
   double acceleration = 0.0;  // m/s^2, the largest |a| within the step
-  // m: at time t of the step it is within bend t²/Δt² of the parabola with the same ends and the
-  // same velocity at the start; infinite where that is not known
+  // m: at time t of the step it is within bend t²/Δt² of the parabola with the same ends that
+  // leaves with state.velocity + swing; infinite where that is not known
   double bend = 0.0;
+  Vec2 swing = {};   // m/s, of a disc ahead of the axle that the robot turns about
+  double way = 0.0;  // m, at least the length of the disc's way; not of holonomic robots
 };
 
 /// What one step of a given motion turns w = v' - v into: v + rate w, p + Δt v + gain w.
@@ -33,14 +35,5 @@ StepResponse step_response(const Planner& planner);
 
 /// A holonomic robot, Eqs. (7)-(9).
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response);
-
-/// A car-like robot, Eqs. (24), (25), integrated exactly along its arc.
-struct CarLimits {
-  double wheelbase;    // m
-  double max_braking;  // m/s^2
-  double max_speed;    // m/s
-};
-MotionStep advance_car(const MotionState& state, const Plan& plan, const CarLimits& limits,
-                       double time_step);
 
 }  // namespace avo

@@ -80,13 +80,14 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
 
 void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
   const double dt = scenario.time_step;
-  const Worst jump =
-      worst(scenario.robots, [&](const RobotSetup& r) { return r.max_speed * dt / r.radius; });
+  const Worst jump = worst(scenario.robots,
+                           [&](const RobotSetup& r) { return r.max_speed * dt / disc_radius(r); });
   if (jump.value <= 1.0) return;
   const RobotSetup& robot = scenario.robots[jump.robot];
   lines.push_back("time_step " + text(dt) + " s lets " + robot_name(jump.robot) + " travel " +
                   text(robot.max_speed) + " * " + text(dt) + " = " + text(robot.max_speed * dt) +
-                  " m between decisions, more than its radius = " + text(robot.radius) + " m");
+                  " m between decisions, more than its radius = " + text(disc_radius(robot)) +
+                  " m");
 }
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -110,7 +111,7 @@ bool is_certified(const Scenario& scenario) {
 /// later: r + v_max Δt + v_max² / (2 b), m.
 double braking_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
-  return robot.radius + v * time_step + 0.5 * v * v / braking_limit(robot);
+  return disc_radius(robot) + v * time_step + 0.5 * v * v / braking_limit(robot);
 }
 
 void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -126,9 +127,8 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
   lines.push_back("sensing_radius " + text(scenario.sensing_radius) + " m is less than " +
                   robot_name(first.robot) + " and " + robot_name(other) +
                   " need to stop short of each other, radius + max_speed * time_step + " +
-                  "max_speed^2 / (2 " + braking_key(scenario.robots[first.robot]) +
-                  ") = " + text(first.value) + " + " +
-                  text(second.value) + " = " + text(needed) + " m");
+                  "max_speed^2 / (2 " + braking_key(scenario.robots[first.robot]) + ") = " +
+                  text(first.value) + " + " + text(second.value) + " = " + text(needed) + " m");
 }
 
 void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -163,8 +163,8 @@ std::string name(std::ptrdiff_t source) {
 std::vector<StartDisc> sorted_discs(const Scenario& scenario) {
   std::vector<StartDisc> discs;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-    discs.push_back(
-        {scenario.robots[i].position, scenario.robots[i].radius, static_cast<std::ptrdiff_t>(i)});
+    discs.push_back({disc_center(scenario.robots[i]), disc_radius(scenario.robots[i]),
+                     static_cast<std::ptrdiff_t>(i)});
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     discs.push_back({scenario.moving_obstacles[k].position, scenario.moving_obstacles[k].radius,
                      -1 - static_cast<std::ptrdiff_t>(k)});

@@ -50,10 +50,10 @@ void collect_starters(Starts& starts) {
     const Vec2 way = way_to_rest(robots[i], starts.law);
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
     starts.starters.push_back(
-        {robots[i].position, static_cast<int>(i), way, robots[i].radius + norm(way)});
+        {disc_center(robots[i]), static_cast<int>(i), way, disc_radius(robots[i]) + norm(way)});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
-    starts.starters[i].reach = robots[i].radius + longest * top_speed(robots[i]);
+    starts.starters[i].reach = disc_radius(robots[i]) + longest * top_speed(robots[i]);
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
@@ -92,9 +92,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   double margin = 0.0;
   if (b.source >= 0) {
     const RobotSetup& other = scenario.robots[static_cast<std::size_t>(b.source)];
-    neighbor = {.position = other.position,
+    neighbor = {.position = disc_center(other),
                 .velocity = start_velocity(other),
-                .radius = other.radius,
+                .radius = disc_radius(other),
                 .max_acceleration = other.max_acceleration,
                 .behavior = own.parked || other.parked || avo::avoids(other, own)
                                 ? Behavior::decides
@@ -114,12 +114,12 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .max_speed = other.max_speed.value_or(std::numeric_limits<double>::infinity())};
     margin = parabola_error(other.acceleration, law.step);
   }
-  const double contact = own.radius + neighbor.radius;
+  const double contact = disc_radius(own) + neighbor.radius;
   if (are_apart(a, b, neighbor.behavior, contact)) return;
   Robot robot;
-  robot.position = own.position;
+  robot.position = disc_center(own);
   robot.velocity = start_velocity(own);
-  robot.radius = own.radius;
+  robot.radius = disc_radius(own);
   robot.max_acceleration = own.max_acceleration;
   robot.max_speed = own.max_speed;
   robot.max_braking = own.max_braking;

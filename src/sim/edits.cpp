@@ -114,7 +114,7 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
   };
   if (broken.beside_count > 0) {
     const WallStart& worst = broken.beside.front();
-    const double own = scene.robots[static_cast<std::size_t>(worst.robot)].radius;
+    const double own = disc_radius(scene.robots[static_cast<std::size_t>(worst.robot)]);
     refuse(name,
            robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
                rounded(worst.kept, 9) + " m once it has braked",
@@ -167,10 +167,12 @@ StaticWorld beside(const World& world, std::vector<Wall> parked) {
 }
 
 void park(World& world, const RobotSetup& setup, RobotId robot) {
-  const StaticObstacle disc{{{{setup.position}, false}}, setup.radius, Fill::none};
+  const Vec2 center = disc_center(setup);
+  const double radius = disc_radius(setup);
+  const StaticObstacle disc{{{{center}, false}}, radius, Fill::none};
   check_newly_static(world, disc, name_of(robot));
   std::vector<Wall> parked = world.statics.parked;
-  parked.push_back({setup.position, setup.position, setup.radius});
+  parked.push_back({center, center, radius});
   StaticWorld statics = beside(world, std::move(parked));
   Ways ways = ways_among(world, statics);
   ways.travels.reserve(world.fleet.size() + 1);
@@ -206,7 +208,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   Ways& ways = world.ways;
   Travel travel;
   if (!ways.empty()) {
-    travel = ways.plan(setup.radius, setup.position, setup.goal);
+    travel = ways.plan(disc_radius(setup), disc_center(setup), setup.goal);
     if (ways.travels.size() == ways.travels.capacity())
       ways.travels.reserve(2 * ways.travels.size() + 8);
   }
@@ -240,7 +242,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   Ways& ways = world.ways;
   if (!ways.empty()) {
     ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
-        ways.plan(setup.radius, world.fleet.position[slot], goal);
+        ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }
   world.fleet.goal[slot] = goal;
 }

@@ -12,6 +12,7 @@
 #include "avo/error.h"
 #include "core/elementary.h"
 #include "core/hash.h"
+#include "robots/model.h"
 
 namespace avo {
 namespace {
@@ -27,8 +28,8 @@ std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
 }  // namespace
 
 RobotTraits traits_of(const RobotSetup& setup) {
-  return {setup.radius,         setup.max_speed,       setup.max_acceleration,
-          braking_limit(setup), setup.preferred_speed, setup.car ? setup.car->wheelbase : 0.0};
+  return {disc_radius(setup),   setup.max_speed,       setup.max_acceleration,
+          braking_limit(setup), setup.preferred_speed, !is_holonomic(setup.model)};
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
@@ -36,8 +37,10 @@ Conduct conduct_of(const RobotSetup& setup) {
 }
 
 Vec2 start_velocity(const RobotSetup& setup) {
-  if (!setup.car) return setup.velocity;
-  return norm(setup.velocity) * elementary::direction(setup.car->heading);
+  if (is_holonomic(setup.model)) return setup.velocity;
+  const Vec2 heading = elementary::direction(setup.heading);
+  const bool backwards = can_reverse(setup.model) && dot(setup.velocity, heading) < 0.0;
+  return norm(setup.velocity) * (backwards ? -heading : heading);
 }
 
 template <typename Action>
@@ -59,21 +62,24 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   bool full = slot_of.capacity() == slot;
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
+  if (!models.empty() || !is_holonomic(setup.model)) models.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
   traits[slot] = traits_of(setup);
   conduct[slot] = conduct_of(setup);
   goal[slot] = setup.goal;
-  position[slot] = setup.position;
+  position[slot] = disc_center(setup);
   velocity[slot] = start_velocity(setup);
   nearest[slot] = std::numeric_limits<float>::infinity();
-  heading[slot] = setup.car ? setup.car->heading : 0.0;
+  heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
+  if (!models.empty()) models[slot] = setup.model;
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
+  if (!models.empty()) models.erase(models.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
@@ -103,20 +109,24 @@ std::size_t Fleet::find(RobotId robot) const {
 
 RobotSetup Fleet::setup(std::size_t slot) const {
   const RobotTraits& robot_traits = traits[slot];
-  RobotSetup setup{.position = position[slot],
-                   .velocity = velocity[slot],
-                   .goal = goal[slot],
-                   .radius = robot_traits.radius,
-                   .max_speed = robot_traits.max_speed,
-                   .max_acceleration = robot_traits.max_acceleration,
-                   .preferred_speed = robot_traits.preferred_speed,
-                   .priority = conduct[slot].priority,
-                   .parked = conduct[slot].parked,
-                   .layers = conduct[slot].layers,
-                   .avoids = conduct[slot].avoids,
-                   .max_braking = max_braking_of(robot_traits)};
-  if (robot_traits.wheelbase > 0.0) setup.car = CarSetup{robot_traits.wheelbase, heading[slot]};
-  return setup;
+  return {.position = place(slot),
+          .velocity = velocity[slot],
+          .goal = goal[slot],
+          .radius = robot_traits.radius,
+          .max_speed = robot_traits.max_speed,
+          .max_acceleration = robot_traits.max_acceleration,
+          .preferred_speed = robot_traits.preferred_speed,
+          .model = model(slot),
+          .heading = heading[slot],
+          .priority = conduct[slot].priority,
+          .parked = conduct[slot].parked,
+          .layers = conduct[slot].layers,
+          .avoids = conduct[slot].avoids,
+          .max_braking = max_braking_of(robot_traits)};
+}
+
+Vec2 Fleet::offset(std::size_t slot) const {
+  return traits[slot].has_model ? disc_center(model(slot), {}, heading[slot]) : Vec2{};
 }
 
 Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
@@ -173,7 +183,8 @@ void FleetMirror::copy(const Fleet& fleet) {
     for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[fleet.slot_of[k]];
   };
   take(id, fleet.id);
-  take(position, fleet.position);
+  position.resize(fleet.size());
+  for (std::size_t k = 0; k < position.size(); ++k) position[k] = fleet.place(fleet.slot_of[k]);
   take(velocity, fleet.velocity);
   take(goal, fleet.goal);
   take(heading, fleet.heading);

@@ -15,12 +15,12 @@ namespace avo {
 
 /// What stays as it is of a RobotSetup.
 struct RobotTraits {
-  double radius = 0.0;            // m
+  double radius = 0.0;            // m, of its disc
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double max_braking = 0.0;       // m/s^2
   double preferred_speed = 0.0;   // m/s
-  double wheelbase = 0.0;         // m, 0: not a car
+  bool has_model = false;         // it is not holonomic
 };
 RobotTraits traits_of(const RobotSetup& setup);
 inline Ability ability_of(const RobotTraits& traits) {
@@ -49,7 +49,7 @@ inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
 /// as it likes, within its limits.
 Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
                 Vec2 velocity);
-/// m/s; that of a car points along its heading.
+/// m/s; that of a robot with a heading points along it, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
 /// Columns by slot: robots that are near each other lie near each other once the fleet has been
@@ -62,15 +62,16 @@ struct Fleet {
   std::vector<RelevantRange> range;
   std::vector<float> nearest;  // m, within which it found its nearest neighbors in the last step
   std::vector<Vec2> goal;
-  std::vector<Vec2> position;
+  std::vector<Vec2> position;  // of its disc
   std::vector<Vec2> velocity;
-  std::vector<double> heading;
+  std::vector<double> heading;  // rad; read where there is a model
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
   std::vector<std::uint32_t> cell;  // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
+  std::vector<MotionModel> models;     // by rank; empty where all are holonomic
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -80,6 +81,18 @@ struct Fleet {
   std::vector<Wall> parked_discs() const;
   /// Slot of the robot; throws Error if there is none.
   std::size_t find(RobotId robot) const;
+  MotionModel model(std::size_t slot) const {
+    return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
+  }
+  /// Nothing of one that is holonomic.
+  const MotionModel* own_model(std::size_t slot) const {
+    return traits[slot].has_model ? &models[static_cast<std::size_t>(rank[slot])] : nullptr;
+  }
+  /// m: how far its disc is ahead of the place that the robot is said to be at, and that place.
+  Vec2 offset(std::size_t slot) const;
+  Vec2 place(std::size_t slot) const {
+    return traits[slot].has_model ? position[slot] - offset(slot) : position[slot];
+  }
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
   /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
@@ -121,6 +134,12 @@ struct FleetMirror {
   void copy(const Fleet& fleet);
   FleetView view() const;
 };
+
+/// m: where its disc has to go for its place to come to the robot's goal; other aims are the
+/// disc's.
+inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim) {
+  return aim == fleet.goal[slot] ? aim + fleet.offset(slot) : aim;
+}
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.
 std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps);

@@ -2,6 +2,7 @@
 // A tile of robots from what they sense to where they are next.
 #include "planner/decision.h"
 #include "planner/scratch.h"
+#include "robots/model.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -29,6 +30,17 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
   }
 }
 
+// The place that comes to a goal is not the center of every disc.
+void aim_discs(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
+  MovingColumns& moving = worker.moving;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::uint32_t slot = slots[k];
+    if (!fleet.traits[slot].has_model) continue;
+    const Vec2 goal = disc_goal(fleet, slot, {moving.goal_x[k], moving.goal_y[k]});
+    moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
+  }
+}
+
 // Lays out what the robots of the tile know of themselves, and where each would go.
 void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
@@ -44,7 +56,8 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
     robots.max_braking[k] = traits.max_braking;
-    robots.wheelbase[k] = traits.wheelbase, robots.heading[k] = fleet.heading[slot];
+    robots.heading[k] = fleet.heading[slot];
+    robots.model.push_back(fleet.own_model(slot));
     robots.priority[k] = fleet.conduct[slot].priority;
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;
     worker.moving.preferred_speed[k] = traits.preferred_speed;
@@ -58,6 +71,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     }
   }
   if (!world.ways.empty()) follow_ways(world, slots, worker);
+  aim_discs(fleet, slots, worker);
   choose_ways(world.response, worker.moving, robots);
 }
 
@@ -70,12 +84,12 @@ void count(const World& world, Worker& worker) {
   }
 }
 
-void move_car(World& world, std::size_t slot) {
+void move_by_model(World& world, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const RobotTraits& traits = fleet.traits[slot];
-  const MotionStep step = advance_car(
-      {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]}, fleet.plan[slot],
-      {traits.wheelbase, traits.max_braking, traits.max_speed}, world.settings.time_step);
+  const MotionStep step = advance(*fleet.own_model(slot), {traits.max_braking, traits.max_speed},
+                                  {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]},
+                                  fleet.plan[slot], world.settings.time_step);
   fleet.position[slot] = step.next.position;
   fleet.velocity[slot] = fleet.plan[slot].next_velocity = step.next.velocity;
   fleet.heading[slot] = step.next.heading;
@@ -94,8 +108,8 @@ void move(World& world, Worker& worker) {
   std::uint64_t fast = advance(world.response, moving, tile.robots);
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
     const std::uint32_t slot = tile.slot[k];
-    if (tile.robots.wheelbase[k] > 0.0) {
-      move_car(world, slot);
+    if (fleet.traits[slot].has_model) {
+      move_by_model(world, slot);
       const std::uint64_t bit = std::uint64_t{1} << k;
       fast = world.is_fast(slot) ? fast | bit : fast & ~bit;
     } else {

@@ -186,6 +186,36 @@ void describe(Archive<kReads>& archive, SavedWay& way) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>&, Holonomic&) {}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Car& car) {
+  bool has_body = car.body.has_value();
+  double curvature = car.max_curvature.value_or(0.0);  // 0: unbounded
+  auto set = static_cast<std::uint8_t>(car.acceleration_set);
+  describe(archive, car.wheelbase), describe(archive, curvature);
+  describe(archive, has_body), describe(archive, car.reverse), describe(archive, set);
+  if (set > static_cast<std::uint8_t>(AccelerationSet::exact))
+    refuse_saved("an unknown set of accelerations", "a known one");
+  if (curvature != 0.0) car.max_curvature = curvature;
+  car.acceleration_set = static_cast<AccelerationSet>(set);
+  if (!has_body) return;
+  if (kReads) car.body.emplace();
+  describe(archive, car.body->offset), describe(archive, car.body->radius);
+}
+
+// Its kind and then what that has.
+template <bool kReads>
+void describe(Archive<kReads>& archive, MotionModel& model) {
+  auto kind = static_cast<std::uint64_t>(model.index());
+  archive.word(kind);
+  if (kReads && kind == 0) model = Holonomic{};
+  if (kReads && kind == 1) model = Car{};
+  if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
+  std::visit([&](auto& known) { describe(archive, known); }, model);
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
@@ -199,9 +229,7 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);
   setup.avoids.bits = static_cast<std::uint32_t>(layers);
   if (kReads && setup.parked) setup.position = setup.goal;
-  double wheelbase = setup.car ? setup.car->wheelbase : 0.0;  // 0: not a car
-  describe(archive, wheelbase);
-  if (wheelbase != 0.0) setup.car = CarSetup{wheelbase, 0.0};
+  describe(archive, setup.model);
 
   describe(archive, state.id.value), describe(archive, state.position);
   describe(archive, state.velocity), describe(archive, state.heading);

@@ -77,7 +77,9 @@ void check_states(const SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];
     if (!state.scene.robots[k].parked) continue;
-    if (!(robot.position == state.scene.robots[k].goal && robot.velocity == Vec2{}))
+    const RobotSetup& setup = state.scene.robots[k];
+    const Vec2 center = disc_center(setup.model, setup.goal, robot.heading);
+    if (!(robot.position == center && robot.velocity == Vec2{}))
       refuse_saved("a parked robot that has moved", "one at its goal");
   }
   if (state.steps < 0 || state.steps > kLastStep) {

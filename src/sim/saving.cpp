@@ -78,10 +78,10 @@ Fleet fleet_of(const SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];
     RobotSetup setup = state.scene.robots[k];
-    setup.position = robot.position;
-    if (setup.car) setup.car->heading = robot.heading;
+    setup.heading = robot.heading;
     fleet.add(robot.id, setup);
-    fleet.velocity[k] = robot.velocity;  // to the last bit, of cars as well
+    fleet.position[k] = robot.position;  // of its disc, to the last bit
+    fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
     fleet.detour[k] = robot.detour;
   }
   return fleet;
@@ -125,7 +125,7 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
       continue;
     }
     travels.push_back(
-        ways.resume(setup.radius, setup.goal, state.ways[k].target, state.ways[k].is_exact));
+        ways.resume(disc_radius(setup), setup.goal, state.ways[k].target, state.ways[k].is_exact));
   }
   return travels;
 }

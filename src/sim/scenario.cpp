@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string_view>
+#include <variant>
 
 #include "avo/response.h"
 #include "core/ranges.h"
@@ -58,6 +59,16 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
   require_usual("avoids", robot.avoids, usual.avoids);
 }
 
+void check_car(std::size_t i, const Car& car) {
+  const std::string_view list = "robots";
+  require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
+  if (car.max_curvature)
+    require(Place{list, i, "car.max_curvature"}, *car.max_curvature, kPositive, "1/m");
+  if (!car.body) return;
+  require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
+  require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
+}
+
 void check_robot(std::size_t i, const RobotSetup& robot) {
   const std::string_view list = "robots";
   require(Place{list, i, "position"}, robot.position, "m");
@@ -75,9 +86,8 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
              "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
   }
   if (robot.parked) check_parked(i, robot);
-  if (!robot.car) return;
-  require(Place{list, i, "car.wheelbase"}, robot.car->wheelbase, kPositive, "m");
-  require(Place{list, i, "car.heading"}, robot.car->heading, kAnyValue, "rad");
+  require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
+  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
 }
 
 void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
@@ -183,8 +193,8 @@ void check_beside_walls(const Scenario& scenario, const PlannerOptions& options)
     if (robot.parked) continue;
     const double most = std::min(robot.max_acceleration * options.time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * options.time_step;
-    if (robot.radius > height) continue;
-    refuse(std::string(Place{"robots", i, "radius"}), text(robot.radius),
+    if (disc_radius(robot) > height) continue;
+    refuse(std::string(Place{"robots", i, "radius"}), text(disc_radius(robot)),
            "> " + text(height) + " m beside obstacles, with a certificate: what a step of " +
                text(options.time_step) + " s can turn off its way");
   }
@@ -193,9 +203,9 @@ void check_beside_walls(const Scenario& scenario, const PlannerOptions& options)
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-    if (scenario.robots[i].car && options.motion != Motion::held)
-      refuse(std::string(Place{"robots", i, "car"}), "a car-like robot",
-             "none with a certificate where motion is exponential");
+    if (!is_holonomic(scenario.robots[i].model) && options.motion != Motion::held)
+      refuse(std::string(Place{"robots", i, "model"}), "one that is not holonomic",
+             "holonomic with a certificate where motion is exponential");
   }
   check_braking(scenario, options);
   check_beside_walls(scenario, options);
@@ -224,7 +234,10 @@ void validate(const Scenario& scenario) {
 std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
   std::vector<Wall> discs;
   for (const RobotSetup& robot : robots) {
-    if (robot.parked) discs.push_back({robot.position, robot.position, robot.radius});
+    if (robot.parked) {
+      const Vec2 center = disc_center(robot);
+      discs.push_back({center, center, disc_radius(robot)});
+    }
   }
   return discs;
 }

@@ -13,6 +13,7 @@
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
 #include "planner/certify.h"
+#include "robots/model.h"
 #include "sim/assumptions.h"
 #include "sim/senses.h"
 
@@ -34,7 +35,9 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
   const RobotSetup& robot = scenario.robots[i];
   const double v = robot.max_speed, step = law.step.time_step, late = time_unseen(scenario);
   const double u = decrement_of(robot, law.step);
-  return {static_cast<int>(i), robot.radius + ((step + late) * v + stopping_length(v, u, law.step)),
+  const double fastest = fastest_of(robot.model, v);
+  return {static_cast<int>(i),
+          disc_radius(robot) + ((step + late) * fastest + stopping_length(v, u, law.step)),
           step * (1.0 + braking_steps(v, u)) + late};
 }
 
@@ -65,7 +68,7 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
 // A robot that reacts to nobody, as far as it is from another one that needs so many seconds until
 // rest.
 double part_of_mover(const RobotSetup& robot, double seconds) {
-  return robot.radius + seconds * robot.max_speed;
+  return disc_radius(robot) + seconds * fastest_of(robot.model, robot.max_speed);
 }
 
 // Robots of the same layers, longest first.

@@ -30,13 +30,13 @@ std::uint64_t hash_of(const StaticWorld& statics) {
 
 }  // namespace
 
-void WallNeeds::include(const RobotTraits& robot, double speed, const StepLaw& law) {
+void WallNeeds::include(const RobotTraits& robot, double stray, double speed, const StepLaw& law) {
   const double radius = robot.radius, max_speed = robot.max_speed;
   const Ability ability = ability_of(robot);
   const WallRounding own = wall_rounding(radius, max_speed, ability, law);
   rounding = {std::max(rounding.steps, own.steps), std::max(rounding.lengths, own.lengths)};
   const double top_speed = std::max(max_speed, speed);
-  reach = std::max(reach, radius + wall_reach(top_speed, max_speed, ability, law));
+  reach = std::max(reach, radius + stray + wall_reach(top_speed, max_speed, ability, law));
 }
 
 bool WallNeeds::cover(const WallNeeds& needs) const {

@@ -18,7 +18,8 @@ struct WallNeeds {
   double reach = 0.0;  // m, from a robot's center, of what it could come to touch
   WallRounding rounding;
 
-  void include(const RobotTraits& robot, double speed, const StepLaw& law);
+  /// stray: m, see Stray.
+  void include(const RobotTraits& robot, double stray, double speed, const StepLaw& law);
   bool cover(const WallNeeds& needs) const;
 };
 

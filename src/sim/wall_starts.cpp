@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "robots/model.h"
 #include "sim/assumptions.h"
 #include "sim/fleet.h"
 #include "sim/static_world.h"
@@ -30,7 +31,8 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
   }
   WallNeeds needs;
   for (const RobotSetup& robot : scenario.robots) {
-    needs.include(traits_of(robot), norm(start_velocity(robot)), law.step);
+    const double stray = stray_of(robot.model, robot.max_acceleration, law.step.time_step).distance;
+    needs.include(traits_of(robot), stray, norm(start_velocity(robot)), law.step);
   }
   listed.grid = grid_of(listed.walls, needs);
   return listed;
@@ -39,17 +41,18 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
 // What braking leaves is less than what it has to; the most that is missing.
 std::optional<WallStart> start_beside(const RobotSetup& robot, int number,
                                       const ListedWalls& listed, const CertificateLaw& law) {
-  const WallRounding rounding =
-      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law.step);
+  const Vec2 center = disc_center(robot);
+  const double radius = disc_radius(robot);
+  const WallRounding rounding = wall_rounding(radius, robot.max_speed, ability_of(robot), law.step);
   const Vec2 way = way_to_rest(robot, law);
   const auto start_at = [&](const Wall& wall) {
-    const Segment segment{wall.a - robot.position, wall.b - robot.position};
+    const Segment segment{wall.a - center, wall.b - center};
     return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment),
-                     robot.radius + wall.radius + wall_margin(wall, rounding)};
+                     radius + wall.radius + wall_margin(wall, rounding)};
   };
   const auto lacks = [](const WallStart& start) { return start.required - start.kept; };
   std::optional<WallStart> worst;
-  const std::span<const Wall> near = listed.grid.near(robot.position);
+  const std::span<const Wall> near = listed.grid.near(center);
   if (std::all_of(near.begin(), near.end(),
                   [&](const Wall& wall) { return !(lacks(start_at(wall)) > 0.0); }))
     return worst;
@@ -96,7 +99,7 @@ void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
     const int number = static_cast<int>(i);
     if (const auto start = start_beside(robot, number, listed, law)) beside.push_back(*start);
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
-      if (leaves_room(robot.position, scenario.obstacles[k])) continue;
+      if (leaves_room(disc_center(robot), scenario.obstacles[k])) continue;
       ++result.misplaced_count;
       if (result.misplaced.size() < BrokenAssumptions::kNamed)
         result.misplaced.push_back({number, static_cast<int>(k)});

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "planner/certify.h"
+#include "planner/demands.h"
 #include "planner/scratch.h"
-#include "planner/wall_planes.h"
+#include "robots/model.h"
 
 namespace avo {
 namespace {
@@ -119,7 +120,11 @@ void find_walls(World& world) {
     if (fleet.conduct[slot].parked) continue;
     const RobotTraits& traits = fleet.traits[slot];
     const double speed = norm(fleet.velocity[slot]);
-    needs.include(traits, speed, law);
+    const double stray =
+        traits.has_model
+            ? stray_of(fleet.model(slot), traits.max_acceleration, law.time_step).distance
+            : 0.0;
+    needs.include(traits, stray, speed, law);
     if (options.method == Method::avo) continue;
     needs.reach =
         std::max(needs.reach, traits.radius + obstacle_reach(speed, traits.max_speed, options));
@@ -152,6 +157,7 @@ Robot World::robot(std::size_t slot, double nearest) const {
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Heading heading{goal, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
+  heading.goal = disc_goal(fleet, slot, heading.goal);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{.position = p,
@@ -163,8 +169,7 @@ Robot World::robot(std::size_t slot, double nearest) const {
               .distance_to_goal = norm(heading.goal - p),
               .priority = fleet.conduct[slot].priority,
               .max_braking = max_braking_of(robot_traits)};
-  if (robot_traits.wheelbase > 0.0)
-    robot.car = CarSetup{robot_traits.wheelbase, fleet.heading[slot]};
+  if (robot_traits.has_model) robot.model = fleet.model(slot), robot.heading = fleet.heading[slot];
   return robot;
 }
 

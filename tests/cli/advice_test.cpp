@@ -19,7 +19,7 @@ Scenario paper() {
   Scenario scenario;
   scenario.method = avo::Method::avo_paper;
   for (const double x : {-10.0, 10.0})
-    scenario.robots.push_back({.position = {x, 0}, .velocity = {}, .goal = {-x, 0}, .car = {}});
+    scenario.robots.push_back({.position = {x, 0}, .velocity = {}, .goal = {-x, 0}});
   return scenario;
 }
 
@@ -137,7 +137,7 @@ TEST(Advice, overlaps_are_found_wherever_the_pair_lies) {
     for (int i = 0; i < 300; ++i) {
       const double along = 1.5 * i;
       const avo::Vec2 place = upright ? avo::Vec2{0.0, along} : avo::Vec2{along, 0.0};
-      scenario.robots.push_back({.position = place, .velocity = {}, .goal = {}, .car = {}});
+      scenario.robots.push_back({.position = place, .velocity = {}, .goal = {}});
     }
     scenario.robots[40].position = scenario.robots[217].position + avo::Vec2{0.3, 0.4};
     const Lines lines = avo::advice(scenario);
@@ -150,7 +150,7 @@ TEST(Advice, a_heap_of_robots_takes_four_lines_and_little_time) {
   Scenario scenario;
   scenario.method = avo::Method::avo_paper;
   for (int i = 0; i < 20000; ++i)
-    scenario.robots.push_back({.position = {1e-9 * i, 0}, .velocity = {}, .goal = {}, .car = {}});
+    scenario.robots.push_back({.position = {1e-9 * i, 0}, .velocity = {}, .goal = {}});
   const Lines lines = avo::advice(scenario);
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[3], "at least 997 further pairs overlap at the start");

@@ -22,8 +22,8 @@ using avo::Scenario;
 
 Scenario valid_scenario() {
   Scenario scenario;
-  scenario.robots.push_back({.position = {0, 0}, .velocity = {}, .goal = {1, 0}, .car = {}});
-  scenario.robots[0].car.emplace();
+  scenario.robots.push_back({.position = {0, 0}, .velocity = {}, .goal = {1, 0}});
+  scenario.robots[0].model = avo::Car{};
   scenario.moving_obstacles.push_back({.position = {5, 5}, .velocity = {}, .acceleration = {}});
   return scenario;
 }
@@ -93,7 +93,10 @@ TEST(Fields, ranges_are_those_of_validate) {
   ASSERT_EQ(refusal(scenario), "");
   EXPECT_EQ(check_ranges(scenario, scenario, ""), 6);
   EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 9);
-  EXPECT_EQ(check_ranges(scenario, *scenario.robots[0].car, "robots.0.car."), 2);
+  EXPECT_EQ(check_ranges(scenario, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
+            2);
+  avo::CarBody& body = std::get<avo::Car>(scenario.robots[0].model).body.emplace();
+  EXPECT_EQ(check_ranges(scenario, body, "robots.0.car.body."), 2);
   EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 6);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing.noise, "sensing.noise."), 3);
@@ -154,7 +157,7 @@ TEST(Fields, every_key_is_guessed_and_refused_twice) {
   check_misspellings(avo_io::fields<avo::RobotSetup>(), "{version: 1, robots: [{", "}]}");
   check_misspellings(avo_io::fields<avo::MovingObstacle>(), "{version: 1, moving_obstacles: [{",
                      "}]}");
-  check_misspellings(avo_io::fields<avo::CarSetup>(),
+  check_misspellings(avo_io::fields<avo::Car>(),
                      "{version: 1, robots: [{position: [0, 0], goal: [1, 0], car: {", "}}]}");
   check_misspellings(avo_io::fields<avo_io::Group>(), "{version: 1, groups: [{", "}]}");
   check_misspellings(avo_io::fields<avo_io::RobotsFrom>(), "{version: 1, robots_from: {", "}}");
@@ -185,7 +188,7 @@ TEST(Fields, every_default_is_that_of_the_struct) {
   EXPECT_EQ(scenario.robots[0].max_speed, 2.0);
   EXPECT_EQ(scenario.robots[0].max_acceleration, 1.0);
   EXPECT_EQ(scenario.robots[0].preferred_speed, 2.0);
-  EXPECT_FALSE(scenario.robots[0].car);
+  EXPECT_TRUE(is_holonomic(scenario.robots[0].model));
 }
 
 TEST(Fields, every_value_of_the_contract_arrives) {
@@ -241,9 +244,9 @@ moving_obstacles:
   EXPECT_EQ(second.avoids.bits, 0xffffffffU);
   EXPECT_FALSE(second.parked);
   EXPECT_EQ(second.preferred_speed, 1.25) << "max_speed where it is left out";
-  ASSERT_TRUE(second.car);
-  EXPECT_EQ(second.car->wheelbase, 0.7);
-  EXPECT_EQ(second.car->heading, 3.0);
+  ASSERT_FALSE(is_holonomic(second.model));
+  EXPECT_EQ(std::get<avo::Car>(second.model).wheelbase, 0.7);
+  EXPECT_EQ(second.heading, 3.0);
   ASSERT_EQ(scenario.moving_obstacles.size(), 1U);
   EXPECT_EQ(scenario.moving_obstacles[0].velocity, (avo::Vec2{0, -0.5}));
   EXPECT_EQ(scenario.moving_obstacles[0].acceleration, (avo::Vec2{0.125, 0}));

@@ -166,14 +166,14 @@ TEST(Placement, headings_of_cars) {
   const std::string group =
       "{number: 4, placement: {line: {from: [0, 0], to: [9, 0]}}, goals: {offset: {by: [0, 5]}}, ";
   for (const auto& robot : with_group(group + "car: {wheelbase: 0.5}}").robots)
-    EXPECT_NEAR(robot.car->heading, std::acos(0.0), 1e-15) << "towards the goal";
+    EXPECT_NEAR(robot.heading, std::acos(0.0), 1e-15) << "towards the goal";
   for (const auto& robot : with_group(group + "car: {heading: 0.25}}").robots)
-    EXPECT_EQ(robot.car->heading, 0.25);
+    EXPECT_EQ(robot.heading, 0.25);
   const Scenario random = with_group(group + "car: {heading: random}}");
-  EXPECT_NE(random.robots[0].car->heading, random.robots[1].car->heading);
+  EXPECT_NE(random.robots[0].heading, random.robots[1].heading);
   for (const auto& robot : random.robots) {
-    EXPECT_EQ(robot.car->wheelbase, 1.0);
-    EXPECT_LE(std::fabs(robot.car->heading), std::acos(-1.0));
+    EXPECT_EQ(std::get<avo::Car>(robot.model).wheelbase, 1.0);
+    EXPECT_LE(std::fabs(robot.heading), std::acos(-1.0));
   }
 }
 
@@ -201,7 +201,7 @@ TEST(Placement, built_in_scenes_are_what_the_paper_says) {
   EXPECT_EQ(moving.moving_obstacles.size(), 1U);
   const Scenario cars = avo_io::load_scenario("cars-100");
   ASSERT_EQ(cars.robots.size(), 100U);
-  for (const auto& robot : cars.robots) EXPECT_TRUE(robot.car);
+  for (const auto& robot : cars.robots) EXPECT_FALSE(is_holonomic(robot.model));
   for (const Scenario& scenario : {exchange, moving, cars, avo_io::load_scenario("circle-100")}) {
     // the method's own, whatever the method
     EXPECT_EQ(scenario.method, avo::Method::avo);

@@ -45,8 +45,8 @@ TEST(Set, adds_what_the_file_leaves_out) {
                                   "moving_obstacles=[{position: [3, 3], velocity: [1, 0]}]",
                                   "moving_obstacles.0.radius=0.25"});
   EXPECT_EQ(scenario.arrival_distance, 0.125);
-  ASSERT_TRUE(scenario.robots[0].car);
-  EXPECT_EQ(scenario.robots[0].car->wheelbase, 0.75);
+  ASSERT_FALSE(is_holonomic(scenario.robots[0].model));
+  EXPECT_EQ(std::get<avo::Car>(scenario.robots[0].model).wheelbase, 0.75);
   ASSERT_EQ(scenario.moving_obstacles.size(), 1U);
   EXPECT_EQ(scenario.moving_obstacles[0].radius, 0.25);
 }
@@ -60,7 +60,7 @@ TEST(Set, reaches_into_groups_and_the_robots_they_make) {
   EXPECT_EQ(scenario.robots[7].radius, 0.4);
   EXPECT_EQ(scenario.robots[9].max_speed, 1.0);
   EXPECT_EQ(scenario.robots[9].preferred_speed, 2.0);
-  EXPECT_EQ(load("cars-100", {"robots.3.car.heading=0.5"}).robots[3].car->heading, 0.5);
+  EXPECT_EQ(load("cars-100", {"robots.3.car.heading=0.5"}).robots[3].heading, 0.5);
 }
 
 TEST(Set, the_last_one_counts) {
@@ -76,7 +76,7 @@ TEST(Set, a_longer_way_takes_more_time_where_the_file_leaves_it_open) {
 TEST(Set, is_refused_by_name) {
   const std::string robot =
       "allowed are position, velocity, goal, radius, max_speed, max_acceleration, "
-      "preferred_speed, car, priority, max_braking, parked, layers, avoids";
+      "preferred_speed, model, heading, car, priority, max_braking, parked, layers, avoids";
   EXPECT_EQ(refusal({"time_step=-1"}), "--set time_step=-1: time_step: found -1, must be > 0 s");
   EXPECT_EQ(refusal({"time_step=0.1 s"}),
             "--set time_step=0.1 s: time_step: found \"0.1 s\", must be a number (s)");

@@ -39,7 +39,7 @@ RobotSetup any_robot(Random& random) {
   robot.max_speed = robot.preferred_speed = 1.5;
   robot.priority = random.log_uniform(1e-3, 1e3);
   const int kind = random.below(6);
-  if (kind == 0) robot.car = CarSetup{0.3, random.uniform(-3.0, 3.0)};
+  if (kind == 0) robot.model = Car{0.3}, robot.heading = random.uniform(-3.0, 3.0);
   if (kind == 1) robot.layers.bits = robot.avoids.bits = 2;
   return robot;
 }
@@ -71,7 +71,7 @@ Check judge_of(const Scenario& scene) {
     robots.push_back({.radius = setup.radius,
                       .max_acceleration = setup.max_acceleration,
                       .max_speed = setup.max_speed,
-                      .car = setup.car.has_value(),
+                      .car = !is_holonomic(setup.model),
                       .layers = setup.layers.bits,
                       .avoids = setup.avoids.bits});
   std::vector<CheckedObstacle> people;

@@ -165,7 +165,7 @@ Pose driven(Pose pose, double next_speed, double curvature, double time_step, do
 TEST(StatesWithin, of_cars_are_on_their_arcs) {
   Scenario scenario = usual_scenario();
   scenario.robots = {usual_robot({}, {1.0, 4.0}, 1.5), usual_robot({0.0, -3.0}, {9.0, -4.0}, 1.5)};
-  scenario.robots[0].car = CarSetup{1.0, 0.0};
+  scenario.robots[0].model = Car{1.0}, scenario.robots[0].heading = 0.0;
   Simulation simulation(scenario, 1);
   int turns = 0;
   while (simulation.steps() < 80) {

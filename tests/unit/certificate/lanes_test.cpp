@@ -8,6 +8,7 @@
 
 #include "certificate/kernels.h"
 #include "core/simd_target.h"
+#include "robots/model.h"
 #include "situations.h"
 
 namespace avo::test {
@@ -35,8 +36,7 @@ Crowd random_crowd(Random& random) {
   crowd.robot.position = in_disc(random, 5.0);
   const int count = 1 + random.below(20);
   const bool has_movers = random.below(2) == 0, brakes_less = random.below(2) == 0;
-  if (brakes_less)
-    crowd.robot.max_braking = random_braking(random, crowd.robot.max_acceleration);
+  if (brakes_less) crowd.robot.max_braking = random_braking(random, crowd.robot.max_acceleration);
   for (int k = 0; k < count; ++k) {
     Robot other = random_body(random);
     const double gap = random.log_uniform(1e-4, 6.0);
@@ -251,12 +251,16 @@ struct Look {
   scalar::PackNeighbor<Real> other;
 };
 
+Real strays(const Robot& a) {
+  return stray_of(a.model, a.max_acceleration, 0.1).velocity;
+}
+
 Look look_of(const Robot& a, const Neighbor& b, const StepLaw& law) {
-  const auto own = scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), Real(braking_limit(a)), law);
-  const auto deviation = scalar::deviation_of(own, scalar::Mask{a.car.has_value()}, law);
+  const auto own =
+      scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), Real(braking_limit(a)), law);
+  const auto deviation = scalar::deviation_of(own, strays(a), Real(0.0), law);
   return {
-      scalar::bound_of(pack(a.position), Real(a.radius), own, deviation, Real(a.max_speed),
-                       law),
+      scalar::bound_of(pack(a.position), Real(a.radius), own, deviation, Real(a.max_speed), law),
       {pack(a.position), pack(a.velocity), own.direction, own.profile.speed, a.max_acceleration},
       {pack(b.position), pack(b.velocity), b.radius, b.max_acceleration, braking_limit(b),
        b.priority}};
@@ -311,12 +315,12 @@ TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
     const bool told = scalar::are_clear(look.bound, look.self, look.other, law).bit;
     const auto own = scalar::braking_of(pack(s.a.velocity), Real(s.a.max_acceleration),
                                         Real(braking_limit(s.a)), law);
-    const scalar::PackSelf<Real> self{pack(s.a.position),   pack(s.a.velocity), s.a.radius,
-                                      s.a.max_acceleration, braking_limit(s.a), s.a.priority,
-                                      own};
+    const scalar::PackSelf<Real> self{
+        pack(s.a.position), pack(s.a.velocity), s.a.radius, s.a.max_acceleration,
+        braking_limit(s.a), s.a.priority,       own};
     const auto pair = scalar::pair_of(self, look.other, law);
     const auto [gap, against] = scalar::clearance_of(self, pair, look.other, law);
-    const auto deviation = scalar::deviation_of(own, scalar::Mask{s.a.car.has_value()}, law);
+    const auto deviation = scalar::deviation_of(own, strays(s.a), Real(0.0), law);
     const bool refuses_nothing =
         gap.value > against.value * deviation.most_ahead.value + deviation.most_aside.value;
     EXPECT_TRUE(!told || refuses_nothing) << "pair " << i;

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "planner/certified.h"
-#include "robots/motion.h"
+#include "robots/model.h"
 
 namespace avo::test {
 namespace {
@@ -246,7 +246,7 @@ TEST(Walls, one_that_is_not_finite_is_invalid_input) {
 // m: least gap of the center on the arc from the robot to the state, sampled by its length.
 double gap_of_arc(const Robot& robot, const MotionState& state, const std::vector<Wall>& walls) {
   const Vec2 chord = state.position - robot.position;
-  const double turn = state.heading - robot.car->heading;
+  const double turn = state.heading - robot.heading;
   const double half = 0.5 * std::remainder(turn, 2.0 * std::numbers::pi);
   const double stretch = std::abs(half) < 1e-9 ? 1.0 : half / std::sin(half);
   double least = gap_to_all(state.position, walls);
@@ -254,7 +254,7 @@ double gap_of_arc(const Robot& robot, const MotionState& state, const std::vecto
     const double part = k / 16.0, angle = half * part;
     const double length =
         norm(chord) * stretch * part * (std::abs(angle) < 1e-9 ? 1.0 : std::sin(angle) / angle);
-    const double heading = robot.car->heading + angle;
+    const double heading = robot.heading + angle;
     const Vec2 along = length * Vec2{std::cos(heading), std::sin(heading)};
     least = std::min(least, gap_to_all(robot.position + along, walls));
   }
@@ -271,9 +271,10 @@ TEST(Walls, cars_touch_none) {
     Robot robot = any_body(random);
     const std::vector<Wall> walls = random_walls(random, 8.0, robot.radius);
     robot.position = free_place(random, walls, 8.0, robot.radius + 1e-9);
-    robot.car = CarSetup{random.uniform(0.3, 1.0), random.uniform(-3.0, 3.0)};
+    robot.model = Car{random.uniform(0.3, 1.0)};
+    robot.heading = random.uniform(-3.0, 3.0);
     const double u = braking_decrement(robot.max_acceleration, law.step);
-    const CarLimits limits{robot.car->wheelbase, braking_limit(robot), robot.max_speed};
+    const MotionLimits limits{braking_limit(robot), robot.max_speed};
     const Vec2 start = robot.position;
     CertifiedWorkspace workspace;
     for (int k = 0; k < 200; ++k) {
@@ -281,13 +282,13 @@ TEST(Walls, cars_touch_none) {
       const CertifiedChoice choice =
           choose_certified(robot, wicked_wish(random, robot, walls, u), law, workspace);
       const MotionState state =
-          advance_car({robot.position, robot.velocity, robot.car->heading},
-                      plan_to(robot, choice.next_velocity, law.step), limits, options.time_step)
+          advance(robot.model, limits, {robot.position, robot.velocity, robot.heading},
+                  plan_to(robot, choice.next_velocity, law.step), options.time_step)
               .next;
       const double gap = gap_of_arc(robot, state, walls) - robot.radius;
       least = std::min(least, gap);
       robot.position = state.position, robot.velocity = state.velocity;
-      robot.car->heading = state.heading;
+      robot.heading = state.heading;
       farthest = std::max(farthest, norm(robot.position - start));
     }
   }

@@ -141,7 +141,7 @@ TEST(CheckFleets, agree_with_the_metrics_of_a_run) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
     Scenario scene = test::dense_scene(60, motion);
     scene.method = Method::avo_paper;
-    for (RobotSetup& each : scene.robots) each.car.reset();
+    for (RobotSetup& each : scene.robots) each.model = Holonomic{};
     scene.obstacles = {{{{{{-6, -4}, {5, -7}, {7, 3}}}}, 0.0}, {{{{{0, 6}}}}, 0.7}};
     std::vector<CheckedRobot> robots;
     for (const RobotSetup& each : scene.robots) {

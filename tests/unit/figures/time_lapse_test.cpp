@@ -149,7 +149,7 @@ TEST(TimeLapse, frames_that_do_not_fit_are_refused) {
   scenario.moving_obstacles.push_back({});
   EXPECT_THROW(check_frames(scenario, good), Error);
   scenario.moving_obstacles.clear();
-  scenario.robots[0].car = CarSetup{};
+  scenario.robots[0].model = Car{};
   EXPECT_THROW(check_frames(scenario, good), Error);  // a car without heading
 }
 

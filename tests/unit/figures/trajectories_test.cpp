@@ -86,7 +86,7 @@ TEST_F(TrajectoriesFile, movers_are_gray) {
 TEST_F(TrajectoriesFile, a_car_shows_its_heading) {
   Drive run = there_and_back();
   run.scenario.moving_obstacles.clear();
-  run.scenario.robots[0].car = CarSetup{};
+  run.scenario.robots[0].model = Car{};
   run.scenario.robots[0].goal = {1.0, 0.9};
   run.frames.resize(1);
   run.frames[0].obstacle_position.clear();

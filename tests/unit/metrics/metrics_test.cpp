@@ -103,7 +103,7 @@ TEST(Metrics, min_clearance_is_that_of_all_pairs) {
         Scenario scene = test::dense_scene(12, motion, seed);
         scene.method = method;
         scene.moving_obstacles.clear();
-        for (RobotSetup& robot : scene.robots) robot.car.reset();
+        for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
         if (seed % 2 == 0) {  // sparse, never in contact
           for (RobotSetup& robot : scene.robots) {
             robot.position = 6.0 * robot.position;

@@ -186,7 +186,7 @@ TEST(Separation, from_a_segment_of_a_cars_arc) {
       const double chord = part * size * (half == 0.0 ? 1.0 : std::sin(half) / half);
       return start + chord * Vec2{std::cos(heading + half), std::sin(heading + half)};
     };
-    const ArcPath path = arc_path(start, heading, at(1.0), heading + turn + 2.0 * std::numbers::pi);
+    const ArcPath path = arc_path(start, at(1.0), turn);
     EXPECT_NEAR(path.length, size, 1e-12 * size);
     const Vec2 a = test::in_disc(random, size);
     const Segment segment{a, a + random.uniform(0.0, 2.0) * size * random.direction()};
@@ -195,7 +195,7 @@ TEST(Separation, from_a_segment_of_a_cars_arc) {
 }
 
 TEST(Separation, from_a_segment_of_a_car_that_turns_in_place) {
-  const ArcPath path = arc_path({1, 2}, 0.0, {1, 2}, 3.0);
+  const ArcPath path = arc_path({1, 2}, {1, 2}, 3.0);
   EXPECT_EQ(separation(path, {{-5, 0}, {5, 0}}, kNoCutoff), 2.0);
 }
 

@@ -118,7 +118,7 @@ TEST(Metrics, cars_touch_no_wall_that_their_arcs_do_not_touch) {
     RobotSetup car = robot_at(start, start + 30.0 * random.direction());
     car.radius = random.uniform(0.2, 0.5);
     car.max_acceleration = random.uniform(0.5, 3.0);
-    car.car = CarSetup{2.0 * car.radius, random.uniform(-3.0, 3.0)};
+    car.model = Car{2.0 * car.radius}, car.heading = random.uniform(-3.0, 3.0);
     scene.robots.push_back(car);
   }
   scene.navigation = false;

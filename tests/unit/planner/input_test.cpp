@@ -110,7 +110,7 @@ TEST(Status, a_car_that_moves_off_its_heading_is_invalid) {
       const double heading = random.uniform(-10.0, 10.0);
       const Vec2 along{std::cos(heading), std::sin(heading)}, across{-along.y, along.x};
       Robot car = paper_robot({}, {}, 1.5 * along);
-      car.car = CarSetup{1.0, heading};
+      car.model = Car{1.0}, car.heading = heading;
       const std::vector<Neighbor> neighbors{
           as_neighbor(paper_robot(6.0 * along, -1.0 * along, {}))};
       const auto status = [&](Vec2 velocity) {
@@ -131,7 +131,7 @@ TEST(Status, a_car_that_moves_off_its_heading_is_invalid) {
       EXPECT_EQ(status(-speed * along), PlanStatus::invalid_input);
       // rounded to float, as some drivers have it
       const auto narrow = static_cast<float>(heading);
-      car.car->heading = static_cast<double>(narrow);
+      car.heading = static_cast<double>(narrow);
       const Vec2 rounded{static_cast<double>(static_cast<float>(speed * along.x)),
                          static_cast<double>(static_cast<float>(speed * along.y))};
       EXPECT_NE(status(rounded), PlanStatus::invalid_input);

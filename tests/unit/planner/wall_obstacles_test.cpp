@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "planner/wall_planes.h"
+#include "planner/demands.h"
 #include "support/walls.h"
 
 namespace avo {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "planner/wall_planes.h"
+#include "planner/demands.h"
 
 namespace avo {
 namespace {

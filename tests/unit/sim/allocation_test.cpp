@@ -66,7 +66,7 @@ TEST(Allocation, none_per_step_of_one_robot_among_movers) {
   for (const Method method : {Method::avo_paper, Method::avo}) {
     Scenario scene = test::dense_scene(1, Motion::held);
     scene.method = method;
-    scene.robots[0].car.reset();
+    scene.robots[0].model = Holonomic{};
     scene.robots[0].goal = {12, 6};
     scene.sensing_radius = 100;
     EXPECT_EQ(allocations_when_warm(scene, 1, 30, 60), 0);

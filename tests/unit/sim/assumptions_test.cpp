@@ -140,7 +140,7 @@ TEST(Assumptions, a_mover_from_rest_counts_by_its_acceleration) {
 TEST(Assumptions, a_car_moves_along_its_heading) {
   Scenario scene = head_on(4.5, {Certificate::braking_trajectories, Motion::held});
   EXPECT_FALSE(accepts(scene));
-  for (RobotSetup& robot : scene.robots) robot.car = CarSetup{1.0, 1.5};
+  for (RobotSetup& robot : scene.robots) robot.model = Car{1.0}, robot.heading = 1.5;
   EXPECT_TRUE(accepts(scene));
 }
 

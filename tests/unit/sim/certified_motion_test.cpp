@@ -131,8 +131,8 @@ TEST(CertifiedMotion, cars_in_a_crowd_do_not_touch) {
     for (int k = 0; k < 36; ++k) {
       const Vec2 start{3.0 * (k % 6), 3.0 * static_cast<double>(k / 6)};
       RobotSetup car = robot_at(start, Vec2{15.0, 15.0} - start);
-      car.car = CarSetup{0.8, 0.7 * k};
-      if (k % 7 == 0) car.car.reset();  // others among them
+      car.model = Car{0.8}, car.heading = 0.7 * k;
+      if (k % 7 == 0) car.model = Holonomic{};  // others among them
       scene.robots.push_back(car);
     }
     Simulation simulation(scene, 1);
@@ -154,7 +154,7 @@ TEST(CertifiedMotion, cars_in_a_crowd_do_not_touch) {
 TEST(CertifiedMotion, cars_are_refused_what_they_cannot_do) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {9, 0})};
-  scene.robots[0].car = CarSetup{};
+  scene.robots[0].model = Car{};
   EXPECT_NO_THROW(validate(scene));
   scene.motion = Motion::exponential;
   EXPECT_THROW(validate(scene), Error);
@@ -165,7 +165,7 @@ TEST(CertifiedMotion, cars_are_refused_what_they_cannot_do) {
   options.motion = Motion::exponential;
   PlanWorkspace workspace;
   Robot car{.velocity = {1, 0}, .preferred_velocity = {1, 0}};
-  car.car = CarSetup{};
+  car.model = Car{};
   EXPECT_EQ(Planner(options).plan(car, {}, workspace).status, PlanStatus::invalid_input);
 }
 
@@ -184,7 +184,7 @@ TEST(CertifiedMotion, what_is_no_number_is_not_admitted) {
   robot.distance_to_goal = nan;
   EXPECT_EQ(planner.plan(robot, {}, workspace).status, PlanStatus::invalid_input);
   robot = sound;
-  robot.car = CarSetup{0.8, nan};
+  robot.model = Car{0.8}, robot.heading = nan;
   EXPECT_EQ(planner.plan(robot, {}, workspace).status, PlanStatus::invalid_input);
 }
 

@@ -70,7 +70,7 @@ TEST(Determinism, the_hash_sees_every_bit_of_the_state) {
   const auto nudged = [](double& x) { x = std::nextafter(x, 1e9); };
   EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.robots[7].position.x); }));
   EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.robots[29].velocity.y); }));
-  EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.robots[5].car->heading); }));
+  EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.robots[5].heading); }));
   EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.moving_obstacles[2].position.y); }));
   EXPECT_NE(hash, changed([&](Scenario& s) { nudged(s.moving_obstacles[0].velocity.x); }));
   EXPECT_EQ(hash, changed([](Scenario&) {}));

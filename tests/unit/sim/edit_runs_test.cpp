@@ -27,7 +27,7 @@ TEST(Edits, ten_thousand_doors_touch_nobody) {
     for (int k = 0; k < 16; ++k) {
       RobotSetup robot = robot_at({20.0 + 1.5 * (k % 4), 1.5 * (k / 4)}, {2.0 * (k % 4), 12.0});
       robot.radius = 0.3;
-      if (k % 4 == 0) robot.car = CarSetup{0.5, 0.1 * k};
+      if (k % 4 == 0) robot.model = Car{0.5}, robot.heading = 0.1 * k;
       scene.robots.push_back(robot);
     }
     Judged judged(scene, 1);

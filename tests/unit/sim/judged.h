@@ -38,7 +38,7 @@ class Judged {
       const auto index = static_cast<std::int64_t>(fleet.id[k].value);
       const RobotSetup& setup = fleet.setup[k];
       CheckedRobot robot{setup.radius, setup.max_acceleration, setup.max_speed};
-      robot.car = setup.car.has_value();
+      robot.car = !is_holonomic(setup.model);
       for (; known_ <= index; ++known_) check_.add_robot(robot);
       rows.push_back({index, fleet.position[k], fleet.velocity[k]});
     }

@@ -65,7 +65,7 @@ TEST(SimLimits, P12_hold_in_every_step_of_dense_scenes_of_avo) {
 
 TEST(SimLimits, P12_orca_exceeds_the_acceleration_limit_and_says_so) {
   Scenario scene = test::dense_scene(100, Motion::held, 11);
-  for (RobotSetup& robot : scene.robots) robot.car.reset();
+  for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
   scene.method = Method::orca;
   Simulation simulation(scene, 2);
   double most = 0.0;

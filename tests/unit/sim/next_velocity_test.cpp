@@ -58,7 +58,7 @@ void expect_next_velocities(Simulation& simulation, PlanWorkspace& workspace, Co
     const Vec2 next = plans[i].next_velocity;
     ASSERT_EQ(next, fleet.velocity[i]) << "robot " << i << " step " << simulation.steps();
     ASSERT_EQ(next, fleet.plan[i].next_velocity);
-    const bool is_car = fleet.setup[i].car.has_value(), rests = next == Vec2{};
+    const bool is_car = !is_holonomic(fleet.setup[i].model), rests = next == Vec2{};
     counts.cars += is_car ? 1 : 0;
     counts.turning_in_place += is_car && rests && plans[i].new_velocity != Vec2{} ? 1 : 0;
     counts.at_rest += rests ? 1 : 0;

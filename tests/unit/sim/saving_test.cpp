@@ -32,7 +32,7 @@ void add_any_robot(Random& random, Simulation& simulation) {
   if (random.below(3) == 0) setup.priority = random.log_uniform(0.01, 100.0);
   if (random.below(3) == 0) setup.max_braking = 0.6 * setup.max_acceleration;
   if (random.below(2) == 0 && simulation.planner().options().motion == Motion::held) {
-    setup.car = CarSetup{0.7, random.uniform(-3.0, 3.0)};
+    setup.model = Car{0.7}, setup.heading = random.uniform(-3.0, 3.0);
   }
   simulation.add_robot(setup);
 }
@@ -174,7 +174,7 @@ TEST(Saving, shows_the_saved_robots_and_nothing_of_the_last_step) {
     EXPECT_EQ(a.setup[k].max_speed, b.setup[k].max_speed);
     EXPECT_EQ(a.setup[k].max_acceleration, b.setup[k].max_acceleration);
     EXPECT_EQ(a.setup[k].preferred_speed, b.setup[k].preferred_speed);
-    EXPECT_EQ(a.setup[k].car.has_value(), b.setup[k].car.has_value());
+    EXPECT_EQ(a.setup[k].model, b.setup[k].model);
     EXPECT_EQ(b.plan[k].new_velocity, Vec2{});
     EXPECT_EQ(b.applied_acceleration[k], 0.0);
   }
@@ -189,9 +189,15 @@ TEST(Saving, ids_are_not_reused_after_it) {
   EXPECT_EQ(restored.add_robot(test::robot_at({500, 500}, {500, 500})).value, 5u);
 }
 
+Scenario holonomic_scene(int robots) {
+  Scenario scene = dense_scene(robots, Motion::held);
+  for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
+  return scene;
+}
+
 TEST(Saving, takes_64_bytes_a_robot_beside_its_setup) {
-  constexpr std::size_t kSetup = 11 * sizeof(double);  // goal, radius, limits, wheelbase, conduct
-  Simulation few(dense_scene(10, Motion::held), 1), many(dense_scene(110, Motion::held), 1);
+  constexpr std::size_t kSetup = 11 * sizeof(double);  // goal, radius, limits, model, conduct
+  Simulation few(holonomic_scene(10), 1), many(holonomic_scene(110), 1);
   few.step(), many.step();
   EXPECT_LE(many.save().size() - few.save().size(), 100 * (kSetup + 64));
 }
@@ -302,7 +308,7 @@ TEST(Saving, arbitrary_bytes_do_no_harm) {
 }
 
 TEST(Saving, forged_values_are_refused) {
-  Simulation simulation(dense_scene(3, Motion::held), 1);
+  Simulation simulation(holonomic_scene(3), 1);
   const Bytes saved = simulation.save();
   const std::size_t last = saved.size() / 8 - 1;  // behind the last robot
   const std::size_t end = last;                   // behind its detour

@@ -46,7 +46,7 @@ inline Scenario dense_scene(int count, Motion motion, std::uint64_t seed = 1) {
     setup.preferred_speed = random.uniform(0.7, 1.0) * setup.max_speed;
     setup.velocity = in_disc(random, setup.max_speed);
     if (k % 5 == 0) {
-      setup.car = CarSetup{0.7, random.uniform(-std::numbers::pi, std::numbers::pi)};
+      setup.model = Car{0.7}, setup.heading = random.uniform(-std::numbers::pi, std::numbers::pi);
     }
     scene.robots.push_back(setup);
   }
@@ -62,7 +62,7 @@ inline Scenario dense_avo_scene(int count, Motion motion, Certificate certificat
   Scenario scene = dense_scene(count, motion, seed);
   scene.method = Method::avo;
   scene.certificate = certificate;
-  for (RobotSetup& robot : scene.robots) robot.car.reset();
+  for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
   return scene;
 }
 

@@ -40,7 +40,10 @@ Scenario walled_scene(std::uint64_t seed, int robots, Motion motion, bool cars =
     setup.radius = 0.3;
     setup.max_speed = setup.preferred_speed = random.uniform(0.5, 2.5);
     setup.max_acceleration = random.uniform(0.5, 2.0);
-    if (cars && random.below(3) == 0) setup.car = CarSetup{0.5, random.uniform(-3.0, 3.0)};
+    if (cars && random.below(3) == 0) {
+      setup.model = Car{0.5};
+      setup.heading = random.uniform(-3.0, 3.0);
+    }
     bool is_free = true;
     for (const RobotSetup& other : scene.robots) {
       is_free = is_free && norm(other.position - setup.position) > 0.61;
@@ -63,8 +66,9 @@ double step_and_measure(Simulation& simulation, const std::vector<Wall>& walls) 
   double least = 1e300;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     steps[k].next_velocity = after.velocity[k];
-    const double gap = after.setup[k].car ? gap_to_all(after.position[k], walls)
-                                          : test::least_gap(steps[k], walls, options);
+    const double gap = !is_holonomic(after.setup[k].model)
+                           ? gap_to_all(after.position[k], walls)
+                           : test::least_gap(steps[k], walls, options);
     least = std::min(least, gap - after.setup[k].radius);
   }
   return least;

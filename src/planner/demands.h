@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What walls ask of the target of the first program. Of method avo: no more speed towards one than
-// braking can take off before it. Of the others: the half-planes of the walls' obstacles.
+// What the target of the first program has to keep to: what a robot's own motion can follow, and
+// what walls ask. Of method avo: no more speed towards one than braking can take off before it. Of
+// the others: the half-planes of the walls' obstacles.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -35,21 +36,23 @@ std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Hor
                                         const Robot& robot, const Wall& wall, int index,
                                         bool& overlapping);
 
-/// What a decision is to keep to beside walls. Scratch memory; allocates only while it grows.
-struct WallDemands {
+/// What a decision has to keep to. Scratch memory; allocates only while it grows.
+struct Demands {
   std::vector<HalfPlane> planes;
-  std::vector<double> excess;  ///< m/s, of each, see WallPlane; none of speed planes
-  bool overlapping = false;    ///< with a wall
+  std::vector<double>
+      excess;  ///< m/s, of those of walls, which come first, see WallPlane; none of speed planes
+  bool overlapping = false;  ///< with a wall
 
   void clear() { planes.clear(), excess.clear(), overlapping = false; }
   void reserve(std::size_t walls) { planes.reserve(walls), excess.reserve(walls); }
 };
 
-/// Replaces the demands by those of all walls in reach, of method avo the speed planes.
-void collect_wall_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
-                          const StepLaw& law, WallDemands& demands);
+/// Replaces the demands by those of all walls in reach, of method avo the speed planes, and those
+/// of the robot's own motion.
+void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
+                     const StepLaw& law, Demands& demands);
 
 /// Whether v' keeps to them, as far as that is possible at all.
-bool is_kept(const WallDemands& demands, Vec2 v_new);
+bool is_kept(const Demands& demands, Vec2 v_new);
 
 }  // namespace avo

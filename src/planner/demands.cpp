@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Speeds with which a robot can still stop before a wall, and obstacles of walls.
-#include "planner/wall_planes.h"
+#include "planner/demands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "certificate/wall_constraints.h"
 #include "obstacles/wall_half_plane.h"
+#include "robots/model.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -57,24 +58,24 @@ std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Hor
   return WallPlane{index, apportion(relative.plane, robot.velocity, 1.0), excess};
 }
 
-void collect_wall_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
-                          const StepLaw& law, WallDemands& demands) {
+void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
+                     const StepLaw& law, Demands& demands) {
   demands.clear();
   const PlannerOptions& options = planner.options();
-  if (options.method == Method::avo) {
-    append_speed_planes(robot, walls, law, demands.planes);
-    return;
-  }
-  for (const Wall& wall : walls) {
+  const bool at_once = adopts_at_once(options.method);
+  if (options.method == Method::avo) append_speed_planes(robot, walls, law, demands.planes);
+  for (std::size_t k = 0; k < walls.size() && options.method != Method::avo; ++k) {
+    const Wall& wall = walls[k];
     const auto own =
         obstacle_plane(options, planner.horizon(), robot, wall, 0, demands.overlapping);
     if (!own) continue;
     demands.planes.push_back(own->plane);
     demands.excess.push_back(own->excess);
   }
+  append_own_half_planes(robot, at_once ? options.time_step : options.control_time, demands.planes);
 }
 
-bool is_kept(const WallDemands& demands, Vec2 v_new) {
+bool is_kept(const Demands& demands, Vec2 v_new) {
   const auto exceeds = [](double excess) { return excess > 0.0; };
   return std::none_of(demands.excess.begin(), demands.excess.end(), exceeds) &&
          std::all_of(demands.planes.begin(), demands.planes.end(),

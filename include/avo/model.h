@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion models: how a robot can move (paper §V). SI units.
+//
+// A robot is known to the others by its disc alone, and by how it brakes: never by its model. What
+// is called its position in a scene is a point of its own, see disc_center().
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "avo/export.h"
+#include "avo/vec.h"
+
+namespace avo {
+
+/// Accelerates in every direction.
+struct Holonomic {
+  friend bool operator==(const Holonomic&, const Holonomic&) = default;
+};
+
+/// Which accelerations a car may choose from, Fig. 6(b): of |a_lin| <= a_max and |v² κ| <= a_max,
+/// which make a square turned by its heading,
+enum class AccelerationSet : std::uint8_t {
+  incircle,  ///< the disc D(0, a_max) inside it,
+  exact,     ///< all of it: its corners reach √2 a_max
+};
+AVO_API const char* to_string(AccelerationSet set);
+
+/// The disc that covers a car's body.
+struct CarBody {
+  double offset = 0.0;  ///< [e] m, of its center ahead of the rear axle; < 0: behind it
+  double radius = 0.5;  ///< m, > 0
+  friend bool operator==(const CarBody&, const CarBody&) = default;
+};
+
+/// Car-like robot, Eqs. (24), (25): its position is the center of its rear axle. Its steering turns
+/// at once. With no bound on its curvature and its disc about the axle, one that is slow may turn
+/// in place.
+struct Car {
+  double wheelbase = 1.0;                    ///< [d] m, > 0
+  std::optional<double> max_curvature = {};  ///< [κ_max] 1/m, > 0; unset: unbounded
+  std::optional<CarBody> body = {};          ///< unset: about the axle
+  bool reverse = false;                      ///< may drive backwards
+  AccelerationSet acceleration_set = AccelerationSet::incircle;
+  friend bool operator==(const Car&, const Car&) = default;
+};
+
+/// How a robot moves.
+using MotionModel = std::variant<Holonomic, Car>;
+
+inline bool is_holonomic(const MotionModel& model) {
+  return std::holds_alternative<Holonomic>(model);
+}
+
+/// m: the radius of the disc that others sense, of one whose setup says `radius`.
+AVO_API double disc_radius(const MotionModel& model, double radius);
+
+/// m: the center of that disc, where the robot's position is `position`; heading in rad.
+AVO_API Vec2 disc_center(const MotionModel& model, Vec2 position, double heading);
+
+}  // namespace avo

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read_model.h"
+
+#include <variant>
+
+namespace avo_io {
+namespace {
+
+/// A car where it has the keys of one.
+ModelKind kind_of(const Reader& reader, const YamlNode& node, const std::string& path,
+                  const avo::RobotSetup& robot) {
+  const YamlNode *model = node.find("model"), *car = node.find("car");
+  ModelKind kind = static_cast<ModelKind>(robot.model.index());
+  if (car != nullptr) kind = ModelKind::car;
+  if (model != nullptr) kind = reader.choice(*model, path_to(path, "model"), kModels);
+  if (car != nullptr && kind != ModelKind::car)
+    reader.fail(*car, path_to(path, "car"), "keys of a car",
+                "must be left out: its model is " + std::string(model_name(kind)));
+  return kind;
+}
+
+void read_heading(const Reader& reader, const YamlNode& given, const std::string& path,
+                  double& angle, GroupHeading* heading) {
+  const bool word = given.kind == YamlNode::Kind::text && !is_number(given.text);
+  if (heading != nullptr) *heading = GroupHeading::given;
+  if (heading != nullptr && word) {
+    *heading = reader.choice(given, path, kHeadings);
+  } else {
+    angle = reader.number(given, path, kHeadingField.range, kHeadingField.unit);
+  }
+}
+
+void read_car(const Reader& reader, const YamlNode& node, const std::string& path, avo::Car& car) {
+  std::vector<std::string_view> keys = keys_of(fields<avo::Car>());
+  keys.push_back(kHeadingField.key);
+  reader.check_keys(node, path, keys);
+  reader.read(node, path, fields<avo::Car>(), car, true);
+  const YamlNode* body = node.find("body");
+  if (body == nullptr) return;
+  if (!car.body) car.body.emplace();
+  reader.check_keys(*body, path_to(path, "body"), keys_of(fields<avo::CarBody>()));
+  reader.read(*body, path_to(path, "body"), fields<avo::CarBody>(), *car.body, true);
+}
+
+}  // namespace
+
+void read_model(const Reader& reader, const YamlNode& node, const std::string& path,
+                avo::RobotSetup& robot, GroupHeading* heading) {
+  const ModelKind kind = kind_of(reader, node, path, robot);
+  if (kind == ModelKind::holonomic) robot.model = avo::Holonomic{};
+  if (kind == ModelKind::car && !std::holds_alternative<avo::Car>(robot.model))
+    robot.model = avo::Car{};
+  const YamlNode *given = node.find("heading"), *car = node.find("car");
+  const YamlNode* within = car != nullptr ? car->find("heading") : nullptr;
+  if (given != nullptr && within != nullptr)
+    reader.fail(*within, path_to(path, "car.heading"), "a second heading", "must be given once");
+  if (given != nullptr && kind == ModelKind::holonomic)
+    reader.fail(*given, path_to(path, "heading"), "a heading",
+                "must be left out: its model is holonomic");
+  if (given != nullptr)
+    read_heading(reader, *given, path_to(path, "heading"), robot.heading, heading);
+  if (within != nullptr)
+    read_heading(reader, *within, path_to(path, "car.heading"), robot.heading, heading);
+  if (car != nullptr) read_car(reader, *car, path_to(path, "car"), std::get<avo::Car>(robot.model));
+}
+
+}  // namespace avo_io

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one place that tells motion models apart.
+#include "robots/model.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/elementary.h"
+#include "core/ranges.h"
+#include "robots/car.h"
+
+namespace avo {
+
+const char* to_string(AccelerationSet set) {
+  return set == AccelerationSet::exact ? "exact" : "incircle";
+}
+
+double disc_radius(const MotionModel& model, double radius) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && car->body ? car->body->radius : radius;
+}
+
+Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
+  const Car* car = std::get_if<Car>(&model);
+  if (car == nullptr || offset_of(*car) == 0.0) return position;
+  return position + offset_of(*car) * elementary::direction(heading);
+}
+
+MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+                   const Plan& plan, double time_step) {
+  return advance_car(std::get<Car>(model), limits, state, plan, time_step);
+}
+
+Stray stray_of(const MotionModel& model, double max_acceleration, double time_step) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr ? stray_of_car(*car, max_acceleration, time_step) : Stray{};
+}
+
+double fastest_of(const MotionModel& model, double max_speed) {
+  const Car* car = std::get_if<Car>(&model);
+  if (car == nullptr || offset_of(*car) == 0.0) return max_speed;
+  return max_speed * (1.0 + std::abs(offset_of(*car)) * sharpest(*car));
+}
+
+bool may_exceed_reach(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && (offset_of(*car) != 0.0 || reach_of(model) > 1.0);
+}
+
+double reach_of(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  const bool exact = car != nullptr && car->acceleration_set == AccelerationSet::exact;
+  return exact ? std::numbers::sqrt2 : 1.0;
+}
+
+void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {
+  if (const Car* car = std::get_if<Car>(&robot.model))
+    append_own_half_planes(*car, robot, time, half_planes);
+}
+
+Vec2 steered(const Robot& robot) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? steered(*car, robot) : robot.preferred_velocity;
+}
+
+Vec2 within_steering(const Robot& robot, Vec2 v) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? within_steering(*car, robot, v) : v;
+}
+
+bool turns_in_place(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && turns_in_place(*car);
+}
+
+bool can_reverse(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && car->reverse;
+}
+
+bool is_valid(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  if (car == nullptr) return true;
+  const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&
+                                   kPositive.contains(car->body->radius));
+  return kPositive.contains(car->wheelbase) && body &&
+         (!car->max_curvature || kPositive.contains(*car->max_curvature));
+}
+
+}  // namespace avo

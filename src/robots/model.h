@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a motion model is to all others: what it makes of a decision, how far that may be from what
+// it falls back on, which decisions it can follow, and where it steers. Whatever the model, a robot
+// falls back on straight braking of its disc (src/certificate/braking_path.h).
+//
+// All of it is about the robot's disc, see disc_center(). Models are told apart in src/robots
+// alone.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "avo/half_plane.h"
+#include "avo/planner.h"
+#include "avo/robot.h"
+#include "robots/motion.h"
+
+namespace avo {
+
+struct MotionLimits {
+  double max_braking;  // m/s^2, with which it surely brakes
+  double max_speed;    // m/s
+};
+
+/// One step of a robot that is not holonomic, exactly; of state.position its disc's center.
+MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+                   const Plan& plan, double time_step);
+
+/// How far any two decisions may lead apart, besides what holonomic motion makes of them.
+struct Stray {
+  double velocity = 0.0;  // of the most that a step of max_acceleration adds; 0: as holonomic ones
+  double distance = 0.0;  // m, within the step
+};
+Stray stray_of(const MotionModel& model, double max_acceleration, double time_step);
+
+/// m/s: that its disc never exceeds, where the robot itself keeps to max_speed.
+double fastest_of(const MotionModel& model, double max_speed);
+
+/// Whether a decision could lead it farther than others expect of its acceleration: it has to keep
+/// to that.
+bool may_exceed_reach(const MotionModel& model);
+
+/// [1, √2]: of the decisions, |v' - v| is at most that much of a_max times the time.
+double reach_of(const MotionModel& model);
+
+/// The half-planes of v' that the robot can follow, where a disc about v does not say it all:
+/// Fig. 6(b). Velocities that are reached after `time` s.
+void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes);
+
+/// m/s: the preferred velocity as the model can go about it. One that can turn in place, or that is
+/// holonomic, heads for it at once.
+Vec2 steered(const Robot& robot);
+/// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
+Vec2 within_steering(const Robot& robot, Vec2 v);
+
+/// append_own_half_planes() appends no more.
+inline constexpr std::size_t kMostOwnPlanes = 4;
+
+/// Whether it turns before it drives where it is at rest.
+bool turns_in_place(const MotionModel& model);
+/// Whether it may move against its heading.
+bool can_reverse(const MotionModel& model);
+/// Whether every number is finite and in range.
+bool is_valid(const MotionModel& model);
+
+}  // namespace avo

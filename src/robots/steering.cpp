@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a car steers that cannot turn in place: towards its goal by pure pursuit (Coulter, CMU
+// 1992), the circle that leaves along the heading and goes through the goal. A goal inside its
+// turning circle it drives away from, until it is outside: straight ahead, or straight back where
+// it may drive backwards.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/elementary.h"
+#include "robots/car.h"
+
+namespace avo {
+namespace {
+
+constexpr double kEnough = 0.8;       // of a_max, that turning asks for
+constexpr double kWiderCircle = 1.1;  // times the turning circle: goals outside are steered to
+// likewise, of one that may drive backwards and is not on its way to the goal
+constexpr double kWellOutside = 1.3;
+constexpr double kWidest = 4.0;       // times that circle: turned round on at most
+constexpr double kNearEnough = 0.05;  // times its radius: nobody turns round for that
+// It drives on in its direction until it had to turn by 90 degrees and more, by this cosine.
+constexpr double kKeepDirection = 0.5;
+
+// Along the heading or against it: whichever is nearer to where it goes, and as it drives already
+// where that is nearly as good.
+Vec2 direction_of(const Car& car, const Robot& robot, Vec2 to) {
+  const Vec2 heading = elementary::direction(robot.heading);
+  if (!car.reverse) return heading;
+  const double along = dot(heading, to), speed = dot(heading, robot.velocity);
+  const double least = speed > 0.0 ? -kKeepDirection : speed < 0.0 ? kKeepDirection : 0.0;
+  return along >= least ? heading : -heading;
+}
+
+// Velocities at more than 45 degrees become turns at full lock: as much across as ahead.
+Vec2 bent(Vec2 ahead, double x, double y, double speed) {
+  const Vec2 left = perpendicular(ahead);
+  if (x >= std::abs(y)) return speed * (x * ahead + y * left);
+  return speed * (ahead + std::copysign(1.0, y) * left);
+}
+
+// m/s: on a circle of that radius.
+double cornering_speed(double max_acceleration, double radius) {
+  return std::sqrt(kEnough * max_acceleration * radius);
+}
+
+// Of the circle to the goal, times the turning circle's.
+double least_radius(const Car& car, const Robot& robot, Vec2 to) {
+  if (!car.reverse) return kWiderCircle;
+  return dot(robot.velocity, to) > 0.0 ? 1.0 : kWellOutside;
+}
+
+}  // namespace
+
+Vec2 steered(const Car& car, const Robot& robot) {
+  const double speed = norm(robot.preferred_velocity);
+  if (turns_in_place(car) || !(speed > 0.0)) return robot.preferred_velocity;
+  const Vec2 to = robot.preferred_velocity / speed, ahead = direction_of(car, robot, to);
+  const double x = dot(ahead, to), y = cross(ahead, to), distance = robot.distance_to_goal;
+  const double turning = 1.0 / sharpest(car);
+  if (distance <= kNearEnough * turning) return {};
+  // of the circle of pure pursuit
+  const double radius =
+      y == 0.0 ? std::numeric_limits<double>::infinity() : distance / (2.0 * std::abs(y));
+  if (radius < least_radius(car, robot, to) * turning) {
+    const double away = std::min(cornering_speed(robot.max_acceleration, turning), robot.max_speed);
+    return away * (car.reverse && x > 0.0 ? -ahead : ahead);
+  }
+  const double wide = x >= 0.0 ? radius : std::min(radius, kWidest * turning);
+  return bent(ahead, x, y, std::min(speed, cornering_speed(robot.max_acceleration, wide)));
+}
+
+Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v) {
+  const double speed = norm(v);
+  if (turns_in_place(car) || !(speed > 0.0)) return v;
+  const Vec2 to = v / speed, ahead = direction_of(car, robot, to);
+  return bent(ahead, dot(ahead, to), cross(ahead, to), speed);
+}
+
+}  // namespace avo
