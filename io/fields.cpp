@@ -144,6 +144,8 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"car", kNested, kOptional, kNoNumber, "", "a car's own; its position is its rear axle"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
+      {"max_braking", &RobotSetup::max_braking, kOptional, kPositive, "m/s^2",
+       "that it surely brakes with whenever it has to, <= max_acceleration", "max_acceleration"},
       {"parked", &RobotSetup::parked, kOptional, kNoNumber, "",
        "never moves and never decides: a disc that nobody may touch; its goal is its position"},
       {"layers", &RobotSetup::layers, kOptional, kLayer, "", "that it is in"},
@@ -196,6 +198,13 @@ const std::vector<Field<MovingObstacle>>& fields() {
       {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},
       {"acceleration", &MovingObstacle::acceleration, kOptional, kAnyValue, "m/s^2", "constant"},
       {"radius", &MovingObstacle::radius, kOptional, kPositive, "m", "of its disc"},
+      {"max_deviation", &MovingObstacle::max_deviation, kOptional, kNotNegative, "m/s^2",
+       "by which robots count on its acceleration being another one at any time"},
+      {"max_speed", &MovingObstacle::max_speed, kOptional, kPositive, "m/s",
+       "with max_deviation: that it never exceeds", "no limit"},
+      {"path", &MovingObstacle::path, kOptional, kAnyValue, "m",
+       "that it goes along within these, from point to point and on to the first again",
+       "none: it keeps its acceleration"},
   };
   return table;
 }

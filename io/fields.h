@@ -129,6 +129,11 @@ struct MembersOf<avo::RobotSetup> {
       MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool, avo::LayerSet>;
 };
 template <>
+struct MembersOf<avo::MovingObstacle> {
+  using type = MemberOf<avo::MovingObstacle, double, std::optional<double>, avo::Vec2,
+                        std::vector<avo::Vec2>>;
+};
+template <>
 struct MembersOf<avo::Car> {
   using type = MemberOf<avo::Car, double, std::optional<double>, bool, avo::AccelerationSet>;
 };

@@ -101,6 +101,9 @@ RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const st
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                           avo::MovingObstacle& obstacle) {
   read_map(reader, node, path, obstacle);
+  const YamlNode* points = node.find("path");
+  if (points != nullptr && obstacle.path.empty())
+    reader.fail(*points, path_to(path, "path"), shown(*points), "must have at least one point");
 }
 
 void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& scenario) {

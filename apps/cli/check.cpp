@@ -69,10 +69,13 @@ struct Judge {
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
+  std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles that have a path
+  std::int64_t steps = 0;            // that these have gone
 
   explicit Judge(const CheckArguments& arguments);
   void number_densely(std::vector<avo::CheckedState>& rows);
   void add(avo_io::RecordedTime& moment);
+  void place_obstacles(double time);
 };
 
 std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
@@ -126,6 +129,8 @@ Judge::Judge(const CheckArguments& arguments)
     judgement.time_step = scenario->time_step;
     judgement.free_clocks = scenario->clock == avo::Clock::free;
     take_walls(*scenario, check, judgement.obstacle_of_wall);
+    for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
+      walks.push_back({obstacle.position, obstacle.velocity});
   } else {
     like = {*arguments.radius, *arguments.max_acceleration, *arguments.max_speed};
   }
@@ -156,12 +161,32 @@ bool is_uneven(const avo::Scenario& scenario, double duration) {
   return duration > (1.0 + kEven) * step;
 }
 
+// Those with a path: nothing that robots do changes it.
+void Judge::place_obstacles(double time) {
+  const double h = scenario->time_step;
+  const std::int64_t first = steps;
+  const auto last = static_cast<std::int64_t>(std::floor(time / h + 1e-6));
+  steps = std::max(steps, last);
+  for (std::size_t k = 0; k < walks.size(); ++k) {
+    const avo::MovingObstacle& obstacle = scenario->moving_obstacles[k];
+    if (obstacle.path.empty()) continue;
+    avo::PathWalk& walk = walks[k];
+    for (std::int64_t step = first; step < steps; ++step) walk = next_on_path(obstacle, walk, h);
+    const double t = std::max(time - h * static_cast<double>(steps), 0.0);
+    const avo::Vec2 a = (next_on_path(obstacle, walk, h).velocity - walk.velocity) / h;
+    check.place_obstacle(static_cast<std::int64_t>(k),
+                         walk.position + t * walk.velocity + (0.5 * t * t) * a,
+                         walk.velocity + t * a);
+  }
+}
+
 void Judge::add(avo_io::RecordedTime& moment) {
   if (!scenario)
     number_densely(moment.rows);
   else if (last_time && is_uneven(*scenario, moment.time - *last_time))
     ++judgement.uneven_steps;
   last_time = moment.time;
+  if (scenario) place_obstacles(moment.time);
   check.add(moment.time, moment.rows);
 }
 

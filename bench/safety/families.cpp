@@ -91,6 +91,8 @@ std::vector<Family> families(double soak_steps) {
                  [](std::uint64_t) { return doorway(); }});
   all.push_back(
       {"movers", "robots among obstacles that keep their velocity", 20, true, among_movers});
+  all.push_back({"people", "the same among people who walk about and may turn at any time", 100,
+                 true, among_people});
   add_passages(all);
   constexpr int kCrushes = 4;
   for (const bool packed : {false, true}) {
@@ -101,6 +103,10 @@ std::vector<Family> families(double soak_steps) {
                      return crush(packed, soak_steps / kCrushes, seed);
                    }});
   }
+  all.push_back({"mixed-crush", "60 robots of all kinds and 5 people sent to one point", kCrushes,
+                 true, [soak_steps](std::uint64_t seed) {
+                   return mixed_crush(0.1 * soak_steps / kCrushes, seed);
+                 }});
   add_walls(all, soak_steps);
   add_sensing(all);
   return all;

@@ -79,7 +79,7 @@ struct CheckedRobot {
   std::optional<double> time_step = {};
 };
 
-/// A disc whose whole motion is known: p + t v + t²/2 a.
+/// A disc whose whole motion is known: p + t v + t²/2 a; or see Check::place_obstacle().
 struct CheckedObstacle {
   Vec2 position = {}, velocity = {}, acceleration = {};  ///< at time 0
   double radius = 0.5;                                   ///< m, > 0
@@ -200,6 +200,11 @@ class AVO_API Check {
   /// called between any two times, for doors that open and close: what was counted stays. A contact
   /// names a wall by its index in the list of its step. Throws Error on values out of range.
   void set_walls(std::vector<CheckedWall> walls);
+
+  /// Where an obstacle (an index into those given) is at the time of the next add(), and how fast,
+  /// instead of what it was told to do: it is judged on the cubic from where it was. Once placed,
+  /// it stays there until it is placed again. Throws Error on values out of range.
+  void place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity);
 
   /// All rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error on
   /// anything else, and on values that are not finite or beyond 1e12; nothing has changed then. A

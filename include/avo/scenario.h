@@ -40,6 +40,8 @@ struct RobotSetup {
   /// [Δt] s, > 0, whole nanoseconds: between its own decisions. Only where Scenario::clock is free;
   /// unset: the scene's.
   std::optional<double> time_step = {};
+  /// [b] m/s^2, > 0, <= max_acceleration, see Robot::max_braking; unset: max_acceleration
+  std::optional<double> max_braking = {};
 };
 
 /// Of the disc that others sense.
@@ -56,13 +58,30 @@ constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
   return (a.avoids.bits & b.layers.bits) != 0;
 }
 
-/// A disc that moves with constant acceleration and reacts to nobody.
+/// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
 struct MovingObstacle {
   Vec2 position = {};      ///< m
   Vec2 velocity = {};      ///< m/s
-  Vec2 acceleration = {};  ///< m/s^2
+  Vec2 acceleration = {};  ///< m/s^2; 0 with max_speed
   double radius = 0.5;     ///< m, > 0
+  /// m/s^2, >= 0: robots count on its acceleration being so far from that one, at any time.
+  double max_deviation = 0.0;
+  std::optional<double> max_speed = {};  ///< m/s, > 0, with max_deviation: that it never exceeds
+  /// m: it goes for these points one after the other and then for the first again, see
+  /// next_on_path(). With max_deviation and max_speed; empty: it has none.
+  std::vector<Vec2> path = {};
 };
+
+/// Where a moving obstacle is on its path at the beginning of a step.
+struct PathWalk {
+  Vec2 position, velocity;   ///< m, m/s
+  std::uint32_t target = 0;  ///< index of the point that it goes for
+};
+/// One step on, with an acceleration held over the step that is within max_deviation: straight for
+/// the target, as fast as max_speed and stopping there allow. It has reached a point when its disc
+/// covers it.
+AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
+                              double time_step);
 
 /// How robots on their ways know who else is about to go through a narrow passage.
 enum class RightOfWay : std::uint8_t {

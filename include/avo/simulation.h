@@ -107,7 +107,7 @@ class AVO_API Simulation {
   /// A door opens. Costs as much. Throws Error if there is no such obstacle.
   void remove_obstacle(ObstacleId obstacle);
 
-  /// The state and the setup as bytes, the same on every machine, 80 of state and 80 of setup
+  /// The state and the setup as bytes, the same on every machine, 64 of state and 88 of setup
   /// (goal, radius, limits, wheelbase, priority, parked, layers) a robot, 8 of what it aims at
   /// where there are walls, and its last states where the scene's sensing delays or misses
   /// measurements (docs/saving.md). Whoever has them has an equal state_hash() and an equal future,

@@ -66,6 +66,8 @@ void insert(Pairs& pairs, std::uint64_t pair) {
 struct Check::State {
   std::vector<CheckedRobot> robots;
   std::vector<CheckedObstacle> obstacles;
+  // of each obstacle: where it was at the last time, and is at the next one, if it is placed there
+  std::vector<std::optional<judge::Place>> placed_before, placed;
   CheckOptions options;
   CheckReport report;  // as far as it is not derived from the rest
   std::vector<Seen> seen;
@@ -275,6 +277,8 @@ Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedObstacl
     judge::require_sound("obstacles." + std::to_string(k), obstacles[k]);
   state_->options = options;
   state_->obstacles = std::move(obstacles);
+  state_->placed_before.resize(state_->obstacles.size());
+  state_->placed.resize(state_->obstacles.size());
   for (const CheckedRobot& robot : robots) add_robot(robot);
 }
 Check::~Check() = default;
@@ -299,6 +303,16 @@ void Check::set_walls(std::vector<CheckedWall> walls) {
   state_->walls.set_walls(std::move(walls));
 }
 
+void Check::place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity) {
+  const auto count = static_cast<std::int64_t>(state_->obstacles.size());
+  if (obstacle < 0 || obstacle >= count)
+    refuse("obstacle", std::to_string(obstacle), "0 to " + std::to_string(count - 1));
+  const std::string place = "obstacles." + std::to_string(obstacle);
+  require(place + ".position", position, "m");
+  require(place + ".velocity", velocity, "m/s");
+  state_->placed[static_cast<std::size_t>(obstacle)] = judge::Place{position, velocity};
+}
+
 void Check::add(double time, std::span<const CheckedState> rows) {
   State& state = *state_;
   state.require_sound(time, rows);
@@ -309,9 +323,15 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   for (const CheckedState& row : rows) state.judge_row(time, row);
   for (const Mover& robot : state.movers)
     state.walls.judge(robot, {state.last_time, state.duration, state.options.relative_tolerance});
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k)
-    state.movers.push_back(judge::obstacle_mover(state.obstacles[k], static_cast<std::int64_t>(k),
-                                                 state.last_time, time));
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    const CheckedObstacle& obstacle = state.obstacles[k];
+    const auto told = [&](double t) { return judge::place_of(obstacle, t); };
+    const judge::Place to = state.placed[k].value_or(told(time));
+    const judge::Place from =
+        begins && state.placed[k] ? to : state.placed_before[k].value_or(told(state.last_time));
+    state.movers.push_back(
+        judge::obstacle_mover(from, to, obstacle.radius, static_cast<std::int64_t>(k)));
+  }
   state.boxes.clear();
   for (std::size_t i = 0; i < state.movers.size(); ++i)
     state.boxes.push_back(judge::box_of(state.movers[i], i, state.duration));
@@ -321,6 +341,7 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.last_time = state.report.to = time;
   state.report.rows += static_cast<std::int64_t>(rows.size());
   state.report.steps = state.times++;
+  state.placed_before = state.placed;
 }
 
 CheckReport Check::report() const {

@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t kMostListed = 100;  // of those that have not arrived
 constexpr double kRounding = 1e-12;       // of a limit: less excess than that is rounding
+constexpr double kAtRest = 1e-9;          // of max_speed: no faster is at rest
 
 // In the order of PlanStatus.
 constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
@@ -48,7 +49,7 @@ struct Metrics::State {
   RunSummary summary;
   std::map<std::uint64_t, std::optional<double>> arrival;  // s, of every robot that ever was
   std::set<std::pair<std::uint64_t, std::uint64_t>> collided, collided_one_sided,
-      collided_with_obstacle;
+      collided_with_obstacle, collided_in_motion;
   std::set<std::uint64_t> parked;
   std::vector<double> step_milliseconds;
   FirstSights first_sights;
@@ -110,8 +111,7 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
       const double turn =
           std::remainder(fleet.heading[i] - last.robots[j].heading, 2.0 * std::numbers::pi);
       body.arc = arc_path(body.position, next, turn);
-      body.path =
-          hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), duration);
+      body.path = hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), duration);
     }
     robots.push_back(body);
   }
@@ -126,7 +126,7 @@ void Metrics::State::collect_obstacles(const Simulation& simulation) {
     body.radius = now.setup[k].radius;
     body.position = last.obstacles[k].position;
     body.velocity = last.obstacles[k].velocity;
-    body.exact = started && now.setup[k].acceleration == Vec2{};
+    body.exact = started && now.setup[k].acceleration == Vec2{} && now.setup[k].path.empty();
     body.path =
         hermite_path(body.position, body.velocity, now.position[k], now.velocity[k], duration);
     if (!started) body.path.control.fill(body.position);
@@ -175,9 +175,10 @@ void Metrics::State::meet(const Body& a, const Body& b) {
 
 void Metrics::State::meet_obstacle(const Body& robot, const Body& obstacle) {
   const double contact = robot.radius + obstacle.radius;
-  if (distance(robot, obstacle, contact) < contact * (1.0 - kContact)) {
-    collided_with_obstacle.insert({robot.name, obstacle.name});
-  }
+  if (!(distance(robot, obstacle, contact) < contact * (1.0 - kContact))) return;
+  collided_with_obstacle.insert({robot.name, obstacle.name});
+  const double at_rest = kAtRest * robot.setup->max_speed * settings.time_step;
+  if (way_of(robot) > at_rest) collided_in_motion.insert({robot.name, obstacle.name});
 }
 
 // m: any pair bounds the smallest clearance, here the first robot that avoids somebody and its
@@ -303,6 +304,8 @@ RunSummary Metrics::summary() const {
   summary.collision_pairs = static_cast<std::int64_t>(state_->collided.size());
   summary.one_sided_collisions = static_cast<std::int64_t>(state_->collided_one_sided.size());
   summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
+  summary.obstacle_collisions_in_motion =
+      static_cast<std::int64_t>(state_->collided_in_motion.size());
   summary.collision_obstacles = static_cast<std::int64_t>(state_->walls.touched.size());
   summary.min_obstacle_clearance = state_->walls.least_clearance;
   summary.first_seen_too_late = state_->first_sights.too_late();

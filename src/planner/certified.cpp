@@ -124,7 +124,8 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const CertificateLaw& law = proposals.law;
   CertifiedWorkspace& workspace = proposals.workspace;
   const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
-  for (const double limit : {speed + u, speed, std::max(speed - u, 0.0)}) {
+  const double braked_speed = std::max(speed - decrement_of(robot, law.step), 0.0);
+  for (const double limit : {speed + u, speed, braked_speed}) {
     const double top_speed = std::min(limit, proposals.top_speed);
     proposals.begin();
     append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
@@ -148,7 +149,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
 
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace) {
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const double u = increment(robot.max_acceleration, law.step);
   const Proposals proposals{
       robot,
       law,

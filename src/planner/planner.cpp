@@ -40,10 +40,16 @@ int is_size(double value) {
   return static_cast<int>(value >= kSmallest) & static_cast<int>(value <= kLargest);
 }
 
+int is_braking(double max_braking, double max_acceleration) {
+  return is_size(max_braking) & static_cast<int>(max_braking <= max_acceleration);
+}
+
 // Where the robot is does not matter for slowing down.
 bool can_brake(const Robot& robot) {
   const int velocity = is_known(robot.velocity);
-  return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed)) != 0;
+  const int braking =
+      robot.max_braking ? is_braking(*robot.max_braking, robot.max_acceleration) : 1;
+  return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed) & braking) != 0;
 }
 
 bool can_drive(const Robot& robot) {
@@ -51,12 +57,12 @@ bool can_drive(const Robot& robot) {
 }
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
-// -v, Eq. (7); |v' - v| <= δ a_max always, |v'| <= v_max unless that is farther than δ a_max away.
+// -v, Eq. (7); |v' - v| <= δ b always, |v'| <= v_max unless that is farther than δ b away.
 // rate: the part of v' - v that one step turns into velocity.
 Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noexcept {
   const double speed = norm(robot.velocity);
   if (!(speed > 0.0)) return {};
-  const double limit = control_time * robot.max_acceleration;
+  const double limit = control_time * braking_limit(robot);
   const double change = std::min({speed / rate, limit, std::max(speed + robot.max_speed, 0.0)});
   return ((speed - change) / speed) * robot.velocity;
 }
@@ -80,12 +86,15 @@ bool follows_heading(const Robot& robot) {
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  const auto& [p, v, r, a_max, a, behavior, age, priority] = neighbor;
+  const auto& [p, v, r, a_max, a, behavior, age, priority, b, deviation, top] = neighbor;
   const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
-  const int able =
-      static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) & is_size(priority);
+  const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
+                   is_size(priority) & (b ? is_braking(*b, a_max) : 1);
   const int dated = static_cast<int>(age >= 0) & static_cast<int>(age <= kMostAge);
-  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able) & dated) != 0;
+  const int bounded =
+      static_cast<int>(deviation >= 0.0) & is_known(deviation) & static_cast<int>(top >= kSmallest);
+  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on ? bounded : able) &
+          dated) != 0;
 }
 
 bool is_valid(const Wall& wall) {
@@ -242,7 +251,7 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   if (!can_brake(robot)) return plan;
   if (!is_holonomic(robot.model) && can_drive(robot)) {
     const MotionState state{{}, robot.velocity, robot.heading};
-    const MotionLimits limits{robot.max_acceleration, robot.max_speed};
+    const MotionLimits limits{braking_limit(robot), robot.max_speed};
     plan.next_velocity =
         advance(robot.model, limits, state, plan, planner.options().time_step).next.velocity;
   } else {

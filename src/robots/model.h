@@ -17,8 +17,8 @@
 namespace avo {
 
 struct MotionLimits {
-  double max_acceleration;  // m/s^2
-  double max_speed;         // m/s
+  double max_braking;  // m/s^2, with which it surely brakes
+  double max_speed;    // m/s
 };
 
 /// One step of a robot that is not holonomic, exactly; of state.position its disc's center.

@@ -35,8 +35,12 @@ struct Starts {
 
 double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
   const double speed = norm(robot.velocity);
-  return law.step.time_step *
-         braking_steps(speed, braking_decrement(robot.max_acceleration, law.step));
+  return law.step.time_step * braking_steps(speed, decrement_of(robot, law.step));
+}
+
+// m/s
+double top_speed(const RobotSetup& robot) {
+  return std::max(robot.max_speed, norm(robot.velocity));
 }
 
 void collect_starters(Starts& starts) {
@@ -50,13 +54,14 @@ void collect_starters(Starts& starts) {
          disc_radius(robots[i]) + norm(way) + late_phase(starts.scenario, robots[i], starts.law)});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
-    starts.starters[i].reach = disc_radius(robots[i]) + longest * norm(robots[i].velocity);
+    starts.starters[i].reach = disc_radius(robots[i]) + longest * top_speed(robots[i]);
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
-    const double way = longest * norm(obstacle.velocity) +
-                       0.5 * longest * longest * norm(obstacle.acceleration) +
-                       parabola_error(obstacle.acceleration, starts.law.step);
+    const double way =
+        longest * norm(obstacle.velocity) +
+        0.5 * longest * longest * (norm(obstacle.acceleration) + obstacle.max_deviation) +
+        parabola_error(obstacle.acceleration, starts.law.step);
     starts.starters.push_back(
         {obstacle.position, -1 - static_cast<int>(k), {}, obstacle.radius + way});
   }
@@ -94,7 +99,10 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .max_acceleration = other.max_acceleration,
                 .behavior = own.parked || other.parked || avo::avoids(other, own)
                                 ? Behavior::decides
-                                : Behavior::moves_on};
+                                : Behavior::moves_on,
+                .max_braking = other.max_braking,
+                .max_deviation = other.max_acceleration,
+                .max_speed = top_speed(other)};
     margin = late_phase(scenario, own, law) + late_phase(scenario, other, law);
   } else {
     const MovingObstacle& other =
@@ -103,7 +111,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .velocity = other.velocity,
                 .radius = other.radius,
                 .acceleration = other.acceleration,
-                .behavior = Behavior::moves_on};
+                .behavior = Behavior::moves_on,
+                .max_deviation = other.max_deviation,
+                .max_speed = other.max_speed.value_or(std::numeric_limits<double>::infinity())};
     margin = parabola_error(other.acceleration, law.step) + late_phase(scenario, own, law);
   }
   const double contact = disc_radius(own) + neighbor.radius;
@@ -114,6 +124,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   robot.radius = disc_radius(own);
   robot.max_acceleration = own.max_acceleration;
   robot.max_speed = own.max_speed;
+  robot.max_braking = own.max_braking;
   collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
   const double distance = norm(robot.position - neighbor.position);
   // beside a robot at rest the slack does not count what may touch it, but that is contact
@@ -226,8 +237,7 @@ bool is_layered(const Scenario& scenario) {
 }
 
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
-  return stopping_way(start_velocity(robot), braking_decrement(robot.max_acceleration, law.step),
-                      law.step);
+  return stopping_way(start_velocity(robot), decrement_of(robot, law.step), law.step);
 }
 
 BrokenAssumptions broken_assumptions(const Scenario& scenario) {

@@ -56,6 +56,7 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
     robots.v_x[k] = fleet.velocity[slot].x, robots.v_y[k] = fleet.velocity[slot].y;
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
+    robots.max_braking[k] = traits.max_braking;
     robots.heading[k] = fleet.heading[slot];
     robots.priority[k] = fleet.conduct[slot].priority;
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;
@@ -91,10 +92,9 @@ void count(const World& world, Worker& worker) {
 void move_by_model(World& world, const Pace& pace, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const RobotTraits& traits = fleet.traits[slot];
-  const MotionStep step =
-      advance(*fleet.own_model(slot), {traits.max_acceleration, traits.max_speed},
-              {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]}, fleet.plan[slot],
-              pace.response.time_step);
+  const MotionStep step = advance(*fleet.own_model(slot), {traits.max_braking, traits.max_speed},
+                                  {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]},
+                                  fleet.plan[slot], pace.response.time_step);
   fleet.position[slot] = step.next.position;
   fleet.velocity[slot] = fleet.plan[slot].next_velocity = step.next.velocity;
   fleet.heading[slot] = step.next.heading;
@@ -113,7 +113,6 @@ void move(World& world, const Pace& pace, Worker& worker) {
   std::uint64_t fast = advance(pace.response, moving, tile.robots);
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
     const std::uint32_t slot = tile.slot[k];
-    const Vec2 before = fleet.velocity[slot];
     if (fleet.traits[slot].has_model) {
       move_by_model(world, pace, slot);
       const std::uint64_t bit = std::uint64_t{1} << k;
@@ -123,9 +122,6 @@ void move(World& world, const Pace& pace, Worker& worker) {
       fleet.velocity[slot] = tile.plan[k]->next_velocity = tile.robots.velocity(k);
       fleet.applied_acceleration[slot] = moving.acceleration[k];
     }
-    if (world.layered && !fleet.has_clocks)
-      fleet.seen_acceleration[static_cast<std::size_t>(fleet.rank[slot])] =
-          (fleet.velocity[slot] - before) / pace.response.time_step;
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
   }
   worker.fast = worker.fast || fast != 0;

@@ -17,10 +17,10 @@
 namespace avo {
 namespace {
 
-constexpr std::size_t kWord = 8;                     // bytes
-constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
-constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
-constexpr std::size_t kObstacleWords = 11, kRobotWords = 20;
+constexpr std::size_t kWord = 8;                              // bytes
+constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
+constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
+constexpr std::size_t kObstacleWords = 16, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 
@@ -130,6 +130,12 @@ void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, std::vector<Vec2>& points) {
+  archive.size(points, kPointWords);
+  for (Vec2& point : points) describe(archive, point);
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, SensingError& error) {
   describe(archive, error.position), describe(archive, error.velocity);
 }
@@ -160,9 +166,10 @@ void describe(Archive<kReads>& archive, SavedClock& clock, RobotSetup& setup) {
 }
 
 template <bool kReads>
-void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& state) {
+void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
+  describe(archive, state.target);
 }
 
 template <bool kReads>
@@ -176,8 +183,7 @@ void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id
   archive.size(obstacle.chains, kChainWords);
   for (Chain& chain : obstacle.chains) {
     describe(archive, chain.closed);
-    archive.size(chain.points, kPointWords);
-    for (Vec2& point : chain.points) describe(archive, point);
+    describe(archive, chain.points);
   }
 }
 
@@ -224,6 +230,9 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
+  double max_braking = setup.max_braking.value_or(0.0);  // 0: unset
+  describe(archive, max_braking);
+  if (max_braking != 0.0) setup.max_braking = max_braking;
   describe(archive, setup.preferred_speed), describe(archive, setup.priority);
   describe(archive, setup.parked);
   std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
@@ -236,7 +245,6 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, state.id.value), describe(archive, state.position);
   describe(archive, state.velocity), describe(archive, state.heading);
   describe(archive, state.detour.angle), describe(archive, state.detour.yielded);
-  describe(archive, state.seen_acceleration);
 }
 
 template <bool kReads>

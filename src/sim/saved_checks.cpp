@@ -75,6 +75,13 @@ void check_states(const SavedState& state) {
   const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
                      std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
   if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    const std::size_t points =
+        std::max<std::size_t>(state.scene.moving_obstacles[k].path.size(), 1);
+    if (state.obstacles[k].target >= points)
+      refuse_saved("way point " + std::to_string(state.obstacles[k].target),
+                   "below " + std::to_string(points));
+  }
   std::uint64_t next = 0;  // id, at least
   const auto check_id = [&next](std::uint64_t id, std::uint64_t beyond) {
     if (id < next || id >= beyond)
@@ -91,8 +98,6 @@ void check_states(const SavedState& state) {
       refuse_saved("heading " + text(robot.heading), "an angle in rad");
     if (!is_sound(robot.detour)) refuse_saved("a detour that no robot can remember", "a sound one");
     check_id(robot.id.value, state.next_id);
-    if (!is_finite(robot.seen_acceleration))
-      refuse_saved("an acceleration that is not finite", "finite");
   }
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];

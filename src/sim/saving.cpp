@@ -100,11 +100,6 @@ Fleet fleet_of(const SavedState& state) {
     fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
     fleet.detour[k] = robot.detour;
   }
-  const bool seen = std::any_of(state.robots.begin(), state.robots.end(), [](const RobotState& r) {
-    return !(r.seen_acceleration == Vec2{});
-  });
-  for (std::size_t k = 0; k < state.robots.size() && seen && !fleet.has_clocks; ++k)
-    fleet.seen_acceleration.push_back(state.robots[k].seen_acceleration);
   return fleet;
 }
 
@@ -114,6 +109,7 @@ ObstacleColumns obstacles_of(const SavedState& state) {
     obstacles.add(state.scene.moving_obstacles[k]);
     obstacles.position[k] = state.obstacles[k].position;
     obstacles.velocity[k] = state.obstacles[k].velocity;
+    obstacles.target[k] = state.obstacles[k].target;
   }
   return obstacles;
 }
@@ -171,15 +167,15 @@ SavedState saved_state(const World& world) {
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
-    state.obstacles.push_back({world.obstacles.position[k], world.obstacles.velocity[k]});
+    state.obstacles.push_back(
+        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.target[k]});
   }
   state.scene.robots.reserve(fleet.size());
   state.robots.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
     state.scene.robots.push_back(fleet.setup(slot));
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
-                            fleet.heading[slot], fleet.detour[slot],
-                            fleet.has_clocks ? Vec2{} : fleet.acceleration_seen(slot)});
+                            fleet.heading[slot], fleet.detour[slot]});
     if (!fleet.has_clocks) continue;
     const OwnClock& clock = fleet.clock_of(slot);
     state.clocks.push_back({clock.begin, clock.end, clock.from, clock.to, clock.has_decided});

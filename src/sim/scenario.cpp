@@ -39,12 +39,13 @@ std::string list_of(LayerSet set) {
   return list.append("]");
 }
 
+std::string at(Vec2 p) {
+  std::string point("[");
+  return point.append(text(p.x)).append(", ").append(text(p.y)).append("]");
+}
+
 // It has arrived where it stands.
 void check_parked(std::size_t i, const RobotSetup& robot) {
-  const auto at = [](Vec2 p) {
-    std::string point("[");
-    return point.append(text(p.x)).append(", ").append(text(p.y)).append("]");
-  };
   if (!(robot.goal == robot.position))
     refuse(std::string(Place{"robots", i, "goal"}), at(robot.goal),
            at(robot.position) + ", its position: it is parked");
@@ -80,9 +81,30 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
   require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
   require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
   require(Place{list, i, "priority"}, robot.priority, kPositive, "");
+  if (robot.max_braking) {
+    require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
+    if (*robot.max_braking > robot.max_acceleration)
+      refuse(std::string(Place{list, i, "max_braking"}), text(*robot.max_braking),
+             "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
+  }
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
+}
+
+void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
+  const std::string_view list = "moving_obstacles";
+  const double most = *obstacle.max_speed;
+  require(Place{list, k, "max_speed"}, most, kPositive, "m/s");
+  if (!(obstacle.max_deviation > 0.0))
+    refuse(std::string(Place{list, k, "max_speed"}), text(most),
+           "left out without max_deviation: it keeps its acceleration");
+  if (!(obstacle.acceleration == Vec2{}))
+    refuse(std::string(Place{list, k, "acceleration"}), at(obstacle.acceleration),
+           "[0, 0] with max_speed, which it would exceed");
+  if (norm(obstacle.velocity) > most)
+    refuse(std::string(Place{list, k, "velocity"}), at(obstacle.velocity),
+           "at most max_speed = " + text(most) + " m/s long");
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
@@ -91,6 +113,13 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   require(Place{list, k, "velocity"}, obstacle.velocity, "m/s");
   require(Place{list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
   require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
+  require(Place{list, k, "max_deviation"}, obstacle.max_deviation, kNotNegative, "m/s^2");
+  if (obstacle.max_speed) check_max_speed(k, obstacle);
+  if (obstacle.path.empty()) return;
+  if (!obstacle.max_speed)
+    refuse(std::string(Place{list, k, "path"}), "one",
+           "left out without max_speed and max_deviation, within which it is followed");
+  for (const Vec2 point : obstacle.path) require(Place{list, k, "path"}, point, "m");
 }
 
 void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
@@ -173,10 +202,11 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
                 options.control_time;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (robot.max_speed <= longest * robot.max_acceleration) continue;
+    const double most = longest * braking_limit(robot);
+    if (robot.max_speed <= most) continue;
     refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
-           "<= " + text(longest * robot.max_acceleration) + " m/s, " +
-               std::to_string(kMostBrakingSteps) + " steps of braking, with a certificate");
+           "<= " + text(most) + " m/s, " + std::to_string(kMostBrakingSteps) +
+               " steps of braking, with a certificate");
   }
 }
 
@@ -190,6 +220,18 @@ void check_sensing(const SensingModel& sensing) {
            "left out with distribution uniform, which stays within position and velocity");
   require("sensing.delay", sensing.delay, Range{0.0, kMostDelay, false}, "steps");
   require("sensing.dropped", sensing.dropped, kShareMissed, "");
+}
+
+// A measurement of the past is carried on from where it was: nobody remembers that of one on a
+// path.
+void check_paths(const Scenario& scenario) {
+  const SensingModel& sensing = scenario.sensing;
+  if (sensing.delay == 0 && !sensing.misses()) return;
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
+    if (!scenario.moving_obstacles[k].path.empty())
+      refuse(std::string(Place{"moving_obstacles", k, "path"}), "one",
+             "left out where sensing has delay, dropped or occlusion");
+  }
 }
 
 // The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
@@ -242,6 +284,7 @@ void validate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
+  check_paths(scenario);
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
     check_static_obstacle(k, scenario.obstacles[k]);
   check_certificate(scenario, options);
@@ -309,6 +352,8 @@ SensingError declared_error(const Scenario& scenario) {
   double strongest = 0.0;  // m/s²
   for (const RobotSetup& robot : scenario.robots)
     strongest = std::max(strongest, robot.max_acceleration);
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+    strongest = std::max(strongest, obstacle.max_deviation);
   const double time = scenario.sensing.delay * scenario.time_step;
   error.position += time * error.velocity + 0.5 * strongest * time * time;
   error.velocity += strongest * time;

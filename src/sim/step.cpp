@@ -33,6 +33,7 @@ void find_ranges(World& world) {
     robot.max_acceleration = robot_traits.max_acceleration;
     robot.max_speed = robot_traits.max_speed;
     robot.priority = fleet.conduct[slot].priority;
+    robot.max_braking = max_braking_of(robot_traits);
     return robot;
   };
   std::vector<Peers> peers(world.paces.size());
@@ -47,14 +48,15 @@ void find_ranges(World& world) {
       std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
                     [](const Conduct& conduct) { return conduct.parked; }));
   const Conduct usual;
-  world.layered =
+  const bool layered =
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
       });
-  if (world.layered && !fleet.has_clocks) fleet.seen_acceleration.resize(fleet.size());
-  world.selective = world.parked > 0 || world.layered;
+  world.selective = world.parked > 0 || layered;
   world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
-                            [](const Conduct& conduct) { return conduct == Conduct{}; });
+                            [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
+                std::none_of(fleet.traits.begin(), fleet.traits.end(),
+                             [](const RobotTraits& traits) { return max_braking_of(traits); });
   for (const std::uint32_t slot : fleet.slot_of) {
     const Pace& pace = world.pace(slot);
     const auto k = static_cast<std::size_t>(&pace - world.paces.data());
@@ -86,7 +88,7 @@ void lay_out(World& world, Executor& executor) {
 
 void take_snapshot(World& world, Executor& executor) {
   const std::size_t parts = executor.workers();
-  prepare(world.fleet, world.layered, world.snapshot);
+  prepare(world.fleet, world.snapshot);
   parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
     StageClock& clock = world.workers[worker].clock;
     clock.start();

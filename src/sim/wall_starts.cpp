@@ -45,8 +45,8 @@ std::optional<WallStart> start_beside(const Scenario& scenario, int number,
   const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
   const Vec2 center = disc_center(robot);
   const double radius = disc_radius(robot);
-  const WallRounding rounding = wall_rounding(radius, robot.max_speed, robot.max_acceleration,
-                                              step_law(scenario, robot, law));
+  const WallRounding rounding =
+      wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
   const double late = late_phase(scenario, robot, law);
   const Vec2 way = way_to_rest(robot, law);
   const auto start_at = [&](const Wall& wall) {

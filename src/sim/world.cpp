@@ -29,10 +29,11 @@ std::size_t most_braking_steps(const World& world) {
   double most = 0.0;
   for (const RobotTraits& robot_traits : world.fleet.traits) {
     const double fastest = robot_traits.max_speed + error;
-    most = std::max(most, fastest / (robot_traits.max_acceleration * braking_time));
+    const double a = robot_traits.max_acceleration, b = robot_traits.max_braking;
+    most = std::max(most, fastest / (b * braking_time) + a / b);
   }
   if (world.settings.sensing.misses()) most += kMostCarried;
-  return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
+  return static_cast<std::size_t>(std::min(most + 3.0, kMostAhead));
 }
 
 constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
@@ -195,7 +196,8 @@ Robot World::robot(std::size_t slot, double nearest) const {
       .max_acceleration = robot_traits.max_acceleration,
       .max_speed = robot_traits.max_speed,
       .distance_to_goal = norm(heading.goal - p),
-      .priority = fleet.conduct[slot].priority};
+      .priority = fleet.conduct[slot].priority,
+      .max_braking = max_braking_of(robot_traits)};
   if (robot_traits.has_model) robot.model = fleet.model(slot), robot.heading = fleet.heading[slot];
   return robot;
 }

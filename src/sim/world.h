@@ -77,7 +77,6 @@ struct World {
   bool fast = false;               // some robot exceeds its max_speed
   bool alike = true;               // all robots are of one Conduct, the usual one
   bool selective = false;          // not everybody minds everybody
-  bool layered = false;            // by their layers
   std::size_t parked = 0;          // robots
   bool valid = false;              // all robots were, when they came, and there is nobody else
   double near = 0.0;               // m, typical of Fleet::range

@@ -24,7 +24,7 @@ const std::string kSceneKeys =
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
     "heading, car, "
-    "priority, parked, layers, avoids, time_step";
+    "priority, max_braking, parked, layers, avoids, time_step";
 
 struct BadScene {
   const char* name;
@@ -89,6 +89,20 @@ const std::vector<BadScene> kBadScenes{
      "3:30: robots.0.goal: found [1, 0], must be [0, 0], its position: it is parked"},
     {"priority_zero", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], priority: 0}\n"),
      "3:48: robots.0.priority: found 0, must be > 0"},
+    {"brakes_harder_than_it_can",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_braking: 1.5}\n"),
+     "3:51: robots.0.max_braking: found 1.5, must be <= max_acceleration = 1 m/s^2"},
+    {"max_speed_of_one_that_keeps_its_acceleration",
+     kGood + s("moving_obstacles:\n  - {position: [9, 9], max_speed: 2}\n"),
+     "5:35: moving_obstacles.0.max_speed: found 2, must be left out without max_deviation: it "
+     "keeps "
+     "its acceleration"},
+    {"path_without_limits",
+     kGood + s("moving_obstacles:\n  - {position: [9, 9], max_deviation: 2, path: [[1, 2]]}\n"),
+     "5:48: moving_obstacles.0.path: found one, must be left out without max_speed and "
+     "max_deviation, within which it is followed"},
+    {"path_of_numbers", kGood + s("moving_obstacles:\n  - {position: [9, 9], path: [1, 2]}\n"),
+     "5:31: moving_obstacles.0.path.0: found 1, must be [x, y] in m"},
     {"missing_goal", s("version: 1\nrobots:\n  - {position: [0, 0]}\n"),
      "3:5: robots.0: found no \"goal\", must be given: where it wants to come to rest"},
     {"missing_position", kGood + s("  - {goal: [1, 0]}\n"),
@@ -261,7 +275,7 @@ const std::vector<BadScene> kBadScenes{
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
      "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, "
-     "priority, parked, layers, avoids, time_step"},
+     "priority, max_braking, parked, layers, avoids, time_step"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
      "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random; did "
@@ -381,8 +395,8 @@ TEST(BadScene, files_that_are_no_files) {
       missing.err,
       "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
       "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
-      "maze, moving-obstacle, office, permutation-100, positions-exchange, swap-blocks, uniform-N, "
-      "warehouse; did you mean \"circle-N\"?\n");
+      "maze, moving-obstacle, office, permutation-100, person, positions-exchange, swap-blocks, "
+      "uniform-N, warehouse; did you mean \"circle-N\"?\n");
 }
 
 TEST(BadScene, size_is_limited_before_reading_on) {
