@@ -86,7 +86,9 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   }
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = within_steering(robot, turned_right(wish, detour.angle));
-    const Vec2 unhindered = approach(robot.velocity, turned, decision.reach());
+    const Vec2 unhindered =
+        followed(robot, approach(robot.velocity, turned, decision.reach()),
+                 backup_velocity(robot, decision.law), decision.law.step.time_step);
     choice = choose_by_program(decision, decision.walls, turned);
     if (is_way_blocked(decision, choice, unhindered, turned))
       turn_off(detour, robot, time_step, !decision.walls.empty());

@@ -91,6 +91,9 @@ inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_veloc
           .violation = violation};
 }
 
+/// Of a method without certificate: what the robot's own motion can follow of the plan.
+Plan as_followed(const Planner& planner, const Robot& robot, Plan plan);
+
 /// Full braking; where the robot cannot even know how to, nothing but invalid_input.
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 

@@ -47,7 +47,8 @@ bool can_brake(const Robot& robot) {
 }
 
 bool can_drive(const Robot& robot) {
-  return is_known(robot.heading) != 0 && is_valid(robot.model);
+  return is_known(robot.heading) != 0 &&
+         is_valid(robot.model, {robot.max_acceleration, robot.max_speed});
 }
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
@@ -72,7 +73,7 @@ bool is_valid(const Robot& robot) {
 }
 
 bool follows_heading(const Robot& robot) {
-  if (is_holonomic(robot.model)) return true;
+  if (!moves_along_heading(robot.model)) return true;
   const Vec2 v = robot.velocity, heading = elementary::direction(robot.heading);
   const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
   return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
@@ -187,6 +188,20 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
                  violation);
 }
 
+Plan as_followed(const Planner& planner, const Robot& robot, Plan plan) {
+  if (is_holonomic(robot.model) || !can_brake(robot) || !can_drive(robot)) return plan;
+  const PlannerOptions& options = planner.options();
+  const double time_step = options.time_step;
+  const Vec2 wanted = robot.velocity + time_step * plan.acceleration;
+  const Vec2 backup = braked(robot.velocity, time_step * robot.max_acceleration);
+  const Vec2 v = followed(robot, wanted, backup, time_step);
+  if (v == wanted) return plan;
+  plan.acceleration = (v - robot.velocity) / time_step;
+  const double control_time = adopts_at_once(options.method) ? time_step : options.control_time;
+  plan.new_velocity = robot.velocity + control_time * plan.acceleration;
+  return plan;
+}
+
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> given, std::span<const Wall> walls,
                             PlanWorkspace::Scratch& scratch) {
@@ -281,9 +296,9 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
                                    PlanWorkspace& workspace) const {
   Robot steering = robot;
   if (is_valid(robot)) steering.preferred_velocity = steered(robot);
-  return with_next_velocity(*this, robot,
-                            decide_among_obstacles(*this, steering, obstacles, {},
-                                                   PlanWorkspace::Scratch::of(workspace)));
+  const Plan plan =
+      decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
+  return with_next_velocity(*this, robot, as_followed(*this, robot, plan));
 }
 
 }  // namespace avo

@@ -178,8 +178,13 @@ void reach_out(const RobotColumns& robots, std::size_t i, const StepLaw& law,
                const DecisionColumns& decisions, Wished& wished) {
   const double u = reach_of(*robots.model[i]) * braking_decrement(robots.max_acceleration[i], law);
   const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-  wished.next = approach(robots.velocity(i), target, u);
-  wished.unhindered = approach(robots.velocity(i), wished.wish, u);
+  const Robot robot = robots.robot(i);
+  const Vec2 backup = braked(robot.velocity, braking_decrement(robot.max_acceleration, law));
+  const auto reached = [&](Vec2 v) {
+    return followed(robot, approach(robot.velocity, v, u), backup, law.time_step);
+  };
+  wished.next = reached(target);
+  wished.unhindered = wished.wish == target ? wished.next : reached(wished.wish);
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
@@ -242,6 +247,15 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
   }
 }
 
+// Those of the other methods that robots cannot follow; a certificate's choices are made of what
+// they can.
+void keep_within_models(const Planner& planner, Tile& tile) {
+  for (std::size_t i = 0; i < tile.plan.size(); ++i) {
+    if (tile.robots.model[i] == nullptr) continue;
+    *tile.plan[i] = as_followed(planner, tile.robots.robot(i), *tile.plan[i]);
+  }
+}
+
 // Whether the robot decides by something else than half-planes: it does so here.
 bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
                        PlanWorkspace::Scratch& scratch) {
@@ -299,6 +313,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
     decide(planner, tile, scratch);
   } else {
     adopt(planner, tile, scratch);
+    keep_within_models(planner, tile);
   }
   clock.lap(Stage::certificate);
 }

@@ -2,12 +2,12 @@
 // The one place that tells motion models apart.
 #include "robots/model.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "core/elementary.h"
 #include "core/ranges.h"
 #include "robots/car.h"
+#include "robots/drive.h"
 
 namespace avo {
 
@@ -15,12 +15,19 @@ const char* to_string(AccelerationSet set) {
   return set == AccelerationSet::exact ? "exact" : "incircle";
 }
 
+bool moves_along_heading(const MotionModel& model) {
+  return std::holds_alternative<Car>(model);
+}
+
 double disc_radius(const MotionModel& model, double radius) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) return radius + drive->offset;
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr && car->body ? car->body->radius : radius;
 }
 
 Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model))
+    return position + drive->offset * elementary::direction(heading);
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr || offset_of(*car) == 0.0) return position;
   return position + offset_of(*car) * elementary::direction(heading);
@@ -28,6 +35,8 @@ Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
 
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model))
+    return advance_drive(*drive, state, plan, time_step);
   return advance_car(std::get<Car>(model), limits, state, plan, time_step);
 }
 
@@ -53,13 +62,33 @@ void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPla
 }
 
 Vec2 steered(const Robot& robot) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return steered(*drive, robot);
   const Car* car = std::get_if<Car>(&robot.model);
   return car != nullptr ? steered(*car, robot) : robot.preferred_velocity;
 }
 
 Vec2 within_steering(const Robot& robot, Vec2 v) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return within_steering(*drive, robot, v);
   const Car* car = std::get_if<Car>(&robot.model);
   return car != nullptr ? within_steering(*car, robot, v) : v;
+}
+
+Vec2 followed(const Robot& robot, Vec2 next_velocity, Vec2 backup, double time_step) {
+  const auto* drive = std::get_if<DifferentialDrive>(&robot.model);
+  const MotionState state{{}, robot.velocity, robot.heading};
+  const auto can_follow = [&](Vec2 v) {
+    return follows(*drive, robot.max_acceleration, state, v, time_step);
+  };
+  if (drive == nullptr || can_follow(next_velocity)) return next_velocity;
+  constexpr int kBisections = 6;
+  double possible = 0.0, refused = 1.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double part = 0.5 * (possible + refused);
+    (can_follow(backup + part * (next_velocity - backup)) ? possible : refused) = part;
+  }
+  return possible > 0.0 ? backup + possible * (next_velocity - backup) : backup;
 }
 
 bool turns_in_place(const MotionModel& model) {
@@ -72,7 +101,14 @@ bool can_reverse(const MotionModel& model) {
   return car != nullptr && car->reverse;
 }
 
-bool is_valid(const MotionModel& model) {
+bool is_valid(const MotionModel& model, const MotionLimits& limits) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) {
+    return kPositive.contains(drive->track) && kPositive.contains(drive->offset) &&
+           kPositive.contains(drive->wheel_speed) &&
+           kPositive.contains(drive->wheel_acceleration) &&
+           limits.max_speed <= drive->wheel_speed &&
+           limits.max_acceleration < most_acceleration(*drive);
+  }
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr) return true;
   const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&

@@ -49,6 +49,11 @@ Vec2 steered(const Robot& robot);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
 
+/// m/s: next_velocity, if the robot can come to it within its limits at every instant of a step, by
+/// an even acceleration, and can brake then. Otherwise the farthest that it can of what lies
+/// between that and the backup, which is what straight braking leads to and always possible.
+Vec2 followed(const Robot& robot, Vec2 next_velocity, Vec2 backup, double time_step);
+
 /// append_own_half_planes() appends no more.
 inline constexpr std::size_t kMostOwnPlanes = 4;
 
@@ -56,7 +61,7 @@ inline constexpr std::size_t kMostOwnPlanes = 4;
 bool turns_in_place(const MotionModel& model);
 /// Whether it may move against its heading.
 bool can_reverse(const MotionModel& model);
-/// Whether every number is finite and in range.
-bool is_valid(const MotionModel& model);
+/// Whether every number is finite and in range, and the model keeps up with these limits.
+bool is_valid(const MotionModel& model, const MotionLimits& limits);
 
 }  // namespace avo

@@ -31,7 +31,8 @@ std::uint64_t hash_of(const StaticWorld& statics) {
 }  // namespace
 
 void WallNeeds::include(const RobotTraits& robot, double stray, double speed, const StepLaw& law) {
-  const auto& [radius, max_speed, max_acceleration, preferred, has_model] = robot;
+  const double radius = robot.radius, max_speed = robot.max_speed;
+  const double max_acceleration = robot.max_acceleration;
   const WallRounding own = wall_rounding(radius, max_speed, max_acceleration, law);
   rounding = {std::max(rounding.steps, own.steps), std::max(rounding.lengths, own.lengths)};
   const double top_speed = std::max(max_speed, speed);

@@ -362,8 +362,8 @@ TEST(BadScene, files_that_are_no_files) {
       missing.err,
       "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
       "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
-      "maze, moving-obstacle, office, permutation-100, positions-exchange, swap-blocks, uniform-N, "
-      "warehouse; did you mean \"circle-N\"?\n");
+      "drives-100, maze, moving-obstacle, office, permutation-100, positions-exchange, swap-blocks, "
+      "uniform-N, warehouse; did you mean \"circle-N\"?\n");
 }
 
 TEST(BadScene, size_is_limited_before_reading_on) {
