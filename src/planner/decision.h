@@ -91,6 +91,11 @@ inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_veloc
           .violation = violation};
 }
 
+/// Whether a robot goes for what Eq. (23) chose as fast as it can, and does not approach it with δ.
+inline bool goes_at_once(const PlannerOptions& options) {
+  return options.method == Method::avo || adopts_at_once(options.method);
+}
+
 /// Of a method without certificate: what the robot's own motion can follow of the plan.
 Plan as_followed(const Planner& planner, const Robot& robot, Plan plan);
 

@@ -295,7 +295,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {
   Robot steering = robot;
-  if (is_valid(robot)) steering.preferred_velocity = steered(robot);
+  if (is_valid(robot)) steering.preferred_velocity = steered(robot, goes_at_once(options_));
   const Plan plan =
       decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
   return with_next_velocity(*this, robot, as_followed(*this, robot, plan));

@@ -112,10 +112,10 @@ Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 
 }
 
 // Robots that cannot go everywhere at once go about it in their own way.
-void steer(RobotColumns& robots) {
+void steer(const PlannerOptions& options, RobotColumns& robots) {
   for (std::size_t i = 0; i < robots.count; ++i) {
     if (robots.model[i] == nullptr || turns_in_place(*robots.model[i])) continue;
-    const Vec2 wish = steered(robots.robot(i));
+    const Vec2 wish = steered(robots.robot(i), goes_at_once(options));
     robots.preferred_x[i] = wish.x, robots.preferred_y[i] = wish.y;
   }
 }
@@ -298,7 +298,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
-  steer(tile.robots);
+  steer(options, tile.robots);
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);

@@ -28,7 +28,8 @@ constexpr double kFewestSubsteps = 2.0;
 constexpr double kReserve = 0x1p-20;
 // What is wished for stays so much within S, so that it can be followed to the end.
 constexpr double kWithin = 1.0 - 0x1p-9;
-constexpr double kNear = 4.0;  // offsets; so far it drives backwards rather than turn
+constexpr double kNear = 2.0;         // [L], of the goal from the axle
+constexpr double kNearEnough = 0.05;  // [L]: nobody turns round for that
 
 double ratio(const DifferentialDrive& drive) {  // [k]
   return 0.5 * drive.track / drive.offset;
@@ -160,15 +161,30 @@ bool follows(const DifferentialDrive& drive, double max_acceleration, const Moti
                                      cross(heading, v) / speed);
 }
 
-// One that has its goal behind it turns first: its q goes round the axle, to the right where both
-// ways are as long. On the last of its way it drives backwards.
-Vec2 steered(const DifferentialDrive& drive, const Robot& robot) {
-  const Vec2 wish = robot.preferred_velocity;
-  const Vec2 h = elementary::direction(robot.heading);
-  const bool turns = dot(h, wish) < 0.0 && robot.distance_to_goal > kNear * drive.offset;
-  if (!turns) return within_steering(drive, robot, wish);
+// Far from its goal it heads for it at once, and turns as q does. One that has its goal behind it
+// first turns on the spot, by q going round the axle; to the right where both ways are as long.
+//
+// Where the goal is nearer to the axle than L, that would circle round it: with β the angle of the
+// goal off the heading and d its distance, V cos β ahead and V sin β across make
+// β' = V sin β (cos β/d - 1/L). With as much across as kNear L/d times that, β shrinks at any
+// distance, not faster than it can be stopped. A goal
+// behind it is there driven to backwards.
+Vec2 steered(const DifferentialDrive& drive, const Robot& robot, bool at_once) {
+  const Vec2 wish = robot.preferred_velocity, h = elementary::direction(robot.heading);
   const Vec2 left = perpendicular(h);
-  return within_steering(drive, robot, norm(wish) * (cross(h, wish) > 0.0 ? left : -left));
+  const double speed = norm(wish), distance = robot.distance_to_goal;
+  if (!(speed > 0.0)) return wish;
+  const double along = dot(h, wish) / speed, across = cross(h, wish) / speed;
+  if (distance >= kNear * drive.offset) {
+    const Vec2 turning = across > 0.0 ? left : -left;
+    return within_steering(drive, robot, along < 0.0 ? speed * turning : wish);
+  }
+  if (!at_once) return within_steering(drive, robot, wish);
+  if (distance <= kNearEnough * drive.offset) return {};
+  const double turn = std::min(kNear * drive.offset / distance * speed * std::abs(across),
+                               std::sqrt(robot.max_acceleration * drive.offset * std::abs(across)));
+  const Vec2 side = across * along < 0.0 ? -left : left;
+  return within_steering(drive, robot, (speed * along) * h + turn * side);
 }
 
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v) {

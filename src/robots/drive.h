@@ -20,7 +20,7 @@ double most_speed(const DifferentialDrive& drive, double max_acceleration, doubl
                   double across);
 
 /// As within_steering(), see robots/model.h.
-Vec2 steered(const DifferentialDrive& drive, const Robot& robot);
+Vec2 steered(const DifferentialDrive& drive, const Robot& robot, bool at_once);
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v);
 
 }  // namespace avo

@@ -61,9 +61,9 @@ void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPla
     append_own_half_planes(*car, robot, time, half_planes);
 }
 
-Vec2 steered(const Robot& robot) {
+Vec2 steered(const Robot& robot, bool at_once) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
-    return steered(*drive, robot);
+    return steered(*drive, robot, at_once);
   const Car* car = std::get_if<Car>(&robot.model);
   return car != nullptr ? steered(*car, robot) : robot.preferred_velocity;
 }
