@@ -45,6 +45,12 @@ Stray stray_of(const MotionModel& model, double max_acceleration, double time_st
   return car != nullptr ? stray_of_car(*car, max_acceleration, time_step) : Stray{};
 }
 
+double fastest_of(const MotionModel& model, double max_speed) {
+  const Car* car = std::get_if<Car>(&model);
+  if (car == nullptr || offset_of(*car) == 0.0) return max_speed;
+  return max_speed * (1.0 + std::abs(offset_of(*car)) * sharpest(*car));
+}
+
 bool may_exceed_reach(const MotionModel& model) {
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr && (offset_of(*car) != 0.0 || reach_of(model) > 1.0);
@@ -113,7 +119,8 @@ bool is_valid(const MotionModel& model, const MotionLimits& limits) {
   if (car == nullptr) return true;
   const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&
                                    kPositive.contains(car->body->radius));
-  return kPositive.contains(car->wheelbase) && car->max_curvature > 0.0 && body;
+  return kPositive.contains(car->wheelbase) && body &&
+         (!car->max_curvature || kPositive.contains(*car->max_curvature));
 }
 
 }  // namespace avo

@@ -56,7 +56,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
     robots.heading[k] = fleet.heading[slot];
-    robots.model.push_back(traits.has_model ? &fleet.model[slot] : nullptr);
+    robots.model.push_back(fleet.own_model(slot));
     robots.priority[k] = fleet.conduct[slot].priority;
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;
     worker.moving.preferred_speed[k] = traits.preferred_speed;
@@ -86,9 +86,10 @@ void count(const World& world, Worker& worker) {
 void move_by_model(World& world, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const RobotTraits& traits = fleet.traits[slot];
-  const MotionStep step = advance(fleet.model[slot], {traits.max_acceleration, traits.max_speed},
-                                  {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]},
-                                  fleet.plan[slot], world.settings.time_step);
+  const MotionStep step =
+      advance(*fleet.own_model(slot), {traits.max_acceleration, traits.max_speed},
+              {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]}, fleet.plan[slot],
+              world.settings.time_step);
   fleet.position[slot] = step.next.position;
   fleet.velocity[slot] = fleet.plan[slot].next_velocity = step.next.velocity;
   fleet.heading[slot] = step.next.heading;

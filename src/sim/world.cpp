@@ -121,7 +121,7 @@ void find_walls(World& world) {
     const double speed = norm(fleet.velocity[slot]);
     const double stray =
         traits.has_model
-            ? stray_of(fleet.model[slot], traits.max_acceleration, law.time_step).distance
+            ? stray_of(fleet.model(slot), traits.max_acceleration, law.time_step).distance
             : 0.0;
     needs.include(traits, stray, speed, law);
     if (options.method == Method::avo) continue;
@@ -167,7 +167,7 @@ Robot World::robot(std::size_t slot, double nearest) const {
               .max_speed = robot_traits.max_speed,
               .distance_to_goal = norm(heading.goal - p),
               .priority = fleet.conduct[slot].priority};
-  if (robot_traits.has_model) robot.model = fleet.model[slot], robot.heading = fleet.heading[slot];
+  if (robot_traits.has_model) robot.model = fleet.model(slot), robot.heading = fleet.heading[slot];
   return robot;
 }
 
