@@ -96,7 +96,7 @@ inline bool goes_at_once(const PlannerOptions& options) {
   return options.method == Method::avo || adopts_at_once(options.method);
 }
 
-/// Of a method without certificate: what the robot's own motion can follow of the plan.
+/// Without a certificate: what the robot's own motion can follow of the plan.
 Plan as_followed(const Planner& planner, const Robot& robot, Plan plan);
 
 /// Full braking; where the robot cannot even know how to, nothing but invalid_input.

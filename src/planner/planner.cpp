@@ -189,8 +189,9 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
 }
 
 Plan as_followed(const Planner& planner, const Robot& robot, Plan plan) {
-  if (is_holonomic(robot.model) || !can_brake(robot) || !can_drive(robot)) return plan;
   const PlannerOptions& options = planner.options();
+  if (options.certificate != Certificate::none || is_holonomic(robot.model)) return plan;
+  if (!can_brake(robot) || !can_drive(robot)) return plan;
   const double time_step = options.time_step;
   const Vec2 wanted = robot.velocity + time_step * plan.acceleration;
   const Vec2 backup = braked(robot.velocity, time_step * robot.max_acceleration);

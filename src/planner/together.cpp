@@ -247,9 +247,9 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
   }
 }
 
-// Those of the other methods that robots cannot follow; a certificate's choices are made of what
-// they can.
+// Plans made without a certificate, whose choices are made of what robots can follow.
 void keep_within_models(const Planner& planner, Tile& tile) {
+  if (planner.options().certificate != Certificate::none) return;
   for (std::size_t i = 0; i < tile.plan.size(); ++i) {
     if (tile.robots.model[i] == nullptr) continue;
     *tile.plan[i] = as_followed(planner, tile.robots.robot(i), *tile.plan[i]);
@@ -313,8 +313,8 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
     decide(planner, tile, scratch);
   } else {
     adopt(planner, tile, scratch);
-    keep_within_models(planner, tile);
   }
+  keep_within_models(planner, tile);
   clock.lap(Stage::certificate);
 }
 

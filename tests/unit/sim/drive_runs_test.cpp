@@ -167,6 +167,16 @@ TEST(DriveRuns, keep_their_wheels_limits_by_every_method) {
   }
 }
 
+TEST(DriveRuns, keep_their_wheels_limits_without_a_certificate_and_while_motion_is_exponential) {
+  Scenario scene = crowd(4, 2.0, Method::avo, 4, false);
+  scene.certificate = Certificate::none;
+  scene.motion = Motion::exponential;
+  Watched run(scene);
+  run.run(20.0);
+  run.expect_limits();
+  EXPECT_GT(run.worst.acceleration, 0.8);
+}
+
 TEST(DriveRuns, find_ways_around_walls_and_touch_none) {
   Scenario scene;
   scene.obstacles = {{{Chain{{{0, -4}, {0, 4}}}}, 0.1},
@@ -180,6 +190,29 @@ TEST(DriveRuns, find_ways_around_walls_and_touch_none) {
   EXPECT_EQ(run.metrics.summary().collision_obstacles, 0);
   EXPECT_LT(*run.metrics.summary().min_obstacle_clearance, 0.3);
   run.expect_limits();
+}
+
+// Straight to one point of a room after the other, past walls and along them.
+TEST(DriveRuns, touch_no_wall_in_a_crush_of_mixed_kinds) {
+  for (const bool ways : {false, true}) {
+    Scenario scene = crowd(5, 1.8, Method::avo, 6, true);
+    scene.navigation = ways;
+    scene.obstacles = {{{Chain{{{-2, -2}, {10, -2}, {10, 10}, {-2, 10}}, true}}, 0.0, Fill::bounds},
+                       {{Chain{{{4.5, 4.5}, {4.5, 6.3}}}}, 0.05},
+                       {{Chain{{{0.9, 0.9}}}}, 0.2}};
+    Watched run(scene);
+    for (const Vec2 goal : {Vec2{9, 9}, Vec2{-1, 9}, Vec2{5.5, 4}, Vec2{0, 0}}) {
+      for (const RobotId robot :
+           std::vector(run.simulation.fleet().id.begin(), run.simulation.fleet().id.end()))
+        run.simulation.set_goal(robot, goal);
+      run.run(15.0);
+    }
+    EXPECT_EQ(run.metrics.summary().collision_pairs, 0);
+    EXPECT_EQ(run.metrics.summary().collision_obstacles, 0);
+    EXPECT_LT(*run.metrics.summary().min_obstacle_clearance, 0.01);
+    run.expect_limits();
+    EXPECT_GT(run.worst.acceleration, 0.9);
+  }
 }
 
 TEST(DriveRuns, continue_from_saved_bytes_with_their_setups) {
