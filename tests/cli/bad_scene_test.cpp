@@ -248,7 +248,7 @@ const std::vector<BadScene> kBadScenes{
      "3:53: robots.0.car.heading: found \"random\", must be a number (rad)"},
     {"drive_of_a_car",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: car, drive: {}}\n"),
-     "3:56: robots.0.drive: found keys of a differential drive, must be left out: its model is "
+     "3:57: robots.0.drive: found keys of a differential drive, must be left out: its model is "
      "car"},
     {"drive_unknown_key",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], drive: {trak: 1}}\n"),
@@ -257,12 +257,12 @@ const std::vector<BadScene> kBadScenes{
     {"drive_brakes_too_hard",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_acceleration: 2, drive: "
        "{track: 1.5, offset: 1, wheel_acceleration: 2.5}}\n"),
-     "3:60: robots.0.max_acceleration: found 2, must be < 2 m/s^2, "
+     "3:56: robots.0.max_acceleration: found 2, must be < 2 m/s^2, "
      "wheel_acceleration/sqrt(1 + (track/(2 offset))^2)"},
     {"drive_faster_than_its_wheels",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_speed: 1.5, drive: "
        "{wheel_speed: 1.25}}\n"),
-     "3:53: robots.0.max_speed: found 1.5, must be <= 1.25 m/s, its drive.wheel_speed"},
+     "3:49: robots.0.max_speed: found 1.5, must be <= 1.25 m/s, its drive.wheel_speed"},
     {"drive_starts_faster_than_its_wheels",
      s("version: 1\nrobots:\n  - {position: [0, 0], velocity: [3, 4], goal: [1, 0], drive: {}}\n"),
      "3:34: robots.0.velocity: found 5 m/s, must be <= 2 m/s, its drive.wheel_speed"},

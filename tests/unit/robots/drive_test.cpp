@@ -186,9 +186,9 @@ TEST(Drive, leaves_from_rest_in_every_direction) {
   const DifferentialDrive drive;
   for (int k = 0; k < 360; ++k) {
     const Vec2 next = at_angle(0.1, k * std::numbers::pi / 180.0);
-    EXPECT_TRUE(follows(drive, 1.0, {.heading = 0.7}, next, 0.1)) << k;
+    EXPECT_TRUE(follows(drive, 1.0, {{}, {}, 0.7}, next, 0.1)) << k;
   }
-  EXPECT_FALSE(follows(drive, 1.0, {.heading = 0.7}, at_angle(1.0, 3.0), 0.1));
+  EXPECT_FALSE(follows(drive, 1.0, {{}, {}, 0.7}, at_angle(1.0, 3.0), 0.1));
 }
 
 TEST(Drive, brakes_to_rest_exactly) {
