@@ -15,7 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) {
+template <typename Number>
+Json or_null(const std::optional<Number>& value) {
   return value ? Json(*value) : Json();
 }
 
@@ -71,6 +72,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["collision_obstacles"] = summary.collision_obstacles;
   json["min_clearance"] = or_null(summary.min_clearance);
   json["min_obstacle_clearance"] = or_null(summary.min_obstacle_clearance);
+  json["first_seen_too_late"] = or_null(summary.first_seen_too_late);
   json["max_acceleration"] = summary.max_acceleration;
   json["acceleration_excess"] = summary.acceleration_excess;
   json["max_speed"] = summary.max_speed;

@@ -102,8 +102,11 @@ std::string collisions(const avo::RunSummary& results) {
   if (results.one_sided_collisions > 0)
     text +=
         fmt::format("; {} more of which one avoids the other only", results.one_sided_collisions);
-  return text + fmt::format("; {} with moving obstacles; {} robots with obstacles",
-                            results.obstacle_collisions, results.collision_obstacles);
+  text += fmt::format("; {} with moving obstacles; {} robots with obstacles",
+                      results.obstacle_collisions, results.collision_obstacles);
+  if (results.first_seen_too_late.value_or(0) > 0)
+    text += fmt::format("; {} pairs first seen too late", *results.first_seen_too_late);
+  return text;
 }
 
 std::string decisions(const avo::RunSummary& results) {

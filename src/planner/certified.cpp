@@ -31,17 +31,10 @@ struct Proposals {
   // with what the robot's own motion can follow alone
   void begin() const {
     workspace.hard.clear();
-    append_own_half_planes(robot, law.step.braking_time, workspace.hard);
+    if (!is_holonomic(robot.model))
+      append_own_half_planes(robot, law.step.braking_time, workspace.hard);
   }
 };
-
-// m/s. Others count on no more than |v| + u of whoever decides, which the corners of a square
-// exceed; and the disc of a car that turns about its axle comes farther than the axle.
-double top_speed_of(const Robot& robot, double u) {
-  constexpr double kForTurning = 0.9;
-  if (!may_exceed_reach(robot.model)) return robot.max_speed;
-  return std::min(norm(robot.velocity) + kForTurning * u, robot.max_speed);
-}
 
 ProgramResult propose(const Proposals& proposals, double top_speed) {
   return nearest_point(proposals.workspace.hard, proposals.acceleration, top_speed,
@@ -64,9 +57,8 @@ bool is_within_limits(const Proposals& proposals) {
 // What the robot can follow of a proposal.
 Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
   const Robot& robot = proposals.robot;
-  if (is_holonomic(robot.model)) return next_velocity;
-  return followed(robot, next_velocity, backup_velocity(robot, proposals.law),
-                  proposals.law.step.time_step);
+  if (!has_limits_within_steps(robot.model)) return next_velocity;
+  return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
 }
 
 bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
@@ -164,8 +156,12 @@ CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const Certific
                                  CertifiedWorkspace& workspace) {
   const double u = braking_decrement(robot.max_acceleration, law.step);
   const Proposals proposals{
-      robot,  law,      {robot.velocity, reach_of(robot.model) * u}, top_speed_of(robot, u),
-      wanted, workspace};
+      robot,
+      law,
+      {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
+      is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
+      wanted,
+      workspace};
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
                                                     : choose_by_cuts(proposals);
 }

@@ -156,7 +156,8 @@ Planner::Planner(const PlannerOptions& options) : options_(options) {
 
 Disc Planner::acceleration_disc(const Robot& robot) const {
   if (adopts_at_once(options_.method)) return {{}, std::numeric_limits<double>::infinity()};
-  return {robot.velocity, reach_of(robot.model) * options_.control_time * robot.max_acceleration};
+  const double most = options_.control_time * robot.max_acceleration;
+  return {robot.velocity, is_holonomic(robot.model) ? most : reach_of(robot.model) * most};
 }
 
 Disc Planner::speed_disc(const Robot& robot) const {
@@ -190,12 +191,12 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
 
 Plan as_followed(const Planner& planner, const Robot& robot, Plan plan) {
   const PlannerOptions& options = planner.options();
-  if (options.certificate != Certificate::none || is_holonomic(robot.model)) return plan;
-  if (!can_brake(robot) || !can_drive(robot)) return plan;
+  if (options.certificate != Certificate::none || !has_limits_within_steps(robot.model) ||
+      !can_brake(robot) || !can_drive(robot))
+    return plan;
   const double time_step = options.time_step;
   const Vec2 wanted = robot.velocity + time_step * plan.acceleration;
-  const Vec2 backup = braked(robot.velocity, time_step * robot.max_acceleration);
-  const Vec2 v = followed(robot, wanted, backup, time_step);
+  const Vec2 v = within_own_limits(robot, time_step, wanted);
   if (v == wanted) return plan;
   plan.acceleration = (v - robot.velocity) / time_step;
   const double control_time = adopts_at_once(options.method) ? time_step : options.control_time;

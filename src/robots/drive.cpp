@@ -170,6 +170,24 @@ bool follows(const DifferentialDrive& drive, double max_acceleration, const Moti
                                      cross(heading, v) / speed);
 }
 
+// The farthest that it can follow of what lies between straight braking and v.
+Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v) {
+  const MotionState state{{}, robot.velocity, robot.heading};
+  const auto can_follow = [&](Vec2 next) {
+    return follows(drive, robot.max_acceleration, state, next, time);
+  };
+  if (can_follow(v)) return v;
+  const double speed = norm(robot.velocity), u = robot.max_acceleration * time;
+  const Vec2 backup = speed > u ? ((speed - u) / speed) * robot.velocity : Vec2{};
+  constexpr int kBisections = 6;
+  double possible = 0.0, refused = 1.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double part = 0.5 * (possible + refused);
+    (can_follow(backup + part * (v - backup)) ? possible : refused) = part;
+  }
+  return backup + possible * (v - backup);
+}
+
 // Far from its goal it heads for it at once, and turns as q does. One that has its goal behind it
 // first turns on the spot, by q going round the axle; to the right where both ways are as long.
 //

@@ -19,7 +19,8 @@ bool follows(const DifferentialDrive& drive, double max_acceleration, const Moti
 double most_speed(const DifferentialDrive& drive, double max_acceleration, double along,
                   double across);
 
-/// As within_steering(), see robots/model.h.
+/// See robots/model.h.
+Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v);
 Vec2 steered(const DifferentialDrive& drive, const Robot& robot, bool at_once);
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v);
 

@@ -2,6 +2,7 @@
 // The one place that tells motion models apart.
 #include "robots/model.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/elementary.h"
@@ -62,6 +63,27 @@ double reach_of(const MotionModel& model) {
   return exact ? std::numbers::sqrt2 : 1.0;
 }
 
+double top_speed_of(const Robot& robot, double u) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? std::min(top_speed_of(*car, robot, u), robot.max_speed) : robot.max_speed;
+}
+
+Vec2 within_own_limits(const Robot& robot, double time, Vec2 v) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return within_own_limits(*drive, robot, time, v);
+  const Car* car = std::get_if<Car>(&robot.model);
+  return has_own_half_planes(robot.model) ? within_own_limits(*car, robot, time, v) : v;
+}
+
+bool has_own_half_planes(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && (!turns_in_place(*car) || reach_of(model) > 1.0);
+}
+
+bool has_limits_within_steps(const MotionModel& model) {
+  return std::holds_alternative<DifferentialDrive>(model);
+}
+
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {
   if (const Car* car = std::get_if<Car>(&robot.model))
     append_own_half_planes(*car, robot, time, half_planes);
@@ -79,22 +101,6 @@ Vec2 within_steering(const Robot& robot, Vec2 v) {
     return within_steering(*drive, robot, v);
   const Car* car = std::get_if<Car>(&robot.model);
   return car != nullptr ? within_steering(*car, robot, v) : v;
-}
-
-Vec2 followed(const Robot& robot, Vec2 next_velocity, Vec2 backup, double time_step) {
-  const auto* drive = std::get_if<DifferentialDrive>(&robot.model);
-  const MotionState state{{}, robot.velocity, robot.heading};
-  const auto can_follow = [&](Vec2 v) {
-    return follows(*drive, robot.max_acceleration, state, v, time_step);
-  };
-  if (drive == nullptr || can_follow(next_velocity)) return next_velocity;
-  constexpr int kBisections = 6;
-  double possible = 0.0, refused = 1.0;
-  for (int i = 0; i < kBisections; ++i) {
-    const double part = 0.5 * (possible + refused);
-    (can_follow(backup + part * (next_velocity - backup)) ? possible : refused) = part;
-  }
-  return possible > 0.0 ? backup + possible * (next_velocity - backup) : backup;
 }
 
 bool turns_in_place(const MotionModel& model) {

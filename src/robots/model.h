@@ -53,10 +53,17 @@ Vec2 steered(const Robot& robot, bool at_once);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
 
-/// m/s: next_velocity, if the robot can come to it within its limits at every instant of a step, by
-/// an even acceleration, and can brake then. Otherwise the farthest that it can of what lies
-/// between that and the backup, which is what straight braking leads to and always possible.
-Vec2 followed(const Robot& robot, Vec2 next_velocity, Vec2 backup, double time_step);
+/// m/s, after a step that a_max changes by u: what the program is given.
+double top_speed_of(const Robot& robot, double u);
+/// m/s: v, or what comes near it of the velocities that the robot can have after `time` s.
+Vec2 within_own_limits(const Robot& robot, double time, Vec2 v);
+
+bool has_own_half_planes(const MotionModel& model);
+/// Whether these do not say it all: what it can follow is asked of within_own_limits().
+bool has_limits_within_steps(const MotionModel& model);
+inline bool has_own_limits(const MotionModel& model) {
+  return has_own_half_planes(model) || has_limits_within_steps(model);
+}
 
 /// append_own_half_planes() appends no more.
 inline constexpr std::size_t kMostOwnPlanes = 4;

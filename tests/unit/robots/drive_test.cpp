@@ -213,7 +213,7 @@ TEST(Drive, comes_as_near_to_a_wish_as_its_wheels_can) {
     const double u = 0.1 * d.max_acceleration, speed = norm(robot.velocity);
     const Vec2 backup = speed > u ? ((speed - u) / speed) * robot.velocity : Vec2{};
     const Vec2 wanted = robot.velocity + test::in_disc(random, u);
-    const Vec2 next = followed(robot, wanted, backup, 0.1);
+    const Vec2 next = within_own_limits(robot, 0.1, wanted);
     if (next == backup) continue;
     EXPECT_TRUE(follows(d.drive, d.max_acceleration, d.state, next, 0.1));
     const double part = norm(next - backup) / norm(wanted - backup);
