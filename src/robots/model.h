@@ -47,8 +47,8 @@ double reach_of(const MotionModel& model);
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes);
 
 /// m/s: the preferred velocity as the model can go about it. One that can turn in place, or that is
-/// holonomic, heads for it at once. at_once: a wish is gone for as
-/// fast as limits allow, and not approached with δ.
+/// holonomic, heads for it at once. at_once: a wish is gone for as fast as the limits allow, and not
+/// approached with δ.
 Vec2 steered(const Robot& robot, bool at_once);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
