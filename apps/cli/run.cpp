@@ -38,13 +38,14 @@ struct Outputs {
   std::optional<avo::figures::TrajectoryRecorder> trajectories;
   std::string figure_path;
 
-  explicit Outputs(const RunArguments& arguments) : figure_path(arguments.figure) {
+  Outputs(const RunArguments& arguments, const avo::Scenario& scenario)
+      : figure_path(arguments.figure) {
     if (!arguments.figure.empty()) {
       figure.emplace(arguments.figure);
       trajectories.emplace();
     }
     if (!arguments.summary.empty()) summary.emplace(arguments.summary);
-    if (!arguments.record.empty()) record.emplace(arguments.record);
+    if (!arguments.record.empty()) record.emplace(arguments.record, avo_io::has_headings(scenario));
   }
 
   void observe(const avo::Simulation& simulation) {
@@ -202,7 +203,7 @@ int run(const RunArguments& arguments) {
   require_figure({"--figure", arguments.figure});
   catch_signals();
   const avo::Scenario scenario = load(arguments.scene, files_of(arguments));
-  Outputs outputs(arguments);
+  Outputs outputs(arguments, scenario);
   const avo::RunSummary results = simulate(scenario, arguments.threads, outputs);
   outputs.finish(scenario, results);
   tell_unreachable(results);

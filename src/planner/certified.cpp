@@ -91,11 +91,14 @@ void append_cuts(const Proposals& proposals) {
 // bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   proposals.begin();
+  const bool has_own_planes = !proposals.workspace.hard.empty();
   for (int round = 0; round < kRounds; ++round) {
     ProgramResult result;
     result.point = proposals.wanted;
     if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, proposals.top_speed);
     if (result.state == ProgramState::discs_disjoint) break;
+    // it gives way in all half-planes, those of the robot's own motion too
+    if (result.state == ProgramState::least_unsafe && has_own_planes) break;
     const Vec2 candidate = followed(proposals, result.point);
     if (is_admitted(proposals, candidate)) {
       const bool wanted = round == 0 && candidate == result.point;
