@@ -9,6 +9,7 @@ namespace avo_io {
 
 using avo::Car;
 using avo::CarBody;
+using avo::DifferentialDrive;
 using avo::kAnyValue;
 using avo::kAtLeastOne;
 using avo::kNotNegative;
@@ -132,16 +133,20 @@ const std::vector<Field<RobotSetup>>& fields() {
        "at the start; of one with a heading its length counts, along it"},
       {"goal", &RobotSetup::goal, kRequired, kAnyValue, "m", "where it wants to come to rest"},
       {"radius", &RobotSetup::radius, kOptional, kPositive, "m", "of its disc"},
-      {"max_speed", &RobotSetup::max_speed, kOptional, kPositive, "m/s", "never exceeded"},
+      {"max_speed", &RobotSetup::max_speed, kOptional, kPositive, "m/s", "never exceeded",
+       "2; of a differential drive its wheel_speed"},
       {"max_acceleration", &RobotSetup::max_acceleration, kOptional, kPositive, "m/s^2",
-       "never exceeded"},
+       "never exceeded",
+       "1; of a differential drive half of what its wheels can do in any direction"},
       {"preferred_speed", &RobotSetup::preferred_speed, kOptional, kNotNegative, "m/s",
        "towards the goal", "max_speed"},
       {"model", kNested, kOptional, kNoNumber, "", "how it moves",
-       "car with the keys of one, else holonomic"},
+       "the one whose keys there are, else holonomic"},
       {"heading", kNested, kOptional, kHeadingField.range, kHeadingField.unit, kHeadingField.doc,
        "0"},
       {"car", kNested, kOptional, kNoNumber, "", "a car's own; its position is its rear axle"},
+      {"drive", kNested, kOptional, kNoNumber, "",
+       "a differential drive's own; its position is the middle of its axle"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
       {"max_braking", &RobotSetup::max_braking, kOptional, kPositive, "m/s^2",
@@ -187,6 +192,21 @@ const std::vector<Field<CarBody>>& fields() {
       {"offset", &CarBody::offset, kOptional, kAnyValue, "m",
        "of its center, ahead of the rear axle"},
       {"radius", &CarBody::radius, kOptional, kPositive, "m", "of the disc, instead of radius"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<DifferentialDrive>>& fields() {
+  static const std::vector<Field<DifferentialDrive>> table{
+      {"track", &DifferentialDrive::track, kOptional, kPositive, "m", "between the wheels"},
+      {"offset", &DifferentialDrive::offset, kOptional, kPositive, "m",
+       "ahead of the axle, of the point that is planned for; the disc that others sense is about "
+       "it, with radius + offset"},
+      {"wheel_speed", &DifferentialDrive::wheel_speed, kOptional, kPositive, "m/s",
+       "of each wheel, never exceeded"},
+      {"wheel_acceleration", &DifferentialDrive::wheel_acceleration, kOptional, kPositive, "m/s^2",
+       "of each wheel, never exceeded"},
   };
   return table;
 }

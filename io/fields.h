@@ -138,6 +138,10 @@ struct MembersOf<avo::Car> {
   using type = MemberOf<avo::Car, double, std::optional<double>, bool, avo::AccelerationSet>;
 };
 template <>
+struct MembersOf<avo::DifferentialDrive> {
+  using type = MemberOf<avo::DifferentialDrive, double>;
+};
+template <>
 struct MembersOf<AntipodalGoals> {
   using type = MemberOf<AntipodalGoals>;
 };
@@ -258,9 +262,11 @@ inline const auto kAccelerationSets =
     by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
 
 /// The alternatives of avo::MotionModel, in their order.
-enum class ModelKind : std::uint8_t { holonomic, car };
-inline constexpr std::array<std::pair<std::string_view, ModelKind>, 2> kModels{
-    {{"holonomic", ModelKind::holonomic}, {"car", ModelKind::car}}};
+enum class ModelKind : std::uint8_t { holonomic, car, differential_drive };
+inline constexpr std::array<std::pair<std::string_view, ModelKind>, 3> kModels{
+    {{"holonomic", ModelKind::holonomic},
+     {"car", ModelKind::car},
+     {"differential_drive", ModelKind::differential_drive}}};
 constexpr std::string_view model_name(ModelKind kind) {
   return kModels[static_cast<std::size_t>(kind)].first;
 }

@@ -196,7 +196,10 @@ Json list_schema(const char* definition) {
 Json nested_of_robots(const Json& heading) {
   Json car = map_schema(fields<avo::Car>(), {{"body", map_schema(fields<avo::CarBody>())}});
   car["properties"]["heading"] = heading;
-  return {{"model", names_schema(kModels)}, {"heading", heading}, {"car", car}};
+  return {{"model", names_schema(kModels)},
+          {"heading", heading},
+          {"car", car},
+          {"drive", map_schema(fields<avo::DifferentialDrive>())}};
 }
 
 /// The keys that many like robots share.

@@ -17,7 +17,7 @@ inline constexpr double kHeadingTolerance = 1e-6;
 /// Robot A, the one that decides.
 struct Robot {
   Vec2 position = {};             ///< [p_A] m, the center of its disc: see disc_center()
-  Vec2 velocity = {};             ///< [v_A] m/s
+  Vec2 velocity = {};             ///< [v_A] m/s; of a differential drive that of this center
   Vec2 preferred_velocity = {};   ///< [v_A^pref] m/s
   double radius = 0.5;            ///< [r_A] m, > 0, of that disc
   double max_acceleration = 1.0;  ///< [a_A^max] m/s^2, > 0

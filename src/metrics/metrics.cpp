@@ -105,7 +105,7 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
     const Vec2 start = at_once && body.exact ? fleet.velocity[i] : body.velocity;
     if (!started) {
       body.path.control.fill(body.position);
-    } else if (is_holonomic(model)) {
+    } else if (!moves_along_heading(model)) {
       body.path = hermite_path(body.position, start, next, fleet.velocity[i], duration);
     } else {
       const double turn =

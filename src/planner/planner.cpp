@@ -53,7 +53,8 @@ bool can_brake(const Robot& robot) {
 }
 
 bool can_drive(const Robot& robot) {
-  return is_known(robot.heading) != 0 && is_valid(robot.model);
+  return is_known(robot.heading) != 0 &&
+         is_valid(robot.model, robot.max_acceleration, robot.max_speed);
 }
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
@@ -78,7 +79,7 @@ bool is_valid(const Robot& robot) {
 }
 
 bool follows_heading(const Robot& robot) {
-  if (is_holonomic(robot.model)) return true;
+  if (!moves_along_heading(robot.model)) return true;
   const Vec2 v = robot.velocity, heading = elementary::direction(robot.heading);
   const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
   return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
@@ -197,6 +198,21 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
                  violation);
 }
 
+Plan as_followed(const Planner& planner, const Robot& robot, Plan plan) {
+  const PlannerOptions& options = planner.options();
+  if (options.certificate != Certificate::none || !has_limits_within_steps(robot.model) ||
+      !can_brake(robot) || !can_drive(robot))
+    return plan;
+  const double time_step = options.time_step;
+  const Vec2 wanted = robot.velocity + time_step * plan.acceleration;
+  const Vec2 v = within_own_limits(robot, time_step, wanted);
+  if (v == wanted) return plan;
+  plan.acceleration = (v - robot.velocity) / time_step;
+  const double control_time = adopts_at_once(options.method) ? time_step : options.control_time;
+  plan.new_velocity = robot.velocity + control_time * plan.acceleration;
+  return plan;
+}
+
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> given, std::span<const Wall> walls,
                             PlanWorkspace::Scratch& scratch) {
@@ -290,10 +306,10 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {
   Robot steering = robot;
-  if (is_valid(robot)) steering.preferred_velocity = steered(robot);
-  return with_next_velocity(*this, robot,
-                            decide_among_obstacles(*this, steering, obstacles, {},
-                                                   PlanWorkspace::Scratch::of(workspace)));
+  if (is_valid(robot)) steering.preferred_velocity = steered(robot, goes_at_once(options_));
+  const Plan plan =
+      decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
+  return with_next_velocity(*this, robot, as_followed(*this, robot, plan));
 }
 
 }  // namespace avo

@@ -28,8 +28,9 @@ std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
 }  // namespace
 
 RobotTraits traits_of(const RobotSetup& setup) {
-  return {disc_radius(setup),   setup.max_speed,       setup.max_acceleration,
-          braking_limit(setup), setup.preferred_speed, !is_holonomic(setup.model)};
+  return {disc_radius(setup),        setup.radius,         setup.max_speed,
+          setup.max_acceleration,    braking_limit(setup), setup.preferred_speed,
+          !is_holonomic(setup.model)};
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
@@ -114,7 +115,7 @@ RobotSetup Fleet::setup(std::size_t slot) const {
   RobotSetup setup{.position = place(slot),
                    .velocity = velocity[slot],
                    .goal = goal[slot],
-                   .radius = robot_traits.radius,
+                   .radius = robot_traits.own_radius,
                    .max_speed = robot_traits.max_speed,
                    .max_acceleration = robot_traits.max_acceleration,
                    .preferred_speed = robot_traits.preferred_speed,

@@ -17,6 +17,7 @@ namespace avo {
 /// What stays as it is of a RobotSetup.
 struct RobotTraits {
   double radius = 0.0;            // m, of its disc
+  double own_radius = 0.0;        // m, of its setup
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double max_braking = 0.0;       // m/s^2

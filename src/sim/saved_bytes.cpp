@@ -215,6 +215,12 @@ void describe(Archive<kReads>& archive, Car& car) {
   describe(archive, car.body->offset), describe(archive, car.body->radius);
 }
 
+template <bool kReads>
+void describe(Archive<kReads>& archive, DifferentialDrive& drive) {
+  describe(archive, drive.track), describe(archive, drive.offset);
+  describe(archive, drive.wheel_speed), describe(archive, drive.wheel_acceleration);
+}
+
 // Its kind and then what that has.
 template <bool kReads>
 void describe(Archive<kReads>& archive, MotionModel& model) {
@@ -222,6 +228,7 @@ void describe(Archive<kReads>& archive, MotionModel& model) {
   archive.word(kind);
   if (kReads && kind == 0) model = Holonomic{};
   if (kReads && kind == 1) model = Car{};
+  if (kReads && kind == 2) model = DifferentialDrive{};
   if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
   std::visit([&](auto& known) { describe(archive, known); }, model);
 }

@@ -71,6 +71,24 @@ void check_car(std::size_t i, const Car& car) {
   require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
 }
 
+void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
+  const std::string_view list = "robots";
+  require(Place{list, i, "drive.track"}, drive.track, kPositive, "m");
+  require(Place{list, i, "drive.offset"}, drive.offset, kPositive, "m");
+  require(Place{list, i, "drive.wheel_speed"}, drive.wheel_speed, kPositive, "m/s");
+  require(Place{list, i, "drive.wheel_acceleration"}, drive.wheel_acceleration, kPositive, "m/s^2");
+  if (robot.max_speed > drive.wheel_speed)
+    refuse(std::string(Place{list, i, "max_speed"}), text(robot.max_speed),
+           "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
+  const double most = most_acceleration(drive);
+  if (!(robot.max_acceleration < most))
+    refuse(std::string(Place{list, i, "max_acceleration"}), text(robot.max_acceleration),
+           "< " + text(most) + " m/s^2, wheel_acceleration/sqrt(1 + (track/(2 offset))^2)");
+  if (norm(robot.velocity) > drive.wheel_speed)
+    refuse(std::string(Place{list, i, "velocity"}), text(norm(robot.velocity)) + " m/s",
+           "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
+}
+
 void check_robot(std::size_t i, const RobotSetup& robot) {
   const std::string_view list = "robots";
   require(Place{list, i, "position"}, robot.position, "m");
@@ -90,6 +108,8 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    check_drive(i, robot, *drive);
 }
 
 void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {

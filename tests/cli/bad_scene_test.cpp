@@ -23,7 +23,7 @@ const std::string kSceneKeys =
     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
-    "heading, car, "
+    "heading, car, drive, "
     "priority, max_braking, parked, layers, avoids, time_step";
 
 struct BadScene {
@@ -251,7 +251,8 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: holonomic, car: {}}\n"),
      "3:61: robots.0.car: found keys of a car, must be left out: its model is holonomic"},
     {"unknown_model", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: cart}\n"),
-     "3:45: robots.0.model: found \"cart\", must be one of holonomic, car; did you mean "
+     "3:45: robots.0.model: found \"cart\", must be one of holonomic, car, differential_drive; did "
+     "you mean "
      "\"car\"?"},
     {"body_unknown_key",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {ofset: 1}}}\n"),
@@ -260,6 +261,26 @@ const std::vector<BadScene> kBadScenes{
     {"car_heading_word",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {heading: random}}\n"),
      "3:53: robots.0.car.heading: found \"random\", must be a number (rad)"},
+    {"drive_of_a_car",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: car, drive: {}}\n"),
+     "3:57: robots.0.drive: found keys of a differential drive, must be left out: its model is "
+     "car"},
+    {"drive_unknown_key",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], drive: {trak: 1}}\n"),
+     "3:46: robots.0.drive: found the unknown key \"trak\", allowed are track, offset, "
+     "wheel_speed, wheel_acceleration; did you mean \"track\"?"},
+    {"drive_brakes_too_hard",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_acceleration: 2, drive: "
+       "{track: 1.5, offset: 1, wheel_acceleration: 2.5}}\n"),
+     "3:56: robots.0.max_acceleration: found 2, must be < 2 m/s^2, "
+     "wheel_acceleration/sqrt(1 + (track/(2 offset))^2)"},
+    {"drive_faster_than_its_wheels",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_speed: 1.5, drive: "
+       "{wheel_speed: 1.25}}\n"),
+     "3:49: robots.0.max_speed: found 1.5, must be <= 1.25 m/s, its drive.wheel_speed"},
+    {"drive_starts_faster_than_its_wheels",
+     s("version: 1\nrobots:\n  - {position: [0, 0], velocity: [3, 4], goal: [1, 0], drive: {}}\n"),
+     "3:34: robots.0.velocity: found 5 m/s, must be <= 2 m/s, its drive.wheel_speed"},
     {"group_without_number", s("version: 1\ngroups:\n  - {placement: circle, goals: antipodal}\n"),
      "3:5: groups.0: found no \"number\", must be given: how many robots"},
     {"group_too_many",
@@ -274,7 +295,7 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, position: [0, "
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
-     "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, "
+     "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, drive, "
      "priority, max_braking, parked, layers, avoids, time_step"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
@@ -395,7 +416,8 @@ TEST(BadScene, files_that_are_no_files) {
       missing.err,
       "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
       "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
-      "maze, moving-obstacle, office, permutation-100, person, positions-exchange, swap-blocks, "
+      "drives-100, maze, moving-obstacle, office, permutation-100, person, positions-exchange, "
+      "swap-blocks, "
       "uniform-N, warehouse; did you mean \"circle-N\"?\n");
 }
 

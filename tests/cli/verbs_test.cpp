@@ -44,6 +44,7 @@ TEST(Verbs, scenes_are_listed_and_printed) {
                                        "crossing-streams",
                                        "doorway",
                                        "doorway-narrow",
+                                       "drives-100",
                                        "maze",
                                        "moving-obstacle",
                                        "office",
