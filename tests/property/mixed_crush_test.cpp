@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "avo/check.h"
+#include "avo/checked.h"
 #include "avo/simulation.h"
 #include "support/generators.h"
 
@@ -67,13 +68,7 @@ Scenario crush(Random& random) {
 
 Check judge_of(const Scenario& scene) {
   std::vector<CheckedRobot> robots;
-  for (const RobotSetup& setup : scene.robots)
-    robots.push_back({.radius = setup.radius,
-                      .max_acceleration = setup.max_acceleration,
-                      .max_speed = setup.max_speed,
-                      .car = !is_holonomic(setup.model),
-                      .layers = setup.layers.bits,
-                      .avoids = setup.avoids.bits});
+  for (const RobotSetup& setup : scene.robots) robots.push_back(checked_robot(setup));
   std::vector<CheckedObstacle> people;
   for (const MovingObstacle& person : scene.moving_obstacles)
     people.push_back({.position = person.position, .radius = person.radius});
@@ -81,14 +76,10 @@ Check judge_of(const Scenario& scene) {
 }
 
 void observe(const Simulation& simulation, Check& check) {
-  const FleetView fleet = simulation.fleet();
   const ObstacleView people = simulation.obstacles();
   for (std::size_t k = 0; k < people.setup.size(); ++k)
     check.place_obstacle(static_cast<std::int64_t>(k), people.position[k], people.velocity[k]);
-  std::vector<CheckedState> rows;
-  for (std::size_t k = 0; k < fleet.id.size(); ++k)
-    rows.push_back({static_cast<std::int64_t>(k), fleet.position[k], fleet.velocity[k]});
-  check.add(simulation.time(), rows);
+  check.add(simulation.time(), checked_states(simulation.fleet()));
 }
 
 TEST(MixedCrush, nobody_touches_anybody_but_at_rest) {

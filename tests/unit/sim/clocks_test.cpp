@@ -12,6 +12,7 @@
 
 #include "avo/assumptions.h"
 #include "avo/check.h"
+#include "avo/checked.h"
 #include "avo/error.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
@@ -44,22 +45,14 @@ double step_of(const Scenario& scene, std::size_t robot) {
 }
 
 std::vector<CheckedState> rows_of(const Simulation& simulation) {
-  std::vector<CheckedState> rows;
-  const FleetView fleet = simulation.fleet();
-  for (std::size_t i = 0; i < fleet.id.size(); ++i)
-    rows.push_back({static_cast<std::int64_t>(i), fleet.position[i], fleet.velocity[i]});
-  return rows;
+  return checked_states(simulation.fleet());
 }
 
 CheckReport judged(const Scenario& scene, double duration) {
   std::vector<CheckedRobot> robots;
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    const RobotSetup& setup = scene.robots[i];
-    robots.push_back({.radius = setup.radius,
-                      .max_acceleration = setup.max_acceleration,
-                      .max_speed = setup.max_speed,
-                      .car = !is_holonomic(setup.model),
-                      .time_step = step_of(scene, i)});
+    robots.push_back(checked_robot(scene.robots[i]));
+    robots.back().time_step = step_of(scene, i);
   }
   Check check(robots);
   Simulation simulation(scene, 1);
