@@ -144,7 +144,7 @@ void Metrics::State::collect_walls(const Simulation& simulation) {
 
 // Smallest distance of the centers over the step. A cubic is exact for held accelerations (also
 // of moving obstacles) and straight lines. For the arc of a car at the paper's limits it is within
-// 7e-8 m at 2 m/s, 3e-5 m at 0.1 m/s; from walls the arc itself is measured.
+// 7e-8 m at 2 m/s, 1e-4 m at 0.1 m/s; from walls the arc itself is measured.
 double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
   if (!response || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
   const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};

@@ -28,9 +28,8 @@ std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
 }  // namespace
 
 RobotTraits traits_of(const RobotSetup& setup) {
-  return {disc_radius(setup),        setup.radius,         setup.max_speed,
-          setup.max_acceleration,    braking_limit(setup), setup.preferred_speed,
-          !is_holonomic(setup.model)};
+  return {disc_radius(setup),   setup.max_speed,       setup.max_acceleration,
+          braking_limit(setup), setup.preferred_speed, !is_holonomic(setup.model)};
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
@@ -64,7 +63,12 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
   if (has_clocks) clock.resize(slot + 1);
-  if (!models.empty() || !is_holonomic(setup.model)) models.resize(slot + 1);
+  if (!models.empty() || !is_holonomic(setup.model)) {
+    for (std::size_t k = own_radius.size(); k < slot; ++k)
+      own_radius.push_back(traits[slot_of[k]].radius);  // of those that are holonomic
+    own_radius.resize(slot + 1);
+    models.resize(slot + 1);
+  }
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -75,13 +79,16 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   velocity[slot] = start_velocity(setup);
   nearest[slot] = std::numeric_limits<float>::infinity();
   heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
-  if (!models.empty()) models[slot] = setup.model;
+  if (!models.empty()) models[slot] = setup.model, own_radius[slot] = setup.radius;
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
-  if (!models.empty()) models.erase(models.begin() + rank[slot]);
+  if (!models.empty()) {
+    models.erase(models.begin() + rank[slot]);
+    own_radius.erase(own_radius.begin() + rank[slot]);
+  }
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
@@ -115,7 +122,8 @@ RobotSetup Fleet::setup(std::size_t slot) const {
   RobotSetup setup{.position = place(slot),
                    .velocity = velocity[slot],
                    .goal = goal[slot],
-                   .radius = robot_traits.own_radius,
+                   .radius = models.empty() ? robot_traits.radius
+                                            : own_radius[static_cast<std::size_t>(rank[slot])],
                    .max_speed = robot_traits.max_speed,
                    .max_acceleration = robot_traits.max_acceleration,
                    .preferred_speed = robot_traits.preferred_speed,

@@ -17,7 +17,6 @@ namespace avo {
 /// What stays as it is of a RobotSetup.
 struct RobotTraits {
   double radius = 0.0;            // m, of its disc
-  double own_radius = 0.0;        // m, of its setup
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double max_braking = 0.0;       // m/s^2
@@ -95,6 +94,7 @@ struct Fleet {
   std::vector<OwnClock> clock;         // by rank; empty where the clock is common
   bool has_clocks = false;
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
+  std::vector<double> own_radius;   // m, of their setups; likewise
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
