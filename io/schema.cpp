@@ -86,6 +86,9 @@ ValueSchema describe(avo::Method value, const avo::Range&) {
 ValueSchema describe(avo::Motion value, const avo::Range&) {
   return {names_schema(kMotions), name_of(kMotions, value)};
 }
+ValueSchema describe(avo::Clock value, const avo::Range&) {
+  return {names_schema(kClocks), name_of(kClocks, value)};
+}
 ValueSchema describe(avo::RightOfWay value, const avo::Range&) {
   return {names_schema(kRightsOfWay), name_of(kRightsOfWay, value)};
 }
@@ -193,7 +196,10 @@ Json list_schema(const char* definition) {
 Json nested_of_robots(const Json& heading) {
   Json car = map_schema(fields<avo::Car>(), {{"body", map_schema(fields<avo::CarBody>())}});
   car["properties"]["heading"] = heading;
-  return {{"model", names_schema(kModels)}, {"heading", heading}, {"car", car}};
+  return {{"model", names_schema(kModels)},
+          {"heading", heading},
+          {"car", car},
+          {"drive", map_schema(fields<avo::DifferentialDrive>())}};
 }
 
 /// The keys that many like robots share.

@@ -73,12 +73,12 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
 
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateConstraints& constraints) {
-  const bool held = may_exceed_reach(robot.model);
-  if (constraints.demand_nothing() && !held) return true;
+  const bool holonomic = is_holonomic(robot.model);
+  if (constraints.demand_nothing() && (holonomic || !may_exceed_reach(robot.model))) return true;
   // as long as nothing is broken, braking keeps what no test with a reserve for rounding admits
   if (law.step.has_free_clocks() && next_velocity == backup_velocity(robot, law)) return true;
   constraints.path = follow(robot, next_velocity, law.step);
-  if (!keeps_reach(robot, constraints.path, law.step)) return false;
+  if (!holonomic && !keeps_reach(robot, constraints.path, law.step)) return false;
   collect_refusing(robot, constraints.path, law.step, constraints.trajectories,
                    constraints.invariant);
   const bool trajectories_kept =
@@ -91,7 +91,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
 }
 
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
-  return braked(robot.velocity, braking_decrement(robot.max_acceleration, law.step));
+  return braked(robot.velocity, decrement_of(robot, law.step));
 }
 
 void list_constraints(const CertificateConstraints& constraints, Vec2 position,

@@ -19,12 +19,13 @@ inline Vec2 nearest_on_segment(Vec2 a, Vec2 b) {
 /// A robot that brakes.
 struct Braking {
   BrakingProfile profile;
+  double increment = 0.0;  ///< [u_a] m/s, see increment()
   Vec2 direction;          ///< unit, or 0 at rest
   double length = 0.0;     ///< [l] m until rest
   double reach = 0.0;      ///< m that no candidate's path leaves
   double intervals = 0.0;  ///< in which it or one of its candidates may move
 };
-Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law);
+Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law);
 
 /// How far any candidate's path gets from A's braking path, m, by interval: ahead and to a side of
 /// A's direction, and anyhow, growing with the distance that braking from the candidates' largest
@@ -55,6 +56,10 @@ struct BrakingPair {
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law);
 
+/// How far the neighbor may be from how it is given: by the errors that A declares, and by whatever
+/// else it may have done since it was sensed (docs/certificate.md, "Age").
+SensingError error_against(const Neighbor& neighbor, const StepLaw& law);
+
 /// Whether no candidates of the two, followed by braking, can bring them into contact.
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law);
 
@@ -66,7 +71,8 @@ struct Invariant {
   int broken = -1;  ///< a neighbor with which braking collides, or -1
   /// One that does not decide is in contact, or braking does not avoid it: brake, and stay at rest.
   bool touched = false;
-  bool unknown = false;  ///< one brakes for longer than kMostIntervals: brake
+  bool unknown = false;   ///< one brakes for longer than kMostIntervals: brake
+  bool doubtful = false;  ///< braking collides, or errors may hide that it does
 };
 
 /// The invariant held by a pair, and the distance that it is held to from now on: contact where it

@@ -11,7 +11,10 @@
 
 #include "avo/error.h"
 #include "check/counts.h"
+#include "check/course.h"
 #include "check/duty.h"
+#include "check/kinematics.h"
+#include "check/own_clock.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
@@ -37,6 +40,7 @@ struct Seen {
   CheckedState row;
   std::int64_t at = -1;  // number of the time, -1: never
   bool arrived = false, at_goal = false;
+  judge::OwnClock clock;
 };
 
 using Pairs = std::unordered_set<std::uint64_t>;
@@ -62,6 +66,8 @@ void insert(Pairs& pairs, std::uint64_t pair) {
 struct Check::State {
   std::vector<CheckedRobot> robots;
   std::vector<CheckedObstacle> obstacles;
+  // of each obstacle: where it was at the last time, and is at the next one, if it is placed there
+  std::vector<std::optional<judge::Place>> placed_before, placed;
   CheckOptions options;
   CheckReport report;  // as far as it is not derived from the rest
   std::vector<Seen> seen;
@@ -79,8 +85,11 @@ struct Check::State {
 
   void require_sound(double time, std::span<const CheckedState> rows) const;
   void judge_row(double time, const CheckedState& row);
+  void judge_step(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
+                  double time);
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
+  void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
   void judge_arrival(double time, const CheckedState& row);
   void meet(std::size_t first, std::size_t second);
   void meet_robots(const Mover& a, const Mover& b);
@@ -107,7 +116,7 @@ void Check::State::require_sound(double time, std::span<const CheckedState> rows
              std::to_string(lowest) + " to " + std::to_string(count - 1) +
                  ", each once and ascending");
     lowest = row.robot + 1;
-    judge::require_sound(row);
+    judge::require_sound(robots[static_cast<std::size_t>(row.robot)], row);
   }
 }
 
@@ -120,20 +129,41 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
   const double speeds = norm(before.velocity) + norm(now.velocity);
   const double acceleration = norm(change) / duration;
   report.largest_acceleration = std::max(report.largest_acceleration, acceleration);
-  const double a_max = robot.parked ? 0.0 : robot.max_acceleration;
+  const double a_max = robot.parked ? 0.0 : judge::reach_of(robot);
   const double most = a_max * (1.0 + options.relative_tolerance);
   if (norm(change) > most * (duration + step_rounding) + kEpsilon * speeds) {
-    ++report.accelerations.count;
-    note(report.accelerations, {last_time, now.robot, {}, acceleration - a_max});
+    judge::count(report.accelerations, {last_time, now.robot, {}, acceleration - a_max});
   }
   const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
   const double within = 0.5 * most * duration * (duration + 2.0 * step_rounding);
   const double rounding = kEpsilon * (norm(before.position) + norm(now.position)) +
                           (step_rounding + 2.0 * kEpsilon * duration) * speeds;
   if (jump > within + rounding) {
-    ++report.jumps.count;
-    note(report.jumps, {last_time, now.robot, {}, jump - within});
+    judge::count(report.jumps, {last_time, now.robot, {}, jump - within});
   }
+}
+
+void Check::State::judge_step(const CheckedRobot& robot, const CheckedState& before,
+                              const CheckedState& now, double time) {
+  if (judge::has_heading(robot, before, now)) {
+    ++report.with_heading;
+    const double time_rounding = kEpsilon * (std::abs(time) + std::abs(last_time));
+    return judge::judge_kinematics(
+        {robot, before, now, last_time, duration, time_rounding, options.relative_tolerance},
+        report);
+  }
+  if (!is_holonomic(robot.kinematics)) ++report.without_heading;
+  judge_limits(robot, before, now, time);
+}
+
+void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& now, double time) {
+  if (!robot.time_step) return;
+  Seen& mine = seen[static_cast<std::size_t>(now.robot)];
+  const auto amount = judge::early_change(
+      robot, {{mine.row, last_time}, {now, time}, options.relative_tolerance}, mine.clock);
+  if (!amount) return;
+  ++report.changes.count;
+  note(report.changes, {last_time, now.robot, {}, *amount});
 }
 
 void Check::State::judge_arrival(double time, const CheckedState& row) {
@@ -156,17 +186,20 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   report.largest_speed = std::max(report.largest_speed, speed);
   const double v_max = robot.parked ? 0.0 : robot.max_speed;
   if (speed > v_max * (1.0 + options.relative_tolerance)) {
-    ++report.speeds.count;
-    note(report.speeds, {time, row.robot, {}, speed - v_max});
+    judge::count(report.speeds, {time, row.robot, {}, speed - v_max});
   }
+  if (row.heading && !is_holonomic(robot.kinematics))
+    judge::judge_heading(robot, row, time, options.relative_tolerance, report);
   judge_arrival(time, row);
   if (mine.at >= 0 && mine.at == times - 1) {
     ++report.robot_steps;
-    judge_limits(robot, mine.row, row, time);
+    judge_step(robot, mine.row, row, time);
+    judge_changes(robot, row, time);
     movers.push_back(judge::robot_mover(robot, mine.row, row, duration));
     report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
   } else {
     if (mine.at >= 0) ++report.gaps;
+    mine.clock.before.reset();
     movers.push_back(judge::newcomer(robot, row));
   }
   mine.row = row;
@@ -174,16 +207,17 @@ void Check::State::judge_row(double time, const CheckedState& row) {
 }
 
 void Check::State::meet_robots(const Mover& a, const Mover& b) {
-  const judge::RelativePath path = judge::relative_path(a, b, duration);
+  const auto path = judge::relative_pieces(a, b, duration);
   const double contact = a.radius + b.radius, limit = overlap_distance(a, b);
   const std::uint64_t pair = key(a.index, b.index);
   const double best = report.least_clearance.value_or(kInfinity);
   // the rows themselves are not interpolated
-  const double at_rows = std::min(norm(path.control.front()), norm(path.control.back()));
+  const double at_start = norm(path.piece(0).control.front());
+  const double at_rows = std::min(at_start, norm(a.to - b.to));
   const double row_limit = contact * (1.0 - options.relative_tolerance);
   const double known = overlaps.contains(pair) ? row_limit - report.overlaps.worst : row_limit;
-  if (judge::lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
-  const judge::Instant nearest = judge::nearest_instant(path);
+  if (lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
+  const judge::Instant nearest = nearest_instant(path);
   report.least_clearance = std::min(best, nearest.distance - contact);
   const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
   if (!(depth > 0.0)) return;
@@ -191,10 +225,10 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
   CheckViolation overlap{last_time, a.index, b.index, depth};
   report.overlaps.worst = std::max(report.overlaps.worst, overlap.amount);
   if (report.overlaps.first && report.overlaps.first->time < last_time) return;
-  const double first_row = norm(path.control.front()) < row_limit ? 0.0 : 1.0;
+  const double first_row = at_start < row_limit ? 0.0 : 1.0;
   const double instant_seen = at_rows < row_limit ? first_row : nearest.fraction;
   overlap.time =
-      instant(a, b, std::min(judge::first_below(path, limit).value_or(instant_seen), instant_seen));
+      instant(a, b, std::min(first_below(path, limit).value_or(instant_seen), instant_seen));
   note(report.overlaps, overlap);
 }
 
@@ -202,17 +236,17 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
 // the first and the last instant of the contact.
 void Check::State::meet_mover(const Mover& robot, const Mover& other, Contacts& known,
                               CheckCount& moving) {
-  const judge::RelativePath path = judge::relative_path(robot, other, duration);
+  const auto path = judge::relative_pieces(robot, other, duration);
   const double limit = overlap_distance(robot, other);
-  if (judge::lower_bound(path) > limit) return;
-  const double nearest = judge::nearest_instant(path).distance;
+  if (lower_bound(path) > limit) return;
+  const double nearest = nearest_instant(path).distance;
   if (!(nearest < limit)) return;
   const std::uint64_t pair = key(robot.index, other.index);
   insert(known.all, pair);
-  const double first = judge::first_below(path, limit).value_or(0.0);
-  const double last = judge::last_below(path, limit).value_or(1.0);
-  const double max_speed = robots[static_cast<std::size_t>(robot.index)].max_speed;
-  const double at_rest = kAtRest * (std::isinf(max_speed) ? 1.0 : max_speed);
+  const double first = first_below(path, limit).value_or(0.0);
+  const double last = last_below(path, limit).value_or(1.0);
+  const double at_rest =
+      kAtRest * judge::speed_scale(robots[static_cast<std::size_t>(robot.index)]);
   if (!(judge::speed_bound(robot, first, last, duration) > at_rest)) return;
   insert(known.moving, pair);
   note(moving, {instant(robot, other, first), robot.index, other.index, limit - nearest});
@@ -243,6 +277,8 @@ Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedObstacl
     judge::require_sound("obstacles." + std::to_string(k), obstacles[k]);
   state_->options = options;
   state_->obstacles = std::move(obstacles);
+  state_->placed_before.resize(state_->obstacles.size());
+  state_->placed.resize(state_->obstacles.size());
   for (const CheckedRobot& robot : robots) add_robot(robot);
 }
 Check::~Check() = default;
@@ -267,6 +303,16 @@ void Check::set_walls(std::vector<CheckedWall> walls) {
   state_->walls.set_walls(std::move(walls));
 }
 
+void Check::place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity) {
+  const auto count = static_cast<std::int64_t>(state_->obstacles.size());
+  if (obstacle < 0 || obstacle >= count)
+    refuse("obstacle", std::to_string(obstacle), "0 to " + std::to_string(count - 1));
+  const std::string place = "obstacles." + std::to_string(obstacle);
+  require(place + ".position", position, "m");
+  require(place + ".velocity", velocity, "m/s");
+  state_->placed[static_cast<std::size_t>(obstacle)] = judge::Place{position, velocity};
+}
+
 void Check::add(double time, std::span<const CheckedState> rows) {
   State& state = *state_;
   state.require_sound(time, rows);
@@ -277,9 +323,15 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   for (const CheckedState& row : rows) state.judge_row(time, row);
   for (const Mover& robot : state.movers)
     state.walls.judge(robot, {state.last_time, state.duration, state.options.relative_tolerance});
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k)
-    state.movers.push_back(judge::obstacle_mover(state.obstacles[k], static_cast<std::int64_t>(k),
-                                                 state.last_time, time));
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    const CheckedObstacle& obstacle = state.obstacles[k];
+    const auto told = [&](double t) { return judge::place_of(obstacle, t); };
+    const judge::Place to = state.placed[k].value_or(told(time));
+    const judge::Place from =
+        begins && state.placed[k] ? to : state.placed_before[k].value_or(told(state.last_time));
+    state.movers.push_back(
+        judge::obstacle_mover(from, to, obstacle.radius, static_cast<std::int64_t>(k)));
+  }
   state.boxes.clear();
   for (std::size_t i = 0; i < state.movers.size(); ++i)
     state.boxes.push_back(judge::box_of(state.movers[i], i, state.duration));
@@ -289,6 +341,7 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.last_time = state.report.to = time;
   state.report.rows += static_cast<std::int64_t>(rows.size());
   state.report.steps = state.times++;
+  state.placed_before = state.placed;
 }
 
 CheckReport Check::report() const {
@@ -317,7 +370,10 @@ CheckReport Check::report() const {
 bool CheckReport::safe() const {
   return overlaps.count == 0 && obstacle_contacts_moving.count == 0 &&
          one_sided_contacts_moving.count == 0 && static_contacts.count == 0 &&
-         accelerations.count == 0 && speeds.count == 0 && jumps.count == 0;
+         accelerations.count == 0 && speeds.count == 0 && jumps.count == 0 && headings.count == 0 &&
+         turns.count == 0 && lateral_accelerations.count == 0 && reversals.count == 0 &&
+         slow_flights.count == 0 && wheel_speeds.count == 0 && wheel_accelerations.count == 0 &&
+         changes.count == 0;
 }
 
 }  // namespace avo

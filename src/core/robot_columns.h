@@ -19,15 +19,18 @@ struct RobotColumns {
   Column preferred_x, preferred_y;     // m/s
   Column distance_to_goal, radius;     // m
   Column max_acceleration, max_speed;  // m/s², m/s
+  Column max_braking;                  // m/s²
   Column heading;                      // rad; read where there is a model
   Column priority;
   std::vector<const MotionModel*> model;  // of holonomic robots none
+  bool has_models = false;                // some are not holonomic
   std::vector<Neighbors> neighbors;       // that each senses, nearest first
 
   void reserve(std::size_t robots);
   void clear() {
     count = 0;
     model.clear();
+    has_models = false;
     neighbors.clear();
   }
   /// robot.model has to stay where it is.

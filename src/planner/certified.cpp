@@ -31,17 +31,10 @@ struct Proposals {
   // with what the robot's own motion can follow alone
   void begin() const {
     workspace.hard.clear();
-    append_own_half_planes(robot, law.step.braking_time, workspace.hard);
+    if (!is_holonomic(robot.model))
+      append_own_half_planes(robot, law.step.braking_time, workspace.hard);
   }
 };
-
-// m/s. Others count on no more than |v| + u of whoever decides, which the corners of a square
-// exceed; and the disc of a car that turns about its axle comes farther than the axle.
-double top_speed_of(const Robot& robot, double u) {
-  constexpr double kForTurning = 0.9;
-  if (!may_exceed_reach(robot.model)) return robot.max_speed;
-  return std::min(norm(robot.velocity) + kForTurning * u, robot.max_speed);
-}
 
 ProgramResult propose(const Proposals& proposals, double top_speed) {
   return nearest_point(proposals.workspace.hard, proposals.acceleration, top_speed,
@@ -59,6 +52,13 @@ bool is_within_limits(const Proposals& proposals) {
          std::all_of(own.begin(), own.end(), [&](const HalfPlane& plane) {
            return violation(plane, proposals.wanted) <= 0.0;
          });
+}
+
+// What the robot can follow of a proposal.
+Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
+  const Robot& robot = proposals.robot;
+  if (!has_limits_within_steps(robot.model)) return next_velocity;
+  return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
 }
 
 bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
@@ -91,13 +91,18 @@ void append_cuts(const Proposals& proposals) {
 // bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   proposals.begin();
+  const bool has_own_planes = !proposals.workspace.hard.empty();
   for (int round = 0; round < kRounds; ++round) {
     ProgramResult result;
     result.point = proposals.wanted;
     if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, proposals.top_speed);
     if (result.state == ProgramState::discs_disjoint) break;
-    if (is_admitted(proposals, result.point)) {
-      return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};
+    // it gives way in all half-planes, those of the robot's own motion too
+    if (result.state == ProgramState::least_unsafe && has_own_planes) break;
+    const Vec2 candidate = followed(proposals, result.point);
+    if (is_admitted(proposals, candidate)) {
+      const bool wanted = round == 0 && candidate == result.point;
+      return {candidate, wanted ? Chosen::wanted : Chosen::candidate};
     }
     if (result.state == ProgramState::least_unsafe) break;
     append_cuts(proposals);
@@ -110,7 +115,7 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   double admitted = 0.0, refused = 1.0;
   for (int i = 0; i < kBisections; ++i) {
     const double part = 0.5 * (admitted + refused);
-    const Vec2 candidate = backup + part * (farthest.point - backup);
+    const Vec2 candidate = followed(proposals, backup + part * (farthest.point - backup));
     if (is_admitted(proposals, candidate)) {
       admitted = part;
       choice = {candidate, Chosen::candidate};
@@ -128,7 +133,8 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const CertificateLaw& law = proposals.law;
   CertifiedWorkspace& workspace = proposals.workspace;
   const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
-  for (const double limit : {speed + u, speed, std::max(speed - u, 0.0)}) {
+  const double braked_speed = std::max(speed - decrement_of(robot, law.step), 0.0);
+  for (const double limit : {speed + u, speed, braked_speed}) {
     const double top_speed = std::min(limit, proposals.top_speed);
     proposals.begin();
     append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
@@ -136,9 +142,9 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
     for (int round = 0; round < kRounds; ++round) {
       const ProgramResult result = propose(proposals, top_speed);
       if (result.state != ProgramState::optimal) break;
-      if (is_admitted(proposals, result.point)) {
-        return {result.point,
-                result.point == proposals.wanted ? Chosen::wanted : Chosen::candidate};
+      const Vec2 candidate = followed(proposals, result.point);
+      if (is_admitted(proposals, candidate)) {
+        return {candidate, candidate == proposals.wanted ? Chosen::wanted : Chosen::candidate};
       }
       const std::size_t before = workspace.hard.size();
       append_cuts(proposals);  // of movers and walls
@@ -152,10 +158,14 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
 
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace) {
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const double u = increment(robot.max_acceleration, law.step);
   const Proposals proposals{
-      robot,  law,      {robot.velocity, reach_of(robot.model) * u}, top_speed_of(robot, u),
-      wanted, workspace};
+      robot,
+      law,
+      {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
+      is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
+      wanted,
+      workspace};
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
                                                     : choose_by_cuts(proposals);
 }

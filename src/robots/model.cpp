@@ -2,12 +2,13 @@
 // The one place that tells motion models apart.
 #include "robots/model.h"
 
-#include <cmath>
+#include <algorithm>
 #include <numbers>
 
 #include "core/elementary.h"
 #include "core/ranges.h"
 #include "robots/car.h"
+#include "robots/drive.h"
 
 namespace avo {
 
@@ -15,12 +16,19 @@ const char* to_string(AccelerationSet set) {
   return set == AccelerationSet::exact ? "exact" : "incircle";
 }
 
+bool moves_along_heading(const MotionModel& model) {
+  return std::holds_alternative<Car>(model);
+}
+
 double disc_radius(const MotionModel& model, double radius) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) return radius + drive->offset;
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr && car->body ? car->body->radius : radius;
 }
 
 Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model))
+    return position + drive->offset * elementary::direction(heading);
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr || offset_of(*car) == 0.0) return position;
   return position + offset_of(*car) * elementary::direction(heading);
@@ -28,7 +36,14 @@ Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
 
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model))
+    return advance_drive(*drive, state, plan, time_step);
   return advance_car(std::get<Car>(model), limits, state, plan, time_step);
+}
+
+MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
+                   double time, double duration) {
+  return within_arc(std::get<Car>(model), from, to, time, duration);
 }
 
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step) {
@@ -53,17 +68,42 @@ double reach_of(const MotionModel& model) {
   return exact ? std::numbers::sqrt2 : 1.0;
 }
 
+double top_speed_of(const Robot& robot, double u) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? std::min(top_speed_of(*car, robot, u), robot.max_speed) : robot.max_speed;
+}
+
+Vec2 within_own_limits(const Robot& robot, double time, Vec2 v) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return within_own_limits(*drive, robot, time, v);
+  const Car* car = std::get_if<Car>(&robot.model);
+  return has_own_half_planes(robot.model) ? within_own_limits(*car, robot, time, v) : v;
+}
+
+bool has_own_half_planes(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && (!turns_in_place(*car) || reach_of(model) > 1.0);
+}
+
+bool has_limits_within_steps(const MotionModel& model) {
+  return std::holds_alternative<DifferentialDrive>(model);
+}
+
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {
   if (const Car* car = std::get_if<Car>(&robot.model))
     append_own_half_planes(*car, robot, time, half_planes);
 }
 
-Vec2 steered(const Robot& robot) {
+Vec2 steered(const Robot& robot, bool at_once) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return steered(*drive, robot, at_once);
   const Car* car = std::get_if<Car>(&robot.model);
   return car != nullptr ? steered(*car, robot) : robot.preferred_velocity;
 }
 
 Vec2 within_steering(const Robot& robot, Vec2 v) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return within_steering(*drive, robot, v);
   const Car* car = std::get_if<Car>(&robot.model);
   return car != nullptr ? within_steering(*car, robot, v) : v;
 }
@@ -78,7 +118,14 @@ bool can_reverse(const MotionModel& model) {
   return car != nullptr && car->reverse;
 }
 
-bool is_valid(const MotionModel& model) {
+bool is_valid(const MotionModel& model, double max_acceleration, double max_speed) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) {
+    return kPositive.contains(drive->track) && kPositive.contains(drive->offset) &&
+           kPositive.contains(drive->wheel_speed) &&
+           kPositive.contains(drive->wheel_acceleration) &&
+           max_speed <= drive->wheel_speed &&
+           max_acceleration < most_acceleration(*drive);
+  }
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr) return true;
   const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a decision becomes motion over one time step (paper Eqs. 7-9, 24, 25).
 #pragma once
+#include <cstdint>
+
 #include "avo/planner.h"
 #include "avo/scenario.h"
 
@@ -35,5 +37,10 @@ StepResponse step_response(const Planner& planner);
 
 /// A holonomic robot, Eqs. (7)-(9).
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response);
+
+/// Where a holonomic robot is `time` s after the start of a step of `duration` s, 0 <= time <
+/// duration; at_once: it has had the velocity of the end from the start.
+MotionState within(const MotionState& from, const MotionState& to, bool at_once, double time,
+                   double duration);
 
 }  // namespace avo
