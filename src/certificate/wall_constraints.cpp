@@ -189,10 +189,8 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
                  const StepLaw& law) {
   if (constraints.near.empty()) return true;
-  // a disc that is at rest may swing all the same
-  if (path.next_velocity == constraints.backup &&
-      (path.first == Vec2{} || !(constraints.middle == Vec2{})))
-    return true;
+  // one that comes to rest on an arc does not brake as it is expected to
+  if (path.next_velocity == constraints.backup && path.bend == 0.0) return true;
   if (constraints.must_brake) return false;
   const Pieces pieces = pieces_of(constraints, path, law);
   return std::all_of(constraints.near.begin(), constraints.near.end(),

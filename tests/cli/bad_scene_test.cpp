@@ -416,7 +416,8 @@ TEST(BadScene, files_that_are_no_files) {
       missing.err,
       "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
       "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
-      "drives-100, maze, moving-obstacle, office, permutation-100, person, positions-exchange, "
+      "drives-100, maze, mixed-yard, moving-obstacle, office, permutation-100, person, "
+      "positions-exchange, reversing-cars, "
       "swap-blocks, "
       "uniform-N, warehouse; did you mean \"circle-N\"?\n");
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "avo/checked.h"
 #include "avo/simulation.h"
 #include "support/generators.h"
 
@@ -120,6 +121,44 @@ TEST(CarCrush, nobody_touches_anybody) {
   EXPECT_LT(least, 1e-3) << "no crush";
   EXPECT_LT(off, 1e-7) << "the judge's arcs are not theirs";
   EXPECT_GT(arrived, 10);
+}
+
+// Goals behind the walls of a yard: they press against these, turn there and back off.
+TEST(CarCrush, nobody_touches_a_wall) {
+  std::int64_t robot_steps = 0;
+  double least = 1e9;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Scenario scene = crush(random);
+    scene.navigation = false;
+    scene.obstacles = {{{{{{-26, -26}, {26, -26}, {26, 26}, {-26, 26}}, true}}, 0.0, Fill::bounds},
+                       {{{{{-3, -4}, {5, -1}, {2, 6}}, true}}, 0.0, Fill::solid}};
+    std::vector<CheckedRobot> robots;
+    for (RobotSetup& robot : scene.robots) {
+      robot.goal = 40.0 * random.direction();
+      if (random.below(4) == 0) robot.goal = in_disc(random, 3.0);
+      robots.push_back(checked_robot(robot));
+    }
+    Check check(robots);
+    std::vector<CheckedWall> walls;
+    for (const Wall& wall : walls_of(scene.obstacles))
+      walls.push_back({wall.a, wall.b, wall.radius});
+    check.set_walls(walls);
+    Simulation simulation(scene, 1);
+    check.add(0.0, checked_states(simulation.fleet()));
+    while (simulation.time() < 40.0) {
+      simulation.step();
+      check.add(simulation.time(), checked_states(simulation.fleet()));
+    }
+    const CheckReport report = check.report();
+    EXPECT_EQ(report.static_contacts.count, 0) << "by " << report.static_contacts.worst;
+    EXPECT_TRUE(report.safe());
+    robot_steps += report.robot_steps;
+    least = std::min(least, report.least_static_clearance.value_or(1e9));
+  }
+  EXPECT_GT(robot_steps, 40'000);
+  EXPECT_LT(least, 1e-3) << "nobody comes near";
 }
 
 }  // namespace
