@@ -67,7 +67,7 @@ struct Neighbor {
 
 /// [b] m/s^2, with which a robot brakes.
 template <typename Robot>
-double braking_limit(const Robot& robot) {
+inline double braking_limit(const Robot& robot) {
   return robot.max_braking.value_or(robot.max_acceleration);
 }
 
