@@ -132,6 +132,10 @@ struct MembersOf<avo::Car> {
   using type = MemberOf<avo::Car, double, bool, avo::AccelerationSet>;
 };
 template <>
+struct MembersOf<avo::Airplane> {
+  using type = MemberOf<avo::Airplane, double, avo::AfterGoal>;
+};
+template <>
 struct MembersOf<AntipodalGoals> {
   using type = MemberOf<AntipodalGoals>;
 };
@@ -250,10 +254,14 @@ inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>,
 inline const auto kAccelerationSets =
     by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
 
+inline const auto kAfterGoals = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
+
 /// The alternatives of avo::MotionModel, in their order.
-enum class ModelKind : std::uint8_t { holonomic, car };
-inline constexpr std::array<std::pair<std::string_view, ModelKind>, 2> kModels{
-    {{"holonomic", ModelKind::holonomic}, {"car", ModelKind::car}}};
+enum class ModelKind : std::uint8_t { holonomic, car, airplane };
+inline constexpr std::array<std::pair<std::string_view, ModelKind>, 3> kModels{
+    {{"holonomic", ModelKind::holonomic},
+     {"car", ModelKind::car},
+     {"airplane", ModelKind::airplane}}};
 constexpr std::string_view model_name(ModelKind kind) {
   return kModels[static_cast<std::size_t>(kind)].first;
 }

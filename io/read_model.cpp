@@ -6,16 +6,22 @@
 namespace avo_io {
 namespace {
 
-/// A car where it has the keys of one.
+/// A car or an airplane where it has the keys of one.
 ModelKind kind_of(const Reader& reader, const YamlNode& node, const std::string& path,
                   const avo::RobotSetup& robot) {
   const YamlNode *model = node.find("model"), *car = node.find("car");
+  const YamlNode* airplane = node.find("airplane");
   ModelKind kind = static_cast<ModelKind>(robot.model.index());
+  if (airplane != nullptr) kind = ModelKind::airplane;
   if (car != nullptr) kind = ModelKind::car;
   if (model != nullptr) kind = reader.choice(*model, path_to(path, "model"), kModels);
-  if (car != nullptr && kind != ModelKind::car)
-    reader.fail(*car, path_to(path, "car"), "keys of a car",
+  const auto require_kind = [&](const YamlNode* keys, ModelKind own, const char* whose) {
+    if (keys == nullptr || kind == own) return;
+    reader.fail(*keys, path_to(path, std::string(model_name(own))), std::string("keys of ") + whose,
                 "left out: its model is " + std::string(model_name(kind)));
+  };
+  require_kind(car, ModelKind::car, "a car");
+  require_kind(airplane, ModelKind::airplane, "an airplane");
   return kind;
 }
 
@@ -50,6 +56,7 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
   if (kind == ModelKind::holonomic) robot.model = avo::Holonomic{};
   if (kind == ModelKind::car && !std::holds_alternative<avo::Car>(robot.model))
     robot.model = avo::Car{};
+  if (kind == ModelKind::airplane && !is_airplane(robot.model)) robot.model = avo::Airplane{};
   const YamlNode *given = node.find("heading"), *car = node.find("car");
   const YamlNode* within = car != nullptr ? car->find("heading") : nullptr;
   if (given != nullptr && within != nullptr)
@@ -61,6 +68,11 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
   if (within != nullptr)
     read_heading(reader, *within, path_to(path, "car.heading"), robot.heading, heading);
   if (car != nullptr) read_car(reader, *car, path_to(path, "car"), std::get<avo::Car>(robot.model));
+  const YamlNode* airplane = node.find("airplane");
+  if (airplane == nullptr) return;
+  const std::string keys = path_to(path, "airplane");
+  reader.check_keys(*airplane, keys, keys_of(fields<avo::Airplane>()));
+  reader.read(*airplane, keys, fields<avo::Airplane>(), std::get<avo::Airplane>(robot.model), true);
 }
 
 }  // namespace avo_io

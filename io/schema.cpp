@@ -193,7 +193,10 @@ Json list_schema(const char* definition) {
 Json nested_of_robots(const Json& heading) {
   Json car = map_schema(fields<avo::Car>(), {{"body", map_schema(fields<avo::CarBody>())}});
   car["properties"]["heading"] = heading;
-  return {{"model", names_schema(kModels)}, {"heading", heading}, {"car", car}};
+  return {{"model", names_schema(kModels)},
+          {"heading", heading},
+          {"car", car},
+          {"airplane", map_schema(fields<avo::Airplane>())}};
 }
 
 /// The keys that many like robots share.

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "avo/model.h"
 #include "avo/vec.h"
@@ -31,6 +32,9 @@ struct Robot {
   /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
   /// reciprocal_share(). Others have to know it.
   double priority = 1.0;
+  /// Of an airplane, the circle that the others know of it; unset: that of position and velocity.
+  /// Remember it while the airplane is on it: made anew in each step, it drifts by rounding.
+  std::optional<LoiterCircle> loiter = {};
 };
 
 /// What A counts on from another one.
@@ -53,6 +57,8 @@ struct Neighbor {
   /// was sensed (docs/certificate.md, "Age").
   int age = 0;
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
+  /// What B falls back on, where it decides: to turn right on this circle for ever. Unset: to brake.
+  std::optional<LoiterCircle> loiter = {};
 };
 
 /// Of a Neighbor, steps.

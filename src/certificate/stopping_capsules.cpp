@@ -38,7 +38,7 @@ void collect_capsules(const Robot& robot, const Neighbors& neighbors, const Step
   const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
-    if (neighbor.behavior != Behavior::decides) continue;
+    if (neighbor.behavior != Behavior::decides || neighbor.loiter) continue;
     const BrakingPair pair = braking_pair(robot, neighbor, a, law);
     if (cannot_meet(pair, neighbor, law)) continue;
     const Vec2 s_A = pair.a.length * pair.a.direction, s_B = pair.b.length * pair.b.direction;

@@ -26,9 +26,11 @@ struct NeighborColumns {
   std::vector<double> priority;    // likewise 1
   std::vector<int> age;            // steps, of all that are not kPrompt
   std::vector<Vec2> acceleration;  // m/s², of those that do not decide
+  bool has_loiterers = false;
+  std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
-  // It decides and is of age 0; it decides and is older; it moves on.
-  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0;
+  // It decides and is of age 0; it decides and is older; it moves on; it decides and does not brake.
+  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0;
 
   /// Room for so many.
   void reserve(std::size_t neighbors) {
@@ -40,7 +42,10 @@ struct NeighborColumns {
     v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;
     radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
     const bool moves_on = neighbor.behavior == Behavior::moves_on, aged = neighbor.age > 0;
-    decides[count] = moves_on ? kMover : aged ? kAged : kPrompt;
+    const bool loiters = !moves_on && neighbor.loiter.has_value();
+    decides[count] = moves_on ? kMover : loiters ? kLoiterer : aged ? kAged : kPrompt;
+    if (loiters) loiter[count] = *neighbor.loiter;
+    has_loiterers = has_loiterers || loiters;
     age[count] = neighbor.age;
     priority[count] = neighbor.priority;
     acceleration[count++] = neighbor.acceleration;
@@ -55,13 +60,13 @@ struct NeighborColumns {
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
     decides[place] = decides[other], age[place] = age[other];
     acceleration[place] = acceleration[other];
-    priority[place] = priority[other];
+    priority[place] = priority[other], loiter[place] = loiter[other];
   }
   void clear() {
-    if (has_movers || has_aged) std::fill(decides.begin(), decides.end(), kPrompt);
+    if (has_movers || has_aged || has_loiterers) std::fill(decides.begin(), decides.end(), kPrompt);
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     count = 0;
-    has_movers = has_aged = has_priorities = false;
+    has_movers = has_aged = has_priorities = has_loiterers = false;
   }
   Neighbor operator[](std::size_t i) const {
     const bool moves_on = decides[i] == kMover;
@@ -72,7 +77,8 @@ struct NeighborColumns {
             .acceleration = moves_on ? acceleration[i] : Vec2{},
             .behavior = moves_on ? Behavior::moves_on : Behavior::decides,
             .age = decides[i] == kPrompt ? 0 : age[i],
-            .priority = priority[i]};
+            .priority = priority[i],
+            .loiter = decides[i] == kLoiterer ? std::optional(loiter[i]) : std::nullopt};
   }
 
  private:

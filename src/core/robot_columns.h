@@ -23,14 +23,16 @@ struct RobotColumns {
   Column priority;
   std::vector<const MotionModel*> model;  // of holonomic robots none
   std::vector<Neighbors> neighbors;       // that each senses, nearest first
+  std::vector<const LoiterCircle*> loiter;  // of airplanes; empty where nobody is one
 
   void reserve(std::size_t robots);
   void clear() {
     count = 0;
     model.clear();
     neighbors.clear();
+    loiter.clear();
   }
-  /// robot.model has to stay where it is.
+  /// robot.model and robot.loiter have to stay where they are.
   void add(const Robot& robot, const Neighbors& sensed);
   Robot robot(std::size_t i) const;
   /// Two robots in each other's place.

@@ -7,6 +7,7 @@
 
 #include "core/elementary.h"
 #include "core/ranges.h"
+#include "robots/airplane.h"
 #include "robots/car.h"
 
 namespace avo {
@@ -28,6 +29,8 @@ Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
 
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step) {
+  if (const Airplane* airplane = std::get_if<Airplane>(&model))
+    return fly(*airplane, limits, state, plan, time_step).motion;
   return advance_car(std::get<Car>(model), limits, state, plan, time_step);
 }
 
@@ -50,16 +53,51 @@ double reach_of(const MotionModel& model) {
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {
   if (const Car* car = std::get_if<Car>(&robot.model))
     append_own_half_planes(*car, robot, time, half_planes);
+  if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))
+    append_own_half_planes(*airplane, robot, time, half_planes);
 }
 
 Vec2 steered(const Robot& robot) {
-  const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? steered(*car, robot) : robot.preferred_velocity;
+  if (const Car* car = std::get_if<Car>(&robot.model)) return steered(*car, robot);
+  const Airplane* airplane = std::get_if<Airplane>(&robot.model);
+  return airplane != nullptr ? steered(*airplane, robot) : robot.preferred_velocity;
 }
 
 Vec2 within_steering(const Robot& robot, Vec2 v) {
-  const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? within_steering(*car, robot, v) : v;
+  if (const Car* car = std::get_if<Car>(&robot.model)) return within_steering(*car, robot, v);
+  const Airplane* airplane = std::get_if<Airplane>(&robot.model);
+  return airplane != nullptr ? within_steering(*airplane, robot, v) : v;
+}
+
+bool passes_goal(const MotionModel& model) {
+  return is_airplane(model);
+}
+
+bool leaves_at_goal(const MotionModel& model) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  return airplane != nullptr && airplane->after_goal == AfterGoal::leave;
+}
+
+double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+            const Plan& plan, double time_step, Vec2 goal) {
+  return distance(fly(std::get<Airplane>(model), limits, state, plan, time_step).way, goal);
+}
+
+std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, Vec2 velocity) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  if (airplane == nullptr) return std::nullopt;
+  return loiter_circle(*airplane, position, velocity);
+}
+
+double room_to_turn(const MotionModel& model, double max_speed) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  if (airplane == nullptr) return 0.0;
+  return 2.0 * max_speed * max_speed / usable_acceleration(*airplane);
+}
+
+double least_speed(const MotionModel& model) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  return airplane != nullptr ? airplane->min_speed : 0.0;
 }
 
 bool turns_in_place(const MotionModel& model) {
@@ -73,6 +111,9 @@ bool can_reverse(const MotionModel& model) {
 }
 
 bool is_valid(const MotionModel& model) {
+  if (const Airplane* airplane = std::get_if<Airplane>(&model))
+    return kPositive.contains(airplane->min_speed) &&
+           kPositive.contains(airplane->lateral_acceleration);
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr) return true;
   const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&

@@ -10,6 +10,7 @@ struct MotionState {
   Vec2 position;         // m, of its disc
   Vec2 velocity;         // m/s
   double heading = 0.0;  // rad; not of holonomic robots
+  LoiterCircle circle = {};  // of an airplane: what it falls back on
 };
 
 struct MotionStep {

@@ -245,6 +245,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
         ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }
   world.fleet.goal[slot] = goal;
+  if (Flight* flight = world.fleet.flight(slot)) flight->has_arrived = false;
 }
 
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {

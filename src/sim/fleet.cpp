@@ -39,6 +39,9 @@ Conduct conduct_of(const RobotSetup& setup) {
 Vec2 start_velocity(const RobotSetup& setup) {
   if (is_holonomic(setup.model)) return setup.velocity;
   const Vec2 heading = elementary::direction(setup.heading);
+  const double least = least_speed(setup.model);
+  if (setup.velocity == Vec2{} && least > 0.0)
+    return std::clamp(setup.preferred_speed, least, setup.max_speed) * heading;
   const bool backwards = can_reverse(setup.model) && dot(setup.velocity, heading) < 0.0;
   return norm(setup.velocity) * (backwards ? -heading : heading);
 }
@@ -63,6 +66,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
   if (!seen_acceleration.empty()) seen_acceleration.resize(slot + 1);
+  if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -74,12 +78,14 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   nearest[slot] = std::numeric_limits<float>::infinity();
   heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
   model[slot] = setup.model;
+  if (Flight* own = flight(slot)) *own = {*circle_of(setup.model, position[slot], velocity[slot])};
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
   if (!seen_acceleration.empty()) seen_acceleration.erase(seen_acceleration.begin() + rank[slot]);
+  if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
@@ -135,7 +141,8 @@ Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
           .max_acceleration = traits[slot].max_acceleration,
           .acceleration = behavior == Behavior::moves_on ? acceleration_seen(slot) : Vec2{},
           .behavior = behavior,
-          .priority = conduct[slot].priority};
+          .priority = conduct[slot].priority,
+          .loiter = circle(slot)};
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
@@ -220,6 +227,10 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
     const Vec2 seen = fleet.acceleration_seen(i);
     if (!(seen == Vec2{})) hash = mixed(hash, seen);
+    if (const Flight* own = fleet.flight(i)) {
+      hash = mixed(mixed(hash, own->circle.center), own->circle.radius);
+      hash = mixed(hash, own->has_arrived ? 1.0 : 0.0);
+    }
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

@@ -9,6 +9,7 @@
 #include "avo/simulation.h"
 #include "core/executor.h"
 #include "planner/relevance.h"
+#include "robots/model.h"
 
 namespace avo {
 
@@ -38,6 +39,12 @@ inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
 /// m/s; that of a robot with a heading points along it, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
+/// What airplanes remember.
+struct Flight {
+  LoiterCircle circle;       // that it falls back on
+  bool has_arrived = false;  // it has passed its goal
+};
+
 /// Columns by slot: robots that are near each other lie near each other once the fleet has been
 /// put in order. Ids ascend by rank.
 struct Fleet {
@@ -60,6 +67,7 @@ struct Fleet {
   std::vector<std::uint32_t> slot_of;  // by rank
   // m/s², of the last step, by rank; empty where nobody has to see it
   std::vector<Vec2> seen_acceleration;
+  std::vector<Flight> flights;  // by rank; empty where nobody is an airplane
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -79,6 +87,18 @@ struct Fleet {
   Vec2 acceleration_seen(std::size_t slot) const {
     return seen_acceleration.empty() ? Vec2{}
                                      : seen_acceleration[static_cast<std::size_t>(rank[slot])];
+  }
+  /// Nothing of one that is no airplane.
+  const Flight* flight(std::size_t slot) const {
+    if (flights.empty() || !passes_goal(model[slot])) return nullptr;
+    return &flights[static_cast<std::size_t>(rank[slot])];
+  }
+  Flight* flight(std::size_t slot) {
+    return const_cast<Flight*>(static_cast<const Fleet*>(this)->flight(slot));
+  }
+  std::optional<LoiterCircle> circle(std::size_t slot) const {
+    const Flight* own = flight(slot);
+    return own != nullptr ? std::optional(own->circle) : std::nullopt;
   }
   /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
   std::optional<Behavior> expected(std::size_t b, std::size_t a) const {
@@ -123,6 +143,14 @@ struct FleetMirror {
 /// disc's.
 inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim) {
   return aim == fleet.goal[slot] ? aim + fleet.offset(slot) : aim;
+}
+
+/// m/s: the preferred velocity of an airplane.
+inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double preferred_speed) {
+  const Vec2 way = goal - position;
+  const double distance = norm(way);
+  if (flight.has_arrived || !(distance > 0.0)) return {};
+  return (preferred_speed / distance) * way;
 }
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.

@@ -196,6 +196,22 @@ void describe(Archive<kReads>& archive, Car& car) {
   describe(archive, car.body->offset), describe(archive, car.body->radius);
 }
 
+template <bool kReads>
+void describe(Archive<kReads>& archive, Airplane& airplane) {
+  auto after = static_cast<std::uint8_t>(airplane.after_goal);
+  describe(archive, airplane.min_speed), describe(archive, airplane.lateral_acceleration);
+  describe(archive, after);
+  if (after > static_cast<std::uint8_t>(AfterGoal::leave))
+    refuse_saved("an unknown after_goal", "a known one");
+  airplane.after_goal = static_cast<AfterGoal>(after);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedFlight& flight) {
+  describe(archive, flight.circle.center), describe(archive, flight.circle.radius);
+  describe(archive, flight.has_arrived);
+}
+
 // Its kind and then what that has.
 template <bool kReads>
 void describe(Archive<kReads>& archive, MotionModel& model) {
@@ -203,6 +219,7 @@ void describe(Archive<kReads>& archive, MotionModel& model) {
   archive.word(kind);
   if (kReads && kind == 0) model = Holonomic{};
   if (kReads && kind == 1) model = Car{};
+  if (kReads && kind == 2) model = Airplane{};
   if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
   std::visit([&](auto& known) { describe(archive, known); }, model);
 }
@@ -257,6 +274,11 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     describe(archive, scene.robots[k], state.robots[k]);
   }
+  if (kReads)
+    state.flights.resize(static_cast<std::size_t>(
+        std::count_if(scene.robots.begin(), scene.robots.end(),
+                      [](const RobotSetup& robot) { return is_airplane(robot.model); })));
+  for (SavedFlight& flight : state.flights) describe(archive, flight);
   if (generations_needed(scene.sensing) < 2) return;  // they remember nothing
   archive.size(state.since, 1);
   for (std::int64_t& generation : state.since) describe(archive, generation);

@@ -26,6 +26,12 @@ struct RobotState {
 };
 static_assert(sizeof(RobotState) == 80, "it says so in avo/simulation.h");
 
+/// What steps change of an airplane besides.
+struct SavedFlight {
+  LoiterCircle circle;
+  bool has_arrived = false;
+};
+
 struct ObstacleState {
   Vec2 position, velocity;  // m, m/s
 };
@@ -47,6 +53,7 @@ struct SavedState {
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing
   std::vector<PastState> past;
+  std::vector<SavedFlight> flights;  // of the airplanes among the robots, in their order
 };
 
 /// visit(key, member) for all that a scene has besides robots and obstacles.

@@ -84,6 +84,13 @@ Fleet fleet_of(const SavedState& state) {
     fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
     fleet.detour[k] = robot.detour;
   }
+  std::size_t flights = 0;
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    Flight* flight = fleet.flight(k);
+    if (flight == nullptr) continue;
+    const SavedFlight& saved = state.flights[flights++];
+    *flight = {saved.circle, saved.has_arrived};
+  }
   const bool seen = std::any_of(state.robots.begin(), state.robots.end(), [](const RobotState& r) {
     return !(r.seen_acceleration == Vec2{});
   });
@@ -138,7 +145,7 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
 
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
-  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}};
+  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}};
   state.next_obstacle = world.statics.next_id;
   state.static_ids = world.statics.id;
   if (world.senses.remember()) {
@@ -163,6 +170,8 @@ SavedState saved_state(const World& world) {
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
                             fleet.heading[slot], fleet.detour[slot],
                             fleet.acceleration_seen(slot)});
+    if (const Flight* flight = fleet.flight(slot))
+      state.flights.push_back({flight->circle, flight->has_arrived});
   }
   return state;
 }

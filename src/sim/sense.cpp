@@ -61,13 +61,17 @@ std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const C
   const auto behavior = expected_of(conduct, own);
   if (conduct.parked || !behavior) return std::nullopt;
   const bool moves_on = *behavior == Behavior::moves_on;
+  std::optional<LoiterCircle> loiter;
+  if (!world.snapshot.circle.empty() && world.snapshot.circle[place].radius > 0.0)
+    loiter = world.snapshot.circle[place];
   return Neighbor{.position = world.snapshot.grid.position(place),
                   .velocity = sensed.velocity,
                   .radius = sensed.radius,
                   .max_acceleration = sensed.max_acceleration,
                   .acceleration = moves_on ? world.snapshot.acceleration[place] : Vec2{},
                   .behavior = *behavior,
-                  .priority = conduct.priority};
+                  .priority = conduct.priority,
+                  .loiter = loiter};
 }
 
 // The same among moving obstacles, robots first where distances are equal, and where robots are not

@@ -13,6 +13,7 @@
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
 #include "planner/certify.h"
+#include "robots/model.h"
 #include "sim/assumptions.h"
 #include "sim/senses.h"
 
@@ -35,7 +36,9 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
   const double v = robot.max_speed, step = law.step.time_step, late = time_unseen(scenario);
   const double u = braking_decrement(robot.max_acceleration, law.step);
   return {static_cast<int>(i),
-          disc_radius(robot) + ((step + late) * v + stopping_length(v, u, law.step)),
+          disc_radius(robot) + ((step + late) * v +
+                                (passes_goal(robot.model) ? room_to_turn(robot.model, v)
+                                                          : stopping_length(v, u, law.step))),
           step * (1.0 + braking_steps(v, u)) + late};
 }
 

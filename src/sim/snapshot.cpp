@@ -33,6 +33,7 @@ void prepare(const Fleet& fleet, bool layered, Snapshot& snapshot) {
   snapshot.grid.prepare(snapshot.cells, fleet.size());
   snapshot.sensed.resize(fleet.size());
   snapshot.acceleration.resize(layered ? fleet.size() : 0);
+  snapshot.circle.resize(fleet.flights.empty() ? 0 : fleet.size());
 }
 
 std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snapshot& snapshot) {
@@ -46,6 +47,8 @@ std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snap
                               robot_traits.max_acceleration};
     if (!snapshot.acceleration.empty())
       snapshot.acceleration[place] = fleet.acceleration_seen(slot);
+    if (!snapshot.circle.empty())
+      snapshot.circle[place] = fleet.circle(slot).value_or(LoiterCircle{});
   }
   return sorted.crowding;
 }

@@ -26,7 +26,8 @@ struct Snapshot {
   UniformGrid grid;
   std::vector<Sensed> sensed;
   std::vector<Vec2> acceleration;  // m/s^2; where there are layers
-  std::uint64_t crowding = 0;      // see SortedPart
+  std::vector<LoiterCircle> circle;  // of radius 0 of those that brake; empty where all do
+  std::uint64_t crowding = 0;        // see SortedPart
 };
 
 /// Chooses the cells: as large as a search is wide, or half of that in crowds. radius: m, of

@@ -6,6 +6,8 @@
 #include <iterator>
 
 #include "planner/decision.h"
+#include "robots/model.h"
+#include "sim/edits.h"
 #include "sim/sense.h"
 #include "sim/world.h"
 
@@ -49,8 +51,9 @@ void find_ranges(World& world) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
       });
   if (world.layered) fleet.seen_acceleration.resize(fleet.size());
-  world.selective = world.parked > 0 || world.layered;
-  world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
+  world.selective = world.parked > 0 || world.layered || !fleet.flights.empty();
+  world.alike = fleet.flights.empty() &&
+                std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                             [](const Conduct& conduct) { return conduct == Conduct{}; });
   for (const std::uint32_t slot : fleet.slot_of) {
     fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
@@ -140,7 +143,23 @@ void take_slots(World& world, std::span<const std::uint32_t> slots, Worker& work
 
 }  // namespace
 
+namespace {
+
+// Those that have passed their goals, and do not stay.
+void leave(World& world) {
+  const Fleet& fleet = world.fleet;
+  for (std::size_t rank = fleet.flights.size(); rank > 0; --rank) {
+    const std::uint32_t slot = fleet.slot_of[rank - 1];
+    const Flight* own = fleet.flight(slot);
+    if (own != nullptr && own->has_arrived && leaves_at_goal(fleet.model[slot]))
+      remove_robot(world, fleet.id[slot]);
+  }
+}
+
+}  // namespace
+
 void step(World& world) {
+  leave(world);
   const std::size_t robots = world.fleet.size();
   Executor& executor = executor_of(world);
   index(world, executor);

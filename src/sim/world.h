@@ -66,7 +66,7 @@ struct World {
   bool changed = true;           // robots came or went
   bool fast = false;             // some robot exceeds its max_speed
   bool alike = true;             // all robots are of one Conduct, the usual one
-  bool selective = false;        // not everybody minds everybody
+  bool selective = false;        // not everybody minds everybody, or some loiter
   bool layered = false;          // by their layers
   std::size_t parked = 0;        // robots
   bool valid = false;            // all robots were, when they came, and there is nobody else
