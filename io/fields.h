@@ -129,7 +129,7 @@ struct MembersOf<avo::RobotSetup> {
 };
 template <>
 struct MembersOf<avo::Car> {
-  using type = MemberOf<avo::Car, double, bool, avo::AccelerationSet>;
+  using type = MemberOf<avo::Car, double, std::optional<double>, bool, avo::AccelerationSet>;
 };
 template <>
 struct MembersOf<avo::Airplane> {

@@ -95,6 +95,9 @@ ValueSchema describe(avo::NoiseDistribution value, const avo::Range&) {
 ValueSchema describe(avo::AccelerationSet value, const avo::Range&) {
   return {names_schema(kAccelerationSets), name_of(kAccelerationSets, value)};
 }
+ValueSchema describe(avo::AfterGoal value, const avo::Range&) {
+  return {names_schema(kAfterGoals), name_of(kAfterGoals, value)};
+}
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
 }

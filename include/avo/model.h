@@ -6,7 +6,6 @@
 // is called its position in a scene is a point of its own, see disc_center().
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <variant>
 
@@ -39,10 +38,10 @@ struct CarBody {
 /// at once. With no bound on its curvature and its disc about the axle, one that is slow may turn
 /// in place.
 struct Car {
-  double wheelbase = 1.0;                                          ///< [d] m, > 0
-  double max_curvature = std::numeric_limits<double>::infinity();  ///< [κ_max] 1/m, > 0
-  std::optional<CarBody> body = {};                                ///< unset: about the axle
-  bool reverse = false;                                            ///< may drive backwards
+  double wheelbase = 1.0;                    ///< [d] m, > 0
+  std::optional<double> max_curvature = {};  ///< [κ_max] 1/m, > 0; unset: unbounded
+  std::optional<CarBody> body = {};          ///< unset: about the axle
+  bool reverse = false;                      ///< may drive backwards
   AccelerationSet acceleration_set = AccelerationSet::incircle;
   friend bool operator==(const Car&, const Car&) = default;
 };

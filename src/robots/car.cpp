@@ -68,7 +68,7 @@ Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, dou
   const double top = std::max(driving.speed, driving.speed + result.linear * time_step);
   if (!(top > 0.0)) return result;
   const double curvature = cross(driving.heading, acceleration) / (top * top);
-  result.curvature = std::clamp(curvature, -car.max_curvature, car.max_curvature);
+  result.curvature = std::clamp(curvature, -sharpest(car), sharpest(car));
   return result;
 }
 
@@ -153,7 +153,7 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
 // more than the heading turns: κ times the way, below Δt √(a_max κ_max) at any speed.
 Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
   Stray stray{2.0 * reach_of(car), 0.0};
-  const double turn = time_step * std::sqrt(max_acceleration * car.max_curvature);
+  const double turn = time_step * std::sqrt(max_acceleration * sharpest(car));
   if (offset_of(car) != 0.0) stray.distance = std::abs(offset_of(car)) * std::min(turn, 2.0);
   return stray;
 }
@@ -167,8 +167,7 @@ void append_own_half_planes(const Car& car, const Robot& robot, double time,
     half_planes.push_back({-normal, -dot(normal, v) - most});
   };
   const double a_max = robot.max_acceleration;
-  const double lateral =
-      turns_in_place(car) ? a_max : std::min(a_max, dot(v, v) * car.max_curvature);
+  const double lateral = turns_in_place(car) ? a_max : std::min(a_max, dot(v, v) * sharpest(car));
   const bool exact = car.acceleration_set == AccelerationSet::exact;
   if (exact) bound(h, a_max * time);
   if (exact || lateral < a_max) bound(n, lateral * time);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Car-like robots (paper §V).
 #pragma once
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "robots/model.h"
@@ -17,12 +19,19 @@ void append_own_half_planes(const Car& car, const Robot& robot, double time,
 Vec2 steered(const Car& car, const Robot& robot);
 Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v);
 
-/// Not bound to drive on in order to turn.
-inline bool turns_in_place(const Car& car) {
-  return car.max_curvature == std::numeric_limits<double>::infinity();
-}
 inline double offset_of(const Car& car) {
   return car.body ? car.body->offset : 0.0;
 }
 
+/// Not bound to drive on in order to turn.
+inline bool turns_in_place(const Car& car) {
+  return !car.max_curvature;
+}
+/// 1/m, while it drives. A disc ahead of the axle would sweep aside faster than others expect where
+/// the curvature has no bound; on such a curve it adds a quarter to its speed at most.
+inline double sharpest(const Car& car) {
+  if (car.max_curvature) return *car.max_curvature;
+  const double offset = offset_of(car);
+  return offset == 0.0 ? std::numeric_limits<double>::infinity() : 0.25 / std::abs(offset);
+}
 }  // namespace avo

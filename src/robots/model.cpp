@@ -118,7 +118,8 @@ bool is_valid(const MotionModel& model) {
   if (car == nullptr) return true;
   const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&
                                    kPositive.contains(car->body->radius));
-  return kPositive.contains(car->wheelbase) && car->max_curvature > 0.0 && body;
+  return kPositive.contains(car->wheelbase) && body &&
+         (!car->max_curvature || kPositive.contains(*car->max_curvature));
 }
 
 }  // namespace avo

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a car steers that cannot turn in place: towards its goal by pure pursuit (Coulter, CMU
 // 1992), the circle that leaves along the heading and goes through the goal. A goal inside its
-// turning circle it drives away from, until it is outside.
+// turning circle it drives away from, until it is outside: straight ahead, or straight back where
+// it may drive backwards.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,17 +15,12 @@ namespace {
 
 constexpr double kEnough = 0.8;       // of a_max, that turning asks for
 constexpr double kWiderCircle = 1.1;  // times the turning circle: goals outside are steered to
+// likewise, of one that may drive backwards and is not on its way to the goal
+constexpr double kWellOutside = 1.3;
 constexpr double kWidest = 4.0;       // times that circle: turned round on at most
 constexpr double kNearEnough = 0.05;  // times its radius: nobody turns round for that
 // It drives on in its direction until it had to turn by 90 degrees and more, by this cosine.
 constexpr double kKeepDirection = 0.5;
-
-// The way that it drives, and where that leads to, seen from the axle.
-struct Aim {
-  Vec2 ahead;       // unit, along the heading or against it
-  double x, y;      // unit vector to the goal: ahead, to the left
-  double distance;  // m
-};
 
 // Along the heading or against it: whichever is nearer to where it goes, and as it drives already
 // where that is nearly as good.
@@ -48,25 +44,30 @@ double cornering_speed(double max_acceleration, double radius) {
   return std::sqrt(kEnough * max_acceleration * radius);
 }
 
+// Of the circle to the goal, times the turning circle's.
+double least_radius(const Car& car, const Robot& robot, Vec2 to) {
+  if (!car.reverse) return kWiderCircle;
+  return dot(robot.velocity, to) > 0.0 ? 1.0 : kWellOutside;
+}
+
 }  // namespace
 
 Vec2 steered(const Car& car, const Robot& robot) {
   const double speed = norm(robot.preferred_velocity);
   if (turns_in_place(car) || !(speed > 0.0)) return robot.preferred_velocity;
   const Vec2 to = robot.preferred_velocity / speed, ahead = direction_of(car, robot, to);
-  const Aim aim{ahead, dot(ahead, to), cross(ahead, to), robot.distance_to_goal};
-  const double turning = 1.0 / car.max_curvature, across = std::abs(aim.y);
-  if (aim.distance <= kNearEnough * turning) return {};
-  if (aim.distance < 2.0 * kWiderCircle * turning * across) {
-    const double away = std::min(cornering_speed(robot.max_acceleration, turning), robot.max_speed);
-    return away * aim.ahead;
-  }
+  const double x = dot(ahead, to), y = cross(ahead, to), distance = robot.distance_to_goal;
+  const double turning = 1.0 / sharpest(car);
+  if (distance <= kNearEnough * turning) return {};
   // of the circle of pure pursuit
   const double radius =
-      across > 0.0 ? aim.distance / (2.0 * across) : std::numeric_limits<double>::infinity();
-  const double least = aim.x >= 0.0 ? radius : std::min(radius, kWidest * turning);
-  const double top = cornering_speed(robot.max_acceleration, least);
-  return bent(aim.ahead, aim.x, aim.y, std::min(speed, top));
+      y == 0.0 ? std::numeric_limits<double>::infinity() : distance / (2.0 * std::abs(y));
+  if (radius < least_radius(car, robot, to) * turning) {
+    const double away = std::min(cornering_speed(robot.max_acceleration, turning), robot.max_speed);
+    return away * (car.reverse && x > 0.0 ? -ahead : ahead);
+  }
+  const double wide = x >= 0.0 ? radius : std::min(radius, kWidest * turning);
+  return bent(ahead, x, y, std::min(speed, cornering_speed(robot.max_acceleration, wide)));
 }
 
 Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v) {

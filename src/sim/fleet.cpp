@@ -49,8 +49,8 @@ Vec2 start_velocity(const RobotSetup& setup) {
 template <typename Action>
 void Fleet::for_each_column(const Action& action) {
   action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
-  action(goal), action(position), action(velocity), action(heading), action(model), action(detour),
-      action(plan), action(applied_acceleration);
+  action(goal), action(position), action(velocity), action(heading), action(detour), action(plan),
+      action(applied_acceleration);
   action(cell);
 }
 
@@ -66,6 +66,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
   if (!seen_acceleration.empty()) seen_acceleration.resize(slot + 1);
+  if (!models.empty() || !is_holonomic(setup.model)) models.resize(slot + 1);
   if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
@@ -77,13 +78,14 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   velocity[slot] = start_velocity(setup);
   nearest[slot] = std::numeric_limits<float>::infinity();
   heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
-  model[slot] = setup.model;
+  if (!models.empty()) models[slot] = setup.model;
   if (Flight* own = flight(slot)) *own = {*circle_of(setup.model, position[slot], velocity[slot])};
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
+  if (!models.empty()) models.erase(models.begin() + rank[slot]);
   if (!seen_acceleration.empty()) seen_acceleration.erase(seen_acceleration.begin() + rank[slot]);
   if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   for_each_column(
@@ -122,7 +124,7 @@ RobotSetup Fleet::setup(std::size_t slot) const {
           .max_speed = robot_traits.max_speed,
           .max_acceleration = robot_traits.max_acceleration,
           .preferred_speed = robot_traits.preferred_speed,
-          .model = model[slot],
+          .model = model(slot),
           .heading = heading[slot],
           .priority = conduct[slot].priority,
           .parked = conduct[slot].parked,
@@ -131,7 +133,7 @@ RobotSetup Fleet::setup(std::size_t slot) const {
 }
 
 Vec2 Fleet::offset(std::size_t slot) const {
-  return traits[slot].has_model ? disc_center(model[slot], {}, heading[slot]) : Vec2{};
+  return traits[slot].has_model ? disc_center(model(slot), {}, heading[slot]) : Vec2{};
 }
 
 Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {

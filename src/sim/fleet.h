@@ -58,7 +58,6 @@ struct Fleet {
   std::vector<Vec2> position;  // of its disc
   std::vector<Vec2> velocity;
   std::vector<double> heading;  // rad; read where there is a model
-  std::vector<MotionModel> model;
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
@@ -67,6 +66,7 @@ struct Fleet {
   std::vector<std::uint32_t> slot_of;  // by rank
   // m/s², of the last step, by rank; empty where nobody has to see it
   std::vector<Vec2> seen_acceleration;
+  std::vector<MotionModel> models;  // by rank; empty where all are holonomic
   std::vector<Flight> flights;  // by rank; empty where nobody is an airplane
 
   std::size_t size() const { return id.size(); }
@@ -77,6 +77,13 @@ struct Fleet {
   std::vector<Wall> parked_discs() const;
   /// Slot of the robot; throws Error if there is none.
   std::size_t find(RobotId robot) const;
+  MotionModel model(std::size_t slot) const {
+    return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
+  }
+  /// Nothing of one that is holonomic.
+  const MotionModel* own_model(std::size_t slot) const {
+    return traits[slot].has_model ? &models[static_cast<std::size_t>(rank[slot])] : nullptr;
+  }
   /// m: how far its disc is ahead of the place that the robot is said to be at, and that place.
   Vec2 offset(std::size_t slot) const;
   Vec2 place(std::size_t slot) const {
@@ -90,7 +97,7 @@ struct Fleet {
   }
   /// Nothing of one that is no airplane.
   const Flight* flight(std::size_t slot) const {
-    if (flights.empty() || !passes_goal(model[slot])) return nullptr;
+    if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot))) return nullptr;
     return &flights[static_cast<std::size_t>(rank[slot])];
   }
   Flight* flight(std::size_t slot) {

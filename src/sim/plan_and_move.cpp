@@ -69,7 +69,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
     robots.heading[k] = fleet.heading[slot];
-    robots.model.push_back(traits.has_model ? &fleet.model[slot] : nullptr);
+    robots.model.push_back(fleet.own_model(slot));
     robots.priority[k] = fleet.conduct[slot].priority;
     if (!fleet.flights.empty()) {
       const Flight* own = fleet.flight(slot);
@@ -109,10 +109,10 @@ void move_by_model(World& world, std::size_t slot) {
   Flight* flight = fleet.flight(slot);
   if (flight != nullptr) state.circle = flight->circle;
   const double time_step = world.settings.time_step;
-  const MotionStep step = advance(fleet.model[slot], limits, state, fleet.plan[slot], time_step);
+  const MotionStep step = advance(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step);
   if (flight != nullptr) {
     flight->circle = step.next.circle;
-    const double nearest = pass(fleet.model[slot], limits, state, fleet.plan[slot], time_step,
+    const double nearest = pass(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step,
                                 fleet.goal[slot]);
     if (nearest <= world.settings.arrival_distance) flight->has_arrived = true;
   }

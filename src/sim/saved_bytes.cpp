@@ -185,11 +185,13 @@ void describe(Archive<kReads>&, Holonomic&) {}
 template <bool kReads>
 void describe(Archive<kReads>& archive, Car& car) {
   bool has_body = car.body.has_value();
+  double curvature = car.max_curvature.value_or(0.0);  // 0: unbounded
   auto set = static_cast<std::uint8_t>(car.acceleration_set);
-  describe(archive, car.wheelbase), describe(archive, car.max_curvature);
+  describe(archive, car.wheelbase), describe(archive, curvature);
   describe(archive, has_body), describe(archive, car.reverse), describe(archive, set);
   if (set > static_cast<std::uint8_t>(AccelerationSet::exact))
     refuse_saved("an unknown set of accelerations", "a known one");
+  if (curvature != 0.0) car.max_curvature = curvature;
   car.acceleration_set = static_cast<AccelerationSet>(set);
   if (!has_body) return;
   if (kReads) car.body.emplace();

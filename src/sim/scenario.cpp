@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <string_view>
 #include <variant>
@@ -62,8 +61,8 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
 void check_car(std::size_t i, const Car& car) {
   const std::string_view list = "robots";
   require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
-  if (car.max_curvature != std::numeric_limits<double>::infinity())
-    require(Place{list, i, "car.max_curvature"}, car.max_curvature, kPositive, "1/m");
+  if (car.max_curvature)
+    require(Place{list, i, "car.max_curvature"}, *car.max_curvature, kPositive, "1/m");
   if (!car.body) return;
   require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
   require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");

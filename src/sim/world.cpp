@@ -121,8 +121,8 @@ void find_walls(World& world) {
     const double speed = norm(fleet.velocity[slot]);
     const double stray =
         traits.has_model
-            ? stray_of(fleet.model[slot], traits.max_acceleration, law.time_step).distance +
-                  room_to_turn(fleet.model[slot], traits.max_speed)
+            ? stray_of(*fleet.own_model(slot), traits.max_acceleration, law.time_step).distance +
+                  room_to_turn(*fleet.own_model(slot), traits.max_speed)
             : 0.0;
     needs.include(traits, stray, speed, law);
     if (options.method == Method::avo) continue;
@@ -172,7 +172,7 @@ Robot World::robot(std::size_t slot, double nearest) const {
     robot.preferred_velocity = course_of(*flight, p, heading.goal, heading.preferred_speed);
     robot.loiter = flight->circle;
   }
-  if (robot_traits.has_model) robot.model = fleet.model[slot], robot.heading = fleet.heading[slot];
+  if (robot_traits.has_model) robot.model = *fleet.own_model(slot), robot.heading = fleet.heading[slot];
   return robot;
 }
 

@@ -272,7 +272,8 @@ const std::vector<Bad> kScens{
          "{scen: a.scen, number: 2, radius: 0.6}"),
     scen("unknown_key", "",
          "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
-         "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, car, "
+         "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
+         "heading, car, "
          "priority, parked, layers, avoids; "
          "did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),

@@ -22,7 +22,8 @@ const std::string kSceneKeys =
     "robots, groups, robots_from, "
     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error";
 const std::string kRobotKeys =
-    "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, car, "
+    "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
+    "heading, car, "
     "priority, parked, layers, avoids";
 
 struct BadScene {
@@ -222,8 +223,26 @@ const std::vector<BadScene> kBadScenes{
      "5:16: robots.2.position: found [1, 2], the position of robots.0, must differ from it"},
     {"car_unknown_key",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {wheel_base: 1}}\n"),
-     "3:44: robots.0.car: found the unknown key \"wheel_base\", allowed are wheelbase, heading; "
+     "3:44: robots.0.car: found the unknown key \"wheel_base\", allowed are wheelbase, "
+     "max_curvature, body, reverse, acceleration_set, heading; "
      "did you mean \"wheelbase\"?"},
+    {"two_headings",
+     s("version: 1\nrobots:\n"
+       "  - {position: [0, 0], goal: [1, 0], heading: 1, car: {heading: 1}}\n"),
+     "3:65: robots.0.car.heading: found a second heading, must be given once"},
+    {"heading_of_holonomic",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], heading: 1}\n"),
+     "3:47: robots.0.heading: found a heading, must be left out: its model is holonomic"},
+    {"keys_of_another_model",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: holonomic, car: {}}\n"),
+     "3:61: robots.0.car: found keys of a car, must be left out: its model is holonomic"},
+    {"unknown_model", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: cart}\n"),
+     "3:45: robots.0.model: found \"cart\", must be one of holonomic, car; did you mean "
+     "\"car\"?"},
+    {"body_unknown_key",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {ofset: 1}}}\n"),
+     "3:51: robots.0.car.body: found the unknown key \"ofset\", allowed are offset, radius; did "
+     "you mean \"offset\"?"},
     {"car_heading_word",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {heading: random}}\n"),
      "3:53: robots.0.car.heading: found \"random\", must be a number (rad)"},
@@ -241,7 +260,7 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, position: [0, "
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
-     "velocity, radius, max_speed, max_acceleration, preferred_speed, car, "
+     "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, "
      "priority, parked, layers, avoids"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),

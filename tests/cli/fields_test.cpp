@@ -95,6 +95,8 @@ TEST(Fields, ranges_are_those_of_validate) {
   EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 8);
   EXPECT_EQ(check_ranges(scenario, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
             2);
+  avo::CarBody& body = std::get<avo::Car>(scenario.robots[0].model).body.emplace();
+  EXPECT_EQ(check_ranges(scenario, body, "robots.0.car.body."), 2);
   EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 4);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing.noise, "sensing.noise."), 3);

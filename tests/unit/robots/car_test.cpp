@@ -151,16 +151,16 @@ TEST(Car, stops_within_the_step_and_does_not_reverse) {
   EXPECT_LE(step.acceleration, 1.0);
 }
 
-// v²/(2 a), not the mean speed over the whole step. Only commands beyond a_max (orca) get there.
-TEST(Car, stopping_within_a_step_covers_the_braking_distance) {
+// Only commands beyond what it needs get there: it brakes until the end of the step.
+TEST(Car, stops_at_the_end_of_a_step_at_the_earliest) {
   MotionState state{{0, 0}, {0.15, 0}, 0.0};
   Plan plan;
   plan.acceleration = {-3, 0};
   plan.new_velocity = {-0.15, 0};
   const MotionStep step = advance_car(state, plan, 0.1);
-  EXPECT_NEAR(step.next.position.x, 0.15 * 0.15 / 6.0, 1e-15);
+  EXPECT_NEAR(step.next.position.x, 0.5 * 0.15 * 0.1, 1e-15);
   EXPECT_EQ(norm(step.next.velocity), 0.0);
-  EXPECT_EQ(step.acceleration, 3.0);
+  EXPECT_NEAR(step.acceleration, 1.5, 1e-12);
 }
 
 TEST(Car, at_rest_turns_in_place_at_a_bounded_rate) {

@@ -182,9 +182,15 @@ TEST(Saving, ids_are_not_reused_after_it) {
   EXPECT_EQ(restored.add_robot(test::robot_at({500, 500}, {500, 500})).value, 5u);
 }
 
+Scenario holonomic_scene(int robots) {
+  Scenario scene = dense_scene(robots, Motion::held);
+  for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
+  return scene;
+}
+
 TEST(Saving, takes_80_bytes_a_robot_beside_its_setup) {
-  constexpr std::size_t kSetup = 10 * sizeof(double);  // goal, radius, limits, wheelbase, conduct
-  Simulation few(dense_scene(10, Motion::held), 1), many(dense_scene(110, Motion::held), 1);
+  constexpr std::size_t kSetup = 10 * sizeof(double);  // goal, radius, limits, model, conduct
+  Simulation few(holonomic_scene(10), 1), many(holonomic_scene(110), 1);
   few.step(), many.step();
   EXPECT_LE(many.save().size() - few.save().size(), 100 * (kSetup + 80));
 }
@@ -295,7 +301,7 @@ TEST(Saving, arbitrary_bytes_do_no_harm) {
 }
 
 TEST(Saving, forged_values_are_refused) {
-  Simulation simulation(dense_scene(3, Motion::held), 1);
+  Simulation simulation(holonomic_scene(3), 1);
   const Bytes saved = simulation.save();
   const std::size_t last = saved.size() / 8 - 1;  // behind the last robot
   const std::size_t end = last - 2;               // behind its detour
