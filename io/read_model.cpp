@@ -18,7 +18,7 @@ ModelKind kind_of(const Reader& reader, const YamlNode& node, const std::string&
   const auto require_kind = [&](const YamlNode* keys, ModelKind own, const char* whose) {
     if (keys == nullptr || kind == own) return;
     reader.fail(*keys, path_to(path, std::string(model_name(own))), std::string("keys of ") + whose,
-                "left out: its model is " + std::string(model_name(kind)));
+                "must be left out: its model is " + std::string(model_name(kind)));
   };
   require_kind(car, ModelKind::car, "a car");
   require_kind(airplane, ModelKind::airplane, "an airplane");
@@ -60,9 +60,10 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
   const YamlNode *given = node.find("heading"), *car = node.find("car");
   const YamlNode* within = car != nullptr ? car->find("heading") : nullptr;
   if (given != nullptr && within != nullptr)
-    reader.fail(*within, path_to(path, "car.heading"), "a second heading", "given once");
+    reader.fail(*within, path_to(path, "car.heading"), "a second heading", "must be given once");
   if (given != nullptr && kind == ModelKind::holonomic)
-    reader.fail(*given, path_to(path, "heading"), "a heading", "left out: its model is holonomic");
+    reader.fail(*given, path_to(path, "heading"), "a heading",
+                "must be left out: its model is holonomic");
   if (given != nullptr)
     read_heading(reader, *given, path_to(path, "heading"), robot.heading, heading);
   if (within != nullptr)

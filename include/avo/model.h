@@ -83,6 +83,9 @@ inline bool is_airplane(const MotionModel& model) {
   return std::holds_alternative<Airplane>(model);
 }
 
+/// m/s²: what |a| of one whose setup says `max_acceleration` never exceeds.
+AVO_API double acceleration_limit(const MotionModel& model, double max_acceleration);
+
 /// m: the radius of the disc that others sense, of one whose setup says `radius`.
 AVO_API double disc_radius(const MotionModel& model, double radius);
 

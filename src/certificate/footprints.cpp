@@ -93,8 +93,8 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
     invariant.slack = std::min(invariant.slack, line.gap);
     if (line.gap < 0.0) invariant.broken = static_cast<int>(k);
     // A's begins at n . x = min(0, n . way)
-    constraints.push_back({static_cast<int>(k), line.normal,
-                           std::min(0.0, dot(line.normal, own.way)) - line.part});
+    const double begin = std::min(0.0, dot(line.normal, own.way));
+    constraints.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
   }
 }
 

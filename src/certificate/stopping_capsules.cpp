@@ -48,8 +48,8 @@ void collect_capsules(const Robot& robot, const Neighbors& neighbors, const Step
     for (const Vec2 corner : corners) distance = std::min(distance, dot(n, corner));
     const double held = held_distance(pair, distance, static_cast<int>(k), invariant);
     // A's capsule begins at n . x = min(0, n . s_A), and may use its share of the gap
-    constraints.push_back(
-        {static_cast<int>(k), n, std::min(0.0, dot(n, s_A)) - pair.share * (distance - held)});
+    const double begin = std::min(0.0, dot(n, s_A));
+    constraints.push_back({static_cast<int>(k), n, begin - pair.share * (distance - held), begin});
   }
 }
 
@@ -61,7 +61,10 @@ bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const Candid
   return std::all_of(constraints.begin(), constraints.end(),
                      [&](const CapsuleConstraint& constraint) {
                        return dot(constraint.normal, path.first) - path.bend >= constraint.offset &&
-                              dot(constraint.normal, end) >= constraint.offset;
+                              dot(constraint.normal, end) >= constraint.offset &&
+                              (path.swing == Vec2{} ||
+                               constraint.begin + dot(constraint.normal, path.swing) >=
+                                   constraint.offset);
                      });
 }
 

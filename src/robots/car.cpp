@@ -85,9 +85,15 @@ double bend(const Driving& driving, double next_speed, const Controls& control, 
   return time_step * time_step * time_step * (3.0 * jerk(driving.speed) + jerk(next_speed)) / 24.0;
 }
 
+// m/s²: what its limit is about, along and across each or both together.
+double largest(const Car& car, Vec2 acceleration) {
+  if (car.acceleration_set == AccelerationSet::incircle) return norm(acceleration);
+  return std::max(std::abs(acceleration.x), std::abs(acceleration.y));
+}
+
 // Eq. (24) with held controls: an arc of the length that the speed covers.
-MotionStep drive(const MotionState& state, const Driving& driving, const Controls& control,
-                 double time_step) {
+MotionStep drive(const Car& car, const MotionState& state, const Driving& driving,
+                 const Controls& control, double time_step) {
   const double next_speed = std::max(0.0, driving.speed + control.linear * time_step);
   const double length = 0.5 * (driving.speed + next_speed) * time_step;
   const double half_turn = 0.5 * control.curvature * length;
@@ -100,7 +106,7 @@ MotionStep drive(const MotionState& state, const Driving& driving, const Control
   step.next.position = state.position + chord * middle;
   step.next.heading = wrapped(state.heading + 2.0 * half_turn);
   step.next.velocity = next_speed * next_heading;
-  step.acceleration = norm(Vec2{control.linear, top * top * control.curvature});
+  step.acceleration = largest(car, {control.linear, top * top * control.curvature});
   step.bend = bend(driving, next_speed, control, time_step);
   step.way = length * (1.0 + std::abs(driving.offset * control.curvature));
   if (driving.offset != 0.0) {
@@ -132,14 +138,15 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
   const Controls control = controls(car, plan.acceleration, driving, time_step);
   const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
   const double slow = limits.max_acceleration * time_step;
-  if (top > slow || !turns_in_place(car)) return drive(state, driving, control, time_step);
+  if (top > slow || !turns_in_place(car)) return drive(car, state, driving, control, time_step);
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn = moves ? elementary::atan2(cross(driving.heading, plan.new_velocity),
                                                 dot(driving.heading, plan.new_velocity))
                             : 0.0;
-  if (moves && std::abs(turn) <= kTurnInPlace) return drive(state, driving, control, time_step);
+  if (moves && std::abs(turn) <= kTurnInPlace)
+    return drive(car, state, driving, control, time_step);
   if (driving.speed > 0.0)
-    return drive(state, driving, {-driving.speed / time_step, 0.0}, time_step);
+    return drive(car, state, driving, {-driving.speed / time_step, 0.0}, time_step);
 
   // the front axle, one wheelbase ahead, moves at v_max at most
   double most = limits.max_speed / car.wheelbase * time_step;
@@ -149,12 +156,12 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
   return turn_in_place(state, driving, std::clamp(turn, -most, most));
 }
 
-// |v_1 - v_1'| is at most twice the farthest choice. Besides, the disc swings round the axle by no
-// more than the heading turns: κ times the way, below Δt √(a_max κ_max) at any speed.
+// docs/certificate.md, "Robots with wheels"
 Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
   Stray stray{2.0 * reach_of(car), 0.0};
+  if (offset_of(car) == 0.0) return stray;
   const double turn = time_step * std::sqrt(max_acceleration * sharpest(car));
-  if (offset_of(car) != 0.0) stray.distance = std::abs(offset_of(car)) * std::min(turn, 2.0);
+  stray.distance = std::abs(offset_of(car)) * turn * (1.0 + turn * turn);
   return stray;
 }
 

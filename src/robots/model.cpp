@@ -16,6 +16,12 @@ const char* to_string(AccelerationSet set) {
   return set == AccelerationSet::exact ? "exact" : "incircle";
 }
 
+double acceleration_limit(const MotionModel& model, double max_acceleration) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  if (airplane != nullptr) return norm(Vec2{max_acceleration, airplane->lateral_acceleration});
+  return reach_of(model) * max_acceleration;
+}
+
 double disc_radius(const MotionModel& model, double radius) {
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr && car->body ? car->body->radius : radius;
@@ -37,6 +43,12 @@ MotionStep advance(const MotionModel& model, const MotionLimits& limits, const M
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step) {
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr ? stray_of_car(*car, max_acceleration, time_step) : Stray{};
+}
+
+double fastest_of(const MotionModel& model, double max_speed) {
+  const Car* car = std::get_if<Car>(&model);
+  if (car == nullptr || offset_of(*car) == 0.0) return max_speed;
+  return max_speed * (1.0 + std::abs(offset_of(*car)) * sharpest(*car));
 }
 
 bool may_exceed_reach(const MotionModel& model) {

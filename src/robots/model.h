@@ -34,6 +34,9 @@ struct Stray {
 };
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step);
 
+/// m/s: that its disc never exceeds, where the robot itself keeps to max_speed.
+double fastest_of(const MotionModel& model, double max_speed);
+
 /// Whether a decision could lead it farther than others expect of its acceleration: it has to keep
 /// to that.
 bool may_exceed_reach(const MotionModel& model);

@@ -35,8 +35,9 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
   const RobotSetup& robot = scenario.robots[i];
   const double v = robot.max_speed, step = law.step.time_step, late = time_unseen(scenario);
   const double u = braking_decrement(robot.max_acceleration, law.step);
+  const double fastest = fastest_of(robot.model, v);
   return {static_cast<int>(i),
-          disc_radius(robot) + ((step + late) * v +
+          disc_radius(robot) + ((step + late) * fastest +
                                 (passes_goal(robot.model) ? room_to_turn(robot.model, v)
                                                           : stopping_length(v, u, law.step))),
           step * (1.0 + braking_steps(v, u)) + late};

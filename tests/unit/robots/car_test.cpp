@@ -110,6 +110,123 @@ TEST(Car, constant_speed_is_a_circle) {
   EXPECT_NEAR(step.acceleration, 0.9, 1e-15);
 }
 
+// Of a car of any kind, and one of its decisions.
+struct AnyDrive {
+  Car car;
+  MotionState state;   // of the disc
+  double speed = 0.0;  // signed
+  Plan plan;
+};
+
+AnyDrive any_drive(Random& random) {
+  AnyDrive any;
+  any.car.wheelbase = 1.0;
+  any.car.reverse = random.below(2) == 0;
+  any.car.body = CarBody{random.uniform(-1.5, 1.5), 1.0};
+  if (random.below(4) != 0) any.car.max_curvature = random.log_uniform(0.1, 2.0);
+  const Drive drive = random_drive(random, 0.0);
+  any.state = drive.state, any.plan = drive.plan, any.speed = drive.speed;
+  if (any.car.reverse && random.below(2) == 0) {
+    any.state.velocity = -any.state.velocity, any.speed = -any.speed;
+    any.plan.new_velocity = any.state.velocity + 4.0 * any.plan.acceleration;
+  }
+  return any;
+}
+
+// Where a disc ahead of the axle is, from fine integration of Eq. (24) for the axle.
+TEST(Car, bend_bounds_the_way_of_a_disc_ahead_of_the_axle) {
+  Random random(31);
+  int turns = 0, backwards = 0;
+  double tightest = 0.0;
+  const double dt = 0.1;
+  for (int k = 0; k < 5'000 && !HasFailure(); ++k) {
+    const AnyDrive any = any_drive(random);
+    const double e = any.car.body->offset;
+    const MotionStep step = advance(any.car, kLimits, any.state, any.plan, dt);
+    const Vec2 h{std::cos(any.state.heading), std::sin(any.state.heading)};
+    const double next =
+        dot(step.next.velocity, {std::cos(step.next.heading), std::sin(step.next.heading)});
+    const double way = 0.5 * (any.speed + next) * dt;
+    const double turn =
+        std::remainder(step.next.heading - any.state.heading, 2.0 * std::numbers::pi);
+    if (std::abs(way) < 1e-6) continue;  // turns in place, or stands
+    const Vec2 axle = any.state.position - e * h;
+    const Vec2 first = any.state.velocity + step.swing;
+    const Vec2 rest = step.next.position - any.state.position - dt * first;
+    const double linear = (next - any.speed) / dt, curvature = turn / way;
+    double length = 0.0;
+    Vec2 last = any.state.position;
+    for (int part = 1; part <= 10; ++part) {
+      const double t = 0.1 * part * dt;
+      const CarState s =
+          integrated({axle.x, axle.y, any.state.heading, any.speed}, linear, curvature, t, 20);
+      const Vec2 disc = Vec2{s.x, s.y} + e * Vec2{std::cos(s.heading), std::sin(s.heading)};
+      const Vec2 parabola = any.state.position + t * first + (t / dt) * (t / dt) * rest;
+      const double allowed = step.bend * (t / dt) * (t / dt);
+      EXPECT_LE(norm(disc - parabola), allowed + 1e-12);
+      tightest = std::max(tightest, norm(disc - parabola) / (allowed + 1e-9));
+      length += norm(disc - last);
+      last = disc;
+    }
+    EXPECT_LE(length, step.way + 1e-12);
+    EXPECT_LT(norm(last - step.next.position), 1e-9);
+    EXPECT_LE(std::abs(curvature), any.car.max_curvature.value_or(1e9) + 1e-6);
+    EXPECT_TRUE(any.car.reverse || next >= -1e-15);
+    EXPECT_GE(next * any.speed, -1e-15) << "turns back within a step";
+    turns += std::abs(turn) > 1e-3 ? 1 : 0, backwards += any.speed < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(turns, 1'000);
+  EXPECT_GT(backwards, 500);
+  EXPECT_GT(tightest, 0.3);
+}
+
+// Seen from its rear, a car that drives backwards drives forward.
+TEST(Car, drives_backwards_as_it_drives_forward) {
+  Random random(32);
+  for (int k = 0; k < 2'000 && !HasFailure(); ++k) {
+    const Drive drive = random_drive(random, 0.2);
+    Car car{.wheelbase = 1.0, .max_curvature = 0.7, .body = CarBody{0.6, 1.0}, .reverse = true};
+    const MotionStep forward = advance(car, kLimits, drive.state, drive.plan, 0.1);
+    MotionState turned = drive.state;
+    turned.heading = std::remainder(turned.heading + std::numbers::pi, 2.0 * std::numbers::pi);
+    car.body->offset = -0.6;
+    const MotionStep backward = advance(car, kLimits, turned, drive.plan, 0.1);
+    EXPECT_LT(norm(forward.next.position - backward.next.position), 1e-14);
+    EXPECT_LT(norm(forward.next.velocity - backward.next.velocity), 1e-14);
+    EXPECT_NEAR(angle_between(forward.next.heading, backward.next.heading), std::numbers::pi,
+                1e-12);
+    EXPECT_LT(norm(forward.swing - backward.swing), 1e-14);
+  }
+}
+
+// Fig. 6(b): what the half-planes of the exact set admit is what Eq. (25) can be solved for.
+TEST(Car, own_half_planes_are_the_square_of_Eq_25) {
+  Random random(33);
+  const double time = 0.1;
+  int within = 0, beyond_the_disc = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const double curvature = random.log_uniform(0.1, 2.0);
+    Robot robot;
+    robot.model = Car{.max_curvature = curvature, .acceleration_set = AccelerationSet::exact};
+    robot.heading = random.uniform(-3.0, 3.0);
+    const Vec2 h{std::cos(robot.heading), std::sin(robot.heading)};
+    const double speed = random.uniform(0.0, 2.0);
+    robot.velocity = speed * h;
+    const Vec2 a = test::in_disc(random, 2.0);
+    std::vector<HalfPlane> planes;
+    append_own_half_planes(robot, time, planes);
+    ASSERT_EQ(planes.size(), 4u);
+    const bool admitted = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& plane) {
+      return violation(plane, robot.velocity + time * a) <= 0.0;
+    });
+    const double across = std::min(1.0, speed * speed * curvature);
+    EXPECT_EQ(admitted, std::abs(dot(h, a)) <= 1.0 && std::abs(cross(h, a)) <= across);
+    within += admitted ? 1 : 0, beyond_the_disc += admitted && norm(a) > 1.0 ? 1 : 0;
+  }
+  EXPECT_GT(within, 1'000);
+  EXPECT_GT(beyond_the_disc, 100);
+}
+
 TEST(Car, limits_hold_all_through_the_step) {
   Random random(25);
   for (int k = 0; k < 50'000 && !HasFailure(); ++k) {
