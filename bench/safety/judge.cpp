@@ -26,7 +26,7 @@ Check make_check(const Scenario& scenario) {
   for (const RobotSetup& setup : scenario.robots) {
     CheckedRobot robot;
     robot.radius = setup.radius;
-    robot.max_acceleration = setup.max_acceleration;
+    robot.max_acceleration = acceleration_limit(setup.model, setup.max_acceleration);
     robot.max_speed = setup.max_speed;
     robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
     robot.straight = adopts_at_once(options.method);

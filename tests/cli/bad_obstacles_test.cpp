@@ -273,7 +273,7 @@ const std::vector<Bad> kScens{
     scen("unknown_key", "",
          "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
          "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
-         "heading, car, "
+         "heading, car, airplane, "
          "priority, parked, layers, avoids; "
          "did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),

@@ -48,6 +48,7 @@ TEST(Verbs, scenes_are_listed_and_printed) {
                                        "moving-obstacle",
                                        "office",
                                        "permutation-100",
+                                       "planes-12",
                                        "positions-exchange",
                                        "swap-blocks",
                                        "uniform-N",
