@@ -88,6 +88,22 @@ void check_delay(const World& world, const RobotSetup& setup, RobotId robot) {
          "<= " + rounded(most, 9) + " m/s^2, what sensing_error allows for within the delay");
 }
 
+// Throws Error where an airplane, or one among airplanes, could not be kept apart from all others.
+void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
+  if (!world.obstacles.setup.empty())
+    refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    const RobotSetup other = fleet.setup(slot);
+    const bool flies = is_airplane(setup.model) || is_airplane(other.model);
+    if (!flies || other.parked || avoids(setup, other) == avoids(other, setup)) continue;
+    refuse(name_of(robot) + ": avoids",
+           "one side only avoiding the other, " + name_of(fleet.id[slot]),
+           "both or neither beside airplanes");
+  }
+}
+
 // As it is now; where it is matters to nobody whose values are checked.
 RobotSetup standing(const World& world, std::size_t slot) {
   RobotSetup setup = world.fleet.setup(slot);
@@ -205,6 +221,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   }
   check_sensing(world, setup, robot);
   check_delay(world, setup, robot);
+  check_flights(world, setup, robot);
   Ways& ways = world.ways;
   Travel travel;
   if (!ways.empty()) {
