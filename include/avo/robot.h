@@ -57,7 +57,8 @@ struct Neighbor {
   /// was sensed (docs/certificate.md, "Age").
   int age = 0;
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
-  /// What B falls back on, where it decides: to turn right on this circle for ever. Unset: to brake.
+  /// What B falls back on, where it decides: to turn right on this circle for ever. Unset: to
+  /// brake.
   std::optional<LoiterCircle> loiter = {};
 };
 

@@ -39,8 +39,8 @@ Vec2 between(const Footprint& a, const Footprint& b) {
 // docs/certificate.md, "Rounding": a decision shrinks what has added up by a share.
 double margin_between(const Footprint& a, const Footprint& b, double share) {
   using Real = scalar::Pack<double>;
-  const double lengths = length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) +
-                         a.radius + b.radius;
+  const double lengths =
+      length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) + a.radius + b.radius;
   return scalar::rounding_margin<Real>(lengths, std::max(a.intervals, b.intervals),
                                        std::min(share, 1.0 - share))
       .value;
@@ -88,8 +88,7 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (!neighbor.loiter || neighbor.behavior != Behavior::decides) continue;
-    const Between line =
-        line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
+    const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
     invariant.slack = std::min(invariant.slack, line.gap);
     if (line.gap < 0.0) invariant.broken = static_cast<int>(k);
     // A's begins at n . x = min(0, n . way)
@@ -112,8 +111,7 @@ void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<co
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (neighbor.behavior != Behavior::decides) continue;
-    const Between line =
-        line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
+    const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
     constraints.slack = std::min(constraints.slack, line.gap);
     constraints.broken = constraints.broken || line.gap < 0.0;
     constraints.lines.push_back({static_cast<int>(k), line.normal, line.part});

@@ -58,14 +58,13 @@ bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const Candid
   if (constraints.empty()) return true;
   const double length = stopping_length(path.braking, law);
   const Vec2 end = path.first + length * path.direction;
-  return std::all_of(constraints.begin(), constraints.end(),
-                     [&](const CapsuleConstraint& constraint) {
-                       return dot(constraint.normal, path.first) - path.bend >= constraint.offset &&
-                              dot(constraint.normal, end) >= constraint.offset &&
-                              (path.swing == Vec2{} ||
-                               constraint.begin + dot(constraint.normal, path.swing) >=
-                                   constraint.offset);
-                     });
+  return std::all_of(
+      constraints.begin(), constraints.end(), [&](const CapsuleConstraint& constraint) {
+        return dot(constraint.normal, path.first) - path.bend >= constraint.offset &&
+               dot(constraint.normal, end) >= constraint.offset &&
+               (path.swing == Vec2{} ||
+                constraint.begin + dot(constraint.normal, path.swing) >= constraint.offset);
+      });
 }
 
 void append_half_planes(std::span<const CapsuleConstraint> constraints, const Robot& robot,

@@ -29,7 +29,8 @@ struct NeighborColumns {
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
-  // It decides and is of age 0; it decides and is older; it moves on; it decides and does not brake.
+  // It decides and is of age 0; it decides and is older; it moves on; it decides and does not
+  // brake.
   static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0;
 
   /// Room for so many.

@@ -21,8 +21,8 @@ struct RobotColumns {
   Column max_acceleration, max_speed;  // m/s², m/s
   Column heading;                      // rad; read where there is a model
   Column priority;
-  std::vector<const MotionModel*> model;  // of holonomic robots none
-  std::vector<Neighbors> neighbors;       // that each senses, nearest first
+  std::vector<const MotionModel*> model;    // of holonomic robots none
+  std::vector<Neighbors> neighbors;         // that each senses, nearest first
   std::vector<const LoiterCircle*> loiter;  // of airplanes; empty where nobody is one
 
   void reserve(std::size_t robots);

@@ -90,8 +90,7 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   const bool broken = course.overlapping || (certified && constraints.broken);
   const auto told = [&](PlanStatus status) { return broken ? PlanStatus::overlapping : status; };
   const PlanStatus best = told(status_of(false, course.violation));
-  if (robot.preferred_velocity == Vec2{})
-    return loiter_on(planner, robot, best, course.violation);
+  if (robot.preferred_velocity == Vec2{}) return loiter_on(planner, robot, best, course.violation);
   const MotionState state = state_of(robot);
   const MotionLimits limits{robot.max_acceleration, robot.max_speed};
   const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h);

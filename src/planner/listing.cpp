@@ -86,7 +86,9 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
   half_planes.speeds.clear();
   half_planes.obstacles.clear();
   half_planes.overlapping = false;
-  if (!is_valid(robot) || !follows_heading(robot) || !can_follow(robot, std::span<const Neighbor>{}, options_)) return;
+  if (!is_valid(robot) || !follows_heading(robot) ||
+      !can_follow(robot, std::span<const Neighbor>{}, options_))
+    return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   const auto cuts = [&allowed](const HalfPlane& plane) {
     return lens_support_min(plane.normal, allowed) < plane.offset;
@@ -140,10 +142,9 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
                    certificate_law(*this).step, scratch.flight);
     constraints.clear();
     for (const SeparatingLine& line : scratch.flight.lines)
-      constraints.push_back({static_cast<int>(scratch.order[static_cast<std::size_t>(line.neighbor)]),
-                             0, line.normal,
-                             dot(line.normal, on_circle.loiter->center) -
-                                 on_circle.loiter->radius - line.part});
+      constraints.push_back(
+          {static_cast<int>(scratch.order[static_cast<std::size_t>(line.neighbor)]), 0, line.normal,
+           dot(line.normal, on_circle.loiter->center) - on_circle.loiter->radius - line.part});
     return;
   }
   CertificateConstraints& own = scratch.certified.constraints;

@@ -46,8 +46,8 @@ FlightStep hold_circle(const Airplane& airplane, const MotionState& state, doubl
   const Vec2 next = turned(out / norm(out), elementary::direction(-turn));
   FlightStep step;
   step.way = {state.position, elementary::direction(state.heading), -1.0 / circle.radius, length};
-  step.motion.next = {circle.center + circle.radius * next, {}, elementary::atan2(-next.x, next.y),
-                      circle};
+  step.motion.next = {
+      circle.center + circle.radius * next, {}, elementary::atan2(-next.x, next.y), circle};
   step.motion.next.velocity = speed * elementary::direction(step.motion.next.heading);
   step.motion.acceleration = usable_acceleration(airplane);
   step.motion.way = length;
@@ -112,7 +112,8 @@ FlightStep fly(const Airplane& airplane, const MotionLimits& limits, const Motio
   const double top = std::max(speed, next_speed);
   const double across = std::clamp(cross(heading, plan.acceleration), -most, most);
   FlightStep step;
-  step.way = {state.position, heading, across / (top * top), 0.5 * (speed + next_speed) * time_step};
+  step.way = {state.position, heading, across / (top * top),
+              0.5 * (speed + next_speed) * time_step};
   MotionState& next = step.motion.next;
   next.position = state.position + chord(step.way, step.way.length);
   next.heading = wrapped(state.heading + step.way.curvature * step.way.length);

@@ -49,9 +49,9 @@ void collect_starters(Starts& starts) {
     const Vec2 way = way_to_rest(robots[i], starts.law);
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
     const auto circle = circle_of(robots[i].model, robots[i].position, start_velocity(robots[i]));
-    starts.starters.push_back(
-        {disc_center(robots[i]), static_cast<int>(i), way,
-         disc_radius(robots[i]) + (circle ? 2.0 * circle->radius : norm(way)), circle.has_value()});
+    starts.starters.push_back({disc_center(robots[i]), static_cast<int>(i), way,
+                               disc_radius(robots[i]) + (circle ? 2.0 * circle->radius : norm(way)),
+                               circle.has_value()});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
     starts.starters[i].reach = disc_radius(robots[i]) + longest * norm(robots[i].velocity);

@@ -67,7 +67,7 @@ struct Fleet {
   // m/s², of the last step, by rank; empty where nobody has to see it
   std::vector<Vec2> seen_acceleration;
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
-  std::vector<Flight> flights;  // by rank; empty where nobody is an airplane
+  std::vector<Flight> flights;      // by rank; empty where nobody is an airplane
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -97,7 +97,8 @@ struct Fleet {
   }
   /// Nothing of one that is no airplane.
   const Flight* flight(std::size_t slot) const {
-    if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot))) return nullptr;
+    if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot)))
+      return nullptr;
     return &flights[static_cast<std::size_t>(rank[slot])];
   }
   Flight* flight(std::size_t slot) {

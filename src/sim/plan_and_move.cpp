@@ -109,11 +109,12 @@ void move_by_model(World& world, std::size_t slot) {
   Flight* flight = fleet.flight(slot);
   if (flight != nullptr) state.circle = flight->circle;
   const double time_step = world.settings.time_step;
-  const MotionStep step = advance(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step);
+  const MotionStep step =
+      advance(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step);
   if (flight != nullptr) {
     flight->circle = step.next.circle;
-    const double nearest = pass(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step,
-                                fleet.goal[slot]);
+    const double nearest =
+        pass(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step, fleet.goal[slot]);
     if (nearest <= world.settings.arrival_distance) flight->has_arrived = true;
   }
   fleet.position[slot] = step.next.position;

@@ -194,8 +194,7 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   if (!scenario.moving_obstacles.empty())
     refuse("moving_obstacles", std::to_string(scenario.moving_obstacles.size()) + " of them",
            "none" + among + ", which cannot stop for them");
-  if (options.method != Method::avo)
-    refuse("method", to_string(options.method), "avo" + among);
+  if (options.method != Method::avo) refuse("method", to_string(options.method), "avo" + among);
   if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);
   if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common" + among);
   if (options.certificate == Certificate::stopping_capsules)
@@ -236,7 +235,8 @@ void validate(const Scenario& scenario) {
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robots > kMostRobots)
     refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
-  for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i], scenario.time_step);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    check_robot(i, scenario.robots[i], scenario.time_step);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)

@@ -25,7 +25,7 @@ struct Snapshot {
   double side = 0.0;  // m, of a cell
   UniformGrid grid;
   std::vector<Sensed> sensed;
-  std::vector<Vec2> acceleration;  // m/s^2; where there are layers
+  std::vector<Vec2> acceleration;    // m/s^2; where there are layers
   std::vector<LoiterCircle> circle;  // of radius 0 of those that brake; empty where all do
   std::uint64_t crowding = 0;        // see SortedPart
 };

@@ -32,8 +32,9 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
   }
   WallNeeds needs;
   for (const RobotSetup& robot : scenario.robots) {
-    const double stray = stray_of(robot.model, robot.max_acceleration, law.step.time_step).distance +
-                         room_to_turn(robot.model, robot.max_speed);
+    const double stray =
+        stray_of(robot.model, robot.max_acceleration, law.step.time_step).distance +
+        room_to_turn(robot.model, robot.max_speed);
     needs.include(traits_of(robot), stray, norm(start_velocity(robot)), law.step);
   }
   listed.grid = grid_of(listed.walls, needs);

@@ -172,7 +172,8 @@ Robot World::robot(std::size_t slot, double nearest) const {
     robot.preferred_velocity = course_of(*flight, p, heading.goal, heading.preferred_speed);
     robot.loiter = flight->circle;
   }
-  if (robot_traits.has_model) robot.model = *fleet.own_model(slot), robot.heading = fleet.heading[slot];
+  if (robot_traits.has_model)
+    robot.model = *fleet.own_model(slot), robot.heading = fleet.heading[slot];
   return robot;
 }
 

@@ -254,7 +254,8 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: car, airplane: {}}\n"),
      "3:60: robots.0.airplane: found keys of an airplane, must be left out: its model is car"},
     {"airplane_among_movers",
-     s("version: 1\nsensing_radius: 40\nrobots:\n  - {position: [0, 0], goal: [9, 0], airplane: {}}\n"
+     s("version: 1\nsensing_radius: 40\nrobots:\n  - {position: [0, 0], goal: [9, 0], airplane: "
+       "{}}\n"
        "moving_obstacles:\n  - {position: [50, 0]}\n"),
      "moving_obstacles: found 1 of them, must be none in a scene with airplanes, which cannot stop "
      "for them"},

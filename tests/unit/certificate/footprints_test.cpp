@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs one of which loiters: whatever is chosen of what both are allowed, they do not touch.
+#include "certificate/footprints.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,7 +11,6 @@
 #include <vector>
 
 #include "certificate/certificate.h"
-#include "certificate/footprints.h"
 #include "core/elementary.h"
 #include "robots/model.h"
 #include "support/generators.h"
@@ -19,7 +20,7 @@ namespace {
 
 using test::Random;
 
-const StepLaw kLaw{};  // held, 0.1 s
+StepLaw law;  // held; of the run
 constexpr int kParts = 8;
 
 enum class Kind { airplane, holonomic, car };
@@ -45,7 +46,7 @@ Robot any_robot(Random& random, Kind kind) {
     return robot;
   }
   Airplane airplane;
-  airplane.min_speed = random.uniform(0.3, 1.5);
+  airplane.min_speed = random.uniform(0.5, 1.5);
   airplane.lateral_acceleration = random.uniform(0.5, 3.0);
   robot.velocity = random.uniform(airplane.min_speed, robot.max_speed) * heading;
   robot.model = airplane;
@@ -70,14 +71,13 @@ struct Moved {
 
 Moved fly_on(const Robot& robot, const FlightStep& step, double next_speed) {
   Moved moved{robot, {}};
-  const double speed = norm(robot.velocity), h = kLaw.time_step;
+  const double speed = norm(robot.velocity), h = law.time_step;
   for (int k = 0; k <= kParts; ++k) {
     const double t = h * k / kParts;
     Arc part = step.way;
     part.length = speed * t + 0.5 * (next_speed - speed) * t * t / h;
     const double half = 0.5 * part.curvature * part.length;
-    const double chord =
-        part.length * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
+    const double chord = part.length * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
     const Vec2 along = elementary::direction(robot.heading + half);
     moved.places.push_back(robot.position + chord * along);
   }
@@ -89,19 +89,19 @@ Moved fly_on(const Robot& robot, const FlightStep& step, double next_speed) {
 
 Moved drive_on(const Robot& robot, Vec2 next_velocity) {
   Moved moved{robot, {}};
-  const Plan plan = plan_to(robot, next_velocity, kLaw);
+  const Plan plan = plan_to(robot, next_velocity, law);
   if (is_holonomic(robot.model)) {
     for (int k = 0; k <= kParts; ++k) {
-      const double t = kLaw.time_step * k / kParts;
+      const double t = law.time_step * k / kParts;
       moved.places.push_back(robot.position + t * robot.velocity +
-                             (0.5 * t * t / kLaw.time_step) * (next_velocity - robot.velocity));
+                             (0.5 * t * t / law.time_step) * (next_velocity - robot.velocity));
     }
     moved.robot.position = moved.places.back(), moved.robot.velocity = next_velocity;
     return moved;
   }
   const MotionState state{robot.position, robot.velocity, robot.heading};
-  const MotionStep step = advance(robot.model, {robot.max_acceleration, robot.max_speed}, state,
-                                  plan, kLaw.time_step);
+  const MotionStep step =
+      advance(robot.model, {robot.max_acceleration, robot.max_speed}, state, plan, law.time_step);
   moved.places = {robot.position, step.next.position};
   moved.robot.position = step.next.position, moved.robot.velocity = step.next.velocity;
   moved.robot.heading = step.next.heading;
@@ -116,7 +116,7 @@ class Chooser {
     std::optional<Moved> chosen;
     double nearest = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Moved& moved) {
-      const double away = gap_of(footprint_of(moved.robot, kLaw), footprint_of(other, kLaw));
+      const double away = gap_of(footprint_of(moved.robot, law), footprint_of(other, law));
       if (chosen && (!worst || away >= nearest)) return;
       nearest = away, chosen = moved;
     };
@@ -133,33 +133,33 @@ class Chooser {
     const Airplane& airplane = std::get<Airplane>(robot.model);
     const MotionLimits limits{robot.max_acceleration, robot.max_speed};
     const MotionState state{robot.position, robot.velocity, robot.heading, *robot.loiter};
-    collect_flight(robot, in_columns(std::span(&other, 1), columns_), {}, kLaw, flight_);
+    collect_flight(robot, in_columns(std::span(&other, 1), columns_), {}, law, flight_);
     const Vec2 h = elementary::direction(robot.heading);
     for (int k = 0; k < 24; ++k) {
       const double a_lat = usable_acceleration(airplane), a_max = robot.max_acceleration;
       const Plan plan{.acceleration = random.uniform(-a_max, a_max) * h +
                                       random.uniform(-1.5 * a_lat, 1.5 * a_lat) * perpendicular(h)};
-      const FlightStep step = avo::fly(airplane, limits, state, plan, kLaw.time_step);
+      const FlightStep step = avo::fly(airplane, limits, state, plan, law.time_step);
       if (!keeps_flight(flight_, robot, step)) continue;
       ++admitted;
       consider(fly_on(robot, step, norm(step.motion.next.velocity)));
     }
     const FlightStep hold = avo::fly(airplane, limits, state,
-                                     {.acceleration = loitering(airplane, state)}, kLaw.time_step);
+                                     {.acceleration = loitering(airplane, state)}, law.time_step);
     consider(fly_on(robot, hold, norm(robot.velocity)));
   }
   template <typename Consider>
   void drive(Random& random, const Robot& robot, const Neighbor& other, const Consider& consider) {
-    const CertificateLaw law{Certificate::braking_trajectories, kLaw};
-    collect_constraints(robot, std::span(&other, 1), law, constraints_);
-    const double u = robot.max_acceleration * kLaw.time_step;
+    const CertificateLaw shared{Certificate::braking_trajectories, law};
+    collect_constraints(robot, std::span(&other, 1), shared, constraints_);
+    const double u = robot.max_acceleration * law.time_step;
     for (int k = 0; k < 24; ++k) {
       const Vec2 next = robot.velocity + test::in_disc(random, u);
-      if (norm(next) > robot.max_speed || !admits(robot, next, law, constraints_)) continue;
+      if (norm(next) > robot.max_speed || !admits(robot, next, shared, constraints_)) continue;
       ++admitted;
       consider(drive_on(robot, next));
     }
-    consider(drive_on(robot, backup_velocity(robot, law)));
+    consider(drive_on(robot, backup_velocity(robot, shared)));
   }
 
   CertificateConstraints constraints_;
@@ -172,13 +172,14 @@ struct Result {
   int admitted = 0;
 };
 
-Result run(Kind first, Kind second, int situations, int steps) {
+Result run(Kind first, Kind second, int situations, int steps, double time_step = 0.1) {
+  law = {.time_step = time_step, .lag = 0.5 * time_step, .braking_time = time_step};
   Random random(41);
   Result result;
   Chooser chooser;
   for (int k = 0; k < situations;) {
     Robot a = any_robot(random, first), b = any_robot(random, second);
-    if (gap_of(footprint_of(a, kLaw), footprint_of(b, kLaw)) < 1e-9) continue;
+    if (gap_of(footprint_of(a, law), footprint_of(b, law)) < 1e-9) continue;
     ++k;
     for (int i = 0; i < steps; ++i) {
       const Moved next_a = chooser.choose(random, a, b), next_b = chooser.choose(random, b, a);
@@ -187,8 +188,7 @@ Result run(Kind first, Kind second, int situations, int steps) {
         const auto at = [&](const Moved& moved) {
           return moved.places[part * (moved.places.size() - 1) / (count - 1)];
         };
-        result.least =
-            std::min(result.least, norm(at(next_a) - at(next_b)) - a.radius - b.radius);
+        result.least = std::min(result.least, norm(at(next_a) - at(next_b)) - a.radius - b.radius);
       }
       a = next_a.robot, b = next_b.robot;
     }
@@ -203,6 +203,13 @@ TEST(Footprints, airplanes_do_not_touch_whatever_they_choose) {
   EXPECT_GT(result.admitted, 100'000);
 }
 
+// What is between the circles before and after a step counts too: half a second of turning.
+TEST(Footprints, airplanes_do_not_touch_in_long_steps) {
+  const Result result = run(Kind::airplane, Kind::airplane, 1'000, 40, 0.5);
+  EXPECT_GE(result.least, 0.0);
+  EXPECT_GT(result.admitted, 100'000);
+}
+
 TEST(Footprints, airplanes_and_robots_that_brake_do_not_touch_whatever_they_choose) {
   for (const Kind kind : {Kind::holonomic, Kind::car}) {
     const Result result = run(Kind::airplane, kind, 300, 80);
@@ -213,18 +220,19 @@ TEST(Footprints, airplanes_and_robots_that_brake_do_not_touch_whatever_they_choo
 
 // Both derive one line, and their parts add up to the gap.
 TEST(Footprints, both_of_a_pair_mean_the_same_line) {
+  law = {};
   Random random(42);
   FlightConstraints of_a, of_b;
   NeighborColumns columns;
   int pairs = 0;
   while (pairs < 2'000) {
     const Robot a = any_robot(random, Kind::airplane), b = any_robot(random, Kind::airplane);
-    const double gap = gap_of(footprint_of(a, kLaw), footprint_of(b, kLaw));
+    const double gap = gap_of(footprint_of(a, law), footprint_of(b, law));
     if (gap < 1e-6) continue;
     ++pairs;
     const Neighbor seen_a = seen(a), seen_b = seen(b);
-    collect_flight(a, in_columns(std::span(&seen_b, 1), columns), {}, kLaw, of_a);
-    collect_flight(b, in_columns(std::span(&seen_a, 1), columns), {}, kLaw, of_b);
+    collect_flight(a, in_columns(std::span(&seen_b, 1), columns), {}, law, of_a);
+    collect_flight(b, in_columns(std::span(&seen_a, 1), columns), {}, law, of_b);
     EXPECT_EQ(of_a.lines[0].normal, -of_b.lines[0].normal);
     EXPECT_LE(of_a.lines[0].part + of_b.lines[0].part, gap);
     EXPECT_GE(of_a.lines[0].part + of_b.lines[0].part, gap - 1e-9);
@@ -233,6 +241,7 @@ TEST(Footprints, both_of_a_pair_mean_the_same_line) {
 
 // The circle and the way, beside a wall that is straight ahead.
 TEST(Footprints, an_airplane_keeps_its_circle_off_walls) {
+  law = {};
   Random random(43);
   FlightConstraints constraints;
   NeighborColumns nobody;
@@ -245,7 +254,7 @@ TEST(Footprints, an_airplane_keeps_its_circle_off_walls) {
     if (clear(robot.loiter->center) - robot.loiter->radius - robot.radius < 1e-9) continue;
     const Airplane& airplane = std::get<Airplane>(robot.model);
     for (int i = 0; i < 80; ++i) {
-      collect_flight(robot, {&nobody, 0, 0}, std::span(&wall, 1), kLaw, constraints);
+      collect_flight(robot, {&nobody, 0, 0}, std::span(&wall, 1), law, constraints);
       const MotionState state{robot.position, robot.velocity, robot.heading, *robot.loiter};
       const Vec2 h = elementary::direction(robot.heading);
       Plan plan{.acceleration = loitering(airplane, state)};

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Airplanes: arcs against points of them, limits, and circles that are held.
+#include "robots/airplane.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "robots/airplane.h"
 #include "support/generators.h"
 
 namespace avo {
@@ -89,8 +90,8 @@ Flying any_flying(Random& random) {
       random.log_uniform(0.01, 25.0 * any.airplane.min_speed);  // less than 3 rad a step
   any.state.position = test::in_disc(random, 100.0);
   any.state.heading = random.uniform(-3.0, 3.0);
-  any.state.velocity = random.uniform(any.airplane.min_speed, any.limits.max_speed) *
-                       direction(any.state.heading);
+  any.state.velocity =
+      random.uniform(any.airplane.min_speed, any.limits.max_speed) * direction(any.state.heading);
   any.state.circle = loiter_circle(any.airplane, any.state.position, any.state.velocity);
   return any;
 }

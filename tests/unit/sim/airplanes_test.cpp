@@ -117,8 +117,8 @@ void expect_no_contact(const Scenario& scene, int steps) {
   for (int k = 0; k < steps; ++k) {
     if (k % 50 == 0) {
       const Vec2 rally = test::in_disc(random, 8.0);
-      for (const RobotId robot : std::vector(simulation.fleet().id.begin(),
-                                             simulation.fleet().id.end()))
+      for (const RobotId robot :
+           std::vector(simulation.fleet().id.begin(), simulation.fleet().id.end()))
         simulation.set_goal(robot, rally);
     }
     metrics.observe(simulation);
@@ -183,7 +183,9 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
             "sensing: found one that is not exact, must be left out in a scene with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.robots[0].parked = true, s.robots[0].goal = {}; }),
             "robots.0.parked: found true, must be false: it is an airplane");
-  EXPECT_EQ(with([](Scenario& s) { s.robots[0].velocity = {0.5, 0.0}; }),
+  EXPECT_EQ(with([](Scenario& s) {
+              s.robots[0].velocity = {0.5, 0.0};
+            }),
             "robots.0.velocity: found 0.5 m/s, must be 1 to 2 m/s, or left out: preferred_speed");
   EXPECT_EQ(with([&](Scenario& s) { airplane(s).min_speed = 3.0; }),
             "robots.0.airplane.min_speed: found 3, must be <= max_speed = 2 m/s");
