@@ -72,6 +72,7 @@ void check_car(std::size_t i, const Car& car) {
 void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
                     double time_step) {
   constexpr double kMostTurn = 3.0;  // rad, in a step
+  constexpr double kOff = 1e-9;      // of a speed: the length of a vector of that speed
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
   require(Place{list, i, "airplane.min_speed"}, airplane.min_speed, kPositive, "m/s");
@@ -85,7 +86,8 @@ void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airp
     refuse(at("airplane.lateral_acceleration"), text(airplane.lateral_acceleration),
            "<= " + text(most) + " m/s^2, 3 rad in a step at min_speed");
   const double speed = norm(robot.velocity);
-  if (speed > 0.0 && !(speed >= airplane.min_speed && speed <= robot.max_speed))
+  if (speed > 0.0 &&
+      !(speed >= (1.0 - kOff) * airplane.min_speed && speed <= (1.0 + kOff) * robot.max_speed))
     refuse(at("velocity"), text(speed) + " m/s",
            text(airplane.min_speed) + " to " + text(robot.max_speed) +
                " m/s, or left out: preferred_speed");

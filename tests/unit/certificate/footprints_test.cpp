@@ -47,7 +47,8 @@ Robot any_robot(Random& random, Kind kind) {
   }
   Airplane airplane;
   airplane.min_speed = random.uniform(0.5, 1.5);
-  airplane.lateral_acceleration = random.uniform(0.5, 3.0);
+  const double most = 3.0 * airplane.min_speed / law.time_step;  // 3 rad a step
+  airplane.lateral_acceleration = std::min(random.uniform(0.5, 3.0), most);
   robot.velocity = random.uniform(airplane.min_speed, robot.max_speed) * heading;
   robot.model = airplane;
   robot.loiter = loiter_circle(airplane, robot.position, robot.velocity);
@@ -203,11 +204,36 @@ TEST(Footprints, airplanes_do_not_touch_whatever_they_choose) {
   EXPECT_GT(result.admitted, 100'000);
 }
 
-// What is between the circles before and after a step counts too: half a second of turning.
+// What is between the circles before and after a step counts too: they may turn by 3 rad.
 TEST(Footprints, airplanes_do_not_touch_in_long_steps) {
-  const Result result = run(Kind::airplane, Kind::airplane, 1'000, 40, 0.5);
+  const Result result = run(Kind::airplane, Kind::airplane, 500, 40, 1.0);
   EXPECT_GE(result.least, 0.0);
   EXPECT_GT(result.admitted, 100'000);
+}
+
+TEST(Footprints, all_of_an_admitted_step_keeps_to_the_line) {
+  law = {.time_step = 1.0, .lag = 0.5, .braking_time = 1.0};
+  Random random(44);
+  FlightConstraints flight;
+  NeighborColumns columns;
+  int admitted = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const Robot a = any_robot(random, Kind::airplane), b = any_robot(random, Kind::airplane);
+    if (gap_of(footprint_of(a, law), footprint_of(b, law)) < 1e-6) continue;
+    const Neighbor other = seen(b);
+    collect_flight(a, in_columns(std::span(&other, 1), columns), {}, law, flight);
+    const SeparatingLine& line = flight.lines[0];
+    const Vec2 h = elementary::direction(a.heading);
+    const Plan plan{.acceleration = random.uniform(-3.0, 3.0) * perpendicular(h)};
+    const FlightStep step = fly(std::get<Airplane>(a.model), {1.0, a.max_speed},
+                                {a.position, a.velocity, a.heading, *a.loiter}, plan, 1.0);
+    if (!keeps_flight(flight, a, step)) continue;
+    ++admitted;
+    const double bound = dot(line.normal, a.loiter->center) - a.loiter->radius - line.part;
+    for (const Vec2 p : fly_on(a, step, norm(step.motion.next.velocity)).places)
+      ASSERT_GE(dot(line.normal, p), bound - 1e-9);
+  }
+  EXPECT_GT(admitted, 3'000);
 }
 
 TEST(Footprints, airplanes_and_robots_that_brake_do_not_touch_whatever_they_choose) {
