@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -19,8 +20,20 @@
 namespace avo_io {
 namespace {
 
-constexpr std::array<std::string_view, 6> kColumns{"time", "robot", "x", "y", "vx", "vy"};
-enum Column : std::size_t { time_column, robot_column, x_column, y_column, vx_column, vy_column };
+constexpr std::array<std::string_view, 8> kAllColumns{"time", "robot", "x",       "y",
+                                                      "vx",   "vy",    "heading", "speed"};
+constexpr std::size_t kRequired = 6;  // the last two may both be missing
+constexpr std::span<const std::string_view> kColumns(kAllColumns.data(), kRequired);
+enum Column : std::size_t {
+  time_column,
+  robot_column,
+  x_column,
+  y_column,
+  vx_column,
+  vy_column,
+  heading_column,
+  speed_column
+};
 
 /// One line; `line` is its number.
 struct Row {
@@ -84,7 +97,8 @@ struct RecordingReader::State {
   std::optional<std::int64_t> robots;
   std::vector<std::string_view> fields;
   std::size_t columns = 0;             // in the first line
-  std::array<std::size_t, 6> at = {};  // where kColumns are
+  std::array<std::size_t, 8> at = {};  // where kAllColumns are
+  bool headings = false;               // the last two of them are there
   std::optional<Row> pending;          // the first row of the next time
   std::vector<Row> group;
   std::int64_t times = 0, last_line = 0;
@@ -96,7 +110,9 @@ struct RecordingReader::State {
   }
   void read_header();
   std::size_t find_column(std::string_view name) const;
+  bool has_column(std::string_view name) const;
   double number(Column column) const;
+  std::optional<avo::CheckedHeading> heading() const;
   std::optional<Row> read_row();
   void read_group();
   void sort_group();
@@ -121,6 +137,10 @@ std::size_t RecordingReader::State::find_column(std::string_view name) const {
   return static_cast<std::size_t>(match - fields.begin());
 }
 
+bool RecordingReader::State::has_column(std::string_view name) const {
+  return std::find(fields.begin(), fields.end(), name) != fields.end();
+}
+
 void RecordingReader::State::read_header() {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::optional<std::string_view> line = lines.next();
@@ -129,7 +149,9 @@ void RecordingReader::State::read_header() {
   if (line->starts_with(kByteOrderMark)) line->remove_prefix(kByteOrderMark.size());
   split(*line, fields);
   columns = fields.size();
-  for (std::size_t k = 0; k < kColumns.size(); ++k) at[k] = find_column(kColumns[k]);
+  headings = has_column(kAllColumns[heading_column]) && has_column(kAllColumns[speed_column]);
+  const std::size_t count = headings ? kAllColumns.size() : kRequired;
+  for (std::size_t k = 0; k < count; ++k) at[k] = find_column(kAllColumns[k]);
 }
 
 double RecordingReader::State::number(Column column) const {
@@ -137,9 +159,17 @@ double RecordingReader::State::number(Column column) const {
   const std::optional<double> value = parsed(text);
   if (value && avo::kAnyValue.contains(*value)) return *value;
   const bool large = value && !std::isnan(*value) && text.find_first_of("0123456789") < text.size();
-  refuse(lines.number(), fmt::format("{}: found {}, must be {}", kColumns[column], in_quotes(text),
-                                     large ? fmt::format("from -{0:g} to {0:g}", avo::kLargest)
-                                           : "a finite number"));
+  refuse(
+      lines.number(),
+      fmt::format("{}: found {}, must be {}", kAllColumns[column], in_quotes(text),
+                  large ? fmt::format("from -{0:g} to {0:g}", avo::kLargest) : "a finite number"));
+}
+
+// None of a robot that has none.
+std::optional<avo::CheckedHeading> RecordingReader::State::heading() const {
+  if (!headings || (fields[at[heading_column]].empty() && fields[at[speed_column]].empty()))
+    return std::nullopt;
+  return avo::CheckedHeading{number(heading_column), number(speed_column)};
 }
 
 // None at the end of the file.
@@ -161,8 +191,10 @@ std::optional<Row> RecordingReader::State::read_row() {
   if (robots && *robot >= *robots)
     refuse(row.line, fmt::format("robot: found {}, must be 0 to {}, the robots of the scene",
                                  *robot, *robots - 1));
-  row.state = {
-      *robot, {number(x_column), number(y_column)}, {number(vx_column), number(vy_column)}};
+  row.state = {*robot,
+               {number(x_column), number(y_column)},
+               {number(vx_column), number(vy_column)},
+               heading()};
   return row;
 }
 

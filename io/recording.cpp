@@ -2,12 +2,14 @@
 // What a run leaves behind: a table of all states, and one object of results.
 #include "avo_io/recording.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "avo/checked.h"
 #include "avo/version.h"
 
 namespace avo_io {
@@ -15,7 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) {
+template <typename Number>
+Json or_null(const std::optional<Number>& value) {
   return value ? Json(*value) : Json();
 }
 
@@ -41,18 +44,29 @@ Json to_json(const avo::NotArrived& robot) {
 
 }  // namespace
 
-CsvRecording::CsvRecording(const std::string& path) : file_(path) {
-  file_.write("time,robot,x,y,vx,vy\n");
+bool has_headings(const avo::Scenario& scenario) {
+  return std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                     [](const avo::RobotSetup& robot) { return !is_holonomic(robot.model); });
+}
+
+CsvRecording::CsvRecording(const std::string& path, bool headings)
+    : file_(path), headings_(headings) {
+  file_.write(headings ? "time,robot,x,y,vx,vy,heading,speed\n" : "time,robot,x,y,vx,vy\n");
 }
 
 void CsvRecording::add(const avo::Simulation& simulation) {
-  const avo::FleetView fleet = simulation.fleet();
   fmt::memory_buffer row;
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    const avo::Vec2 p = fleet.position[i], v = fleet.velocity[i];
+  const auto end = std::back_inserter(row);
+  for (const avo::CheckedState& state : checked_states(simulation.fleet())) {
+    const avo::Vec2 p = state.position, v = state.velocity;
     row.clear();
-    fmt::format_to(std::back_inserter(row), "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g}\n",
-                   simulation.time(), fleet.id[i].value, p.x, p.y, v.x, v.y);
+    fmt::format_to(end, "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g}", simulation.time(),
+                   state.robot, p.x, p.y, v.x, v.y);
+    if (headings_ && state.heading)
+      fmt::format_to(end, ",{},{}", state.heading->angle, state.heading->speed);
+    else if (headings_)
+      fmt::format_to(end, ",,");
+    row.push_back('\n');
     file_.write({row.data(), row.size()});
   }
 }
@@ -71,6 +85,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["collision_obstacles"] = summary.collision_obstacles;
   json["min_clearance"] = or_null(summary.min_clearance);
   json["min_obstacle_clearance"] = or_null(summary.min_obstacle_clearance);
+  json["first_seen_too_late"] = or_null(summary.first_seen_too_late);
   json["max_acceleration"] = summary.max_acceleration;
   json["acceleration_excess"] = summary.acceleration_excess;
   json["max_speed"] = summary.max_speed;

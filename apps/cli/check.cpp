@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "avo/checked.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
 #include "check_report.h"
@@ -97,12 +98,14 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
   rules.arrival_distance = scenario->arrival_distance;
   const avo::PlannerOptions options = planner_options(*scenario);
   std::vector<avo::CheckedRobot> robots;
-  for (const avo::RobotSetup& robot : scenario->robots)
-    robots.push_back(
-        {robot.radius, robot.max_acceleration, robot.max_speed, robot.goal,
-         is_holonomic(robot.model) ? interpolation_error(options, robot.max_acceleration) : 0.0,
-         adopts_at_once(options.method) && is_holonomic(robot.model), !is_holonomic(robot.model),
-         robot.parked, robot.layers.bits, robot.avoids.bits});
+  for (const avo::RobotSetup& setup : scenario->robots) {
+    avo::CheckedRobot robot = checked_robot(setup);
+    if (is_holonomic(setup.model)) {
+      robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
+      robot.straight = adopts_at_once(options.method);
+    }
+    robots.push_back(robot);
+  }
   std::vector<avo::CheckedObstacle> obstacles;
   for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
     obstacles.push_back(
@@ -175,6 +178,11 @@ int check(const CheckArguments& arguments) {
         {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "
                      "between their rows, which may not be the path",
                      judgement.uneven_steps, judgement.report.steps, *judgement.time_step)});
+  if (judgement.report.without_heading > 0)
+    warn(
+        {fmt::format("{} of {} robot-steps are of robots without headings in the recording; their "
+                     "velocities are judged, and not where they face",
+                     judgement.report.without_heading, judgement.report.robot_steps)});
   print(arguments.json ? to_json(judgement) : readable(judgement));
   return judgement.passed() ? kDone : kUnsafe;
 }

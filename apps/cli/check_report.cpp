@@ -87,6 +87,44 @@ std::string arrivals(const avo::CheckReport& report) {
   return missing.size() > kMostNamed ? text + ", ..." : text;
 }
 
+struct KinematicRule {
+  const char* key;
+  const char* name;
+  avo::CheckCount avo::CheckReport::*count;
+  const char* things;
+  const char* unit;
+};
+
+using avo::CheckReport;
+constexpr KinematicRule kKinematics[] = {
+    {"headings", "headings", &CheckReport::headings, "rows off their velocities", "m/s"},
+    {"turns", "turns", &CheckReport::turns, "robot-steps too sharp", "rad"},
+    {"lateral_accelerations", "across", &CheckReport::lateral_accelerations,
+     "robot-steps beyond the limit", "m/s^2"},
+    {"reversals", "reversals", &CheckReport::reversals, "robot-steps backwards", "m/s"},
+    {"slow_flights", "slow flights", &CheckReport::slow_flights, "rows below the limit", "m/s"},
+    {"wheel_speeds", "wheel speed", &CheckReport::wheel_speeds, "robot-steps beyond the limit",
+     "m/s"},
+    {"wheel_accelerations", "wheel acceleration", &CheckReport::wheel_accelerations,
+     "robot-steps beyond the limit", "m/s^2"}};
+
+/// Lines for what only robots with headings can break, where they do.
+template <typename Line>
+void add_kinematics(const Judgement& judgement, const Line& line) {
+  const CheckReport& report = judgement.report;
+  bool kept = true;
+  for (const KinematicRule& rule : kKinematics) {
+    const avo::CheckCount& count = report.*rule.count;
+    kept = kept && count.count == 0;
+    if (count.count > 0) line(rule.name, text_of(judgement, count, rule.things, rule.unit));
+  }
+  if (report.with_heading > 0)
+    line("with headings", fmt::format("{} robot-steps{}", report.with_heading,
+                                      kept ? ", no limit of wheels or wings broken" : ""));
+  if (report.without_heading > 0)
+    line("without headings", fmt::format("{} robot-steps", report.without_heading));
+}
+
 }  // namespace
 
 std::string readable(const Judgement& judgement) {
@@ -119,6 +157,7 @@ std::string readable(const Judgement& judgement) {
   line("speed", text_of(judgement, report.speeds, "rows beyond the limit", "m/s") +
                     fmt::format("; largest {:.6g} m/s", report.largest_speed));
   line("jumps", text_of(judgement, report.jumps, "robot-steps off their velocities", "m"));
+  add_kinematics(judgement, line);
   line("least clearance",
        report.least_clearance ? fmt::format("{:.3g} m", *report.least_clearance) : "-");
   if (report.least_static_clearance)
@@ -156,6 +195,10 @@ std::string to_json(const Judgement& judgement) {
   json["accelerations"] = to_json(judgement, report.accelerations, nullptr);
   json["speeds"] = to_json(judgement, report.speeds, nullptr);
   json["jumps"] = to_json(judgement, report.jumps, nullptr);
+  for (const KinematicRule& rule : kKinematics)
+    json[rule.key] = to_json(judgement, report.*rule.count, nullptr);
+  json["with_heading"] = report.with_heading;
+  json["without_heading"] = report.without_heading;
   json["least_clearance"] = or_null(report.least_clearance);
   json["least_static_clearance"] = or_null(report.least_static_clearance);
   json["largest_acceleration"] = report.largest_acceleration;

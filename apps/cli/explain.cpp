@@ -8,6 +8,7 @@
 #include "avo_io/output_file.h"
 #include "exit_codes.h"
 #include "explain_report.h"
+#include "figures/state_map.h"
 #include "figures/velocity_space.h"
 #include "files.h"
 #include "signals.h"
@@ -16,6 +17,8 @@
 
 namespace avo_cli {
 namespace {
+
+constexpr double kFigureWidth = 340.0;  // pt
 
 Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario,
                 std::int64_t robot) {
@@ -33,6 +36,7 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   decision.by_half_planes = !among_movers;
   avo::PlanWorkspace workspace;
   decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
+  decision.state = planner.state(self, neighbors, workspace, walls);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);
   const avo::SensingNoise& noise = planner.options().sensing_noise;
@@ -52,14 +56,21 @@ Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario
   return decision;
 }
 
+std::string title_of(const Decision& decision) {
+  return fmt::format("robot {} at {:.6g} s: {}", decision.robot, decision.time,
+                     avo::to_string(decision.state.state));
+}
+
 }  // namespace
 
 int explain(const ExplainArguments& arguments) {
-  require_figure({"--figure", arguments.figure});
+  const NamedFile velocities{"--figure", arguments.figure}, places{"--states", arguments.states};
+  require_figure(velocities);
+  require_figure(places);
   if (!std::isfinite(arguments.time) || arguments.time < 0.0)
     throw UsageError(fmt::format("--time: found {}, must be finite and >= 0 s", arguments.time));
   catch_signals();
-  const avo::Scenario scenario = load(arguments.scene, {{"--figure", arguments.figure}});
+  const avo::Scenario scenario = load(arguments.scene, {velocities, places});
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (arguments.robot < 0 || arguments.robot >= robots)
     throw UsageError(
@@ -70,8 +81,9 @@ int explain(const ExplainArguments& arguments) {
   if (arguments.time > scenario.duration * (1.0 + 1e-12))
     throw UsageError(fmt::format("--time: found {} s, must be <= duration = {} s", arguments.time,
                                  scenario.duration));
-  std::optional<avo_io::OutputFile> figure;
+  std::optional<avo_io::OutputFile> figure, states;
   if (!arguments.figure.empty()) figure.emplace(arguments.figure);
+  if (!arguments.states.empty()) states.emplace(arguments.states);
 
   avo::Simulation simulation(scenario);
   const std::int64_t steps = avo::last_step(scenario, arguments.time);
@@ -81,13 +93,20 @@ int explain(const ExplainArguments& arguments) {
     progress.show(simulation.steps());
   }
   const Decision decision = decide(simulation, scenario, arguments.robot);
+  const avo::figures::FigureOptions options{.width = kFigureWidth, .title = title_of(decision)};
   if (figure) {
     figure->write(drawn([&] {
       return draw_velocity_space(avo::figures::velocity_space(decision.seen, simulation.planner()),
-                                 arguments.figure);
+                                 arguments.figure, options);
     }));
-    figure->commit();
   }
+  if (states) {
+    states->write(drawn([&] {
+      return draw_state_map(decision.seen, simulation.planner(), arguments.states, options);
+    }));
+  }
+  if (figure) figure->commit();
+  if (states) states->commit();
   print(arguments.json ? to_json(decision) : readable(decision));
   return kDone;
 }

@@ -105,6 +105,25 @@ std::string text_of(const avo::Wall& wall) {
              : fmt::format("the wall from {} to {}{}", text(wall.a), text(wall.b), thick);
 }
 
+/// With whom or what contact is inevitable.
+Json doomed_by(const Decision& decision) {
+  const avo::SafetyReport& state = decision.state;
+  if (state.neighbor >= 0)
+    return name_of(decision.seen.source[static_cast<std::size_t>(state.neighbor)]);
+  if (state.wall >= 0) return fmt::format("walls.{}", state.wall);
+  return nullptr;
+}
+
+std::string state_text(const Decision& decision) {
+  const avo::SafetyReport& state = decision.state;
+  if (state.state == avo::SafetyState::safe) return "safe: braking avoids contact";
+  if (state.state == avo::SafetyState::unknown) return "unknown: neither safe nor doomed is proved";
+  const std::string whom =
+      state.neighbor >= 0 ? text_of(decision.seen.source[static_cast<std::size_t>(state.neighbor)])
+                          : text_of(decision.seen.walls[static_cast<std::size_t>(state.wall)]);
+  return fmt::format("doomed: contact with {} within {:.6g} s, whatever it does", whom, state.time);
+}
+
 /// A line on each of the half-planes of walls that may cut, and on what the certificate keeps.
 void append_walls(const Decision& decision,
                   const std::function<void(const char*, const std::string&)>& line) {
@@ -198,13 +217,18 @@ std::string to_json(const Decision& decision) {
     json["wall_certificate"] = wall_constraints_of(decision);
     json["detour"] = seen.detour.angle;
   }
-  const Json rest{{"acceleration_disc", to_json(decision.acceleration_disc)},
-                  {"speed_disc", to_json(decision.speed_disc)},
-                  {"preferred_velocity", to_json(self.preferred_velocity)},
-                  {"new_velocity", to_json(decision.plan.new_velocity)},
-                  {"acceleration", to_json(decision.plan.acceleration)},
-                  {"status", avo::to_string(decision.plan.status)},
-                  {"violation", decision.plan.violation}};
+  const Json rest{
+      {"acceleration_disc", to_json(decision.acceleration_disc)},
+      {"speed_disc", to_json(decision.speed_disc)},
+      {"preferred_velocity", to_json(self.preferred_velocity)},
+      {"new_velocity", to_json(decision.plan.new_velocity)},
+      {"acceleration", to_json(decision.plan.acceleration)},
+      {"state", avo::to_string(decision.state.state)},
+      {"doomed_by", doomed_by(decision)},
+      {"contact_within",
+       decision.state.state == avo::SafetyState::doomed ? Json(decision.state.time) : Json()},
+      {"status", avo::to_string(decision.plan.status)},
+      {"violation", decision.plan.violation}};
   if (!decision.risks.empty()) json["risk"] = risk_of(decision);
   json.update(rest);
   // the scene may be called like its file, whose name need not be UTF-8
@@ -245,6 +269,7 @@ std::string readable(const Decision& decision) {
   if (!decision.risks.empty())
     line("risk",
          fmt::format("{:.3g} or less that noise hides a broken half-plane", risk_of(decision)));
+  line("state", state_text(decision));
   line("status", fmt::format("{}, violation {:.6g} m/s", avo::to_string(decision.plan.status),
                              decision.plan.violation));
   return result;

@@ -25,6 +25,7 @@ struct Decision {
   std::vector<avo::WallConstraint> wall_constraints;
   avo::Certificate certificate{};
   avo::Plan plan;
+  avo::SafetyReport state;  ///< of the state in which it decides
   avo::Disc acceleration_disc, speed_disc;
 };
 

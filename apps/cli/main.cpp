@@ -87,6 +87,10 @@ void add_explain(CLI::App& app, Action& action) {
   not_empty(verb->add_option("--figure", arguments.figure, "velocity space"))
       ->type_name("FILE.svg|.png|.pdf")
       ->excludes(json);
+  not_empty(verb->add_option("--states", arguments.states,
+                             "where it would be safe or doomed with its velocity"))
+      ->type_name("FILE.svg|.png|.pdf")
+      ->excludes(json);
   verb->footer("Example: avo explain circle-10 --robot 3 --time 4.2 --figure why.svg");
   verb->callback([&action] { action = [] { return explain(arguments); }; });
 }

@@ -38,13 +38,14 @@ struct Outputs {
   std::optional<avo::figures::TrajectoryRecorder> trajectories;
   std::string figure_path;
 
-  explicit Outputs(const RunArguments& arguments) : figure_path(arguments.figure) {
+  Outputs(const RunArguments& arguments, const avo::Scenario& scenario)
+      : figure_path(arguments.figure) {
     if (!arguments.figure.empty()) {
       figure.emplace(arguments.figure);
       trajectories.emplace();
     }
     if (!arguments.summary.empty()) summary.emplace(arguments.summary);
-    if (!arguments.record.empty()) record.emplace(arguments.record);
+    if (!arguments.record.empty()) record.emplace(arguments.record, avo_io::has_headings(scenario));
   }
 
   void observe(const avo::Simulation& simulation) {
@@ -102,8 +103,11 @@ std::string collisions(const avo::RunSummary& results) {
   if (results.one_sided_collisions > 0)
     text +=
         fmt::format("; {} more of which one avoids the other only", results.one_sided_collisions);
-  return text + fmt::format("; {} with moving obstacles; {} robots with obstacles",
-                            results.obstacle_collisions, results.collision_obstacles);
+  text += fmt::format("; {} with moving obstacles; {} robots with obstacles",
+                      results.obstacle_collisions, results.collision_obstacles);
+  if (results.first_seen_too_late.value_or(0) > 0)
+    text += fmt::format("; {} pairs first seen too late", *results.first_seen_too_late);
+  return text;
 }
 
 std::string decisions(const avo::RunSummary& results) {
@@ -199,7 +203,7 @@ int run(const RunArguments& arguments) {
   require_figure({"--figure", arguments.figure});
   catch_signals();
   const avo::Scenario scenario = load(arguments.scene, files_of(arguments));
-  Outputs outputs(arguments);
+  Outputs outputs(arguments, scenario);
   const avo::RunSummary results = simulate(scenario, arguments.threads, outputs);
   outputs.finish(scenario, results);
   tell_unreachable(results);

@@ -41,7 +41,7 @@ struct ExplainArguments {
   std::int64_t robot = 0;
   double time = 0.0;
   bool json = false;
-  std::string figure;
+  std::string figure, states;
 };
 int explain(const ExplainArguments& arguments);
 

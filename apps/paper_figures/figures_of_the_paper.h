@@ -27,6 +27,9 @@ Caption draw_circle(const std::string& folder);                 // Fig. 8
 Caption draw_cars(const std::string& folder);                   // Fig. 9
 Caption draw_speed(const std::string& folder);                  // Fig. 10
 
+/// A figure of docs/states.md; returns its path.
+std::string draw_states(const std::string& folder);
+
 /// Writes what a figure's file is to hold.
 void save(const std::string& path, const std::string& bytes);
 

@@ -46,6 +46,7 @@ std::string readme(const std::vector<Caption>& captions) {
 }
 
 void draw_all(const std::string& folder) {
+  std::printf("%s\n", draw_states(folder).c_str());
   using Draw = Caption (*)(const std::string&);
   std::vector<Caption> captions;
   for (const Draw draw :

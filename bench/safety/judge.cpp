@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "arcs.h"
+#include "avo/checked.h"
 
 namespace avo::safety {
 namespace {
@@ -24,13 +24,12 @@ Check make_check(const Scenario& scenario) {
   const PlannerOptions options = planner_options(scenario);
   std::vector<CheckedRobot> robots;
   for (const RobotSetup& setup : scenario.robots) {
-    CheckedRobot robot;
-    robot.radius = setup.radius;
-    robot.max_acceleration = acceleration_limit(setup.model, setup.max_acceleration);
-    robot.max_speed = setup.max_speed;
-    robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
-    robot.straight = adopts_at_once(options.method);
-    robot.car = !is_holonomic(setup.model);
+    CheckedRobot robot = checked_robot(setup);
+    robot.goal.reset();
+    if (is_holonomic(setup.model)) {
+      robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
+      robot.straight = adopts_at_once(options.method);
+    }
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
@@ -47,10 +46,20 @@ Check make_check(const Scenario& scenario) {
   return check;
 }
 
-bool has_cars(const Scenario& scenario) {
-  return std::any_of(scenario.robots.begin(), scenario.robots.end(),
-                     [](const RobotSetup& robot) { return !is_holonomic(robot.model); });
-}
+struct Rule {
+  const char* what;
+  CheckCount CheckReport::*count;
+};
+
+// Of robots with headings.
+constexpr Rule kKinematics[] = {
+    {"rows off their headings (m/s)", &CheckReport::headings},
+    {"turns too sharp (rad)", &CheckReport::turns},
+    {"steps above the lateral acceleration (m/s^2)", &CheckReport::lateral_accelerations},
+    {"reversals (m/s)", &CheckReport::reversals},
+    {"flights too slow (m/s)", &CheckReport::slow_flights},
+    {"steps above the wheels' speed (m/s)", &CheckReport::wheel_speeds},
+    {"steps above the wheels' acceleration (m/s^2)", &CheckReport::wheel_accelerations}};
 
 void name_first(const char* what, const CheckCount& count, std::string& text) {
   if (!count.first) return;
@@ -79,6 +88,7 @@ void Verdict::add(const Verdict& later) {
   acceleration_violations += later.acceleration_violations;
   speed_violations += later.speed_violations;
   jumps += later.jumps;
+  kinematic_violations += later.kinematic_violations;
   least_clearance = least_of(least_clearance, later.least_clearance);
   least_static_clearance = least_of(least_static_clearance, later.least_static_clearance);
   interpolation_error = std::max(interpolation_error, later.interpolation_error);
@@ -87,33 +97,13 @@ void Verdict::add(const Verdict& later) {
 
 struct Judge::State {
   Check check;
-  double time_step = 0.0;  // s
-  // Cubics through the ends of a step may be a millimeter off a car's arc, that of an eighth of it
-  // 4096 times less.
-  int parts = 1;  // that a step is judged in
-  std::vector<CheckedState> rows = {};
-  std::vector<Pose> before = {};  // where a step is judged in parts
 };
 
-Judge::Judge(const Scenario& scenario)
-    : state_(new State{make_check(scenario), scenario.time_step, has_cars(scenario) ? 8 : 1}) {}
+Judge::Judge(const Scenario& scenario) : state_(new State{make_check(scenario)}) {}
 Judge::~Judge() = default;
 
 void Judge::observe(const Simulation& simulation) {
-  const FleetView fleet = simulation.fleet();
-  const double start = simulation.time() - state_->time_step;
-  for (int k = 1; k < state_->parts && !state_->before.empty(); ++k) {
-    const double part = static_cast<double>(k) / state_->parts;
-    state_->check.add(start + part * state_->time_step,
-                      states_within(state_->before, fleet, state_->time_step, part));
-  }
-  if (state_->parts > 1) state_->before = poses(fleet);
-  state_->rows.clear();
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    state_->rows.push_back(
-        {static_cast<std::int64_t>(fleet.id[i].value), fleet.position[i], fleet.velocity[i]});
-  }
-  state_->check.add(simulation.time(), state_->rows);
+  observe(simulation.time(), checked_states(simulation.fleet()));
 }
 
 void Judge::observe(double time, std::span<const CheckedState> rows) {
@@ -141,6 +131,11 @@ Verdict Judge::verdict() const {
   name_first("steps above a_max (m/s^2)", report.accelerations, verdict.violations);
   name_first("states above v_max (m/s)", report.speeds, verdict.violations);
   name_first("jumps (m)", report.jumps, verdict.violations);
+  for (const Rule& rule : kKinematics) {
+    const CheckCount& count = report.*rule.count;
+    verdict.kinematic_violations += count.count;
+    name_first(rule.what, count, verdict.violations);
+  }
   return verdict;
 }
 

@@ -123,7 +123,7 @@ const char* usage() {
   --time-horizon S    tau, likewise
   --threads N         scenes at a time, default: as many as the machine has; times alone depend on it
   --json FILE         one JSON object a row
-  --record FILE       of a single scene: CSV with time,robot,x,y,vx,vy
+  --record FILE       of a single scene: CSV as avo run --record writes it
 
 Columns, over all scenes of a row:
   robots, steps       robots; robot-steps

@@ -6,7 +6,8 @@
 #include <cinttypes>
 #include <system_error>
 #include <unistd.h>
-#include <vector>
+
+#include "avo/checked.h"
 
 namespace avo::safety {
 
@@ -38,27 +39,28 @@ void Output::commit() {
   file_ = nullptr;
 }
 
-Recording::Recording(const std::string& path) : output_(path) {
-  output_.write("time,robot,x,y,vx,vy\n");
+Recording::Recording(const std::string& path, bool headings) : output_(path), headings_(headings) {
+  output_.write(headings ? "time,robot,x,y,vx,vy,heading,speed\n" : "time,robot,x,y,vx,vy\n");
 }
 
 void Recording::add(const Simulation& simulation) {
-  const FleetView fleet = simulation.fleet();
-  std::vector<CheckedState> rows;
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    rows.push_back(
-        {static_cast<std::int64_t>(fleet.id[i].value), fleet.position[i], fleet.velocity[i]});
-  }
-  add(simulation.time(), rows);
+  add(simulation.time(), checked_states(simulation.fleet()));
 }
 
 void Recording::add(double time, std::span<const CheckedState> rows) {
-  char row[256];
+  char row[320];
   for (const CheckedState& state : rows) {
     const Vec2 p = state.position, v = state.velocity;
-    std::snprintf(row, sizeof row, "%.17g,%" PRId64 ",%.17g,%.17g,%.17g,%.17g\n", time, state.robot,
+    std::snprintf(row, sizeof row, "%.17g,%" PRId64 ",%.17g,%.17g,%.17g,%.17g", time, state.robot,
                   p.x, p.y, v.x, v.y);
     output_.write(row);
+    if (headings_ && state.heading) {
+      std::snprintf(row, sizeof row, ",%.17g,%.17g", state.heading->angle, state.heading->speed);
+      output_.write(row);
+    } else if (headings_) {
+      output_.write(",,");
+    }
+    output_.write("\n");
   }
 }
 

@@ -31,16 +31,18 @@ class Output {
   std::FILE* file_;
 };
 
-/// CSV with header "time,robot,x,y,vx,vy", 17 significant digits, rows by time then robot.
+/// CSV with header "time,robot,x,y,vx,vy", 17 significant digits, rows by time then robot. With
+/// headings, ",heading,speed" follow, empty for robots that have none.
 class Recording {
  public:
-  explicit Recording(const std::string& path);
+  explicit Recording(const std::string& path, bool headings = false);
   void add(const Simulation& simulation);
   void add(double time, std::span<const CheckedState> rows);
   void commit() { output_.commit(); }
 
  private:
   Output output_;
+  bool headings_;
 };
 
 }  // namespace avo::safety

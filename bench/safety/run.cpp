@@ -104,7 +104,10 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   Simulation simulation(scenario, 1);
   Judge judge(scenario);
   std::optional<Recording> recording;
-  if (!record.empty()) recording.emplace(record);
+  const bool headings =
+      std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                  [](const RobotSetup& robot) { return !is_holonomic(robot.model); });
+  if (!record.empty()) recording.emplace(record, headings);
   outcome.planner = simulation.planner().options();
   outcome.promised = is_covered(scenario);
   const auto observe = [&] {

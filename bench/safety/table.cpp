@@ -52,6 +52,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.acceleration_violations += verdict.acceleration_violations;
   row.speed_violations += verdict.speed_violations;
   row.jumps += verdict.jumps;
+  row.kinematic_violations += verdict.kinematic_violations;
   row.unsafe_scenes += verdict.safe() ? 0 : 1;
   row.certified =
       row.certified || (outcome.promised && outcome.planner.certificate != Certificate::none);
@@ -156,7 +157,8 @@ std::string table_header() {
 }
 
 std::string table_lines(const RowResult& row) {
-  const std::int64_t limits = row.acceleration_violations + row.speed_violations + row.jumps;
+  const std::int64_t limits =
+      row.acceleration_violations + row.speed_violations + row.jumps + row.kinematic_violations;
   std::string line =
       format("%-18s %6lld %7lld %9lld %6lld %6lld %10s %8s", row.name.c_str(),
              static_cast<long long>(row.scenes), static_cast<long long>(row.robots),

@@ -18,6 +18,7 @@ struct RowResult {
                static_contacts = 0;
   double deepest_contact = 0.0;  ///< m, of those in motion
   std::int64_t acceleration_violations = 0, speed_violations = 0, jumps = 0;
+  std::int64_t kinematic_violations = 0;
   std::int64_t unsafe_scenes = 0;
   bool certified = false;  ///< a certificate rules out what is unsafe
   std::optional<double> least_clearance, least_static_clearance;  ///< m

@@ -96,6 +96,7 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
       .add("acceleration_violations", row.acceleration_violations)
       .add("speed_violations", row.speed_violations)
       .add("jumps", row.jumps)
+      .add("kinematic_violations", row.kinematic_violations)
       .add("unsafe_scenes", row.unsafe_scenes)
       .add("unsafe_bound_95",
            row.unsafe_scenes == 0 ? 3.0 / static_cast<double>(row.scenes) : kNever)

@@ -3,6 +3,7 @@
 #pragma once
 #include "avo/assumptions.h"
 #include "avo/check.h"
+#include "avo/checked.h"
 #include "avo/error.h"
 #include "avo/export.h"
 #include "avo/geometry.h"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A judge of recorded motion that shares no formula with the planner: separation of every pair in
-// continuous time, from walls too, limits on acceleration and speed, arrival.
+// continuous time, from walls too, limits on acceleration and speed, of wheels and wings, arrival.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "avo/export.h"
@@ -13,9 +15,48 @@
 
 namespace avo {
 
+// How a recorded robot can move. All but the first have headings. Infinite limits are not checked.
+
+/// In any direction. Between two rows it is on the cubic with their positions and velocities.
+struct CheckedHolonomic {};
+
+/// Its position is the middle of its rear axle, and it moves along its heading: from row to row on
+/// an arc, its curvature held and its change of speed, or at rest, turning about its position.
+struct CheckedCar {
+  double wheelbase = 1.0;  ///< m, > 0: at rest it turns no faster than moves its front axle, at
+                           ///< max_speed; and only where max_curvature is infinite
+  double max_curvature = std::numeric_limits<double>::infinity();  ///< 1/m, > 0
+  double body_offset = 0.0;  ///< m, of the disc's center ahead of the position
+  bool reverse = false;      ///< may drive backwards
+  /// Its accelerations along and across the heading keep max_acceleration each, else together.
+  bool exact_set = false;
+};
+
+/// Two wheels on an axle, whose middle is its position. The velocities of its rows are those of the
+/// point `offset` ahead, which accelerates as it likes and evenly from row to row; so max_speed and
+/// max_acceleration are that point's.
+struct CheckedDrive {
+  double track = 0.5;                                            ///< m, > 0, from wheel to wheel
+  double offset = 0.2;                                           ///< m, > 0
+  double wheel_speed = std::numeric_limits<double>::infinity();  ///< m/s, > 0
+  double wheel_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2, > 0
+};
+
+/// Flies along its heading on arcs, as cars drive.
+struct CheckedAirplane {
+  double min_speed = 0.0;                                                 ///< m/s, >= 0
+  double lateral_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2, > 0
+};
+
+using CheckedKinematics = std::variant<CheckedHolonomic, CheckedCar, CheckedDrive, CheckedAirplane>;
+
+inline bool is_holonomic(const CheckedKinematics& kinematics) {
+  return std::holds_alternative<CheckedHolonomic>(kinematics);
+}
+
 /// What a recorded robot is held to. Infinite limits are not checked.
 struct CheckedRobot {
-  double radius = 0.5;            ///< m, > 0
+  double radius = 0.5;            ///< m, > 0, of its disc
   double max_acceleration = 1.0;  ///< m/s^2, > 0
   double max_speed = 2.0;         ///< m/s, > 0
   std::optional<Vec2> goal = {};  ///< m
@@ -24,9 +65,9 @@ struct CheckedRobot {
   double interpolation_error = 0.0;
   /// Changes its velocity at once at every row: straight lines are judged instead of cubics.
   bool straight = false;
-  /// A car that holds its curvature and its change of speed from row to row. Besides
-  /// interpolation_error, what the cubic may be off its arc is reckoned from the rows.
-  bool car = false;
+  /// Rows without a heading tell of a car, or an airplane, its velocities alone: then only those
+  /// are judged, and what the cubic may be off its arc is reckoned from the rows, and granted.
+  CheckedKinematics kinematics = {};
   /// May not move at all, and is held to its first row. Two of them are not judged as a pair.
   bool parked = false;
   /// Bits: it avoids whoever is in one of the layers `avoids`. Pairs of which nobody avoids the
@@ -52,17 +93,26 @@ struct CheckOptions {
   double arrival_distance = 0.5;     ///< m, > 0
 };
 
+/// Which way a robot faces, and how fast it goes that way.
+struct CheckedHeading {
+  double angle = 0.0;  ///< rad, counter-clockwise from +x
+  double speed = 0.0;  ///< m/s along it, < 0: backwards
+};
+
 /// One row of a recording.
 struct CheckedState {
   std::int64_t robot = 0;  ///< index into the robots given
   Vec2 position, velocity;
+  /// Not read of holonomic robots. A car whose body_offset is not zero has to have one, and a
+  /// drive.
+  std::optional<CheckedHeading> heading = {};
 };
 
 struct CheckViolation {
-  double time = 0.0;       ///< s; of an acceleration or a jump, where its step began
+  double time = 0.0;       ///< s; of what is judged from row to row, where its step began
   std::int64_t robot = 0;  ///< the lower number of a pair of robots
   std::optional<std::int64_t> other = {};  ///< the other robot of a pair, the obstacle, the wall
-  double amount = 0.0;  ///< beyond the limit: m/s^2, m/s, m (of overlap: the most within the step)
+  double amount = 0.0;  ///< beyond the limit: m/s^2, m/s, rad, m (of overlap: the most in the step)
 };
 
 struct CheckCount {
@@ -87,12 +137,28 @@ struct CheckReport {
   CheckCount one_sided_contacts_moving;
   std::int64_t one_sided_contacts_at_rest = 0;  ///< pairs, all others
   CheckCount static_contacts;                   ///< robots that ever touched a wall
-  CheckCount accelerations;                     ///< robot-steps with |Δv|/Δt > a_max
-  CheckCount speeds;                            ///< robot-rows with |v| > v_max
+  /// Robot-steps with |Δv|/Δt > a_max. With headings, |Δs|/Δt, of the speed s; of a car that has to
+  /// keep a_max in both directions together, with the lateral acceleration.
+  CheckCount accelerations;
+  CheckCount speeds;  ///< robot-rows with |v| > v_max
   /// Robot-steps with |Δp - Δt (v_0 + v_1)/2| > a_max Δt²/2: positions that do not follow the
   /// velocities. A motion within a_max stays below half of it, one whose velocity changes at once,
-  /// by a_max Δt at most, just within it.
+  /// by a_max Δt at most, just within it. With headings, those that are off their arc, or what the
+  /// motion of a drive makes of the velocities.
   CheckCount jumps;
+  /// With headings, robot-rows whose velocity is not the speed along the heading.
+  CheckCount headings;
+  /// Robot-steps in which a car turns by more than max_curvature times its way; or at rest, by more
+  /// than it can.
+  CheckCount turns;
+  CheckCount lateral_accelerations;  ///< robot-steps of cars and airplanes, at their higher speed
+  /// Robot-steps in which a car drives backwards that may not, or backwards and forwards.
+  CheckCount reversals;
+  CheckCount slow_flights;           ///< robot-rows of airplanes with s < min_speed
+  CheckCount wheel_speeds;           ///< robot-steps of drives, at any instant
+  CheckCount wheel_accelerations;    ///< likewise
+  std::int64_t with_heading = 0;     ///< robot-steps that were judged by headings
+  std::int64_t without_heading = 0;  ///< robot-steps of those that have one, which the rows lack
   std::optional<double> least_clearance;  ///< m, over such pairs and all times; none without any
   std::optional<double> least_static_clearance;  ///< m, over all robots, walls and times
   double largest_acceleration = 0.0;             ///< m/s^2
@@ -108,9 +174,9 @@ struct CheckReport {
 };
 
 /// Feed it the rows of one time after the other. Between two rows a robot is judged on the cubic
-/// with their positions and velocities. Pairs overlap where their distance is less than
-/// (r_A + r_B)(1 - relative_tolerance) less the interpolation errors of both; a wall is touched
-/// likewise, with its radius for r_B.
+/// with their positions and velocities, one with a heading on its arc. Pairs overlap where their
+/// distance is less than (r_A + r_B)(1 - relative_tolerance) less the interpolation errors of both;
+/// a wall is touched likewise, with its radius for r_B.
 class AVO_API Check {
  public:
   /// Throws Error on values out of range.

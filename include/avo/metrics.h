@@ -48,15 +48,19 @@ struct RunSummary {
   std::int64_t collision_obstacles = 0;          ///< distinct robots that touched a static obstacle
   std::optional<double> min_clearance;           ///< m, of robots that avoid each other, if any do
   std::optional<double> min_obstacle_clearance;  ///< m, from static obstacles; none without them
-  double max_acceleration = 0.0;                 ///< m/s^2, the largest applied |a|
-  double acceleration_excess = 0.0;              ///< m/s^2, the largest |a| - a_max; 0 if kept
-  double max_speed = 0.0;                        ///< m/s
-  std::optional<double> mean_arrival;            ///< s, over those that arrived and are not parked
-  std::optional<double> last_arrival;            ///< s, only if all arrived
-  std::int64_t infeasible_steps = 0;             ///< robot-steps whose set CA_A was empty
-  Decisions decisions;                           ///< of all robot-steps
-  std::vector<NotArrived> not_arrived;           ///< of those still there, by id; 100 at most
-  std::vector<std::uint64_t> unreachable;        ///< RobotIds, see Simulation::unreachable()
+  /// Pairs of which one came into the other's sight after the start when braking was no longer
+  /// proved to keep them apart; none without a certificate. Past a sensing radius that suffices it
+  /// takes occlusion, or measurements that fail.
+  std::optional<std::int64_t> first_seen_too_late;
+  double max_acceleration = 0.0;           ///< m/s^2, the largest applied |a|
+  double acceleration_excess = 0.0;        ///< m/s^2, the largest |a| - a_max; 0 if kept
+  double max_speed = 0.0;                  ///< m/s
+  std::optional<double> mean_arrival;      ///< s, over those that arrived and are not parked
+  std::optional<double> last_arrival;      ///< s, only if all arrived
+  std::int64_t infeasible_steps = 0;       ///< robot-steps whose set CA_A was empty
+  Decisions decisions;                     ///< of all robot-steps
+  std::vector<NotArrived> not_arrived;     ///< of those still there, by id; 100 at most
+  std::vector<std::uint64_t> unreachable;  ///< RobotIds, see Simulation::unreachable()
   std::optional<double> step_milliseconds_median;
   std::uint64_t seed = 0;
 };

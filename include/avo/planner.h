@@ -106,6 +106,15 @@ enum class PlanStatus : std::uint8_t {
 };
 AVO_API const char* to_string(PlanStatus status);
 
+/// What is proved of a state before anything is decided, against each of the others and each wall
+/// by itself (docs/states.md).
+enum class SafetyState : std::uint8_t {
+  unknown,  ///< neither is proved, or nobody has asked
+  safe,     ///< braking avoids contact in motion: it does what the certificate's invariant says
+  doomed,   ///< contact is inevitable, whatever A does within its limits
+};
+AVO_API const char* to_string(SafetyState state);
+
 struct Plan {
   /// [v'_A] m/s, Eqs. (14), (23). Of method avo, which approaches its target as fast as it may: the
   /// command that leads to the next velocity by Eq. (7); it may lie beyond v_max, which that does
@@ -116,7 +125,9 @@ struct Plan {
   Vec2 next_velocity = {};
   Vec2 acceleration = {};                   ///< [a_A] m/s^2 at the start of the step, Eq. (7)
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
-  double violation = 0.0;                   ///< m/s: by how much CA_A is missed; 0 if optimal
+  /// Of the state in which it was made, as Planner::state() says; unknown without a certificate.
+  SafetyState state = SafetyState::unknown;
+  double violation = 0.0;  ///< m/s: by how much CA_A is missed; 0 if optimal
 };
 
 /// A's half-plane against one neighbor, in v'_A, Eqs. (17)-(20).
@@ -174,6 +185,14 @@ struct WallConstraint {
   double held = 0.0;      ///< m, of A's center: both radii, or what braking still keeps of them
   double distance = 0.0;  ///< m, of what A needs to stop now, from the segment
   Vec2 normal;            ///< unit, from the segment to there; 0 where they meet
+};
+
+/// What Planner::state() proves of a state.
+struct SafetyReport {
+  SafetyState state = SafetyState::unknown;
+  int neighbor = -1;  ///< if doomed, with whom it collides: an index into the neighbors given,
+  int wall = -1;      ///< or one into the walls given; -1: none
+  double time = 0.0;  ///< s: if doomed, when the two are in contact
 };
 
 /// Scratch memory of a Planner; reuse it and nothing is allocated once it has grown. One per
@@ -258,6 +277,17 @@ class AVO_API Planner {
   void collect_certificate(const Robot& robot, std::span<const Wall> walls,
                            PlanWorkspace& workspace,
                            std::vector<WallConstraint>& constraints) const;
+
+  /// Whether A can go on without contact, as far as that is proved, whatever the method is
+  /// (docs/states.md). safe: while A brakes, it touches no wall, none that decides and brakes too,
+  /// and in motion none that keeps its acceleration. doomed: within |a| <= a_max and |v| <= v_max
+  /// of A it touches one of the walls or of those that keep their acceleration, be it at rest; or
+  /// one that decides, even if that does its best too. Declared errors, ages and clocks are allowed
+  /// for; without them whatever is not unknown is never both, but beside one that keeps its
+  /// acceleration, where doomed is said. unknown where plan() says invalid_input.
+  [[nodiscard]] SafetyReport state(const Robot& robot, std::span<const Neighbor> neighbors,
+                                   PlanWorkspace& workspace,
+                                   std::span<const Wall> walls = {}) const;
 
   /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
   /// radius).

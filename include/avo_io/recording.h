@@ -16,10 +16,15 @@
 
 namespace avo_io {
 
+/// Whether a recording of the scene has columns for headings: a robot is not holonomic.
+AVO_API bool has_headings(const avo::Scenario& scenario);
+
 /// CSV with header "time,robot,x,y,vx,vy", 17 significant digits, rows by time then robot.
 class AVO_API CsvRecording {
  public:
-  explicit CsvRecording(const std::string& path);
+  /// With headings, ",heading,speed" follow in the header, see avo::CheckedHeading, in the shortest
+  /// form that reads back to the same bits; holonomic robots leave both empty.
+  explicit CsvRecording(const std::string& path, bool headings = false);
   /// One row a robot. Throws FileError.
   void add(const avo::Simulation& simulation);
   void commit() { file_.commit(); }
@@ -28,6 +33,7 @@ class AVO_API CsvRecording {
 
  private:
   OutputFile file_;
+  bool headings_;
 };
 
 /// All rows of one time, by ascending robot.
@@ -37,8 +43,8 @@ struct RecordedTime {
 };
 
 /// Reads what CsvRecording writes, and its like: columns in any order by the names of the first
-/// line, others ignored; times grouped and ascending, robots of one time in any order. Never holds
-/// more than one time.
+/// line, others ignored; heading and speed where both are there; times grouped and ascending,
+/// robots of one time in any order. Never holds more than one time.
 class AVO_API RecordingReader {
  public:
   /// "-" is the standard input. `robots`: numbers have to be lower. Throws FileError, and

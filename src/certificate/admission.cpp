@@ -22,11 +22,41 @@ TrajectoryConstraint constraint_at(const ConstraintColumns& columns, std::size_t
           columns.bound[k]};
 }
 
+namespace {
+
+// m, of the middle point of the step itself, which a disc that swings moves off the braking path.
+double swing_coefficient(const TrajectoryConstraints& constraints, std::size_t k,
+                         const CandidatePath& path, const StepLaw& law) {
+  const ConstraintColumns& columns = constraints.columns;
+  const Vec2 normal{columns.normal_x[k], columns.normal_y[k]};
+  const Braking& own = constraints.own;
+  const Vec2 middle = braking_distances(own.profile, law, 0).middle * own.direction + path.swing;
+  const double cone = constraints.has_cones ? columns.cone[k] * norm(path.swing) : 0.0;
+  return dot(normal, middle) + columns.offset[1][k] - cone;
+}
+
+// Likewise of all constraints; constraints.columns.coefficient is filled.
+bool keeps_swing(const CandidatePath& path, const StepLaw& law,
+                 TrajectoryConstraints& constraints) {
+  ConstraintColumns& columns = constraints.columns;
+  bool kept = true;
+  for (std::size_t k = 0; k < columns.count; ++k) {
+    const bool asked = columns.needs[k] < path.moving;
+    if (columns.interval[k] != 0.0 || !asked) continue;
+    const double middle = swing_coefficient(constraints, k, path, law);
+    columns.coefficient[k] = std::min(columns.coefficient[k], middle);
+    kept = kept && middle >= 0.0;
+  }
+  return kept;
+}
+
+}  // namespace
+
 bool keeps_trajectories(const CandidatePath& path, const StepLaw& law,
                         TrajectoryConstraints& constraints) {
-  const bool all_kept =
-      keeps(constraints.own, path, law, constraints.has_cones, constraints.columns);
-  return all_kept && !(constraints.stays_at_rest && path.moving > 0);
+  bool kept = keeps(constraints.own, path, law, constraints.has_cones, constraints.columns);
+  if (!(path.swing == Vec2{})) kept = keeps_swing(path, law, constraints) && kept;
+  return kept && !(constraints.stays_at_rest && path.moving > 0);
 }
 
 namespace {
@@ -59,6 +89,7 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
   worst.constraint = constraint_at(columns, k);
   worst.coefficient = coefficient[k];
   worst.point = start.value <= worst.coefficient ? 0 : middle.value <= worst.coefficient ? 1 : 2;
+  if (worst.point == 2 && end.value > worst.coefficient) worst.point = 1;  // it swings
   if (worst.constraint.cone > 0.0) {
     const Vec2 deviation = deviation_at(constraints.own, worst.constraint, worst.point, path, law);
     const double length = norm(deviation);

@@ -46,16 +46,9 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
               result.middle - off(before.middle, x.middle),
               result.end - off(end, x.end) - cone * Real(path.bend)};
   }
-  // y_0 and y_1 of the step itself are those of the braking path, but for a swing of the latter;
-  // its end pays for an arc
-  Real first_middle = infinity;
-  if (!(path.swing == Vec2{})) {
-    const Vec<Real> swing = constant<Real>(path.swing);
-    const Vec<Real> middle = points(own.profile, own.direction, law, zero).middle + swing;
-    first_middle = dot(n, middle) + Real::load(&constraints.offset[1][k]);
-    if (has_cones) first_middle = first_middle - Real::load(&constraints.cone[k]) * norm(swing);
-  }
-  return {select(later, result.start, infinity), select(later, result.middle, first_middle),
+  // y_0 and y_1 of the step itself are those of the braking path, but see keeps_swing(); its end
+  // pays for an arc
+  return {select(later, result.start, infinity), select(later, result.middle, infinity),
           select(later, result.end, result.end - Real(path.bend))};
 }
 

@@ -54,6 +54,17 @@ AVO_KERNEL Real stopping_length(const PackProfile<Real>& braking, const StepLaw&
   return distances(braking, law, braking.full_steps).middle;
 }
 
+/// [e] m: most that the path of one that brakes is off after `steps` steps, where it is sensed
+/// with the law's errors and looks as it does (docs/certificate.md, "Sensing errors").
+template <typename Real>
+AVO_KERNEL Real braking_error(const PackProfile<Real>& seen, const StepLaw& law, Real steps) {
+  const auto& [position, velocity] = law.sensing_error;
+  const Real to_rest = seen.full_steps + Real(1.0);  // of the one that is seen
+  const PackProfile<Real> left = profile(Real(velocity), seen.decrement);
+  return Real(position) + Real(velocity * law.time_step) * min(steps, to_rest) +
+         distances(left, law, max(steps - to_rest, Real(0.0))).start;
+}
+
 /// The three Bézier points of an interval.
 template <typename Real>
 struct PackPoints {

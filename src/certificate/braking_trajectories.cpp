@@ -75,6 +75,7 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
   const double nearest =
       append_constraints(wanted, law, constraints.own_columns, constraints.columns);
   wanted.held = held_distance(pair, nearest, index, invariant) + inflation;
+  if (inflation > 0.0 && nearest < pair.contact + pair.error + inflation) invariant.doubtful = true;
   if (wanted.held != inflated) {
     constraints.columns.count = first;
     append_constraints(wanted, law, constraints.own_columns, constraints.columns);
@@ -83,14 +84,9 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
   if (!pair.decides || !law.is_exact()) take_off(wanted, first, law, constraints);
 }
 
-// Against one of an age: whatever its acceleration has been since it was sensed, and what an error
-// of the velocity made of the way on which it was carried (docs/certificate.md, "Age").
 StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
-  const double time = neighbor.age * law.time_step;
-  const double a = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : 0.0;
   StepLaw result = law;
-  result.sensing_error.position += time * law.sensing_error.velocity + 0.5 * a * time * time;
-  result.sensing_error.velocity += a * time;
+  result.sensing_error = error_against(neighbor, law);
   return result;
 }
 

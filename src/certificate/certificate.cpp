@@ -76,12 +76,12 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
 
 bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
             CertificateConstraints& constraints) {
-  const bool held = may_exceed_reach(robot.model);
-  if (constraints.demand_nothing() && !held) return true;
+  const bool holonomic = is_holonomic(robot.model);
+  if (constraints.demand_nothing() && (holonomic || !may_exceed_reach(robot.model))) return true;
   // as long as nothing is broken, braking keeps what no test with a reserve for rounding admits
   if (law.step.has_free_clocks() && next_velocity == backup_velocity(robot, law)) return true;
   constraints.path = follow(robot, next_velocity, law.step);
-  if (!keeps_reach(robot, constraints.path, law.step)) return false;
+  if (!holonomic && !keeps_reach(robot, constraints.path, law.step)) return false;
   collect_refusing(robot, constraints.path, law.step, constraints.trajectories,
                    constraints.invariant);
   const bool trajectories_kept =

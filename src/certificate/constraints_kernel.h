@@ -130,13 +130,12 @@ struct PackMargin {
 
 /// distance: of the constraint; moved: how far B gets from A on the interval, m.
 template <typename Real>
-AVO_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw& law, Real m,
-                                         Real distance, Real moved) {
+AVO_RARE_KERNEL PackMargin<Real> error_margin(const BrakingPair& pair, const StepLaw& law, Real m,
+                                              Real distance, Real moved) {
   const auto& [position, velocity] = law.sensing_error;
-  if (position == 0.0 && velocity == 0.0) return {Real(0.0), Real(0.0)};
   const Real seen = m + Real(1.0), two(2.0);
-  const Real steps = pair.decides ? min(seen, Real(pair.b.intervals)) : seen;
-  const Real error = Real(position) + Real(velocity) * (Real(law.time_step) * steps);
+  const Real error = pair.decides ? braking_error(constant<Real>(pair.b.profile), law, seen)
+                                  : Real(position) + Real(velocity) * (Real(law.time_step) * seen);
   const Real one_step(velocity * law.time_step);
   const auto beyond = distance > error;
   const Real d = select(beyond, distance, two * error);  // any beyond it
@@ -235,7 +234,7 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     if constexpr (is_free)
       return drift_margin(pair, law, m, distance, moved);
     else
-      return error_margin(pair, law, m, distance, moved);
+      return is_exact ? PackMargin<Real>{zero, zero} : error_margin(pair, law, m, distance, moved);
   };
   Real nearest = infinity;
   for (std::size_t k = 0; k < wanted.intervals; k += Real::kLanes) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certificate/near_pairs.h"
 
+#include <algorithm>
+
 #include "robots/model.h"
 
 namespace avo {
@@ -20,6 +22,11 @@ void BrakingColumns::reserve(std::size_t robots) {
 }
 
 void BrakingColumns::take_strays(const RobotColumns& robots, const StepLaw& law) {
+  if (!robots.has_models) {
+    std::fill_n(stray_velocity.begin(), robots.count, 0.0);
+    std::fill_n(stray_distance.begin(), robots.count, 0.0);
+    return;
+  }
   for (std::size_t i = 0; i < robots.count; ++i) {
     Stray stray;
     if (robots.model[i] != nullptr)

@@ -65,6 +65,13 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   return pair;
 }
 
+SensingError error_against(const Neighbor& neighbor, const StepLaw& law) {
+  const auto& [position, velocity] = law.sensing_error;
+  const double time = neighbor.age * law.time_step;
+  const double a = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : 0.0;
+  return {position + (time * velocity + 0.5 * a * time * time), velocity + a * time};
+}
+
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law) {
   double reach = pair.a.reach + pair.b.reach;
   if (!pair.decides) {
@@ -76,6 +83,8 @@ bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLa
 
 double held_distance(const BrakingPair& pair, double distance, int index, Invariant& invariant) {
   invariant.slack = std::min(invariant.slack, distance - pair.contact);
+  if (!(distance < pair.contact + pair.error)) return pair.inflated;
+  invariant.doubtful = true;
   if (!(distance < pair.contact - pair.error)) return pair.inflated;
   invariant.broken = index;
   return distance;

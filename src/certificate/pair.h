@@ -55,6 +55,10 @@ struct BrakingPair {
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law);
 
+/// How far the neighbor may be from how it is given: by the errors that A declares, and by whatever
+/// else it may have done since it was sensed (docs/certificate.md, "Age").
+SensingError error_against(const Neighbor& neighbor, const StepLaw& law);
+
 /// Whether no candidates of the two, followed by braking, can bring them into contact.
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law);
 
@@ -66,7 +70,8 @@ struct Invariant {
   int broken = -1;  ///< a neighbor with which braking collides, or -1
   /// One that does not decide is in contact, or braking does not avoid it: brake, and stay at rest.
   bool touched = false;
-  bool unknown = false;  ///< one brakes for longer than kMostIntervals: brake
+  bool unknown = false;   ///< one brakes for longer than kMostIntervals: brake
+  bool doubtful = false;  ///< braking collides, or errors may hide that it does
 };
 
 /// The invariant held by a pair, and the distance that it is held to from now on: contact where it

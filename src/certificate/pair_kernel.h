@@ -168,6 +168,16 @@ AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
   return Real(0x1p-48) * lengths * (Real(1.0) + intervals) / shrinks;
 }
 
+/// Most that B's path is ever off from what is sensed, m.
+template <typename Real>
+AVO_KERNEL Real error_of(const PackBraking<Real>& b, const StepLaw& law) {
+  if (law.is_exact()) return Real(0.0);
+  if (!law.has_free_clocks()) return braking_error(b.profile, law, b.intervals);
+  const auto& [position, velocity] = law.sensing_error;
+  return Real(position) + Real(velocity * law.time_step) * b.intervals +
+         drift_of(b.profile.speed, b.profile.decrement, law).most;
+}
+
 /// kWeighed: by priorities, which matter only where some differ.
 template <bool kWeighed = true, typename Real>
 AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& other,
@@ -190,10 +200,7 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
   pair.inflated = pair.contact +
                   rounding_margin(lengths, max(a.intervals, pair.b.intervals),
                                   law.has_free_clocks() ? one : min(pair.share, one - pair.share));
-  pair.error = Real(law.sensing_error.position) +
-               Real(law.sensing_error.velocity * law.time_step) * pair.b.intervals;
-  if (law.has_free_clocks())
-    pair.error = pair.error + drift_of(pair.b.profile.speed, pair.b.profile.decrement, law).most;
+  pair.error = error_of(pair.b, law);
   return pair;
 }
 

@@ -187,10 +187,11 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
 
 bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
                  const StepLaw& law) {
+  if (constraints.near.empty()) return true;
   // a disc that is at rest may swing all the same
-  const bool brakes = path.next_velocity == constraints.backup &&
-                      (path.first == Vec2{} || !(constraints.middle == Vec2{}));
-  if (constraints.near.empty() || brakes) return true;
+  if (path.next_velocity == constraints.backup &&
+      (path.first == Vec2{} || !(constraints.middle == Vec2{})))
+    return true;
   if (constraints.must_brake) return false;
   const Pieces pieces = pieces_of(constraints, path, law);
   return std::all_of(constraints.near.begin(), constraints.near.end(),

@@ -9,12 +9,7 @@ constexpr std::size_t kLeaf = 4;  // boxes
 
 Box hull(const std::vector<Box>& boxes, std::size_t first, std::size_t last) {
   Box result = boxes[first];
-  for (std::size_t i = first + 1; i < last; ++i) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      result.low[k] = std::min(result.low[k], boxes[i].low[k]);
-      result.high[k] = std::max(result.high[k], boxes[i].high[k]);
-    }
-  }
+  for (std::size_t i = first + 1; i < last; ++i) result = hull(result, boxes[i]);
   return result;
 }
 

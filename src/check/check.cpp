@@ -11,7 +11,9 @@
 
 #include "avo/error.h"
 #include "check/counts.h"
+#include "check/course.h"
 #include "check/duty.h"
+#include "check/kinematics.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
@@ -79,6 +81,8 @@ struct Check::State {
 
   void require_sound(double time, std::span<const CheckedState> rows) const;
   void judge_row(double time, const CheckedState& row);
+  void judge_step(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
+                  double time);
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
   void judge_arrival(double time, const CheckedState& row);
@@ -107,7 +111,7 @@ void Check::State::require_sound(double time, std::span<const CheckedState> rows
              std::to_string(lowest) + " to " + std::to_string(count - 1) +
                  ", each once and ascending");
     lowest = row.robot + 1;
-    judge::require_sound(row);
+    judge::require_sound(robots[static_cast<std::size_t>(row.robot)], row);
   }
 }
 
@@ -120,20 +124,31 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
   const double speeds = norm(before.velocity) + norm(now.velocity);
   const double acceleration = norm(change) / duration;
   report.largest_acceleration = std::max(report.largest_acceleration, acceleration);
-  const double a_max = robot.parked ? 0.0 : robot.max_acceleration;
+  const double a_max = robot.parked ? 0.0 : judge::reach_of(robot);
   const double most = a_max * (1.0 + options.relative_tolerance);
   if (norm(change) > most * (duration + step_rounding) + kEpsilon * speeds) {
-    ++report.accelerations.count;
-    note(report.accelerations, {last_time, now.robot, {}, acceleration - a_max});
+    judge::count(report.accelerations, {last_time, now.robot, {}, acceleration - a_max});
   }
   const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
   const double within = 0.5 * most * duration * (duration + 2.0 * step_rounding);
   const double rounding = kEpsilon * (norm(before.position) + norm(now.position)) +
                           (step_rounding + 2.0 * kEpsilon * duration) * speeds;
   if (jump > within + rounding) {
-    ++report.jumps.count;
-    note(report.jumps, {last_time, now.robot, {}, jump - within});
+    judge::count(report.jumps, {last_time, now.robot, {}, jump - within});
   }
+}
+
+void Check::State::judge_step(const CheckedRobot& robot, const CheckedState& before,
+                              const CheckedState& now, double time) {
+  if (judge::has_heading(robot, before, now)) {
+    ++report.with_heading;
+    const double time_rounding = kEpsilon * (std::abs(time) + std::abs(last_time));
+    return judge::judge_kinematics(
+        {robot, before, now, last_time, duration, time_rounding, options.relative_tolerance},
+        report);
+  }
+  if (!is_holonomic(robot.kinematics)) ++report.without_heading;
+  judge_limits(robot, before, now, time);
 }
 
 void Check::State::judge_arrival(double time, const CheckedState& row) {
@@ -156,13 +171,14 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   report.largest_speed = std::max(report.largest_speed, speed);
   const double v_max = robot.parked ? 0.0 : robot.max_speed;
   if (speed > v_max * (1.0 + options.relative_tolerance)) {
-    ++report.speeds.count;
-    note(report.speeds, {time, row.robot, {}, speed - v_max});
+    judge::count(report.speeds, {time, row.robot, {}, speed - v_max});
   }
+  if (row.heading && !is_holonomic(robot.kinematics))
+    judge::judge_heading(robot, row, time, options.relative_tolerance, report);
   judge_arrival(time, row);
   if (mine.at >= 0 && mine.at == times - 1) {
     ++report.robot_steps;
-    judge_limits(robot, mine.row, row, time);
+    judge_step(robot, mine.row, row, time);
     movers.push_back(judge::robot_mover(robot, mine.row, row, duration));
     report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
   } else {
@@ -174,16 +190,17 @@ void Check::State::judge_row(double time, const CheckedState& row) {
 }
 
 void Check::State::meet_robots(const Mover& a, const Mover& b) {
-  const judge::RelativePath path = judge::relative_path(a, b, duration);
+  const auto path = judge::relative_pieces(a, b, duration);
   const double contact = a.radius + b.radius, limit = overlap_distance(a, b);
   const std::uint64_t pair = key(a.index, b.index);
   const double best = report.least_clearance.value_or(kInfinity);
   // the rows themselves are not interpolated
-  const double at_rows = std::min(norm(path.control.front()), norm(path.control.back()));
+  const double at_start = norm(path.piece(0).control.front());
+  const double at_rows = std::min(at_start, norm(a.to - b.to));
   const double row_limit = contact * (1.0 - options.relative_tolerance);
   const double known = overlaps.contains(pair) ? row_limit - report.overlaps.worst : row_limit;
-  if (judge::lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
-  const judge::Instant nearest = judge::nearest_instant(path);
+  if (lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
+  const judge::Instant nearest = nearest_instant(path);
   report.least_clearance = std::min(best, nearest.distance - contact);
   const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
   if (!(depth > 0.0)) return;
@@ -191,10 +208,10 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
   CheckViolation overlap{last_time, a.index, b.index, depth};
   report.overlaps.worst = std::max(report.overlaps.worst, overlap.amount);
   if (report.overlaps.first && report.overlaps.first->time < last_time) return;
-  const double first_row = norm(path.control.front()) < row_limit ? 0.0 : 1.0;
+  const double first_row = at_start < row_limit ? 0.0 : 1.0;
   const double instant_seen = at_rows < row_limit ? first_row : nearest.fraction;
   overlap.time =
-      instant(a, b, std::min(judge::first_below(path, limit).value_or(instant_seen), instant_seen));
+      instant(a, b, std::min(first_below(path, limit).value_or(instant_seen), instant_seen));
   note(report.overlaps, overlap);
 }
 
@@ -202,17 +219,17 @@ void Check::State::meet_robots(const Mover& a, const Mover& b) {
 // the first and the last instant of the contact.
 void Check::State::meet_mover(const Mover& robot, const Mover& other, Contacts& known,
                               CheckCount& moving) {
-  const judge::RelativePath path = judge::relative_path(robot, other, duration);
+  const auto path = judge::relative_pieces(robot, other, duration);
   const double limit = overlap_distance(robot, other);
-  if (judge::lower_bound(path) > limit) return;
-  const double nearest = judge::nearest_instant(path).distance;
+  if (lower_bound(path) > limit) return;
+  const double nearest = nearest_instant(path).distance;
   if (!(nearest < limit)) return;
   const std::uint64_t pair = key(robot.index, other.index);
   insert(known.all, pair);
-  const double first = judge::first_below(path, limit).value_or(0.0);
-  const double last = judge::last_below(path, limit).value_or(1.0);
-  const double max_speed = robots[static_cast<std::size_t>(robot.index)].max_speed;
-  const double at_rest = kAtRest * (std::isinf(max_speed) ? 1.0 : max_speed);
+  const double first = first_below(path, limit).value_or(0.0);
+  const double last = last_below(path, limit).value_or(1.0);
+  const double at_rest =
+      kAtRest * judge::speed_scale(robots[static_cast<std::size_t>(robot.index)]);
   if (!(judge::speed_bound(robot, first, last, duration) > at_rest)) return;
   insert(known.moving, pair);
   note(moving, {instant(robot, other, first), robot.index, other.index, limit - nearest});
@@ -317,7 +334,9 @@ CheckReport Check::report() const {
 bool CheckReport::safe() const {
   return overlaps.count == 0 && obstacle_contacts_moving.count == 0 &&
          one_sided_contacts_moving.count == 0 && static_contacts.count == 0 &&
-         accelerations.count == 0 && speeds.count == 0 && jumps.count == 0;
+         accelerations.count == 0 && speeds.count == 0 && jumps.count == 0 && headings.count == 0 &&
+         turns.count == 0 && lateral_accelerations.count == 0 && reversals.count == 0 &&
+         slow_flights.count == 0 && wheel_speeds.count == 0 && wheel_accelerations.count == 0;
 }
 
 }  // namespace avo

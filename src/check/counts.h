@@ -17,4 +17,10 @@ inline void note(CheckCount& rule, const CheckViolation& violation) {
   if (!rule.first || place(violation) < place(*rule.first)) rule.first = violation;
 }
 
+/// Once more.
+inline void count(CheckCount& rule, const CheckViolation& violation) {
+  ++rule.count;
+  note(rule, violation);
+}
+
 }  // namespace avo::judge

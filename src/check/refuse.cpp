@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "check/course.h"
 #include "core/ranges.h"
 
 namespace avo::judge {
@@ -17,6 +18,26 @@ void require_limit(const std::string& name, double value, const char* unit) {
   if (!(std::isinf(value) && value > 0.0)) require(name, value, kPositive, unit);
 }
 
+void require_kinematics(const std::string& /*place*/, const CheckedHolonomic& /*any*/) {}
+
+void require_kinematics(const std::string& place, const CheckedCar& car) {
+  require(place + ".wheelbase", car.wheelbase, kPositive, "m");
+  require_limit(place + ".max_curvature", car.max_curvature, "1/m");
+  require(place + ".body_offset", car.body_offset, kAnyValue, "m");
+}
+
+void require_kinematics(const std::string& place, const CheckedDrive& drive) {
+  require(place + ".track", drive.track, kPositive, "m");
+  require(place + ".offset", drive.offset, kPositive, "m");
+  require_limit(place + ".wheel_speed", drive.wheel_speed, "m/s");
+  require_limit(place + ".wheel_acceleration", drive.wheel_acceleration, "m/s^2");
+}
+
+void require_kinematics(const std::string& place, const CheckedAirplane& airplane) {
+  require(place + ".min_speed", airplane.min_speed, kNotNegative, "m/s");
+  require_limit(place + ".lateral_acceleration", airplane.lateral_acceleration, "m/s^2");
+}
+
 }  // namespace
 
 void require_sound(const std::string& place, const CheckedRobot& robot) {
@@ -25,6 +46,8 @@ void require_sound(const std::string& place, const CheckedRobot& robot) {
   require_limit(place + ".max_speed", robot.max_speed, "m/s");
   require(place + ".interpolation_error", robot.interpolation_error, kNotNegative, "m");
   if (robot.goal) require(place + ".goal", *robot.goal, "m");
+  std::visit([&](const auto& kinematics) { require_kinematics(place + ".kinematics", kinematics); },
+             robot.kinematics);
 }
 
 void require_sound(const std::string& place, const CheckedObstacle& obstacle) {
@@ -55,12 +78,21 @@ void require_time(double time, std::optional<double> before) {
 }
 
 // The common case without a string: every row of a recording passes here.
-void require_sound(const CheckedState& row) {
+void require_sound(const CheckedRobot& robot, const CheckedState& row) {
   const auto good = [](Vec2 v) { return kAnyValue.contains(v.x) && kAnyValue.contains(v.y); };
-  if (good(row.position) && good(row.velocity)) return;
+  const bool has_heading = row.heading.has_value();
+  if (good(row.position) && good(row.velocity) &&
+      (!has_heading || good({row.heading->angle, row.heading->speed})) &&
+      (has_heading || is_holonomic(robot.kinematics) || !needs_heading(robot.kinematics)))
+    return;
   const std::string place = "robot " + std::to_string(row.robot);
   require(place + ": position", row.position, "m");
   require(place + ": velocity", row.velocity, "m/s");
+  if (!has_heading)
+    throw Error(place + ": heading: found none, must be there: its disc, or what its velocity is " +
+                "of, is ahead of its position");
+  require(place + ": heading", row.heading->angle, kAnyValue, "rad");
+  require(place + ": speed", row.heading->speed, kAnyValue, "m/s");
 }
 
 }  // namespace avo::judge

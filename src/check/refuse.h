@@ -15,6 +15,7 @@ void require_sound(const std::string& place, const CheckedWall& wall);
 void require_sound(const CheckOptions& options);
 /// Must come after the time `before`, if there is one.
 void require_time(double time, std::optional<double> before);
-void require_sound(const CheckedState& row);
+/// A row of that robot.
+void require_sound(const CheckedRobot& robot, const CheckedState& row);
 
 }  // namespace avo::judge

@@ -4,23 +4,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "check/course.h"
 #include "core/elementary.h"
 
 namespace avo::judge {
 namespace {
 
+// A mover from one knot to the next.
+struct Span {
+  Knot from, to;
+};
+
 // Differences first: far from the origin the rows are coarse, their differences are exact.
-RelativePath cubic(Vec2 from, Vec2 from_velocity, Vec2 to, Vec2 to_velocity, double duration) {
+RelativePath cubic(const Span& span, double duration) {
   const double third = duration / 3.0;
-  return {{from, from + third * from_velocity, to - third * to_velocity, to}};
+  return {{span.from.position, span.from.position + third * span.from.velocity,
+           span.to.position - third * span.to.velocity, span.to.position}};
 }
 
-// By how much the cubic may be off the arc of a car, m. With speed v, its change a and curvature κ,
-//   p'''' = (3 a² κ - v⁴ κ³) n - 6 a v² κ² e,   e along the heading, n across,
-// and a cubic through positions and velocities errs by at most Δt⁴ |p''''|/384. At rest there is no
-// heading to tell κ from; but |p''| <= a_max, and ∫|K(u, s)| ds of the interpolation's Peano kernel
-// is at most 1/16, at u = 1/2.
+Knot difference(const Knot& a, const Knot& b) {
+  return {a.position - b.position, a.velocity - b.velocity};
+}
+
+Knot knot_within(const Span& span, double duration, double u) {
+  const auto& [b0, b1, b2, b3] = cubic(span, duration).control;
+  const auto between = [u](Vec2 from, Vec2 to) { return (1.0 - u) * from + u * to; };
+  const Vec2 b01 = between(b0, b1), b12 = between(b1, b2), b23 = between(b2, b3);
+  const Vec2 b012 = between(b01, b12), b123 = between(b12, b23);
+  return {between(b012, b123), (3.0 / duration) * (b123 - b012)};
+}
+
+// Part k of the mover's own.
+Span own_span(const Mover& mover, std::size_t k) {
+  if (mover.knots.empty())
+    return {{mover.from, mover.from_velocity}, {mover.to, mover.to_velocity}};
+  return {mover.knots[k], mover.knots[k + 1]};
+}
+
+// Part k of as many as its own, or a multiple of them.
+Span span_of(const Mover& mover, double duration, std::size_t k, std::size_t parts) {
+  const std::size_t finer = parts / mover.parts(), i = k % finer;
+  const Span span = own_span(mover, k / finer);
+  const auto at = [&](std::size_t end) {
+    return knot_within(span, duration / static_cast<double>(mover.parts()),
+                       static_cast<double>(end) / static_cast<double>(finer));
+  };
+  return {i == 0 ? span.from : at(i), i + 1 == finer ? span.to : at(i + 1)};
+}
+
+// By how much the cubic may be off the arc of a car whose rows have no headings, m: see arc.cpp and
+// course.cpp. At rest there is no heading to tell the curvature from; but the acceleration is a_max
+// at most, and ∫|K(u, s)| ds of the interpolation's Peano kernel is at most 1/16, at u = 1/2.
 double arc_error(const CheckedState& before, const CheckedState& now, double max_acceleration,
                  double duration) {
   const double any = max_acceleration * duration * duration / 16.0;
@@ -37,21 +74,41 @@ double arc_error(const CheckedState& before, const CheckedState& now, double max
   return std::min(any, (along + across) / 384.0);
 }
 
+// Within one cubic; its velocity is the quadratic with control points 3d, blossomed: with its
+// control points over the part.
+double speed_within(const Span& span, double from, double to, double duration) {
+  const double third = duration / 3.0;
+  const Vec2 d0 = third * span.from.velocity, d2 = third * span.to.velocity;
+  const Vec2 d1 = (span.to.position - span.from.position) - (d0 + d2);
+  const auto blossom = [&](double s, double t) {
+    return (1.0 - s) * ((1.0 - t) * d0 + t * d1) + s * ((1.0 - t) * d1 + t * d2);
+  };
+  const double longest =
+      std::max({norm(blossom(from, from)), norm(blossom(from, to)), norm(blossom(to, to))});
+  return 3.0 * longest / duration;
+}
+
 }  // namespace
 
 Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                   double duration) {
-  Mover mover{before.position, before.velocity,           now.position, now.velocity,
-              robot.radius,    robot.interpolation_error, now.robot};
-  if (robot.car) mover.error += arc_error(before, now, robot.max_acceleration, duration);
+  Mover mover{
+      center_of(robot, before),  before.velocity, center_of(robot, now), now.velocity, robot.radius,
+      robot.interpolation_error, now.robot};
+  if (std::optional<Course> course = course_of(robot, before, now, duration)) {
+    mover.error += course->error;
+    mover.knots = std::move(course->knots);
+  } else if (!is_holonomic(robot.kinematics)) {
+    mover.error += arc_error(before, now, robot.max_acceleration, duration);
+  }
   if (robot.straight)
     mover.from_velocity = mover.to_velocity = (now.position - before.position) / duration;
   return mover;
 }
 
 Mover newcomer(const CheckedRobot& robot, const CheckedState& now) {
-  Mover mover{now.position, now.velocity, now.position,
-              now.velocity, robot.radius, robot.interpolation_error,
+  const Vec2 center = center_of(robot, now);
+  Mover mover{center,   now.velocity, center, now.velocity, robot.radius, robot.interpolation_error,
               now.robot};
   mover.newcomer = true;
   return mover;
@@ -70,36 +127,49 @@ Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double
   return mover;
 }
 
-RelativePath path_of(const Mover& mover, double duration, Vec2 origin) {
+RelativePath path_of(const Mover& mover, double duration, Vec2 origin, std::size_t k,
+                     std::size_t parts) {
   const Vec2 to = mover.to - origin;
   if (mover.newcomer) return {{to, to, to, to}};
-  return cubic(mover.from - origin, mover.from_velocity, to, mover.to_velocity, duration);
+  Span span = span_of(mover, duration, k, parts);
+  span.from.position = span.from.position - origin;
+  span.to.position = span.to.position - origin;
+  return cubic(span, duration / static_cast<double>(parts));
 }
 
-RelativePath relative_path(const Mover& a, const Mover& b, double duration) {
+RelativePath relative_path(const Mover& a, const Mover& b, double duration, std::size_t k,
+                           std::size_t parts) {
   const Vec2 to = a.to - b.to;
   if (end_only(a, b)) return {{to, to, to, to}};
-  return cubic(a.from - b.from, a.from_velocity - b.from_velocity, to,
-               a.to_velocity - b.to_velocity, duration);
+  const Span one = span_of(a, duration, k, parts), other = span_of(b, duration, k, parts);
+  return cubic({difference(one.from, other.from), difference(one.to, other.to)},
+               duration / static_cast<double>(parts));
 }
 
 Box box_of(const Mover& mover, std::size_t owner, double duration) {
-  return box_around(path_of(mover, duration).control, mover.radius, owner);
+  const std::size_t parts = mover.parts();
+  const auto box_of_part = [&](std::size_t k) {
+    return box_around(path_of(mover, duration, {}, k, parts).control, mover.radius, owner);
+  };
+  Box box = box_of_part(0);
+  for (std::size_t k = 1; k < parts; ++k) box = hull(box, box_of_part(k));
+  return box;
 }
 
 double speed_bound(const Mover& mover, double from_fraction, double to_fraction, double duration) {
   if (mover.newcomer) return norm(mover.to_velocity);
-  const double third = duration / 3.0;
-  const Vec2 d0 = third * mover.from_velocity, d2 = third * mover.to_velocity;
-  const Vec2 d1 = (mover.to - mover.from) - (d0 + d2);
-  // the quadratic with control points 3d, blossomed: its control points over the part
-  const auto blossom = [&](double s, double t) {
-    return (1.0 - s) * ((1.0 - t) * d0 + t * d1) + s * ((1.0 - t) * d1 + t * d2);
+  const auto parts = static_cast<double>(mover.parts());
+  const auto last = mover.parts() - 1;
+  const auto part_at = [&](double fraction) {
+    return std::min(static_cast<std::size_t>(parts * fraction), last);
   };
-  const double longest = std::max({norm(blossom(from_fraction, from_fraction)),
-                                   norm(blossom(from_fraction, to_fraction)),
-                                   norm(blossom(to_fraction, to_fraction))});
-  return 3.0 * longest / duration;
+  double most = 0.0;
+  for (std::size_t k = part_at(from_fraction); k <= part_at(to_fraction); ++k) {
+    const double from = std::max(parts * from_fraction - static_cast<double>(k), 0.0);
+    const double to = std::min(parts * to_fraction - static_cast<double>(k), 1.0);
+    most = std::max(most, speed_within(own_span(mover, k), from, to, duration / parts));
+  }
+  return most;
 }
 
 }  // namespace avo::judge

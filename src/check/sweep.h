@@ -40,6 +40,15 @@ inline Box box_around(std::span<const Vec2> points, double radius, std::size_t o
   return box;
 }
 
+/// Holds both; owned by the first one's owner.
+inline Box hull(Box a, const Box& b) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    a.low[k] = std::min(a.low[k], b.low[k]);
+    a.high[k] = std::max(a.high[k], b.high[k]);
+  }
+  return a;
+}
+
 /// The axis along which the boxes spread farther.
 inline std::size_t wider_axis(const std::vector<Box>& boxes) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

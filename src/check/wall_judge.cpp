@@ -39,7 +39,11 @@ void WallJudge::judge(const Mover& robot, const Step& step) {
 
 void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
   const auto& [a, b, wall_radius] = walls_[wall];
-  const WallPath path{path_of(robot, step.duration, a), b - a};
+  const std::size_t parts = robot.parts();
+  const auto piece = [&, a = a, b = b](std::size_t k) {
+    return WallPath{path_of(robot, step.duration, a, k, parts), b - a};
+  };
+  const Pieces<decltype(piece)> path{parts, piece};
   const double contact = robot.radius + wall_radius;
   // the rows themselves are not interpolated
   const double row_limit = contact * (1.0 - step.relative_tolerance);
@@ -48,7 +52,7 @@ void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
   if (lower_bound(path) > std::max(contact + best, row_limit) * (1.0 + 1e-12)) return;
   const Instant nearest = nearest_instant(path);
   least_clearance_ = std::min(best, nearest.distance - contact);
-  const double at_start = distance_at(path, 0.0), at_end = distance_at(path, 1.0);
+  const double at_start = distance_at(piece(0), 0.0), at_end = distance_at(piece(parts - 1), 1.0);
   const double at_rows = std::min(at_start, at_end);
   const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
   if (!(depth > 0.0)) return;

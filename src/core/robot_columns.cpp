@@ -35,6 +35,7 @@ void RobotColumns::add(const Robot& robot, const Neighbors& sensed) {
   max_acceleration[count] = robot.max_acceleration, max_speed[count] = robot.max_speed;
   heading[count] = robot.heading;
   model.push_back(is_holonomic(robot.model) ? nullptr : &robot.model);
+  has_models = has_models || model.back() != nullptr;
   priority[count] = robot.priority;
   if (robot.loiter) {
     loiter.resize(count, nullptr);

@@ -22,6 +22,7 @@ struct RobotColumns {
   Column heading;                      // rad; read where there is a model
   Column priority;
   std::vector<const MotionModel*> model;    // of holonomic robots none
+  bool has_models = false;                  // some are not holonomic
   std::vector<Neighbors> neighbors;         // that each senses, nearest first
   std::vector<const LoiterCircle*> loiter;  // of airplanes; empty where nobody is one
 
@@ -29,6 +30,7 @@ struct RobotColumns {
   void clear() {
     count = 0;
     model.clear();
+    has_models = false;
     neighbors.clear();
     loiter.clear();
   }

@@ -11,6 +11,8 @@
 
 // Every part of a kernel carries it: a call would cost more than what it does.
 #define AVO_KERNEL inline __attribute__((always_inline))
+// What is rare and would make what is not slower by being inlined.
+#define AVO_RARE_KERNEL static __attribute__((noinline))
 
 // A kernel header, *_kernel.h, is compiled once per pass: first for the pack above, then once for
 // each instruction set, beginning with core/lanes.h, which forgets the guards of all kernel headers

@@ -13,6 +13,7 @@
 
 #include "avo/velocity_obstacle.h"
 #include "metrics/body.h"
+#include "metrics/first_sights.h"
 #include "metrics/not_arrived.h"
 #include "metrics/wall_contacts.h"
 #include "neighbors/uniform_grid.h"
@@ -40,6 +41,8 @@ Avoidance avoidance(const RobotSetup& a, const RobotSetup& b) {
 }  // namespace
 
 struct Metrics::State {
+  explicit State(const Scenario& scenario) : settings(scenario), first_sights(scenario) {}
+
   Scenario settings;
   std::optional<Response> response;  // of robots that move by Eqs. (8), (9)
   RunSummary summary;
@@ -48,6 +51,7 @@ struct Metrics::State {
       collided_with_obstacle;
   std::set<std::uint64_t> parked;
   std::vector<double> step_milliseconds;
+  FirstSights first_sights;
 
   bool started = false;
   double last_time = 0.0;
@@ -251,8 +255,7 @@ void Metrics::State::observe_arrivals(const Simulation& simulation) {
   for (const RobotId robot : simulation.unreachable()) summary.unreachable.push_back(robot.value);
 }
 
-Metrics::Metrics(const Scenario& scenario) : state_(std::make_unique<State>()) {
-  state_->settings = scenario;
+Metrics::Metrics(const Scenario& scenario) : state_(std::make_unique<State>(scenario)) {
   if (!adopts_at_once(scenario.method) && scenario.motion == Motion::exponential)
     state_->response = Response::proportional(planner_options(scenario).control_time);
   state_->settings.robots.clear();
@@ -267,6 +270,7 @@ void Metrics::observe(const Simulation& simulation) {
   State& state = *state_;
   state.observe_arrivals(simulation);
   state.observe_limits(simulation);
+  state.first_sights.observe(simulation);
   if (!state.started) state.remember(simulation);  // before the first step nothing moves
   state.collect_robots(simulation);
   state.collect_obstacles(simulation);
@@ -301,6 +305,7 @@ RunSummary Metrics::summary() const {
   summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
   summary.collision_obstacles = static_cast<std::int64_t>(state_->walls.touched.size());
   summary.min_obstacle_clearance = state_->walls.least_clearance;
+  summary.first_seen_too_late = state_->first_sights.too_late();
   for (std::size_t i = 0; i < state_->last.robots.size(); ++i) {
     if (summary.not_arrived.size() == kMostListed) break;
     if (state_->arrival.at(state_->last.robots[i].id.value)) continue;

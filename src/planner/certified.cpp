@@ -31,17 +31,10 @@ struct Proposals {
   // with what the robot's own motion can follow alone
   void begin() const {
     workspace.hard.clear();
-    append_own_half_planes(robot, law.step.braking_time, workspace.hard);
+    if (!is_holonomic(robot.model))
+      append_own_half_planes(robot, law.step.braking_time, workspace.hard);
   }
 };
-
-// m/s. Others count on no more than |v| + u of whoever decides, which the corners of a square
-// exceed; and the disc of a car that turns about its axle comes farther than the axle.
-double top_speed_of(const Robot& robot, double u) {
-  constexpr double kForTurning = 0.9;
-  if (!may_exceed_reach(robot.model)) return robot.max_speed;
-  return std::min(norm(robot.velocity) + kForTurning * u, robot.max_speed);
-}
 
 ProgramResult propose(const Proposals& proposals, double top_speed) {
   return nearest_point(proposals.workspace.hard, proposals.acceleration, top_speed,
@@ -100,11 +93,14 @@ void append_cuts(const Proposals& proposals) {
 // bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   proposals.begin();
+  const bool has_own_planes = !proposals.workspace.hard.empty();
   for (int round = 0; round < kRounds; ++round) {
     ProgramResult result;
     result.point = proposals.wanted;
     if (round > 0 || !is_within_limits(proposals)) result = propose(proposals, proposals.top_speed);
     if (result.state == ProgramState::discs_disjoint) break;
+    // it gives way in all half-planes, those of the robot's own motion too
+    if (result.state == ProgramState::least_unsafe && has_own_planes) break;
     if (is_admitted(proposals, result.point)) {
       return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};
     }
@@ -163,8 +159,12 @@ CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const Certific
                                  CertifiedWorkspace& workspace) {
   const double u = braking_decrement(robot.max_acceleration, law.step);
   const Proposals proposals{
-      robot,  law,      {robot.velocity, reach_of(robot.model) * u}, top_speed_of(robot, u),
-      wanted, workspace};
+      robot,
+      law,
+      {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
+      is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
+      wanted,
+      workspace};
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
                                                     : choose_by_cuts(proposals);
 }

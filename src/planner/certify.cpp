@@ -9,6 +9,7 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/scratch.h"
+#include "planner/state.h"
 #include "robots/model.h"
 
 namespace avo {
@@ -40,9 +41,15 @@ struct Decision {
   std::span<const HalfPlane> half_planes, walls;
   CertifiedWorkspace& certified;
 
+  // As far as one step leads to v.
+  Vec2 reached(Vec2 v) const {
+    const Vec2 next = approach(robot.velocity, v, reach());
+    return is_holonomic(robot.model) ? next : within_own_limits(robot, law.step.braking_time, next);
+  }
   // m/s, of the farthest choice
   double reach() const {
-    return reach_of(robot.model) * braking_decrement(robot.max_acceleration, law.step);
+    const double u = braking_decrement(robot.max_acceleration, law.step);
+    return is_holonomic(robot.model) ? u : reach_of(robot.model) * u;
   }
 };
 
@@ -55,8 +62,7 @@ CertifiedChoice choose_by_program(const Decision& decision, std::span<const Half
                                   Vec2 wish) {
   const ProgramResult result = nearest_point(
       half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
-  return choose_admitted(decision,
-                         approach(decision.robot.velocity, result.point, decision.reach()));
+  return choose_admitted(decision, decision.reached(result.point));
 }
 
 // unhindered: as far as one step leads to the wish.
@@ -86,7 +92,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   }
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
     const Vec2 turned = within_steering(robot, turned_right(wish, detour.angle));
-    const Vec2 unhindered = approach(robot.velocity, turned, decision.reach());
+    const Vec2 unhindered = decision.reached(turned);
     choice = choose_by_program(decision, decision.walls, turned);
     if (is_way_blocked(decision, choice, unhindered, turned))
       turn_off(detour, robot, time_step, !decision.walls.empty());
@@ -147,9 +153,14 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   const double u = braking_decrement(robot.max_acceleration, law.step);
   const Vec2 wanted = approach(robot.velocity, target.velocity, reach_of(robot.model) * u);
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  return plan_under(law, robot, choice.next_velocity,
-                    status_of(choice.chosen, target.violation, certified.constraints, overlapping),
-                    target.violation);
+  Plan plan =
+      plan_under(law, robot, choice.next_velocity,
+                 status_of(choice.chosen, target.violation, certified.constraints, overlapping),
+                 target.violation);
+  plan.state =
+      state_of(robot, certified.constraints.alone.neighbors[0], walls, law, certified.constraints)
+          .state;
+  return plan;
 }
 
 }  // namespace avo

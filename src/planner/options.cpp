@@ -71,6 +71,9 @@ const char* to_string(NoiseDistribution distribution) {
 const char* to_string(PlanStatus status) {
   return name_of(status);
 }
+const char* to_string(SafetyState state) {
+  return name_of(state);
+}
 
 PlannerOptions default_options(Method method) {
   PlannerOptions options;

@@ -31,6 +31,8 @@ AVO_LOCAL inline constexpr std::array kNames<NoiseDistribution>{"gaussian", "uni
 template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"};
+template <>
+AVO_LOCAL inline constexpr std::array kNames<SafetyState>{"unknown", "safe", "doomed"};
 
 template <typename Choice>
 const char* name_of(Choice choice) {

@@ -181,7 +181,8 @@ Planner::Planner(const PlannerOptions& options) : options_(options) {
 
 Disc Planner::acceleration_disc(const Robot& robot) const {
   if (adopts_at_once(options_.method)) return {{}, std::numeric_limits<double>::infinity()};
-  return {robot.velocity, reach_of(robot.model) * options_.control_time * robot.max_acceleration};
+  const double most = options_.control_time * robot.max_acceleration;
+  return {robot.velocity, is_holonomic(robot.model) ? most : reach_of(robot.model) * most};
 }
 
 Disc Planner::speed_disc(const Robot& robot) const {

@@ -14,6 +14,7 @@
 #include "planner/demands.h"
 #include "planner/flight.h"
 #include "planner/scratch.h"
+#include "planner/state.h"
 #include "robots/model.h"
 
 namespace avo {
@@ -40,7 +41,8 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   const bool unlimited = adopts_at_once(planner.options().method);
   const double control_time = planner.options().control_time;
   for (std::size_t i = 0; i < robots.count; ++i) {
-    const double reach = robots.model[i] == nullptr ? 1.0 : reach_of(*robots.model[i]);
+    const MotionModel* model = robots.has_models ? robots.model[i] : nullptr;
+    const double reach = model == nullptr ? 1.0 : reach_of(*model);
     const Disc acceleration =
         unlimited ? Disc{{}, std::numeric_limits<double>::infinity()}
                   : Disc{robots.velocity(i), reach * control_time * robots.max_acceleration[i]};
@@ -60,7 +62,8 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
 
 // Whether walls or its own motion demand anything of robot i.
 bool has_demands(const Tile& tile, std::size_t i) {
-  return !tile.walls_of(i).empty() || tile.robots.model[i] != nullptr;
+  const MotionModel* model = tile.robots.model[i];
+  return !tile.walls_of(i).empty() || (model != nullptr && has_own_half_planes(*model));
 }
 
 // The half-planes of robot i: those of its walls and of its own motion, which are scratch.demands,
@@ -179,8 +182,11 @@ void reach_out(const RobotColumns& robots, std::size_t i, const StepLaw& law,
                const DecisionColumns& decisions, Wished& wished) {
   const double u = reach_of(*robots.model[i]) * braking_decrement(robots.max_acceleration[i], law);
   const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-  wished.next = approach(robots.velocity(i), target, u);
-  wished.unhindered = approach(robots.velocity(i), wished.wish, u);
+  const Robot robot = robots.robot(i);
+  const auto towards = [&](Vec2 v) {
+    return within_own_limits(robot, law.braking_time, approach(robot.velocity, v, u));
+  };
+  wished.next = towards(target), wished.unhindered = towards(wished.wish);
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
@@ -190,6 +196,8 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
   const SoftPlanes& soft = scratch.soft;
   DecisionColumns& decisions = scratch.decisions;
   NearPairs& near = scratch.certified.constraints.near;
+  const SafetyState state_if_free =
+      law.kind == Certificate::none ? SafetyState::unknown : SafetyState::safe;
   find_near(robots, law, scratch.certified.constraints);
   decide_freely(law.step, robots, decisions);
   if (law.kind == Certificate::braking_trajectories) {
@@ -203,6 +211,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
       plan = fly_towards(planner, robots.robot(i), robots.neighbors[i], tile.walls_of(i),
                          {target, violation, overlapping}, scratch.flight);
+      plan.state = scratch.flight.broken ? SafetyState::unknown : state_if_free;
       continue;
     }
     WallConstraints& walls = scratch.certified.constraints.walls;
@@ -212,6 +221,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
       plan.violation = violation;
       plan.status = status_of(overlapping, violation);
+      plan.state = state_if_free;
       continue;
     }
     std::span<const HalfPlane> planes = soft.of(i), hard;
@@ -226,8 +236,15 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                   {decisions.unhindered_x[i], decisions.unhindered_y[i]},
                   violation,
                   overlapping};
-    if (robots.model[i] != nullptr) reach_out(robots, i, law.step, decisions, wished);
+    if (robots.model[i] != nullptr && has_own_half_planes(*robots.model[i]))
+      reach_out(robots, i, law.step, decisions, wished);
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
+    const CertificateConstraints& constraints = scratch.certified.constraints;
+    plan.state =
+        braking_keeps_clear(constraints) && !tile.neighbors.has_movers
+            ? state_if_free
+            : state_of(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law, constraints)
+                  .state;
   }
 }
 
@@ -292,7 +309,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
-  steer(tile.robots);
+  if (tile.robots.has_models) steer(tile.robots);
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);
@@ -301,7 +318,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_wishes(planner, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
-  keep_to_demands(planner, tile, scratch);
+  if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);
   clock.lap(Stage::program);
   if (options.method == Method::avo) {
     decide(planner, tile, scratch);

@@ -165,19 +165,54 @@ Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
   return stray;
 }
 
-// Along the heading a_max; across it a_max or v² κ_max. At rest it has to drive before it turns.
+// Others count on no more than |v| + u of whoever decides, which the corners of the square exceed;
+// and the disc of a car that turns about its axle comes farther than the axle.
+double top_speed_of(const Car& car, const Robot& robot, double u) {
+  constexpr double kForTurning = 0.9;
+  if (!may_exceed_reach(robot.model)) return std::numeric_limits<double>::infinity();
+  return norm(robot.velocity) + (offset_of(car) == 0.0 ? u : kForTurning * u);
+}
+
+namespace {
+
+// Of a_lin and of v² κ, m/s²; infinite where |a| <= a_max says it all. At rest a car has to drive
+// before it turns.
+struct OwnLimits {
+  double along, across;
+};
+
+OwnLimits own_limits(const Car& car, const Robot& robot) {
+  const double infinity = std::numeric_limits<double>::infinity(), a_max = robot.max_acceleration;
+  const bool exact = car.acceleration_set == AccelerationSet::exact;
+  const double turning =
+      turns_in_place(car) ? infinity : dot(robot.velocity, robot.velocity) * sharpest(car);
+  if (exact) return {a_max, std::min(a_max, turning)};
+  return {infinity, turning < a_max ? turning : infinity};
+}
+
+}  // namespace
+
+Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v) {
+  const Vec2 h = elementary::direction(robot.heading), change = v - robot.velocity;
+  const auto [along, across] = own_limits(car, robot);
+  const Vec2 result =
+      robot.velocity + std::clamp(dot(h, change), -along * time, along * time) * h +
+      std::clamp(cross(h, change), -across * time, across * time) * perpendicular(h);
+  const double speed = norm(result);
+  const double top = top_speed_of(robot, robot.max_acceleration * time);
+  return speed > top ? (top / speed) * result : result;
+}
+
 void append_own_half_planes(const Car& car, const Robot& robot, double time,
                             std::vector<HalfPlane>& half_planes) {
-  const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h), v = robot.velocity;
+  const Vec2 h = elementary::direction(robot.heading), v = robot.velocity;
   const auto bound = [&](Vec2 normal, double most) {
-    half_planes.push_back({normal, dot(normal, v) - most});
-    half_planes.push_back({-normal, -dot(normal, v) - most});
+    if (most == std::numeric_limits<double>::infinity()) return;
+    half_planes.push_back({normal, dot(normal, v) - most * time});
+    half_planes.push_back({-normal, -dot(normal, v) - most * time});
   };
-  const double a_max = robot.max_acceleration;
-  const double lateral = turns_in_place(car) ? a_max : std::min(a_max, dot(v, v) * sharpest(car));
-  const bool exact = car.acceleration_set == AccelerationSet::exact;
-  if (exact) bound(h, a_max * time);
-  if (exact || lateral < a_max) bound(n, lateral * time);
+  const auto [along, across] = own_limits(car, robot);
+  bound(h, along), bound(perpendicular(h), across);
 }
 
 }  // namespace avo

@@ -2,6 +2,7 @@
 // The one place that tells motion models apart.
 #include "robots/model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -60,6 +61,21 @@ double reach_of(const MotionModel& model) {
   const Car* car = std::get_if<Car>(&model);
   const bool exact = car != nullptr && car->acceleration_set == AccelerationSet::exact;
   return exact ? std::numbers::sqrt2 : 1.0;
+}
+
+double top_speed_of(const Robot& robot, double u) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? std::min(top_speed_of(*car, robot, u), robot.max_speed) : robot.max_speed;
+}
+
+Vec2 within_own_limits(const Robot& robot, double time, Vec2 v) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return has_own_half_planes(robot.model) ? within_own_limits(*car, robot, time, v) : v;
+}
+
+bool has_own_half_planes(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr && (!turns_in_place(*car) || reach_of(model) > 1.0);
 }
 
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {

@@ -54,6 +54,13 @@ Vec2 steered(const Robot& robot);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
 
+/// m/s, after a step that a_max changes by u: what the program is given.
+double top_speed_of(const Robot& robot, double u);
+/// m/s: v, or what comes near it of the velocities that the robot can have after `time` s.
+Vec2 within_own_limits(const Robot& robot, double time, Vec2 v);
+
+bool has_own_half_planes(const MotionModel& model);
+
 /// append_own_half_planes() appends no more.
 inline constexpr std::size_t kMostOwnPlanes = 4;
 

@@ -69,7 +69,6 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
     robots.heading[k] = fleet.heading[slot];
-    robots.model.push_back(fleet.own_model(slot));
     robots.priority[k] = fleet.conduct[slot].priority;
     if (!fleet.flights.empty()) {
       const Flight* own = fleet.flight(slot);
@@ -81,13 +80,18 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     tile.plan.push_back(&fleet.plan[slot]);
     tile.slot.push_back(slot);
   }
+  robots.model.assign(slots.size(), nullptr);
+  for (std::size_t k = 0; k < slots.size() && !fleet.models.empty(); ++k) {
+    robots.model[k] = fleet.own_model(slots[k]);
+    robots.has_models = robots.has_models || robots.model[k] != nullptr;
+  }
   if (!world.statics.walls.empty()) {
     for (const std::uint32_t slot : slots) {
       tile.walls.push_back(world.statics.grid.near(fleet.position[slot]));
     }
   }
   if (!world.ways.empty()) follow_ways(world, slots, worker);
-  aim_discs(fleet, slots, worker);
+  if (robots.has_models) aim_discs(fleet, slots, worker);
   choose_ways(world.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
 }

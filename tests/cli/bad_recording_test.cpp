@@ -45,6 +45,12 @@ TEST(BadRecording, bad_recordings_take_one_line_and_exit_with_3) {
          "5: time: found 0.1 s, must be >= 0.2 s, the time before");
   expect(kHeader + "0,3,0,0,0,0\n0,1,5,0,0,0\n0,3,0,0,0,0\n",
          "4: robot: found 3 again at 0 s, must be once a time (line 2)");
+  const std::string headings = "time,robot,x,y,vx,vy,speed,heading\n";
+  expect(headings + "0,0,0,0,0,0,0,north\n",
+         "2: heading: found \"north\", must be a finite number");
+  expect(headings + "0,0,0,0,0,0,,1\n", "2: speed: found \"\", must be a finite number");
+  expect("time,robot,x,y,vx,vy,speed,heading,speed\n",
+         "1: found column \"speed\" more than once, " + names);
   expect(kHeader + std::string(70'000, '1'),
          "2: found more than 65536 characters, a line must be shorter");
   expect(kHeader + "0,0,0,0,0," + std::string("\0\n", 2),

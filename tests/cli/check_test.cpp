@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo check: verdicts by exit code, words and JSON; recordings of anyone, good and bad.
+#include <cmath>
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <string>
@@ -87,7 +88,7 @@ TEST(Check, judges_orca_on_straight_lines) {
   EXPECT_GT(json["accelerations"]["count"], 0);
 }
 
-TEST(Check, cars_and_exponential_motion_are_known_to_an_error) {
+TEST(Check, exponential_motion_is_known_to_an_error_and_cars_by_their_headings) {
   const Recorded motion = record({"circle-6", "--set", "motion=exponential", "--set",
                                   "control_time=0.5", "--set", "duration=8"});
   const Json exponential =
@@ -98,8 +99,103 @@ TEST(Check, cars_and_exponential_motion_are_known_to_an_error) {
   EXPECT_EQ(exponential["safe"], true);
   const Recorded cars = record({"cars-100", "--set", "duration=3"});
   const ProcessResult result = run_avo({"check", cars.csv, "--scene", "cars-100"});
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+  EXPECT_NE(result.out.find("  with headings      3000 robot-steps, no limit of wheels or wings "
+                            "broken\n"),
+            std::string::npos)
+      << result.out;
+}
+
+/// The recording without its last two columns, as of cars they once were.
+std::string without_headings(const std::string& path) {
+  std::string text;
+  for (const std::string& line : lines_of(read_file(path)))
+    text += line.substr(0, line.rfind(',', line.rfind(',') - 1)) + "\n";
+  return text;
+}
+
+TEST(Check, recordings_of_cars_without_headings_are_judged_by_their_velocities) {
+  const Recorded cars = record({"cars-100", "--set", "duration=3"});
+  ASSERT_TRUE(read_file(cars.csv).starts_with("time,robot,x,y,vx,vy,heading,speed\n"));
+  const ProcessResult result = check(without_headings(cars.csv), {"--scene", "cars-100"});
+  EXPECT_EQ(result.exit_code, 0) << result.out;
   EXPECT_NE(result.out.find("  paths known to     0.000625 m\n"), std::string::npos)
       << "a_max Δt²/16, where they start: " << result.out;
+  EXPECT_EQ(result.err,
+            "warning: 3000 of 3000 robot-steps are of robots without headings in the recording; "
+            "their velocities are judged, and not where they face\n");
+  // its disc is ahead of its position: nobody knows where
+  const std::string body = "groups.0.car.body={offset: 0.5, radius: 0.9}";
+  const ProcessResult unknown =
+      check(without_headings(cars.csv), {"--scene", "cars-100", "--set", body});
+  EXPECT_EQ(unknown.exit_code, 3);
+  EXPECT_EQ(unknown.err, path_of("in.csv") +
+                             ":101: robot 0: heading: found none, must be there: its disc, or what "
+                             "its velocity is of, is ahead of its position\n");
+}
+
+// 40 of them on 30 m x 30 m; bodies ahead, behind and about the axle.
+TEST(Check, cars_of_all_settings_keep_their_limits) {
+  const std::string settings[] = {
+      "wheelbase: 1",
+      "wheelbase: 1, acceleration_set: exact, reverse: true",
+      "wheelbase: 1, max_curvature: 0.8, body: {offset: 0.5, radius: 0.9}",
+      "wheelbase: 1, max_curvature: 0.8, body: {offset: 0.5, radius: 0.9}, acceleration_set: exact",
+      "wheelbase: 1, max_curvature: 0.5, body: {offset: -0.4, radius: 0.8}, acceleration_set: "
+      "exact, reverse: true",
+      "wheelbase: 1, body: {offset: 0.5, radius: 0.9}"};
+  for (const std::string& car : settings) {
+    const std::string box = "{random: {min: [-15, -15], max: [15, 15], clearance: 0.9}}";
+    write_file(path_of("cars.yaml"),
+               "version: 1\nname: cars\nseed: 1\nduration: 30\ngroups:\n  - number: 40\n"
+               "    radius: 0.5\n    max_speed: 2\n    max_acceleration: 1\n    model: car\n"
+               "    heading: random\n    placement: " +
+                   box + "\n    goals: " + box + "\n    car: {" + car + "}\n");
+    const Recorded run = record({path_of("cars.yaml")});
+    const ProcessResult result =
+        run_avo({"check", run.csv, "--scene", path_of("cars.yaml"), "--json"});
+    EXPECT_EQ(result.exit_code, 0) << car << "\n" << result.out;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["with_heading"], 12'000);
+    EXPECT_NEAR(json["least_clearance"], run.summary["min_clearance"], 1e-6);
+  }
+}
+
+// A car and a robot without heading, which leaves the fields empty.
+const std::string kScene =
+    "version: 1\nname: mixed\nduration: 1\nrobots:\n"
+    "  - {position: [0, 0], goal: [9, 0], radius: 0.5, max_speed: 2, max_acceleration: 1,\n"
+    "     model: car, heading: 0.5, car: {wheelbase: 1, max_curvature: 0.8}}\n"
+    "  - {position: [0, 5], goal: [9, 5], radius: 0.5, max_speed: 2, max_acceleration: 1}\n";
+
+TEST(Check, headings_of_mixed_scenes) {
+  write_file(path_of("mixed.yaml"), kScene);
+  const Recorded run = record({path_of("mixed.yaml")});
+  const Strings lines = lines_of(read_file(run.csv));
+  EXPECT_EQ(lines[0], "time,robot,x,y,vx,vy,heading,speed");
+  EXPECT_EQ(lines[1], "0,0,0,0,0,0,0.5,0");
+  EXPECT_EQ(lines[2], "0,1,0,5,0,0,,");
+  const Json json =
+      Json::parse(run_avo({"check", run.csv, "--scene", path_of("mixed.yaml"), "--json"}).out);
+  EXPECT_EQ(json["passed"], true);
+  EXPECT_EQ(json["with_heading"], 10);
+  EXPECT_EQ(json["without_heading"], 0);
+  // it slides aside
+  const std::string header = "time,robot,x,y,vx,vy,heading,speed\n";
+  const ProcessResult slid = check(header + "0,0,0,0,0,1,0,1\n0.1,0,0,0.1,0,1,0,1\n",
+                                   {"--scene", path_of("mixed.yaml"), "--json"});
+  EXPECT_EQ(slid.exit_code, 1);
+  const Json slide = Json::parse(slid.out);
+  EXPECT_EQ(slide["headings"]["count"], 2);
+  EXPECT_NEAR(slide["headings"]["worst"], std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(slide["jumps"]["count"], 1);
+  const ProcessResult sharp = check(header + "0,0,0,0,1,0,0,1\n0.1,0,0.1,0,1,0.1,0.1,1\n",
+                                    {"--scene", path_of("mixed.yaml")});
+  EXPECT_EQ(sharp.exit_code, 1);
+  EXPECT_NE(sharp.out.find("  turns              1 robot-steps too sharp, the first at 0 s: robot "
+                           "0, by 0.02 rad\n"),
+            std::string::npos)
+      << sharp.out;
 }
 
 TEST(Check, says_what_it_found_in_words) {
@@ -157,6 +253,15 @@ TEST(Check, json_has_all_keys_in_order) {
                            "accelerations",
                            "speeds",
                            "jumps",
+                           "headings",
+                           "turns",
+                           "lateral_accelerations",
+                           "reversals",
+                           "slow_flights",
+                           "wheel_speeds",
+                           "wheel_accelerations",
+                           "with_heading",
+                           "without_heading",
                            "least_clearance",
                            "least_static_clearance",
                            "largest_acceleration",

@@ -176,6 +176,45 @@ TEST(Explain, orca_has_no_acceleration_disc) {
   EXPECT_TRUE(json["acceleration_disc"].is_null());
 }
 
+TEST(Explain, tells_what_is_proved_of_the_state) {
+  const Strings starts{"positions-exchange",
+                       "--robot",
+                       "0",
+                       "--set",
+                       kPaper,
+                       "--set",
+                       "robots.0={position: [-2.5, 0], velocity: [2, 0], goal: [20, 0]}",
+                       "--set"};
+  const auto meeting = [&](const char* other) {
+    Strings words = starts;
+    words.push_back(other);
+    return words;
+  };
+  const Strings near = meeting("robots.1={position: [-0.5, 0], velocity: [-2, 0], goal: [-20, 0]}");
+  Json json = explained(near);
+  EXPECT_EQ(json["state"], "doomed");
+  EXPECT_EQ(json["doomed_by"], 1);
+  EXPECT_GT(json["contact_within"], 0.0);
+  EXPECT_LT(json["contact_within"], 1.0);
+  json = explained(meeting("robots.1={position: [9, 0], velocity: [-2, 0], goal: [-20, 0]}"));
+  EXPECT_EQ(json["state"], "safe");
+  EXPECT_TRUE(json["doomed_by"].is_null());
+  EXPECT_TRUE(json["contact_within"].is_null());
+  Strings walled = meeting("robots.1={position: [9, 9], goal: [20, 9]}");
+  walled.insert(walled.end(), {"--set", "obstacles=[{polyline: [[-1, -8], [-1, 8]]}]"});
+  EXPECT_EQ(explained(walled)["doomed_by"], "walls.0");
+
+  Strings words{"explain"};
+  words.insert(words.end(), near.begin(), near.end());
+  words.insert(words.end(), {"--states", path_of("states.svg"), "--figure", path_of("why.svg")});
+  const ProcessResult result = run_avo(words);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("  state               doomed: contact with robot 1 within "),
+            std::string::npos)
+      << result.out;
+  EXPECT_EQ(files_in(folder()), (Strings{"states.svg", "why.svg"}));
+}
+
 TEST(Explain, draws_velocity_space) {
   for (const char* name : {"a.svg", "a.png", "a.pdf"}) {
     const ProcessResult result =
@@ -300,7 +339,11 @@ TEST(Explain, usage_errors) {
   EXPECT_EQ(message({"--robot", "0", "--time", "101"}),
             "avo: --time: found 101 s, must be <= duration = 100 s\n");
   EXPECT_NE(message({}).find("--robot"), std::string::npos);
-  EXPECT_NE(message({"--robot", "0", "--json", "--figure", "a.svg"}).find("--figure"),
+  for (const char* figure : {"--figure", "--states"}) {
+    EXPECT_NE(message({"--robot", "0", "--json", figure, "a.svg"}).find(figure), std::string::npos);
+    EXPECT_NE(message({"--robot", "0", figure, "a.txt"}).find(figure), std::string::npos);
+  }
+  EXPECT_NE(message({"--robot", "0", "--figure", "a.svg", "--states", "./a.svg"}).find("one file"),
             std::string::npos);
 }
 

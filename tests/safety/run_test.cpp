@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "arcs.h"
 #include "options.h"
 #include "output.h"
 #include "table.h"
@@ -147,46 +146,6 @@ TEST(Judge, finds_who_touches_a_wall) {
   EXPECT_NE(table_lines(row).find("walls: touched by 1 robots, least clearance -500 mm"),
             std::string::npos)
       << table_lines(row);
-}
-
-// The car's own equations in small steps: p' = v (cos θ, sin θ), θ' = v κ, v' held.
-Pose driven(Pose pose, double next_speed, double curvature, double time_step, double part) {
-  constexpr int kSteps = 2000;
-  const double speed = norm(pose.velocity), dt = part * time_step / kSteps;
-  for (int k = 0; k < kSteps; ++k) {
-    const double v = speed + (next_speed - speed) * part * (k + 0.5) / kSteps;
-    const double middle = pose.heading + 0.5 * v * curvature * dt;
-    pose.position = pose.position + v * dt * Vec2{std::cos(middle), std::sin(middle)};
-    pose.heading += v * curvature * dt;
-  }
-  return pose;
-}
-
-TEST(StatesWithin, of_cars_are_on_their_arcs) {
-  Scenario scenario = usual_scenario();
-  scenario.robots = {usual_robot({}, {1.0, 4.0}, 1.5), usual_robot({0.0, -3.0}, {9.0, -4.0}, 1.5)};
-  scenario.robots[0].model = Car{1.0}, scenario.robots[0].heading = 0.0;
-  Simulation simulation(scenario, 1);
-  int turns = 0;
-  while (simulation.steps() < 80) {
-    const std::vector<Pose> before = poses(simulation.fleet());
-    simulation.step();
-    const FleetView now = simulation.fleet();
-    const std::vector<CheckedState> end = states_within(before, now, 0.1, 1.0);
-    for (std::size_t i = 0; i < end.size(); ++i) {
-      EXPECT_LE(norm(end[i].position - now.position[i]), 1e-12);
-      EXPECT_LE(norm(end[i].velocity - now.velocity[i]), 1e-12);
-    }
-    const double speed = norm(before[0].velocity), next = norm(now.velocity[0]);
-    const double turn = now.heading[0] - before[0].heading, length = 0.05 * (speed + next);
-    if (!(length > 0.0)) continue;
-    turns += std::abs(turn) > 0.002 ? 1 : 0;
-    for (const double part : {0.25, 0.5}) {
-      const Vec2 arc = driven(before[0], next, turn / length, 0.1, part).position;
-      EXPECT_LE(norm(states_within(before, now, 0.1, part)[0].position - arc), 1e-9);
-    }
-  }
-  EXPECT_GT(turns, 5);
 }
 
 TEST(Judge, finds_cars_no_nearer_to_walls_than_they_are) {

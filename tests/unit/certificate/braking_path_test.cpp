@@ -7,6 +7,7 @@
 #include <string>
 
 #include "avo/simulation.h"
+#include "certificate/kernels.h"
 #include "situations.h"
 
 namespace avo::test {
@@ -66,6 +67,42 @@ TEST(BrakingPath, distances_are_those_of_stepping) {
         }
       }
     }
+  }
+}
+
+// How far a step of braking from v moves.
+Vec2 way_of_step(Vec2 v, Vec2 next, const StepLaw& law) {
+  return law.lag * v + (law.time_step - law.lag) * next;
+}
+
+// docs/certificate.md, "Sensing errors": two that begin within the errors of each other.
+TEST(BrakingPath, errors_move_it_no_farther_than_their_bound_which_is_reached) {
+  using Real = scalar::Pack<double>;
+  for (const Motion motion : kMotions) {
+    Random random(15);
+    double reached = 0.0;
+    for (int i = 0; i < 5000; ++i) {
+      StepLaw law = law_of(random_options(random, Certificate::none, motion)).step;
+      law.sensing_error = {random.uniform(0.0, 0.2), random.log_uniform(1e-3, 1.0)};
+      const auto& [position, velocity] = law.sensing_error;
+      const double u = random.log_uniform(1e-3, 1.0);
+      Vec2 seen = in_disc(random, 60.0 * u);
+      if (random.below(4) == 0) seen = {};
+      const double ahead = norm(seen) > 0.0 ? 1.0 / norm(seen) : 0.0;
+      Vec2 real = seen + velocity * (random.below(2) == 0 ? ahead * seen : random.direction());
+      Vec2 off = position * (norm(real) > 0.0 ? real / norm(real) : random.direction());
+      const auto profile = scalar::profile<Real>(norm(seen), u);
+      for (int m = 0; m < 120; ++m) {
+        const double bound = scalar::braking_error(profile, law, Real(m + 1.0)).value;
+        EXPECT_LE(norm(off + law.lag * (real - seen)), bound * (1.0 + 1e-9)) << i << " " << m;
+        const Vec2 next_seen = braked(seen, u), next_real = braked(real, u);
+        off = off + way_of_step(real, next_real, law) - way_of_step(seen, next_seen, law);
+        seen = next_seen, real = next_real;
+        EXPECT_LE(norm(off), bound * (1.0 + 1e-9)) << i << " " << m;
+        if (m == 20) reached = std::max(reached, (norm(off) - position) / (bound - position));
+      }
+    }
+    EXPECT_GT(reached, 0.99);
   }
 }
 

@@ -144,7 +144,7 @@ Vec2 arc(double speed, double change, double curvature, double t) {
 TEST(CheckRows, the_error_of_a_car_is_reckoned_from_its_rows) {
   test::Random random(5);
   CheckedRobot car = free_robot();
-  car.car = true;
+  car.kinematics = CheckedCar{};
   car.max_acceleration = 1.0;
   int tight = 0;
   for (int k = 0; k < 3'000 && !HasFailure(); ++k) {
@@ -174,7 +174,7 @@ TEST(CheckRows, the_error_of_a_car_is_reckoned_from_its_rows) {
 // A step that begins or ends at rest: no heading is known, |p''| <= a_max is.
 TEST(CheckRows, the_error_of_a_car_at_rest_is_that_of_any_motion) {
   CheckedRobot car = free_robot();
-  car.car = true;
+  car.kinematics = CheckedCar{};
   car.max_acceleration = 2.0;
   const std::vector<Moment> start{{0.0, {{0, {}, {}}}}, {0.5, {{0, {0.25, 0}, {1, 0}}}}};
   EXPECT_EQ(report_of({car}, start).interpolation_error, 2.0 * 0.25 / 16.0);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "avo/check.h"
+#include "avo/checked.h"
 #include "avo/simulation.h"
 
 namespace avo::test {
@@ -33,16 +34,13 @@ class Judged {
  private:
   void look() {
     const FleetView fleet = simulation.fleet();
-    std::vector<CheckedState> rows;
     for (std::size_t k = 0; k < fleet.id.size(); ++k) {
-      const auto index = static_cast<std::int64_t>(fleet.id[k].value);
-      const RobotSetup& setup = fleet.setup[k];
-      CheckedRobot robot{setup.radius, setup.max_acceleration, setup.max_speed};
-      robot.car = !is_holonomic(setup.model);
-      for (; known_ <= index; ++known_) check_.add_robot(robot);
-      rows.push_back({index, fleet.position[k], fleet.velocity[k]});
+      CheckedRobot robot = checked_robot(fleet.setup[k]);
+      robot.goal.reset();
+      for (; known_ <= static_cast<std::int64_t>(fleet.id[k].value); ++known_)
+        check_.add_robot(robot);
     }
-    check_.add(simulation.time(), rows);
+    check_.add(simulation.time(), checked_states(fleet));
   }
   Check check_;
   std::int64_t known_ = 0;  // robots that the judge knows

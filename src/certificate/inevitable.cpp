@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "certificate/inevitable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than all that is lost
+
+// m: how far something may be from a path at the time t, start + t speed + t²/2 acceleration.
+struct Spread {
+  double start = 0.0, speed = 0.0, acceleration = 0.0;
+
+  double at(double t) const { return start + t * (speed + 0.5 * t * acceleration); }
+  // s: when it is as large as `size` at the latest.
+  double time_of(double size) const {
+    const double left = std::max(size - start, 0.0);
+    return std::min(speed > 0.0 ? left / speed : kLongest,
+                    acceleration > 0.0 ? std::sqrt(2.0 * left / acceleration) : kLongest);
+  }
+
+ private:
+  static constexpr double kLongest = 1e12;
+};
+
+// The time at which the function is negative, by golden sections of [0, end]; where it is convex,
+// it is found unless it hardly is.
+template <typename Function>
+std::optional<double> find_negative(const Function& f, double end) {
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSections = 48;
+  if (f(0.0) < 0.0) return 0.0;
+  double lower = 0.0, upper = end;
+  double s = upper - kGolden * (upper - lower), t = lower + kGolden * (upper - lower);
+  double f_s = f(s), f_t = f(t);
+  for (int k = 0; k < kSections && !(f_s < 0.0) && !(f_t < 0.0); ++k) {
+    if (f_s < f_t) {
+      upper = t, t = s, f_t = f_s;
+      s = upper - kGolden * (upper - lower), f_s = f(s);
+    } else {
+      lower = s, s = t, f_s = f_t;
+      t = lower + kGolden * (upper - lower), f_t = f(t);
+    }
+  }
+  if (f_s < 0.0) return s;
+  if (f_t < 0.0) return t;
+  return std::nullopt;
+}
+
+// Where A is relative to B, as far as that is known.
+struct Approach {
+  Vec2 position, velocity, acceleration;  // of the middle
+  Spread spread;                          // of where it may be around that
+
+  Vec2 at(double t) const { return position + t * (velocity + (0.5 * t) * acceleration); }
+};
+
+// Whether at some time all that A can reach is within contact.
+std::optional<double> find_contact(const Approach& approach, double contact) {
+  const double end = approach.spread.time_of(contact);
+  const double way = end * (norm(approach.velocity) + 0.5 * end * norm(approach.acceleration));
+  if (!(norm(approach.position) < contact + way)) return std::nullopt;
+  const auto depth = [&](double t) {
+    return norm(approach.at(t)) + approach.spread.at(t) - contact;
+  };
+  return find_negative(depth, end);
+}
+
+double length_1(Vec2 a) {
+  return std::abs(a.x) + std::abs(a.y);
+}
+
+double top_speed(const Robot& robot) {
+  return std::max(robot.max_speed, norm(robot.velocity));
+}
+
+// A straight line beside a wall that nobody reaches without contact.
+struct Front {
+  double gap = 0.0;      // m, to the line
+  double closing = 0.0;  // m/s, towards it
+  double place = 0.0;    // m, of the foot, from the line's one end
+  double sliding = 0.0;  // m/s, along it
+  double length = 0.0;   // m, of the line
+};
+constexpr int kLines = 17;
+
+// The time by which A has come to the line whatever it does: the latest is that of full braking,
+// and by then its foot has not left the line.
+std::optional<double> find_crossing(const Front& front, double max_acceleration) {
+  const auto& [gap, closing, place, sliding, length] = front;
+  const double left = closing * closing - 2.0 * max_acceleration * gap;
+  if (!(closing > 0.0) || !(left > 0.0)) return std::nullopt;
+  const double latest = 2.0 * gap / (closing + std::sqrt(left));
+  const double drift = sliding * latest, aside = 0.5 * max_acceleration * latest * latest;
+  const bool stays =
+      place + std::min(0.0, drift - aside) >= 0.0 && place + std::max(0.0, drift + aside) <= length;
+  return stays ? std::optional(latest) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
+                                         const StepLaw& law) {
+  const bool decides = neighbor.behavior == Behavior::decides;
+  const double a_B = decides ? neighbor.max_acceleration : 0.0;
+  const auto [position, velocity] = error_against(neighbor, law);
+  const Vec2 p = robot.position - neighbor.position;
+  const Vec2 kept = decides ? Vec2{} : neighbor.acceleration;
+  const double lost =
+      kRounding * (length_1(robot.position) + length_1(neighbor.position) + robot.radius);
+  const double contact = (1.0 - kRounding) * (robot.radius + neighbor.radius) - lost;
+  // A may be off its present course by what its acceleration does, and off its place by its speed
+  const std::array approaches{
+      Approach{p,
+               robot.velocity - neighbor.velocity,
+               -kept,
+               {position, velocity, robot.max_acceleration + a_B}},
+      Approach{p, -neighbor.velocity, -kept, {position, velocity + top_speed(robot), a_B}}};
+  for (const Approach& approach : approaches) {
+    if (const auto time = find_contact(approach, contact)) return time;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
+  const Segment segment{wall.a - robot.position, wall.b - robot.position};
+  const double lost = kRounding * (length_1(robot.position) + length_1(wall.a) + length_1(wall.b));
+  const double contact = (1.0 - kRounding) * (robot.radius + wall.radius) - lost;
+  const Spread spread{0.0, 0.0, robot.max_acceleration};
+  const double end = spread.time_of(contact);
+  const double away = distance(Vec2{}, segment);
+  if (away < contact + end * norm(robot.velocity)) {
+    const auto depth = [&](double t) {
+      return distance(t * robot.velocity, segment) + spread.at(t) - contact;
+    };
+    if (const auto time = find_negative(depth, end)) return time;
+  }
+  const double length = norm(segment.b - segment.a);
+  if (!(length > 0.0)) return std::nullopt;
+  const Vec2 along = (segment.b - segment.a) / length;
+  const double side = cross(along, -segment.a);  // of A
+  const Vec2 normal = side < 0.0 ? Vec2{along.y, -along.x} : Vec2{-along.y, along.x};
+  // any of these lines beside the wall is within contact, and a little beyond the wall's ends
+  for (int k = 0; k < kLines; ++k) {
+    const double off = contact * (kLines - 1 - k) / (kLines - 1);
+    const double beyond = std::sqrt(contact * contact - off * off) - lost;
+    const Front front{std::max(std::abs(side) - off, 0.0), -dot(normal, robot.velocity),
+                      dot(along, -segment.a) + beyond, dot(along, robot.velocity),
+                      length + 2.0 * beyond};
+    if (const auto time = find_crossing(front, robot.max_acceleration)) return time;
+  }
+  return std::nullopt;
+}
+
+}  // namespace avo

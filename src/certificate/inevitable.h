@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact that nothing within the limits avoids, with one other or one wall: docs/states.md.
+#pragma once
+#include <optional>
+
+#include "avo/robot.h"
+#include "avo/wall.h"
+#include "certificate/pair.h"
+
+namespace avo {
+
+/// s: a time at which A is in contact with the neighbor whatever it does within |a| <= a_A and
+/// |v| <= v_A^max, and whatever the neighbor does within its a_max, if it decides; if it does not,
+/// it keeps its acceleration. Nothing where that is not proved. The errors of the law are allowed
+/// for, and the neighbor's age.
+std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
+                                         const StepLaw& law);
+
+/// s: a time by which A has been in contact with the wall, likewise.
+std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall);
+
+}  // namespace avo

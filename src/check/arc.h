@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moves along its heading, from row to row: its curvature is held, and its change of speed.
+#pragma once
+#include "avo/check.h"
+
+namespace avo::judge {
+
+/// Where something is, and how it moves there.
+struct Knot {
+  Vec2 position, velocity;  // m, m/s
+};
+
+struct Arc {
+  Vec2 from;                             // m
+  double heading = 0.0;                  // rad, at the start
+  double speed = 0.0, next_speed = 0.0;  // m/s, < 0: backwards
+  double turn = 0.0;                     // rad, in (-π, π]
+  double duration = 0.0;                 // s
+};
+
+/// Both rows have a heading.
+Arc arc_of(const CheckedState& before, const CheckedState& now, double duration);
+
+/// Drives backwards at one end and forwards at the other: no arc.
+inline bool changes_direction(const Arc& arc) {
+  return arc.speed * arc.next_speed < 0.0;
+}
+/// m, the length of the way.
+double way_of(const Arc& arc);
+/// m/s, the higher one.
+double top_speed(const Arc& arc);
+/// m/s^2: of what goes at the higher speed on the arc, across its heading; 0 at rest.
+double lateral_acceleration(const Arc& arc);
+
+/// What is `ahead` m ahead of the arc, at a fraction of the step. At rest the angle grows with the
+/// square of the time.
+Knot knot_on(const Arc& arc, double ahead, double fraction);
+/// m/s^4, at least the fourth derivative of that place.
+double fourth_derivative(const Arc& arc, double ahead);
+
+}  // namespace avo::judge

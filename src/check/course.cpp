@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a disc with a heading over one step, as cubics through places on it.
+#include "check/course.h"
+
+#include <cstddef>
+
+#include "check/towed_axle.h"
+#include "core/elementary.h"
+
+namespace avo::judge {
+namespace {
+
+constexpr double kFineEnough = 1e-10;  // m
+constexpr std::size_t kMostParts = TowedAxle::kParts;
+
+// As many parts as the cubics need, and what they may still err by: a cubic through positions and
+// velocities errs by Δt⁴ |p''''|/384 at most.
+struct Division {
+  std::size_t parts = 1;
+  double error = 0.0;  // m
+};
+
+Division division_of(double fourth, double duration) {
+  Division division{1, duration * duration * duration * duration * fourth / 384.0};
+  for (; division.error > kFineEnough && division.parts < kMostParts; division.error /= 16.0)
+    division.parts *= 2;
+  return division;
+}
+
+// Its end is where the row says: what is missing it drifts.
+template <typename KnotAt>
+Course course_through(const Division& division, Vec2 end, double duration, const KnotAt& knot_at) {
+  const Vec2 missing = end - knot_at(division.parts).position;
+  Course course{{}, division.error};
+  course.knots.reserve(division.parts + 1);
+  for (std::size_t k = 0; k <= division.parts; ++k) {
+    const double fraction = static_cast<double>(k) / static_cast<double>(division.parts);
+    const Knot knot = knot_at(k);
+    course.knots.push_back(
+        {knot.position + fraction * missing, knot.velocity + missing / duration});
+  }
+  course.knots.back().position = end;
+  return course;
+}
+
+}  // namespace
+
+double ahead_of(const CheckedKinematics& kinematics) {
+  const auto* car = std::get_if<CheckedCar>(&kinematics);
+  return car != nullptr ? car->body_offset : 0.0;
+}
+
+bool needs_heading(const CheckedKinematics& kinematics) {
+  return std::holds_alternative<CheckedDrive>(kinematics) || ahead_of(kinematics) != 0.0;
+}
+
+Vec2 center_of(const CheckedRobot& robot, const CheckedState& row) {
+  const double ahead = ahead_of(robot.kinematics);
+  if (ahead == 0.0 || !row.heading) return row.position;
+  return row.position + ahead * elementary::direction(row.heading->angle);
+}
+
+std::optional<Course> course_of(const CheckedRobot& robot, const CheckedState& before,
+                                const CheckedState& now, double duration) {
+  if (!has_heading(robot, before, now)) return std::nullopt;
+  const Vec2 end = center_of(robot, now);
+  if (const auto* drive = std::get_if<CheckedDrive>(&robot.kinematics)) {
+    const TowedAxle axle = towed_axle(before, now, drive->offset, duration);
+    const Division division = division_of(fourth_derivative(axle), duration);
+    return course_through(division, end, duration, [&](std::size_t k) {
+      return knot_on(axle, k * (TowedAxle::kParts / division.parts));
+    });
+  }
+  const Arc arc = arc_of(before, now, duration);
+  if (changes_direction(arc)) return std::nullopt;
+  const double ahead = ahead_of(robot.kinematics);
+  const Division division = division_of(fourth_derivative(arc, ahead), duration);
+  return course_through(division, end, duration, [&](std::size_t k) {
+    return knot_on(arc, ahead, static_cast<double>(k) / static_cast<double>(division.parts));
+  });
+}
+
+}  // namespace avo::judge

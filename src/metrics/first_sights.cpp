@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/first_sights.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "avo/assumptions.h"
+
+namespace avo {
+
+FirstSights::FirstSights(const Scenario& scenario)
+    : certified_(planner_options(scenario).certificate != Certificate::none) {
+  if (!certified_) return;
+  const std::optional<SensingNeed> need = sensing_need(scenario);
+  may_be_late_ = scenario.sensing.misses() || (need && need->range > scenario.sensing_radius);
+}
+
+void FirstSights::observe(const Simulation& simulation) {
+  if (!may_be_late_) return;
+  const FleetView fleet = simulation.fleet();
+  const auto name = [&](int source) -> std::int64_t {
+    return source < 0 ? source
+                      : static_cast<std::int64_t>(fleet.id[static_cast<std::size_t>(source)].value);
+  };
+  std::map<std::int64_t, Names> in_sight;
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    const auto self = static_cast<std::int64_t>(fleet.id[i].value);
+    const Simulation::Perception seen = simulation.perceive(i);
+    const auto before = in_sight_.find(self);
+    Names& now = in_sight[self];
+    for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
+      const std::int64_t other = name(seen.source[k]);
+      now.insert(other);
+      const bool is_known = other < 0 || in_sight_.contains(other);
+      const bool is_new = before != in_sight_.end() && is_known && !before->second.contains(other);
+      if (!is_new) continue;
+      const SafetyReport report =
+          simulation.planner().state(seen.robot, std::span(&seen.neighbors[k], 1), workspace_);
+      if (report.state != SafetyState::safe) late_.insert(std::minmax(self, other));
+    }
+  }
+  in_sight_ = std::move(in_sight);
+}
+
+std::optional<std::int64_t> FirstSights::too_late() const {
+  return certified_ ? std::optional(static_cast<std::int64_t>(late_.size())) : std::nullopt;
+}
+
+}  // namespace avo

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is proved of the state in which a robot decides: docs/states.md.
+#pragma once
+#include <span>
+
+#include "avo/planner.h"
+#include "avo/wall.h"
+#include "certificate/certificate.h"
+#include "core/neighbor_columns.h"
+
+namespace avo {
+
+/// Whether braking is proved to keep clear of all that the constraints are of.
+inline bool braking_keeps_clear(const CertificateConstraints& constraints) {
+  const Invariant& invariant = constraints.invariant;
+  return !invariant.doubtful && !invariant.touched && !invariant.unknown &&
+         !constraints.walls.broken;
+}
+
+/// The constraints are those of the robot under the law, its neighbors and walls.
+SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
+                      const CertificateLaw& law, const CertificateConstraints& constraints);
+
+}  // namespace avo

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene and its simulation, in the words of the judge of recorded motion.
+#include "avo/checked.h"
+
+#include <cstddef>
+#include <limits>
+
+#include "core/elementary.h"
+
+namespace avo {
+namespace {
+
+CheckedKinematics kinematics_of(const Holonomic& /*any*/) {
+  return CheckedHolonomic{};
+}
+
+CheckedKinematics kinematics_of(const Car& car) {
+  return CheckedCar{
+      .wheelbase = car.wheelbase,
+      .max_curvature = car.max_curvature.value_or(std::numeric_limits<double>::infinity()),
+      .body_offset = car.body ? car.body->offset : 0.0,
+      .reverse = car.reverse,
+      .exact_set = car.acceleration_set == AccelerationSet::exact};
+}
+
+CheckedKinematics kinematics_of(const Airplane& airplane) {
+  return CheckedAirplane{.min_speed = airplane.min_speed,
+                         .lateral_acceleration = airplane.lateral_acceleration};
+}
+
+}  // namespace
+
+CheckedRobot checked_robot(const RobotSetup& robot) {
+  return {
+      .radius = disc_radius(robot),
+      .max_acceleration = robot.max_acceleration,
+      .max_speed = robot.max_speed,
+      .goal = robot.goal,
+      .kinematics = std::visit([](const auto& model) { return kinematics_of(model); }, robot.model),
+      .parked = robot.parked,
+      .layers = robot.layers.bits,
+      .avoids = robot.avoids.bits};
+}
+
+std::vector<CheckedState> checked_states(const FleetView& fleet) {
+  std::vector<CheckedState> states;
+  states.reserve(fleet.id.size());
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+    CheckedState state{static_cast<std::int64_t>(fleet.id[k].value), fleet.position[k],
+                       fleet.velocity[k]};
+    if (!is_holonomic(fleet.setup[k].model)) {
+      const double along = dot(elementary::direction(fleet.heading[k]), state.velocity);
+      state.heading = CheckedHeading{fleet.heading[k], along + 0.0};  // no negative zero
+    }
+    states.push_back(state);
+  }
+  return states;
+}
+
+}  // namespace avo
