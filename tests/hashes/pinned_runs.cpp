@@ -13,7 +13,6 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"swap_blocks", "swap-blocks", {}, 0, 0x46c0f326c5d1b548},
       {"uniform_1000", "uniform-1000", {}, 100, 0xd7d1486335789abd},
       {"cars_100", "cars-100", {}, 0, 0xdcbd627ce2453f7f},
-      {"planes_12", "planes-12", {}, 0, 0x0},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
