@@ -40,6 +40,23 @@ std::array<Vec2, 5> car_body(Vec2 position, double heading, double radius) {
           position - 0.8 * ahead + 0.5 * left};
 }
 
+// Its own disc with both wheels, and a line to the point that the disc of the others is about.
+void draw_drive(Canvas& canvas, const DifferentialDrive& drive, const Disc& own, double heading,
+                Color body, const Stroke& edge) {
+  const Vec2 ahead{std::cos(heading), std::sin(heading)}, side = perpendicular(ahead);
+  canvas.add_disc(own);
+  canvas.fill_and_stroke(body, edge);
+  canvas.add_polyline(std::array{own.center, own.center + drive.offset * ahead});
+  canvas.stroke(edge);
+  const Vec2 length = 0.35 * own.radius * ahead, width = 0.1 * own.radius * side;
+  for (const double half : {-0.5, 0.5}) {
+    const Vec2 wheel = own.center + half * drive.track * side;
+    canvas.add_polygon(std::array{wheel - length - width, wheel + length - width,
+                                  wheel + length + width, wheel - length + width});
+    canvas.fill(edge.color);
+  }
+}
+
 // `age` in [0, 1]: 1 is the newest, darkest one.
 void draw_robot(Canvas& canvas, const TimeLapse& lapse, std::size_t frame, std::size_t robot,
                 double age) {
@@ -59,6 +76,10 @@ void draw_robot(Canvas& canvas, const TimeLapse& lapse, std::size_t frame, std::
   if (age == 1.0) {
     canvas.add_disc({center, radius});
     canvas.fill_and_stroke(mix(kWhite, color, 0.3), edge);
+  }
+  if (const auto* drive = std::get_if<DifferentialDrive>(&setup.model)) {
+    draw_drive(canvas, *drive, {at.position[robot], setup.radius}, at.heading[robot], body, edge);
+    return;
   }
   canvas.add_polygon(car_body(center, at.heading[robot], radius));
   canvas.fill_and_stroke(body, edge);

@@ -34,10 +34,13 @@ class TrajectoryRecorder {
   [[nodiscard]] std::vector<TrajectoryFrame> frames() const;
 
  private:
+  bool is_repeated(const Simulation& simulation);
+
   std::size_t most_frames_;
   std::size_t stride_ = 1;    // steps between kept frames
   std::size_t observed_ = 0;  // frames seen
   std::vector<RobotId> robots_;
+  double last_step_ = -1.0;  // number of the scene's time step, where clocks are free
   TrajectoryFrame latest_;
   std::vector<TrajectoryFrame> kept_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keeps a bounded number of equally spaced frames of a run.
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "avo/error.h"
 #include "figures/trajectories.h"
@@ -29,6 +31,7 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
   }
   latest_.obstacle_position.assign(obstacles.position.begin(), obstacles.position.end());
 
+  if (is_repeated(simulation)) return;
   const std::size_t index = observed_++;
   if (index % stride_ != 0) return;
   if (kept_.size() == most_frames_) {
@@ -43,6 +46,14 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
     if (index % stride_ != 0) return;
   }
   kept_.push_back(latest_);
+}
+
+// Free clocks tick anywhere: one instant of each of the scene's time steps is enough.
+bool TrajectoryRecorder::is_repeated(const Simulation& simulation) {
+  const PlannerOptions& options = simulation.planner().options();
+  if (options.clock == Clock::common) return false;
+  const double step = std::floor(simulation.time() / options.time_step);
+  return std::exchange(last_step_, step) == step;
 }
 
 std::vector<TrajectoryFrame> TrajectoryRecorder::frames() const {

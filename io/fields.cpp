@@ -10,6 +10,7 @@ namespace avo_io {
 using avo::Airplane;
 using avo::Car;
 using avo::CarBody;
+using avo::DifferentialDrive;
 using avo::kAnyValue;
 using avo::kAtLeastOne;
 using avo::kNotNegative;
@@ -78,6 +79,8 @@ const std::vector<Field<Scenario>>& fields() {
        {},
        "",
        "what robots declare to braking_trajectories; omitted: what covers noise and delay"},
+      {"clock", &Scenario::clock, kOptional, kNoNumber, "",
+       "free: each robot decides at times of its own, from a phase that the seed gives it"},
   };
   return table;
 }
@@ -131,24 +134,32 @@ const std::vector<Field<RobotSetup>>& fields() {
        "at the start; of one with a heading its length counts, along it"},
       {"goal", &RobotSetup::goal, kRequired, kAnyValue, "m", "where it wants to come to rest"},
       {"radius", &RobotSetup::radius, kOptional, kPositive, "m", "of its disc"},
-      {"max_speed", &RobotSetup::max_speed, kOptional, kPositive, "m/s", "never exceeded"},
+      {"max_speed", &RobotSetup::max_speed, kOptional, kPositive, "m/s", "never exceeded",
+       "2; of a differential drive its wheel_speed"},
       {"max_acceleration", &RobotSetup::max_acceleration, kOptional, kPositive, "m/s^2",
-       "never exceeded"},
+       "never exceeded",
+       "1; of a differential drive half of what its wheels can do in any direction"},
       {"preferred_speed", &RobotSetup::preferred_speed, kOptional, kNotNegative, "m/s",
        "towards the goal", "max_speed"},
       {"model", kNested, kOptional, kNoNumber, "", "how it moves",
-       "car or airplane with the keys of one, else holonomic"},
+       "the one whose keys there are, else holonomic"},
       {"heading", kNested, kOptional, kHeadingField.range, kHeadingField.unit, kHeadingField.doc,
        "0"},
       {"car", kNested, kOptional, kNoNumber, "", "a car's own; its position is its rear axle"},
+      {"drive", kNested, kOptional, kNoNumber, "",
+       "a differential drive's own; its position is the middle of its axle"},
       {"airplane", kNested, kOptional, kNoNumber, "", "an airplane's own; it cannot stop"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
+      {"max_braking", &RobotSetup::max_braking, kOptional, kPositive, "m/s^2",
+       "that it surely brakes with whenever it has to, <= max_acceleration", "max_acceleration"},
       {"parked", &RobotSetup::parked, kOptional, kNoNumber, "",
        "never moves and never decides: a disc that nobody may touch; its goal is its position"},
       {"layers", &RobotSetup::layers, kOptional, kLayer, "", "that it is in"},
       {"avoids", &RobotSetup::avoids, kOptional, kLayer, "",
        "it avoids the robots that are in one of these layers", "all of them"},
+      {"time_step", &RobotSetup::time_step, kOptional, kPositive, "s",
+       "between its own decisions; only where clock is free", "the scene's"},
   };
   return table;
 }
@@ -200,12 +211,34 @@ const std::vector<Field<CarBody>>& fields() {
 }
 
 template <>
+const std::vector<Field<DifferentialDrive>>& fields() {
+  static const std::vector<Field<DifferentialDrive>> table{
+      {"track", &DifferentialDrive::track, kOptional, kPositive, "m", "between the wheels"},
+      {"offset", &DifferentialDrive::offset, kOptional, kPositive, "m",
+       "ahead of the axle, of the point that is planned for; the disc that others sense is about "
+       "it, with radius + offset"},
+      {"wheel_speed", &DifferentialDrive::wheel_speed, kOptional, kPositive, "m/s",
+       "of each wheel, never exceeded"},
+      {"wheel_acceleration", &DifferentialDrive::wheel_acceleration, kOptional, kPositive, "m/s^2",
+       "of each wheel, never exceeded"},
+  };
+  return table;
+}
+
+template <>
 const std::vector<Field<MovingObstacle>>& fields() {
   static const std::vector<Field<MovingObstacle>> table{
       {"position", &MovingObstacle::position, kRequired, kAnyValue, "m", "where it starts"},
       {"velocity", &MovingObstacle::velocity, kOptional, kAnyValue, "m/s", "at the start"},
       {"acceleration", &MovingObstacle::acceleration, kOptional, kAnyValue, "m/s^2", "constant"},
       {"radius", &MovingObstacle::radius, kOptional, kPositive, "m", "of its disc"},
+      {"max_deviation", &MovingObstacle::max_deviation, kOptional, kNotNegative, "m/s^2",
+       "by which robots count on its acceleration being another one at any time"},
+      {"max_speed", &MovingObstacle::max_speed, kOptional, kPositive, "m/s",
+       "with max_deviation: that it never exceeds", "no limit"},
+      {"path", &MovingObstacle::path, kOptional, kAnyValue, "m",
+       "that it goes along within these, from point to point and on to the first again",
+       "none: it keeps its acceleration"},
   };
   return table;
 }

@@ -125,11 +125,21 @@ struct MembersOf {
 };
 template <>
 struct MembersOf<avo::RobotSetup> {
-  using type = MemberOf<avo::RobotSetup, double, avo::Vec2, bool, avo::LayerSet>;
+  using type =
+      MemberOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool, avo::LayerSet>;
+};
+template <>
+struct MembersOf<avo::MovingObstacle> {
+  using type = MemberOf<avo::MovingObstacle, double, std::optional<double>, avo::Vec2,
+                        std::vector<avo::Vec2>>;
 };
 template <>
 struct MembersOf<avo::Car> {
   using type = MemberOf<avo::Car, double, std::optional<double>, bool, avo::AccelerationSet>;
+};
+template <>
+struct MembersOf<avo::DifferentialDrive> {
+  using type = MemberOf<avo::DifferentialDrive, double>;
 };
 template <>
 struct MembersOf<avo::Airplane> {
@@ -191,7 +201,7 @@ template <>
 struct MembersOf<avo::Scenario> {
   using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
                         std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
-                        avo::Motion, std::optional<bool>, avo::RightOfWay>;
+                        avo::Motion, std::optional<bool>, avo::RightOfWay, avo::Clock>;
 };
 template <>
 struct MembersOf<avo::SensingModel> {
@@ -247,6 +257,7 @@ inline const auto kCertificates =
     by_name(avo::Certificate::none, avo::Certificate::stopping_capsules,
             avo::Certificate::braking_trajectories);
 inline const auto kMotions = by_name(avo::Motion::held, avo::Motion::exponential);
+inline const auto kClocks = by_name(avo::Clock::common, avo::Clock::free);
 inline const auto kRightsOfWay =
     by_name(avo::RightOfWay::none, avo::RightOfWay::seen, avo::RightOfWay::told);
 inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>, 2> kDistributions{
@@ -257,10 +268,11 @@ inline const auto kAccelerationSets =
 inline const auto kAfterGoals = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
 
 /// The alternatives of avo::MotionModel, in their order.
-enum class ModelKind : std::uint8_t { holonomic, car, airplane };
-inline constexpr std::array<std::pair<std::string_view, ModelKind>, 3> kModels{
+enum class ModelKind : std::uint8_t { holonomic, car, differential_drive, airplane };
+inline constexpr std::array<std::pair<std::string_view, ModelKind>, 4> kModels{
     {{"holonomic", ModelKind::holonomic},
      {"car", ModelKind::car},
+     {"differential_drive", ModelKind::differential_drive},
      {"airplane", ModelKind::airplane}}};
 constexpr std::string_view model_name(ModelKind kind) {
   return kModels[static_cast<std::size_t>(kind)].first;

@@ -6,22 +6,32 @@
 namespace avo_io {
 namespace {
 
-/// A car or an airplane where it has the keys of one.
+/// Models with keys of their own.
+struct OwnKeys {
+  std::string_view key;
+  ModelKind kind;
+  std::string_view whose;
+};
+constexpr OwnKeys kOwnKeys[] = {
+    {"car", ModelKind::car, "keys of a car"},
+    {"drive", ModelKind::differential_drive, "keys of a differential drive"},
+    {"airplane", ModelKind::airplane, "keys of an airplane"},
+};
+
+/// The model that is named, or whose keys there are.
 ModelKind kind_of(const Reader& reader, const YamlNode& node, const std::string& path,
                   const avo::RobotSetup& robot) {
-  const YamlNode *model = node.find("model"), *car = node.find("car");
-  const YamlNode* airplane = node.find("airplane");
   ModelKind kind = static_cast<ModelKind>(robot.model.index());
-  if (airplane != nullptr) kind = ModelKind::airplane;
-  if (car != nullptr) kind = ModelKind::car;
-  if (model != nullptr) kind = reader.choice(*model, path_to(path, "model"), kModels);
-  const auto require_kind = [&](const YamlNode* keys, ModelKind own, const char* whose) {
-    if (keys == nullptr || kind == own) return;
-    reader.fail(*keys, path_to(path, std::string(model_name(own))), std::string("keys of ") + whose,
-                "must be left out: its model is " + std::string(model_name(kind)));
-  };
-  require_kind(car, ModelKind::car, "a car");
-  require_kind(airplane, ModelKind::airplane, "an airplane");
+  for (const OwnKeys& own : kOwnKeys)
+    if (node.find(own.key) != nullptr) kind = own.kind;
+  if (const YamlNode* model = node.find("model"))
+    kind = reader.choice(*model, path_to(path, "model"), kModels);
+  for (const OwnKeys& own : kOwnKeys) {
+    const YamlNode* keys = node.find(own.key);
+    if (keys != nullptr && kind != own.kind)
+      reader.fail(*keys, path_to(path, own.key), std::string(own.whose),
+                  "must be left out: its model is " + std::string(model_name(kind)));
+  }
   return kind;
 }
 
@@ -56,6 +66,9 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
   if (kind == ModelKind::holonomic) robot.model = avo::Holonomic{};
   if (kind == ModelKind::car && !std::holds_alternative<avo::Car>(robot.model))
     robot.model = avo::Car{};
+  if (kind == ModelKind::differential_drive &&
+      !std::holds_alternative<avo::DifferentialDrive>(robot.model))
+    robot.model = avo::DifferentialDrive{};
   if (kind == ModelKind::airplane && !is_airplane(robot.model)) robot.model = avo::Airplane{};
   const YamlNode *given = node.find("heading"), *car = node.find("car");
   const YamlNode* within = car != nullptr ? car->find("heading") : nullptr;
@@ -69,11 +82,18 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
   if (within != nullptr)
     read_heading(reader, *within, path_to(path, "car.heading"), robot.heading, heading);
   if (car != nullptr) read_car(reader, *car, path_to(path, "car"), std::get<avo::Car>(robot.model));
-  const YamlNode* airplane = node.find("airplane");
-  if (airplane == nullptr) return;
-  const std::string keys = path_to(path, "airplane");
-  reader.check_keys(*airplane, keys, keys_of(fields<avo::Airplane>()));
-  reader.read(*airplane, keys, fields<avo::Airplane>(), std::get<avo::Airplane>(robot.model), true);
+  if (const YamlNode* drive = node.find("drive")) {
+    const auto& table = fields<avo::DifferentialDrive>();
+    reader.check_keys(*drive, path_to(path, "drive"), keys_of(table));
+    reader.read(*drive, path_to(path, "drive"), table,
+                std::get<avo::DifferentialDrive>(robot.model), true);
+  }
+  if (const YamlNode* airplane = node.find("airplane")) {
+    const auto& table = fields<avo::Airplane>();
+    reader.check_keys(*airplane, path_to(path, "airplane"), keys_of(table));
+    reader.read(*airplane, path_to(path, "airplane"), table, std::get<avo::Airplane>(robot.model),
+                true);
+  }
 }
 
 }  // namespace avo_io

@@ -9,13 +9,27 @@
 #include "read_model.h"
 
 namespace avo_io {
+namespace {
+
+/// What its map does not say.
+void complete(const YamlNode& node, avo::RobotSetup& robot) {
+  const auto left_out = [&](std::string_view key) { return node.find(key) == nullptr; };
+  if (const auto* drive = std::get_if<avo::DifferentialDrive>(&robot.model)) {
+    if (left_out("max_speed")) robot.max_speed = drive->wheel_speed;
+    if (left_out("max_acceleration")) robot.max_acceleration = 0.5 * most_acceleration(*drive);
+  }
+  if (left_out("preferred_speed")) robot.preferred_speed = robot.max_speed;
+}
+
+}  // namespace
+
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch) {
   const auto& table = fields<avo::RobotSetup>();
   reader.check_keys(node, path, keys_of(table));
   reader.read(node, path, table, robot, patch);
-  if (!patch && node.find("preferred_speed") == nullptr) robot.preferred_speed = robot.max_speed;
   read_model(reader, node, path, robot, nullptr);
+  if (!patch) complete(node, robot);
 }
 
 namespace {
@@ -77,9 +91,8 @@ void read_alike(const Reader& reader, const YamlNode& node, const std::string& p
   reader.check_keys(node, path, keys);
   reader.read(node, path, fields<T>(), target);
   reader.read(node, path, group_robot_fields(), target.robot);
-  if (node.find("preferred_speed") == nullptr)
-    target.robot.preferred_speed = target.robot.max_speed;
   read_model(reader, node, path, target.robot, &target.heading);
+  complete(node, target.robot);
 }
 
 }  // namespace
@@ -101,6 +114,9 @@ RobotsFrom read_robots_from(const Reader& reader, const YamlNode& node, const st
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                           avo::MovingObstacle& obstacle) {
   read_map(reader, node, path, obstacle);
+  const YamlNode* points = node.find("path");
+  if (points != nullptr && obstacle.path.empty())
+    reader.fail(*points, path_to(path, "path"), shown(*points), "must have at least one point");
 }
 
 void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& scenario) {

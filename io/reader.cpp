@@ -207,6 +207,9 @@ void Reader::set(std::optional<avo::Certificate>& value, const YamlNode& node, c
 void Reader::set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kMotions);
 }
+void Reader::set(avo::Clock& value, const YamlNode& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kClocks);
+}
 void Reader::set(avo::RightOfWay& value, const YamlNode& node, const Path& path,
                  const Rule&) const {
   value = choice(node, path, kRightsOfWay);

@@ -103,6 +103,7 @@ class Reader {
   void set(std::optional<avo::Certificate>& value, const YamlNode& node, const Path& path,
            const Rule& rule) const;
   void set(avo::Motion& value, const YamlNode& node, const Path& path, const Rule& rule) const;
+  void set(avo::Clock& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::RightOfWay& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule& rule) const;
   void set(RosMode& value, const YamlNode& node, const Path& path, const Rule& rule) const;

@@ -82,6 +82,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["collision_pairs"] = summary.collision_pairs;
   json["one_sided_collisions"] = summary.one_sided_collisions;
   json["obstacle_collisions"] = summary.obstacle_collisions;
+  json["obstacle_collisions_in_motion"] = summary.obstacle_collisions_in_motion;
   json["collision_obstacles"] = summary.collision_obstacles;
   json["min_clearance"] = or_null(summary.min_clearance);
   json["min_obstacle_clearance"] = or_null(summary.min_obstacle_clearance);

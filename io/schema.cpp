@@ -86,6 +86,9 @@ ValueSchema describe(avo::Method value, const avo::Range&) {
 ValueSchema describe(avo::Motion value, const avo::Range&) {
   return {names_schema(kMotions), name_of(kMotions, value)};
 }
+ValueSchema describe(avo::Clock value, const avo::Range&) {
+  return {names_schema(kClocks), name_of(kClocks, value)};
+}
 ValueSchema describe(avo::RightOfWay value, const avo::Range&) {
   return {names_schema(kRightsOfWay), name_of(kRightsOfWay, value)};
 }
@@ -199,6 +202,7 @@ Json nested_of_robots(const Json& heading) {
   return {{"model", names_schema(kModels)},
           {"heading", heading},
           {"car", car},
+          {"drive", map_schema(fields<avo::DifferentialDrive>())},
           {"airplane", map_schema(fields<avo::Airplane>())}};
 }
 

@@ -107,6 +107,10 @@ std::vector<double> median_run(const std::vector<std::vector<double>>& runs) {
 
 int bench(const BenchArguments& arguments) {
   const avo::Scenario scenario = load(arguments.scene);
+  if (scenario.clock == avo::Clock::free)
+    throw UsageError(
+        "avo bench: found a scene whose clock is free, must be common: it measures "
+        "steps that all robots take together");
   const Course course = course_of(scenario, arguments);
   BenchResults results = profile_steps(scenario, arguments.threads, course);  // warms up as well
   results.runs = kRuns;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -68,10 +69,13 @@ struct Judge {
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
+  std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles that have a path
+  std::int64_t steps = 0;            // that these have gone
 
   explicit Judge(const CheckArguments& arguments);
   void number_densely(std::vector<avo::CheckedState>& rows);
   void add(avo_io::RecordedTime& moment);
+  void place_obstacles(double time);
 };
 
 std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
@@ -104,6 +108,8 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
       robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
       robot.straight = adopts_at_once(options.method);
     }
+    if (scenario->clock == avo::Clock::free && !robot.parked && !robot.straight)
+      robot.time_step = time_step_of(*scenario, setup);
     robots.push_back(robot);
   }
   std::vector<avo::CheckedObstacle> obstacles;
@@ -121,7 +127,10 @@ Judge::Judge(const CheckArguments& arguments)
   if (scenario) {
     judgement.scene = scenario->name;
     judgement.time_step = scenario->time_step;
+    judgement.free_clocks = scenario->clock == avo::Clock::free;
     take_walls(*scenario, check, judgement.obstacle_of_wall);
+    for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
+      walks.push_back({obstacle.position, obstacle.velocity});
   } else {
     like = {*arguments.radius, *arguments.max_acceleration, *arguments.max_speed};
   }
@@ -140,14 +149,44 @@ void Judge::number_densely(std::vector<avo::CheckedState>& rows) {
             [](const auto& a, const auto& b) { return a.robot < b.robot; });
 }
 
+// Where clocks are free rows stand at all decisions: no two are farther apart than those of any
+// robot.
+bool is_uneven(const avo::Scenario& scenario, double duration) {
+  constexpr double kEven = 1e-6;  // of the step
+  double step = scenario.time_step;
+  if (scenario.clock == avo::Clock::common) return std::abs(duration - step) > kEven * step;
+  step = std::numeric_limits<double>::infinity();
+  for (const avo::RobotSetup& robot : scenario.robots)
+    if (!robot.parked) step = std::min(step, time_step_of(scenario, robot));
+  return duration > (1.0 + kEven) * step;
+}
+
+// Those with a path: nothing that robots do changes it.
+void Judge::place_obstacles(double time) {
+  const double h = scenario->time_step;
+  const std::int64_t first = steps;
+  const auto last = static_cast<std::int64_t>(std::floor(time / h + 1e-6));
+  steps = std::max(steps, last);
+  for (std::size_t k = 0; k < walks.size(); ++k) {
+    const avo::MovingObstacle& obstacle = scenario->moving_obstacles[k];
+    if (obstacle.path.empty()) continue;
+    avo::PathWalk& walk = walks[k];
+    for (std::int64_t step = first; step < steps; ++step) walk = next_on_path(obstacle, walk, h);
+    const double t = std::max(time - h * static_cast<double>(steps), 0.0);
+    const avo::Vec2 a = (next_on_path(obstacle, walk, h).velocity - walk.velocity) / h;
+    check.place_obstacle(static_cast<std::int64_t>(k),
+                         walk.position + t * walk.velocity + (0.5 * t * t) * a,
+                         walk.velocity + t * a);
+  }
+}
+
 void Judge::add(avo_io::RecordedTime& moment) {
-  constexpr double kEven = 1e-6;  // of the scene's step
   if (!scenario)
     number_densely(moment.rows);
-  else if (last_time &&
-           std::abs(moment.time - *last_time - scenario->time_step) > kEven * scenario->time_step)
+  else if (last_time && is_uneven(*scenario, moment.time - *last_time))
     ++judgement.uneven_steps;
   last_time = moment.time;
+  if (scenario) place_obstacles(moment.time);
   check.add(moment.time, moment.rows);
 }
 
@@ -175,9 +214,12 @@ int check(const CheckArguments& arguments) {
                                  ": found no robot at two successive times, must be one or more");
   if (judgement.uneven_steps > 0)
     warn(
-        {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "
-                     "between their rows, which may not be the path",
-                     judgement.uneven_steps, judgement.report.steps, *judgement.time_step)});
+        {fmt::format("{} of {} steps are {}; they are judged on the cubic between their rows, "
+                     "which may not be the path",
+                     judgement.uneven_steps, judgement.report.steps,
+                     judge.scenario->clock == avo::Clock::free
+                         ? std::string("longer than those of some robot, which decided within")
+                         : fmt::format("not the scene's {} s long", *judgement.time_step))});
   if (judgement.report.without_heading > 0)
     warn(
         {fmt::format("{} of {} robot-steps are of robots without headings in the recording; their "

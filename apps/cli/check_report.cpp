@@ -158,6 +158,8 @@ std::string readable(const Judgement& judgement) {
                     fmt::format("; largest {:.6g} m/s", report.largest_speed));
   line("jumps", text_of(judgement, report.jumps, "robot-steps off their velocities", "m"));
   add_kinematics(judgement, line);
+  if (judgement.free_clocks)
+    line("held", text_of(judgement, report.changes, "changes between two decisions", "m/s^2"));
   line("least clearance",
        report.least_clearance ? fmt::format("{:.3g} m", *report.least_clearance) : "-");
   if (report.least_static_clearance)
@@ -199,6 +201,7 @@ std::string to_json(const Judgement& judgement) {
     json[rule.key] = to_json(judgement, report.*rule.count, nullptr);
   json["with_heading"] = report.with_heading;
   json["without_heading"] = report.without_heading;
+  json["changes"] = to_json(judgement, report.changes, nullptr);
   json["least_clearance"] = or_null(report.least_clearance);
   json["least_static_clearance"] = or_null(report.least_static_clearance);
   json["largest_acceleration"] = report.largest_acceleration;

@@ -20,6 +20,7 @@ struct Judgement {
   double tolerance = 0.0;
   std::int64_t uneven_steps = 0;  ///< not time_step long
   bool require_arrival = false;
+  bool free_clocks = false;  ///< in the scene
 
   [[nodiscard]] bool passed() const {
     return report.safe() && (!require_arrival || report.arrived == report.with_goal);

@@ -23,7 +23,7 @@ constexpr double kFigureWidth = 340.0;  // pt
 Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario,
                 std::int64_t robot) {
   const auto index = static_cast<std::size_t>(robot);
-  const avo::Planner& planner = simulation.planner();
+  const avo::Planner& planner = simulation.planner(index);
   Decision decision;
   decision.scene = scenario.name;
   decision.robot = robot;
@@ -86,23 +86,34 @@ int explain(const ExplainArguments& arguments) {
   if (!arguments.states.empty()) states.emplace(arguments.states);
 
   avo::Simulation simulation(scenario);
-  const std::int64_t steps = avo::last_step(scenario, arguments.time);
-  for (Progress progress(steps, scenario.time_step); simulation.steps() < steps;) {
+  const auto index = static_cast<std::size_t>(arguments.robot);
+  const double step = time_step_of(scenario, scenario.robots[index]);
+  const bool is_free = scenario.clock == avo::Clock::free;
+  if (is_free && simulation.next_decision(index) > arguments.time)
+    throw UsageError(fmt::format("--time: found {} s, must be >= {} s, when robot {} first decides",
+                                 arguments.time, simulation.next_decision(index), arguments.robot));
+  const auto is_there = [&] {  // at the last decision by that time
+    const double next = simulation.next_decision(index);
+    return is_free && next == simulation.time() && next + step > arguments.time * (1.0 + 1e-12);
+  };
+  Progress progress(arguments.time);
+  while (!is_there() && simulation.can_step_by(arguments.time)) {
     if (signal_caught() != 0) return kSignal + signal_caught();
     simulation.step();
-    progress.show(simulation.steps());
+    progress.show(simulation.time());
   }
   const Decision decision = decide(simulation, scenario, arguments.robot);
   const avo::figures::FigureOptions options{.width = kFigureWidth, .title = title_of(decision)};
   if (figure) {
     figure->write(drawn([&] {
-      return draw_velocity_space(avo::figures::velocity_space(decision.seen, simulation.planner()),
-                                 arguments.figure, options);
+      return draw_velocity_space(
+          avo::figures::velocity_space(decision.seen, simulation.planner(index)), arguments.figure,
+          options);
     }));
   }
   if (states) {
     states->write(drawn([&] {
-      return draw_state_map(decision.seen, simulation.planner(), arguments.states, options);
+      return draw_state_map(decision.seen, simulation.planner(index), arguments.states, options);
     }));
   }
   if (figure) figure->commit();

@@ -193,6 +193,12 @@ std::string to_json(const Decision& decision) {
                          {"behavior", decides ? "decides" : "moves_on"},
                          {"share", share_of(seen.robot, neighbor)}});
     if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
+    if (decides) obstacles.back()["max_braking"] = braking_limit(neighbor);
+    if (!decides && neighbor.max_deviation > 0.0) {
+      obstacles.back()["max_deviation"] = neighbor.max_deviation;
+      obstacles.back()["max_speed"] =
+          std::isfinite(neighbor.max_speed) ? Json(neighbor.max_speed) : Json();
+    }
     if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
   }
   const avo::Robot& self = seen.robot;
@@ -205,6 +211,7 @@ std::string to_json(const Decision& decision) {
             {"radius", self.radius},
             {"max_speed", self.max_speed},
             {"max_acceleration", self.max_acceleration},
+            {"max_braking", braking_limit(self)},
             {"priority", self.priority},
             {"obstacles", obstacles},
             {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},

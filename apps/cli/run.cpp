@@ -73,17 +73,16 @@ avo::RunSummary simulate(const avo::Scenario& scenario, int threads, Outputs& ou
   using Clock = std::chrono::steady_clock;
   avo::Simulation simulation(scenario, threads);
   avo::Metrics metrics(scenario);
-  const std::int64_t steps = avo::last_step(scenario, scenario.duration);
-  Progress progress(steps, scenario.time_step);
+  Progress progress(scenario.duration);
   metrics.observe(simulation);
   outputs.observe(simulation);
-  while (simulation.steps() < steps && signal_caught() == 0) {
+  while (simulation.can_step_by(scenario.duration) && signal_caught() == 0) {
     const Clock::time_point start = Clock::now();
     simulation.step();
     metrics.add_step_time(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     metrics.observe(simulation);
     outputs.observe(simulation);
-    progress.show(simulation.steps());
+    progress.show(simulation.time());
   }
   return metrics.summary();
 }
@@ -103,8 +102,10 @@ std::string collisions(const avo::RunSummary& results) {
   if (results.one_sided_collisions > 0)
     text +=
         fmt::format("; {} more of which one avoids the other only", results.one_sided_collisions);
-  text += fmt::format("; {} with moving obstacles; {} robots with obstacles",
-                      results.obstacle_collisions, results.collision_obstacles);
+  text += fmt::format("; {} with moving obstacles", results.obstacle_collisions);
+  if (results.obstacle_collisions > 0)
+    text += fmt::format(", {} of them in motion", results.obstacle_collisions_in_motion);
+  text += fmt::format("; {} robots with obstacles", results.collision_obstacles);
   if (results.first_seen_too_late.value_or(0) > 0)
     text += fmt::format("; {} pairs first seen too late", *results.first_seen_too_late);
   return text;
@@ -165,15 +166,26 @@ void tell_unreachable(const avo::RunSummary& results) {
       count == 1 ? "goal of robot" : "goals of robots", who));
 }
 
+/// Of all robots.
+std::int64_t decided(const avo::RunSummary& results) {
+  const avo::Decisions& d = results.decisions;
+  return d.optimal + d.least_unsafe + d.candidate + d.braking + d.overlapping + d.invalid_input;
+}
+
+std::string steps_of(const avo::Scenario& scenario, std::int64_t steps) {
+  if (scenario.clock == avo::Clock::common)
+    return fmt::format("{} steps of {} s", steps, scenario.time_step);
+  return fmt::format("{} steps by clocks of their own", steps);
+}
+
 std::string readable(const avo::Scenario& scenario, const avo::RunSummary& results) {
   const auto number = [](const std::optional<double>& value, const char* unit) {
     return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
   };
   const std::string parked =
       results.parked > 0 ? fmt::format(" ({} parked)", results.parked) : std::string();
-  std::string text =
-      fmt::format("{}: {} robots{}, {} steps of {} s\n", avo_io::printable(results.scene),
-                  results.robots, parked, results.steps, scenario.time_step);
+  std::string text = fmt::format("{}: {} robots{}, {}\n", avo_io::printable(results.scene),
+                                 results.robots, parked, steps_of(scenario, results.steps));
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
@@ -187,8 +199,8 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   if (results.acceleration_excess > 0.0)
     line("exceeds",
          fmt::format("max_acceleration, by up to {:.6g} m/s^2", results.acceleration_excess));
-  line("no safe choice", fmt::format("{} of {} robot-steps", results.infeasible_steps,
-                                     (results.robots - results.parked) * results.steps));
+  line("no safe choice",
+       fmt::format("{} of {} robot-steps", results.infeasible_steps, decided(results)));
   line("decisions", decisions(results));
   if (const std::string who = not_arrived(results); !who.empty()) line("not arrived", who);
   line("time of a step", number(results.step_milliseconds_median, "ms (median)"));
@@ -214,8 +226,11 @@ int run(const RunArguments& arguments) {
     print(text);
   const int caught = signal_caught();
   if (caught == 0) return kDone;
-  say(fmt::format("stopped by a signal after {} of {} steps; all outputs end there", results.steps,
-                  avo::last_step(scenario, scenario.duration)));
+  const std::string part = scenario.clock == avo::Clock::free
+                               ? fmt::format("{} steps", results.steps)
+                               : fmt::format("{} of {} steps", results.steps,
+                                             avo::last_step(scenario, scenario.duration));
+  say(fmt::format("stopped by a signal after {}; all outputs end there", part));
   return kSignal + caught;
 }
 

@@ -57,11 +57,15 @@ int list_scenes(const std::string& name, bool json) {
 int validate_scene(const SceneArguments& arguments) {
   const avo::Scenario scenario = load(arguments);
   const std::size_t walls = avo::walls_of(scenario.obstacles).size();
-  print(fmt::format("{}: valid: {} robots, {} moving obstacles, {}{} steps of {} s\n",
+  const std::string steps =
+      scenario.clock == avo::Clock::free
+          ? fmt::format("{} s by clocks of their own", scenario.duration)
+          : fmt::format("{} steps of {} s", avo::last_step(scenario, scenario.duration),
+                        scenario.time_step);
+  print(fmt::format("{}: valid: {} robots, {} moving obstacles, {}{}\n",
                     avo_io::printable(arguments.scene), scenario.robots.size(),
                     scenario.moving_obstacles.size(),
-                    walls > 0 ? fmt::format("{} walls, ", walls) : "",
-                    avo::last_step(scenario, scenario.duration), scenario.time_step));
+                    walls > 0 ? fmt::format("{} walls, ", walls) : "", steps));
   return kDone;
 }
 

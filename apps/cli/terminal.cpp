@@ -79,9 +79,8 @@ void warn(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) say("warning: " + line);
 }
 
-Progress::Progress(std::int64_t steps, double time_step)
-    : steps_(steps),
-      time_step_(time_step),
+Progress::Progress(double duration)
+    : duration_(duration),
       terminal_(isatty(STDERR_FILENO) == 1),
       start_(Clock::now()),
       last_(start_) {}
@@ -90,20 +89,18 @@ Progress::~Progress() {
   if (bar_shown.exchange(false)) write_error(kWipe);
 }
 
-void Progress::show(std::int64_t step) {
+void Progress::show(double time) {
   if (!terminal_) return;
   const Clock::time_point now = Clock::now();
   if (now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   bar_shown = true;
-  const double part = static_cast<double>(step) / static_cast<double>(steps_);
+  const double part = std::clamp(time / duration_, 1e-9, 1.0);
   const double left = std::chrono::duration<double>(now - start_).count() * (1.0 / part - 1.0);
   constexpr int kWidth = 30;
   const auto filled = static_cast<std::size_t>(kWidth * part);
   write_error(fmt::format("\r[{:<{}}] {:3.0f} %  t = {:.1f} of {:.1f} s, {:.0f} s left\033[K",
-                          std::string(filled, '#'), kWidth, 100.0 * part,
-                          static_cast<double>(step) * time_step_,
-                          static_cast<double>(steps_) * time_step_, left));
+                          std::string(filled, '#'), kWidth, 100.0 * part, time, duration_, left));
 }
 
 }  // namespace avo_cli

@@ -32,16 +32,15 @@ void warn(const std::vector<std::string>& lines);
 /// A bar on the standard error output, if that is a terminal; wiped at the end.
 class Progress {
  public:
-  Progress(std::int64_t steps, double time_step);
+  explicit Progress(double duration);  ///< s
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  void show(std::int64_t step);
+  void show(double time);  ///< s
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::int64_t steps_;
-  double time_step_;
+  double duration_;
   bool terminal_;
   Clock::time_point start_, last_;
 };

@@ -59,6 +59,13 @@ void add_walls(std::vector<Family>& all, double robot_steps) {
   add("walls-corners", "30 unequal robots sent into one sharp corner after the other",
       wall_corners);
   add("walls-gaps", "the same through gaps of 2r + 1e-6 m", wall_gaps);
+  all.push_back({"clocks-walls", "walls-cars with free clocks, half of them twice as fast", kScenes,
+                 true, [of_each](std::uint64_t seed) {
+                   return with_clocks(walls_and_cars(of_each, seed), true, seed);
+                 }});
+  all.push_back({"clocks-movers", "movers with free clocks, half of them twice as fast", kScenes,
+                 true,
+                 [](std::uint64_t seed) { return with_clocks(among_movers(seed), true, seed); }});
   all.push_back({"walls-movers", "20 among random segments and obstacles that keep their velocity",
                  100, true, walls_and_movers});
 }
@@ -84,6 +91,8 @@ std::vector<Family> families(double soak_steps) {
                  [](std::uint64_t) { return doorway(); }});
   all.push_back(
       {"movers", "robots among obstacles that keep their velocity", 20, true, among_movers});
+  all.push_back({"people", "the same among people who walk about and may turn at any time", 100,
+                 true, among_people});
   add_passages(all);
   constexpr int kCrushes = 4;
   for (const bool packed : {false, true}) {
@@ -94,6 +103,10 @@ std::vector<Family> families(double soak_steps) {
                      return crush(packed, soak_steps / kCrushes, seed);
                    }});
   }
+  all.push_back({"mixed-crush", "60 robots of all kinds and 5 people sent to one point", kCrushes,
+                 true, [soak_steps](std::uint64_t seed) {
+                   return mixed_crush(0.1 * soak_steps / kCrushes, seed);
+                 }});
   for (const bool mixed : {false, true}) {
     all.push_back({mixed ? "airplanes-mixed" : "airplanes",
                    mixed ? "the same with cars and holonomic robots among them"

@@ -19,7 +19,7 @@ struct Family {
 };
 
 /// All rows, in the order of the table. `soak_steps` is what each crush and each row of walls-
-/// lasts in all its scenes, in robot-steps.
+/// lasts in all its scenes, in robot-steps; mixed-crush a tenth of it.
 std::vector<Family> families(double soak_steps);
 /// Appends the rows in which robots sense each other wrongly, late or not at all.
 void add_sensing(std::vector<Family>& all);

@@ -30,6 +30,8 @@ Check make_check(const Scenario& scenario) {
       robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
       robot.straight = adopts_at_once(options.method);
     }
+    if (scenario.clock == Clock::free && !robot.straight)
+      robot.time_step = time_step_of(scenario, setup);
     robots.push_back(robot);
   }
   std::vector<CheckedObstacle> obstacles;
@@ -89,6 +91,7 @@ void Verdict::add(const Verdict& later) {
   speed_violations += later.speed_violations;
   jumps += later.jumps;
   kinematic_violations += later.kinematic_violations;
+  changes += later.changes;
   least_clearance = least_of(least_clearance, later.least_clearance);
   least_static_clearance = least_of(least_static_clearance, later.least_static_clearance);
   interpolation_error = std::max(interpolation_error, later.interpolation_error);
@@ -103,6 +106,12 @@ Judge::Judge(const Scenario& scenario) : state_(new State{make_check(scenario)})
 Judge::~Judge() = default;
 
 void Judge::observe(const Simulation& simulation) {
+  const ObstacleView obstacles = simulation.obstacles();
+  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
+    if (!obstacles.setup[k].path.empty())
+      state_->check.place_obstacle(static_cast<std::int64_t>(k), obstacles.position[k],
+                                   obstacles.velocity[k]);
+  }
   observe(simulation.time(), checked_states(simulation.fleet()));
 }
 
@@ -114,18 +123,23 @@ Verdict Judge::verdict() const {
   const CheckReport report = state_->check.report();
   Verdict verdict;
   verdict.overlapping_pairs = report.overlaps.count;
-  verdict.moving_contacts = report.obstacle_contacts_moving.count;
-  verdict.resting_contacts = report.obstacle_contacts_at_rest;
+  verdict.moving_contacts =
+      report.obstacle_contacts_moving.count + report.one_sided_contacts_moving.count;
+  verdict.resting_contacts = report.obstacle_contacts_at_rest + report.one_sided_contacts_at_rest;
   verdict.static_contacts = report.static_contacts.count;
-  verdict.deepest_contact = report.obstacle_contacts_moving.worst;
+  verdict.deepest_contact =
+      std::max(report.obstacle_contacts_moving.worst, report.one_sided_contacts_moving.worst);
   verdict.acceleration_violations = report.accelerations.count;
   verdict.speed_violations = report.speeds.count;
   verdict.jumps = report.jumps.count;
+  verdict.changes = report.changes.count;
   verdict.least_clearance = report.least_clearance;
   verdict.least_static_clearance = report.least_static_clearance;
   verdict.interpolation_error = report.interpolation_error;
   name_first("overlapping pairs (m)", report.overlaps, verdict.violations);
   name_first("obstacle contacts in motion (m)", report.obstacle_contacts_moving,
+             verdict.violations);
+  name_first("one-sided contacts in motion (m)", report.one_sided_contacts_moving,
              verdict.violations);
   name_first("robots that touched a wall (m)", report.static_contacts, verdict.violations);
   name_first("steps above a_max (m/s^2)", report.accelerations, verdict.violations);
@@ -136,6 +150,7 @@ Verdict Judge::verdict() const {
     verdict.kinematic_violations += count.count;
     name_first(rule.what, count, verdict.violations);
   }
+  name_first("changes between decisions (m/s^2)", report.changes, verdict.violations);
   return verdict;
 }
 

@@ -21,6 +21,7 @@ struct Verdict {
   std::int64_t acceleration_violations = 0, speed_violations = 0;  ///< robot-steps, robot-states
   std::int64_t jumps = 0;  ///< robot-steps whose positions do not follow the velocities
   std::int64_t kinematic_violations = 0;         ///< of headings, turns, gears, wheels, wings
+  std::int64_t changes = 0;                      ///< of an acceleration, between two decisions
   std::optional<double> least_clearance;         ///< m, of two robots
   std::optional<double> least_static_clearance;  ///< m, of a robot and a static obstacle
   double interpolation_error = 0.0;  ///< m, that judged paths may be off: see CheckReport
@@ -28,7 +29,7 @@ struct Verdict {
 
   [[nodiscard]] bool safe() const {
     return overlapping_pairs + moving_contacts + static_contacts + acceleration_violations +
-               speed_violations + jumps + kinematic_violations ==
+               speed_violations + jumps + kinematic_violations + changes ==
            0;
   }
   /// What happened after it, to the same robots.

@@ -115,7 +115,8 @@ const char* usage() {
   --scenes N          scenes of each row whose scenes differ
   --first-seed S      seed of the first scene of each row, default 1
   --robot-steps X     robot-steps of each crush and each row of walls- but
-                      walls-movers, in all its scenes, default 1e7
+                      walls-movers, in all its scenes, default 1e7; a tenth of it for
+                      mixed-crush
   --method NAME       avo, avo_paper, velocity_obstacle, orca
   --certificate NAME  none, stopping_capsules, braking_trajectories
   --motion NAME       held, exponential

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <span>
+#include <utility>
 
 #include "density.h"
 #include "output.h"
@@ -20,11 +22,20 @@ double thread_seconds() {
 
 namespace {
 
-// Sends all robots to another of the rallying points whenever the time has come.
+// The last step, s.
+struct Span {
+  double from, to;
+  // Whether one of the periods that follow each other from `start` on begins in (from, to].
+  [[nodiscard]] bool begins(double period, double start = 0.0) const {
+    const auto passed = [&](double time) {
+      return std::floor((time - start) / period + 1e-9);  // of sums of decimal fractions
+    };
+    return passed(from) != passed(to);
+  }
+};
+
+// Sends all robots to another of the rallying points.
 void rally(const Scene& scene, Random& random, Simulation& simulation) {
-  if (scene.rallies.empty()) return;
-  const std::int64_t period = last_step(scene.scenario, scene.rally_period);
-  if (simulation.steps() % period != 0) return;
   const Vec2 goal = scene.rallies[random.below(scene.rallies.size())];
   const FleetView fleet = simulation.fleet();
   const std::vector<RobotId> robots(fleet.id.begin(), fleet.id.end());
@@ -32,12 +43,11 @@ void rally(const Scene& scene, Random& random, Simulation& simulation) {
 }
 
 // Sends every robot on that is where it was sent, or has tried for 20 s.
-void send_on(const Scene& scene, Random& random, Simulation& simulation) {
+void send_on(const Scene& scene, const Span& span, Random& random, Simulation& simulation) {
   if (scene.errands.empty()) return;
-  const std::int64_t patience = last_step(scene.scenario, 20.0);
   for (std::size_t i = 0; i < scene.scenario.robots.size(); ++i) {
-    const auto own = static_cast<std::int64_t>(i);
-    if ((simulation.steps() + own) % patience != 0 && !simulation.is_at_goal(i)) continue;
+    const double start = -scene.scenario.time_step * static_cast<double>(i);
+    if (!span.begins(20.0, start) && !simulation.is_at_goal(i)) continue;
     const std::vector<Vec2>& places = scene.errands[i % scene.errands.size()];
     simulation.set_goal(RobotId{i}, places[random.below(places.size())]);
   }
@@ -53,9 +63,12 @@ void note_arrivals(const Simulation& simulation, Outcome& outcome) {
 }
 
 void note_decisions(const Simulation& simulation, Outcome& outcome) {
-  for (const Plan& plan : simulation.fleet().plan) {
-    const auto status = static_cast<std::size_t>(plan.status);
+  const std::span<const Plan> plans = simulation.fleet().plan;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    if (!simulation.decided(i)) continue;
+    const auto status = static_cast<std::size_t>(plans[i].status);
     ++outcome.decisions[std::min(status, kMostStatuses - 1)];
+    ++outcome.robot_steps;
   }
 }
 
@@ -69,25 +82,23 @@ bool at_rest(const Simulation& simulation) {
 // Times steps and remembers the worst second.
 class StepClock {
  public:
-  StepClock(std::int64_t steps_a_second, double robots)
-      : steps_a_second_(steps_a_second), robots_(robots) {}
-
   void step(Simulation& simulation) {
     const double start = thread_seconds();
     simulation.step();
     const double taken = thread_seconds() - start;
     total_ += taken;
     second_ += taken;
-    if (simulation.steps() % steps_a_second_ != 0) return;
-    worst_ = std::max(worst_, second_ / (robots_ * static_cast<double>(steps_a_second_)));
+  }
+  // A second of the scene has passed, with so many decisions.
+  void end_second(std::int64_t decisions) {
+    worst_ = std::max(worst_, second_ / static_cast<double>(std::max<std::int64_t>(decisions, 1)));
     second_ = 0.0;
   }
   [[nodiscard]] double total() const { return total_; }
   [[nodiscard]] double worst() const { return worst_; }
 
  private:
-  std::int64_t steps_a_second_;
-  double robots_, total_ = 0.0, second_ = 0.0, worst_ = 0.0;
+  double total_ = 0.0, second_ = 0.0, worst_ = 0.0;
 };
 
 // Whether the robots allow for all that their scene makes of what they sense.
@@ -100,7 +111,6 @@ bool is_covered(const Scenario& scenario) {
 // Every robot knows all others as the scene says.
 void run_simulation(const Scene& scene, const std::string& record, Outcome& outcome) {
   const Scenario& scenario = scene.scenario;
-  const auto robots = scenario.robots.size();
   Simulation simulation(scenario, 1);
   Judge judge(scenario);
   std::optional<Recording> recording;
@@ -117,24 +127,26 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   };
   observe();
   Random random(outcome.seed, 7);
-  const std::int64_t second = std::max<std::int64_t>(1, last_step(scenario, 1.0));
-  StepClock clock(second, static_cast<double>(robots));
-  const std::int64_t steps = last_step(scenario, scenario.duration);
+  StepClock clock;
+  Span span{-scenario.time_step, 0.0};
+  std::int64_t before = 0;  // decisions
   // once all are at rest at their goals nothing more happens, unless something comes by
   const bool may_end =
       scene.rallies.empty() && scene.errands.empty() && scenario.moving_obstacles.empty();
-  while (simulation.steps() < steps) {
-    rally(scene, random, simulation);
-    send_on(scene, random, simulation);
+  while (simulation.can_step_by(scenario.duration)) {
+    if (!scene.rallies.empty() && span.begins(scene.rally_period)) rally(scene, random, simulation);
+    send_on(scene, span, random, simulation);
     clock.step(simulation);
     observe();
     note_decisions(simulation, outcome);
-    if (!scene.rallies.empty() && simulation.steps() % second == 0) {
-      outcome.density = std::max(outcome.density, densest_disc(simulation.fleet()));
+    span = {span.to, simulation.time()};
+    if (span.begins(1.0)) {
+      clock.end_second(outcome.robot_steps - std::exchange(before, outcome.robot_steps));
+      if (!scene.rallies.empty())
+        outcome.density = std::max(outcome.density, densest_disc(simulation.fleet()));
     }
     if (may_end && simulation.all_at_goal() && at_rest(simulation)) break;
   }
-  outcome.robot_steps = simulation.steps() * static_cast<std::int64_t>(robots);
   outcome.seconds = clock.total();
   outcome.worst_second = clock.worst();
   outcome.verdict = judge.verdict();

@@ -44,6 +44,16 @@ void see_far_enough(Scenario& scenario) {
   }
 }
 
+Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed) {
+  Scenario& scenario = scene.scenario;
+  scenario.seed = seed;
+  scenario.clock = Clock::free;
+  for (std::size_t i = 0; i < scenario.robots.size() && unequal; i += 2)
+    scenario.robots[i].time_step = 0.5 * scenario.time_step;
+  see_far_enough(scenario);
+  return scene;
+}
+
 Scenario usual_scenario() {
   Scenario scenario;
   scenario.time_step = 0.1;

@@ -42,6 +42,9 @@ double straight_time(const Scenario& scenario);
 /// Widens the sensing radius to what the scene's certificate needs.
 void see_far_enough(Scenario& scenario);
 
+/// The same robots with clocks of their own; `unequal`: every other one decides twice as often.
+Scene with_clocks(Scene scene, bool unequal, std::uint64_t seed);
+
 /// Circle-N of the paper's §VI-B.
 struct CircleRow {
   int robots = 0;
@@ -79,5 +82,12 @@ Scene doorway();
 
 /// 20 robots from and to anywhere in a square that 8 obstacles cross, each at its own speed.
 Scene among_movers(std::uint64_t seed);
+
+/// The same among 6 people who walk from one random point to the next, and may turn at any time.
+Scene among_people(std::uint64_t seed);
+
+/// 60 robots of all kinds sent to one point after the other, and 5 people among them: cars, limits
+/// of braking of 0.5 to 1 of a_max, shares of 1/64 to 63/64, some that avoid nobody of the others.
+Scene mixed_crush(double robot_steps, std::uint64_t seed);
 
 }  // namespace avo::safety

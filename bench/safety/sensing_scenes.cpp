@@ -215,6 +215,17 @@ void add_sensing(std::vector<Family>& all) {
                      }});
     }
   }
+  for (const bool unequal : {false, true}) {
+    for (const Kind& kind : kinds) {
+      all.push_back(
+          {std::string(unequal ? "clocks-steps-" : "clocks-") + kind.name,
+           std::string(unequal ? "free clocks, half of them twice as fast: " : "free clocks: ") +
+               kind.what,
+           20, true, [unequal, make = kind.make](std::uint64_t seed) {
+             return with_clocks(make(seed), unequal, seed);
+           }});
+    }
+  }
   all.push_back(whims_of_movers("board-movers", 1.0));
   all.push_back(whims_of_movers("board-movers-gentle", 0.2));
 }

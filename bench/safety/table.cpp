@@ -53,6 +53,7 @@ void add_safety(const Outcome& outcome, RowResult& row) {
   row.speed_violations += verdict.speed_violations;
   row.jumps += verdict.jumps;
   row.kinematic_violations += verdict.kinematic_violations;
+  row.changes += verdict.changes;
   row.unsafe_scenes += verdict.safe() ? 0 : 1;
   row.certified =
       row.certified || (outcome.promised && outcome.planner.certificate != Certificate::none);
@@ -131,7 +132,7 @@ RowResult summarize(const std::string& name, const std::vector<Outcome>& outcome
     row.at_goal_at_end += outcome.at_goal_at_end;
     row.late_scenes += is_late(outcome) ? 1 : 0;
     for (const double time : outcome.arrival) {
-      row.arrived += std::isfinite(time) ? 1 : 0;
+      if (std::isfinite(time)) ++row.arrived, row.mean += time;
       arrivals.push_back(time);
       ratios.push_back(time / outcome.unit);
       row.last = std::max(row.last, time);
@@ -142,6 +143,7 @@ RowResult summarize(const std::string& name, const std::vector<Outcome>& outcome
     row.worst_microseconds = std::max(row.worst_microseconds, 1e6 * outcome.worst_second);
     row.density = std::max(row.density, outcome.density);
   }
+  row.mean /= static_cast<double>(std::max<std::int64_t>(row.arrived, 1));
   compare_scenes(outcomes, row);
   row.late = late_quantile(std::move(arrivals));
   row.late_ratio = late_quantile(std::move(ratios));
@@ -157,8 +159,8 @@ std::string table_header() {
 }
 
 std::string table_lines(const RowResult& row) {
-  const std::int64_t limits =
-      row.acceleration_violations + row.speed_violations + row.jumps + row.kinematic_violations;
+  const std::int64_t limits = row.acceleration_violations + row.speed_violations + row.jumps +
+                              row.kinematic_violations + row.changes;
   std::string line =
       format("%-18s %6lld %7lld %9lld %6lld %6lld %10s %8s", row.name.c_str(),
              static_cast<long long>(row.scenes), static_cast<long long>(row.robots),
@@ -179,9 +181,9 @@ std::string table_lines(const RowResult& row) {
   if (row.has_goals && row.scenes > 1) {
     line += format(
         "  scenes: all arrive in %lld of %lld, the fewest in one are %lld; median of the last "
-        "arrivals %.1f s\n",
+        "arrivals %.1f s, mean of all %.2f s\n",
         static_cast<long long>(row.full_scenes), static_cast<long long>(row.scenes),
-        static_cast<long long>(row.fewest_arrived), row.median_last);
+        static_cast<long long>(row.fewest_arrived), row.median_last, row.mean);
   }
   if (row.least_static_clearance) {
     line += format("  walls: touched by %lld robots, least clearance %.4g mm",

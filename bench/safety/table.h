@@ -17,7 +17,7 @@ struct RowResult {
   std::int64_t overlapping_pairs = 0, moving_contacts = 0, resting_contacts = 0,
                static_contacts = 0;
   double deepest_contact = 0.0;  ///< m, of those in motion
-  std::int64_t acceleration_violations = 0, speed_violations = 0, jumps = 0;
+  std::int64_t acceleration_violations = 0, speed_violations = 0, jumps = 0, changes = 0;
   std::int64_t kinematic_violations = 0;
   std::int64_t unsafe_scenes = 0;
   bool certified = false;  ///< a certificate rules out what is unsafe
@@ -28,6 +28,7 @@ struct RowResult {
   std::int64_t full_scenes = 0;                  ///< in which all arrive
   std::int64_t fewest_arrived = 0;               ///< of the scenes, robots
   double median_last = 0.0;  ///< s, of the scenes' last arrivals; never counts as their duration
+  double mean = 0.0;         ///< s, of the robots that arrive
   double last = 0.0, late = 0.0;              ///< s: the last arrival, and the 99 % quantile
   double last_ratio = 0.0, late_ratio = 0.0;  ///< the same in the scenes' units
   double limit = 0.0;                         ///< units

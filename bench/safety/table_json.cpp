@@ -97,6 +97,7 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
       .add("speed_violations", row.speed_violations)
       .add("jumps", row.jumps)
       .add("kinematic_violations", row.kinematic_violations)
+      .add("changes", row.changes)
       .add("unsafe_scenes", row.unsafe_scenes)
       .add("unsafe_bound_95",
            row.unsafe_scenes == 0 ? 3.0 / static_cast<double>(row.scenes) : kNever)
@@ -109,6 +110,7 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
         .add("full_scenes", row.full_scenes)
         .add("fewest_arrived", row.fewest_arrived)
         .add("median_last_arrival", row.median_last)
+        .add("mean_arrival", row.mean)
         .add("last_arrival", row.last)
         .add("arrival_99", row.late)
         .add("last_ratio", row.last_ratio)

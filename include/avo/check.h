@@ -73,9 +73,13 @@ struct CheckedRobot {
   /// Bits: it avoids whoever is in one of the layers `avoids`. Pairs of which nobody avoids the
   /// other are not judged, see also one_sided_contacts_moving.
   std::uint32_t layers = 1, avoids = 0xffffffff;
+  /// s, > 0: it decides by a clock of its own, and changes its acceleration (a car the change of
+  /// its speed, and its curvature) at no other times. Rows have to stand at all of these; their
+  /// phase is that of the first change.
+  std::optional<double> time_step = {};
 };
 
-/// A disc whose whole motion is known: p + t v + t²/2 a.
+/// A disc whose whole motion is known: p + t v + t²/2 a; or see Check::place_obstacle().
 struct CheckedObstacle {
   Vec2 position = {}, velocity = {}, acceleration = {};  ///< at time 0
   double radius = 0.5;                                   ///< m, > 0
@@ -159,6 +163,9 @@ struct CheckReport {
   CheckCount wheel_accelerations;    ///< likewise
   std::int64_t with_heading = 0;     ///< robot-steps that were judged by headings
   std::int64_t without_heading = 0;  ///< robot-steps of those that have one, which the rows lack
+  /// Robot-rows at which an acceleration changed that a robot with a time_step had to hold; amounts
+  /// in m/s^2.
+  CheckCount changes;
   std::optional<double> least_clearance;  ///< m, over such pairs and all times; none without any
   std::optional<double> least_static_clearance;  ///< m, over all robots, walls and times
   double largest_acceleration = 0.0;             ///< m/s^2
@@ -193,6 +200,11 @@ class AVO_API Check {
   /// called between any two times, for doors that open and close: what was counted stays. A contact
   /// names a wall by its index in the list of its step. Throws Error on values out of range.
   void set_walls(std::vector<CheckedWall> walls);
+
+  /// Where an obstacle (an index into those given) is at the time of the next add(), and how fast,
+  /// instead of what it was told to do: it is judged on the cubic from where it was. Once placed,
+  /// it stays there until it is placed again. Throws Error on values out of range.
+  void place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity);
 
   /// All rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error on
   /// anything else, and on values that are not finite or beyond 1e12; nothing has changed then. A

@@ -43,8 +43,11 @@ struct RunSummary {
   std::optional<double> first_collision_time;  ///< s, of robots with each other
   /// Distinct pairs of robots that ever overlapped, of which both avoid the other.
   std::int64_t collision_pairs = 0;
-  std::int64_t one_sided_collisions = 0;         ///< and those of which only one avoids the other
-  std::int64_t obstacle_collisions = 0;          ///< distinct (robot, moving obstacle) pairs
+  std::int64_t one_sided_collisions = 0;  ///< and those of which only one avoids the other
+  std::int64_t obstacle_collisions = 0;   ///< distinct (robot, moving obstacle) pairs
+  /// Those of them that overlapped in a step in which the robot moved. Any others ran into a robot
+  /// at rest, which no robot can help.
+  std::int64_t obstacle_collisions_in_motion = 0;
   std::int64_t collision_obstacles = 0;          ///< distinct robots that touched a static obstacle
   std::optional<double> min_clearance;           ///< m, of robots that avoid each other, if any do
   std::optional<double> min_obstacle_clearance;  ///< m, from static obstacles; none without them

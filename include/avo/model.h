@@ -46,6 +46,24 @@ struct Car {
   friend bool operator==(const Car&, const Car&) = default;
 };
 
+/// Two wheels on one axle, each driven by itself: its position is the middle of the axle, and it
+/// turns about that where it stands. The limits of the wheels hold at every instant. Others sense
+/// the disc about the point q that is `offset` ahead of the axle, which can accelerate in every
+/// direction (docs/certificate.md, "Differential drives"). The robot's velocity, max_speed and
+/// max_acceleration are those of q: max_speed <= wheel_speed, max_acceleration <
+/// most_acceleration().
+struct DifferentialDrive {
+  double track = 0.4;               ///< [b] m, > 0, between the wheels
+  double offset = 0.2;              ///< [L] m, > 0
+  double wheel_speed = 2.0;         ///< [w_max] m/s, > 0, of each wheel on the ground
+  double wheel_acceleration = 3.0;  ///< [α_w] m/s², > 0, likewise
+  friend bool operator==(const DifferentialDrive&, const DifferentialDrive&) = default;
+};
+
+/// m/s²: α_w/√(1 + (b/2L)²), which the wheels can make of q in every direction, at rest. A robot
+/// that brakes with less has something left for turning while it brakes.
+AVO_API double most_acceleration(const DifferentialDrive& drive);
+
 /// What an airplane does once it has flown through its goal.
 enum class AfterGoal : std::uint8_t {
   loiter,  ///< it turns right for ever, where it is then
@@ -74,7 +92,7 @@ struct LoiterCircle {
 AVO_API LoiterCircle loiter_circle(const Airplane& airplane, Vec2 position, Vec2 velocity);
 
 /// How a robot moves.
-using MotionModel = std::variant<Holonomic, Car, Airplane>;
+using MotionModel = std::variant<Holonomic, Car, DifferentialDrive, Airplane>;
 
 inline bool is_holonomic(const MotionModel& model) {
   return std::holds_alternative<Holonomic>(model);
@@ -85,6 +103,10 @@ inline bool is_airplane(const MotionModel& model) {
 
 /// m/s²: what |a| of one whose setup says `max_acceleration` never exceeds.
 AVO_API double acceleration_limit(const MotionModel& model, double max_acceleration);
+
+/// Whether the velocity of its disc is along its heading or against it, as that of a car is. Others
+/// move on parabolas between decisions where acceleration is held.
+AVO_API bool moves_along_heading(const MotionModel& model);
 
 /// m: the radius of the disc that others sense, of one whose setup says `radius`.
 AVO_API double disc_radius(const MotionModel& model, double radius);

@@ -18,7 +18,7 @@ inline constexpr double kHeadingTolerance = 1e-6;
 /// Robot A, the one that decides.
 struct Robot {
   Vec2 position = {};             ///< [p_A] m, the center of its disc: see disc_center()
-  Vec2 velocity = {};             ///< [v_A] m/s
+  Vec2 velocity = {};             ///< [v_A] m/s; of a differential drive that of this center
   Vec2 preferred_velocity = {};   ///< [v_A^pref] m/s
   double radius = 0.5;            ///< [r_A] m, > 0, of that disc
   double max_acceleration = 1.0;  ///< [a_A^max] m/s^2, > 0
@@ -32,6 +32,9 @@ struct Robot {
   /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
   /// reciprocal_share(). Others have to know it.
   double priority = 1.0;
+  /// [b_A] m/s^2, > 0, <= max_acceleration: with which it surely brakes whenever it has to, and
+  /// others have to know it; unset: max_acceleration. A decision may ask for more.
+  std::optional<double> max_braking = {};
   /// Of an airplane, the circle that the others know of it; unset: that of position and velocity.
   /// Remember it while the airplane is on it: made anew in each step, it drifts by rounding.
   std::optional<LoiterCircle> loiter = {};
@@ -40,7 +43,7 @@ struct Robot {
 /// What A counts on from another one.
 enum class Behavior : std::uint8_t {
   decides,   ///< calls plan() at the same times: does its share, and can brake
-  moves_on,  ///< reacts to nobody and keeps its acceleration: A does all
+  moves_on,  ///< reacts to nobody; keeps its acceleration, as far as max_deviation says: A does all
 };
 
 /// Another robot B as A senses it, or a moving obstacle.
@@ -57,10 +60,23 @@ struct Neighbor {
   /// was sensed (docs/certificate.md, "Age").
   int age = 0;
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
+  /// [b_B] m/s^2, see Robot::max_braking; likewise
+  std::optional<double> max_braking = {};
+  /// [η] m/s^2, >= 0, of one that moves on: its acceleration may at any time be that far from the
+  /// one given. A certificate keeps A clear of wherever it may then be while A moves.
+  double max_deviation = 0.0;
+  /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
+  double max_speed = std::numeric_limits<double>::infinity();
   /// What B falls back on, where it decides: to turn right on this circle for ever. Unset: to
   /// brake.
   std::optional<LoiterCircle> loiter = {};
 };
+
+/// [b] m/s^2, with which a robot brakes.
+template <typename Robot>
+double braking_limit(const Robot& robot) {
+  return robot.max_braking.value_or(robot.max_acceleration);
+}
 
 /// Of a Neighbor, steps.
 inline constexpr int kMostAge = 1'000'000;

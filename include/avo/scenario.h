@@ -37,6 +37,11 @@ struct RobotSetup {
   bool parked = false;
   LayerSet layers{1};           ///< that it is in; of one that is parked the usual ones
   LayerSet avoids{0xffffffff};  ///< it avoids those who are in one of these
+  /// [Δt] s, > 0, whole nanoseconds: between its own decisions. Only where Scenario::clock is free;
+  /// unset: the scene's.
+  std::optional<double> time_step = {};
+  /// [b] m/s^2, > 0, <= max_acceleration, see Robot::max_braking; unset: max_acceleration
+  std::optional<double> max_braking = {};
 };
 
 /// Of the disc that others sense.
@@ -53,13 +58,30 @@ constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
   return (a.avoids.bits & b.layers.bits) != 0;
 }
 
-/// A disc that moves with constant acceleration and reacts to nobody.
+/// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
 struct MovingObstacle {
   Vec2 position = {};      ///< m
   Vec2 velocity = {};      ///< m/s
-  Vec2 acceleration = {};  ///< m/s^2
+  Vec2 acceleration = {};  ///< m/s^2; 0 with max_speed
   double radius = 0.5;     ///< m, > 0
+  /// m/s^2, >= 0: robots count on its acceleration being so far from that one, at any time.
+  double max_deviation = 0.0;
+  std::optional<double> max_speed = {};  ///< m/s, > 0, with max_deviation: that it never exceeds
+  /// m: it goes for these points one after the other and then for the first again, see
+  /// next_on_path(). With max_deviation and max_speed; empty: it has none.
+  std::vector<Vec2> path = {};
 };
+
+/// Where a moving obstacle is on its path at the beginning of a step.
+struct PathWalk {
+  Vec2 position, velocity;   ///< m, m/s
+  std::uint32_t target = 0;  ///< index of the point that it goes for
+};
+/// One step on, with an acceleration held over the step that is within max_deviation: straight for
+/// the target, as fast as max_speed and stopping there allow. It has reached a point when its disc
+/// covers it.
+AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
+                              double time_step);
 
 /// How robots on their ways know who else is about to go through a narrow passage.
 enum class RightOfWay : std::uint8_t {
@@ -105,8 +127,8 @@ inline constexpr int kMostCarried = 10;
 
 struct Scenario {
   std::string name = {};
-  double time_step = 0.1;                   ///< [Δt] s, > 0
-  double duration = 60.0;                   ///< s, >= time_step
+  double time_step = 0.1;  ///< [Δt] s, > 0; whole nanoseconds where the clock is free
+  double duration = 60.0;  ///< s, >= time_step
   std::optional<double> control_time = {};  ///< [δ] s, > 0; unset: default_options(method)
   std::optional<double> time_horizon = {};  ///< [τ] s, > 0; likewise
   double sensing_radius = 15.0;             ///< m, > 0, between centers
@@ -126,7 +148,18 @@ struct Scenario {
   SensingModel sensing = {};
   /// What the robots declare to braking_trajectories; unset: declared_error() of `sensing`.
   std::optional<SensingError> sensing_error = {};
+  /// free: each robot decides at times of its own, its own time_step apart, from a phase that the
+  /// seed gives it (docs/scenes.md, "Clocks").
+  Clock clock = Clock::common;
+  /// s, where the clock is free: the longest time_step that any robot may have, those that are
+  /// added later too; unset: that of the scene's robots.
+  std::optional<double> longest_step = {};
 };
+
+/// s, between decisions of one of the scene's robots.
+constexpr double time_step_of(const Scenario& scenario, const RobotSetup& robot) {
+  return robot.time_step.value_or(scenario.time_step);
+}
 
 /// What covers the noise and the delay of the scene's robots: the bounds of the noise, and what the
 /// strongest of them can do within the delay. Missed measurements are told by Neighbor::age.
@@ -142,8 +175,9 @@ AVO_API std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots);
 /// The scene's settings, with its method's own for what it leaves unset.
 AVO_API PlannerOptions planner_options(const Scenario& scenario);
 
-/// Number of the last step that begins no later than `time` >= 0 (s): step k is at k * time_step.
-/// A run of the whole scene takes last_step(scenario, scenario.duration) steps.
+/// Number of the last step that begins no later than `time` >= 0 (s), of a common clock: step k is
+/// at k * time_step. A run of the whole scene takes last_step(scenario, scenario.duration) steps.
+/// With either clock Simulation::can_step_by() tells whether it goes on.
 AVO_API std::int64_t last_step(const Scenario& scenario, double time);
 
 /// One line for each setting that does not fit the robots (δ, τ, Δt, sensing radius), with the

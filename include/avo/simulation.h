@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fleet of robots that all plan alone and at the same time, each from the same generation.
+// A fleet of robots that all plan alone: at the same time, each from the same generation, or, where
+// clocks are free, each at times of its own.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ struct FleetView {
   std::span<const Vec2> goal;         ///< m
   std::span<const RobotSetup> setup;  ///< the constant part (radius, limits, car)
   std::span<const Detour> detour;     ///< what each remembers; method avo only
-  std::span<const Plan> plan;         ///< of the last step; value-initialized before the first
+  std::span<const Plan> plan;         ///< of its last decision; value-initialized before the first
   std::span<const double> applied_acceleration;  ///< m/s^2, the largest |a| within the last step
 };
 
@@ -79,7 +80,9 @@ class AVO_API Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// One sensing-acting cycle of all robots: decide from the present generation, move by Δt.
+  /// One sensing-acting cycle of all robots: decide from the present generation, move by Δt. Where
+  /// clocks are free: those whose own step ends now decide, from the states of now, and all move to
+  /// the next instant at which anybody decides.
   /// Bit-identical for any number of threads; allocates nothing once warm. Where memory runs out it
   /// throws std::bad_alloc: either before anyone has moved, so that the step can be tried again, or
   /// after some have, and then every later step throws Error.
@@ -104,7 +107,7 @@ class AVO_API Simulation {
   /// A door opens. Costs as much. Throws Error if there is no such obstacle.
   void remove_obstacle(ObstacleId obstacle);
 
-  /// The state and the setup as bytes, the same on every machine, 80 of state and 80 of setup
+  /// The state and the setup as bytes, the same on every machine, 64 of state and 88 of setup
   /// (goal, radius, limits, wheelbase, priority, parked, layers) a robot, 8 of what it aims at
   /// where there are walls, and its last states where the scene's sensing delays or misses
   /// measurements (docs/saving.md). Whoever has them has an equal state_hash() and an equal future,
@@ -123,8 +126,15 @@ class AVO_API Simulation {
   [[nodiscard]] FleetView fleet() const;
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] StaticObstacleView static_obstacles() const;
-  [[nodiscard]] double time() const;  ///< s, steps() * time_step
+  [[nodiscard]] double time() const;  ///< s: steps() * time_step, or the instant of free clocks
   [[nodiscard]] std::int64_t steps() const;
+  /// Whether the next step ends by that time, s.
+  [[nodiscard]] bool can_step_by(double time) const;
+  /// s: when the robot (an index into fleet()) decides next. Now, where the clock is common; never,
+  /// which is infinite, if it is parked.
+  [[nodiscard]] double next_decision(std::size_t robot) const;
+  /// Whether it decided in the last step, of all that were there then.
+  [[nodiscard]] bool decided(std::size_t robot) const;
   /// Whether the robot (an index into fleet()) is within arrival_distance now, with no wall between
   /// it and its goal.
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;
@@ -147,7 +157,8 @@ class AVO_API Simulation {
     std::vector<Wall> walls = {};  ///< all that matter to it, and more
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
-  [[nodiscard]] const Planner& planner() const;
+  [[nodiscard]] const Planner& planner() const;                   ///< of the scene's time_step
+  [[nodiscard]] const Planner& planner(std::size_t robot) const;  ///< that this one plans with
 
   /// From now on the steps are measured, or no longer; the sums begin anew.
   void measure(bool on);

@@ -66,7 +66,7 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
   path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
   path.next_velocity = next_velocity;
   if (!is_holonomic(robot.model)) {
-    const MotionStep step = advance(robot.model, {robot.max_acceleration, robot.max_speed},
+    const MotionStep step = advance(robot.model, {braking_limit(robot), robot.max_speed},
                                     {{}, robot.velocity, robot.heading},
                                     plan_to(robot, next_velocity, law), law.time_step);
     path.first = step.next.position;
@@ -75,7 +75,7 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
     path.swing = law.lag * step.swing;
     path.way = step.way;
   }
-  const double decrement = braking_decrement(robot.max_acceleration, law);
+  const double decrement = decrement_of(robot, law);
   path.speed = norm(path.next_velocity);
   path.direction = path.speed > 0.0 ? path.next_velocity / path.speed : Vec2{};
   const bool stays = path.speed == 0.0 && robot.velocity == Vec2{} && path.first == Vec2{};

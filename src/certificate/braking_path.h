@@ -7,8 +7,22 @@
 
 namespace avo {
 
+/// What a robot can do to its speed, m/s². Of a_max alone: it brakes with as much.
+struct Ability {
+  double acceleration;  ///< [a_max]
+  double braking;       ///< [b] <= a_max, that it surely brakes with
+
+  Ability(double a_max) : Ability(a_max, a_max) {}
+  Ability(double a_max, double b) : acceleration(a_max), braking(b) {}
+};
+template <typename Robot>
+Ability ability_of(const Robot& robot) {
+  return {robot.max_acceleration, braking_limit(robot)};
+}
+
 /// What the certificates need to know of one step: from v to v_1 it moves by s v + (Δt - s) v_1,
-/// inside the triangle of its ends and p + s v, and takes off u = a_max · braking_time at most.
+/// inside the triangle of its ends and p + s v, with |v_1 - v| <= u_a = a_max · braking_time;
+/// braking takes off u_b = b · braking_time.
 struct StepLaw {
   double time_step = 0.1;           ///< [Δt] s
   double lag = 0.05;                ///< [s] s: Δt/2 (held), s(Δt) (exponential)
@@ -25,9 +39,17 @@ struct StepLaw {
 /// The decision that leads to v_1 in one step: v' and the acceleration of Eq. (7).
 Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law);
 
-/// [u] m/s that one step of full braking takes off.
-inline double braking_decrement(double max_acceleration, const StepLaw& law) {
+/// [u_a] m/s, most by which a decision changes the velocity.
+inline double increment(double max_acceleration, const StepLaw& law) {
   return max_acceleration * law.braking_time;
+}
+/// [u_b] m/s that one step of full braking takes off.
+inline double braking_decrement(double max_braking, const StepLaw& law) {
+  return max_braking * law.braking_time;
+}
+template <typename Robot>
+double decrement_of(const Robot& robot, const StepLaw& law) {
+  return braking_decrement(braking_limit(robot), law);
 }
 
 /// Steps that braking from `speed` takes until rest: ⌈speed / u⌉, one more where that is exact.
@@ -43,8 +65,8 @@ Vec2 braked(Vec2 velocity, double decrement);
 /// Full braking from a speed: whole steps, and a last one that takes off what is left.
 struct BrakingProfile {
   double speed = 0.0;       ///< m/s
-  double decrement = 0.0;   ///< [u] m/s
-  double full_steps = 0.0;  ///< ⌊speed / u⌋
+  double decrement = 0.0;   ///< [u_b] m/s
+  double full_steps = 0.0;  ///< ⌊speed / u_b⌋
 };
 BrakingProfile braking_profile(double speed, double decrement);
 

@@ -94,7 +94,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
 }
 
 Vec2 backup_velocity(const Robot& robot, const CertificateLaw& law) {
-  return braked(robot.velocity, braking_decrement(robot.max_acceleration, law.step));
+  return braked(robot.velocity, decrement_of(robot, law.step));
 }
 
 void list_constraints(const CertificateConstraints& constraints, Vec2 position,

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "certificate/braking_kernel.h"
@@ -90,6 +91,10 @@ struct MovingOther {
   }
 };
 
+/// The same, where its acceleration may differ from that one.
+template <typename Real>
+struct DeviatingOther : MovingOther<Real> {};
+
 /// The point of a segment nearest to the origin; odd in (a, b), bit for bit.
 template <typename Real>
 AVO_KERNEL Vec<Real> nearest_on_segment(Vec<Real> a, Vec<Real> b) {
@@ -119,6 +124,35 @@ AVO_KERNEL Vec<Real> normal_of(const PackPoints<Real>& q) {
   const auto has_length = length > zero;
   const Real per_length = one / select(has_length, length, one);
   return select(has_length, per_length * nearest, {zero, zero});
+}
+
+/// q_i - radius keeps A clear of B wherever it may be in the interval.
+template <typename Real>
+struct PackReach {
+  PackPoints<Real> q;
+  Real radius;  // m
+};
+
+/// Of two discs in which B is by the end of the interval, the one that is farther off: about where
+/// it keeps its acceleration, by what it may deviate; or about where it is, by its speed. Each
+/// holds that of the next decision, so that A may always brake (docs/certificate.md, "Movers that
+/// do as they like").
+template <typename Real>
+AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real>& q,
+                                    const PackPoints<Real>& from_start, Real time) {
+  const auto left = [](const PackPoints<Real>& points, Real radius) {
+    const Vec<Real> n = normal_of(points);
+    return min(min(dot(n, points.start), dot(n, points.middle)), dot(n, points.end)) - radius;
+  };
+  const Real by_deviation = Real(0.5 * mover.max_deviation) * time * time;
+  const Real by_speed = Real(mover.max_speed) * time;
+  const auto slow = left(from_start, by_speed) > left(q, by_deviation);
+  const auto pick = [&slow](Vec<Real> a, Vec<Real> b) {
+    return Vec<Real>{select(slow, a.x, b.x), select(slow, a.y, b.y)};
+  };
+  return {{pick(from_start.start, q.start), pick(from_start.middle, q.middle),
+           pick(from_start.end, q.end)},
+          select(slow, by_speed, by_deviation)};
 }
 
 /// What the sensing errors of one interval demand (docs/certificate.md, "Sensing errors").
@@ -151,8 +185,9 @@ template <typename Real>
 AVO_KERNEL PackMargin<Real> drift_margin(const BrakingPair& pair, const StepLaw& law, Real m,
                                          Real distance, Real moved) {
   const auto& [position, velocity] = law.sensing_error;
+  const BrakingProfile& b = pair.b.profile;
   const PackDrift<Real> drift =
-      drift_of(Real(pair.b.profile.speed), Real(pair.b.profile.decrement), law);
+      drift_of(Real(b.speed), Real(pair.b.increment), Real(b.decrement), law);
   const Real time = Real(law.time_step) * (m + Real(1.0));
   const Real error =
       Real(position) + Real(velocity) * time + min(drift.start + drift.per_time * time, drift.most);
@@ -224,7 +259,8 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
               const OwnColumns& own, ConstraintColumns& constraints) {
   const BrakingPair& pair = wanted.pair;
   const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
-  const Real share(pair.share), inflated(wanted.inflated), contact(pair.contact);
+  const Real share(pair.share), contact(pair.contact);
+  constexpr bool kDeviates = std::is_same_v<Other, DeviatingOther<Real>>;
   const Vec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
     return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
@@ -243,9 +279,17 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
                                load(own.middle_x, own.middle_y, k),
                                load(own.start_x, own.start_y, k + 1)};
     const PackPoints<Real> x_B = other(m);
-    const PackPoints<Real> q{p + (x_A.start - x_B.start), p + (x_A.middle - x_B.middle),
-                             p + (x_A.end - x_B.end)};
+    PackPoints<Real> q{p + (x_A.start - x_B.start), p + (x_A.middle - x_B.middle),
+                       p + (x_A.end - x_B.end)};
     const Real most = Real::load(&own.most[k]);
+    Real spread = zero, inflated(wanted.inflated);
+    if constexpr (kDeviates) {
+      const PackReach<Real> reach =
+          reach_of(wanted.other, q, {p + x_A.start, p + x_A.middle, p + x_A.end},
+                   (m + one) * Real(law.time_step));
+      q = reach.q, spread = reach.radius;
+      inflated = inflated + spread;
+    }
     // those that are looked at closely: each for itself, so that no number of lanes has a say
     auto close = m < Real(static_cast<double>(wanted.intervals));
     {
@@ -268,7 +312,8 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     const Vec<Real> n = normal_of(q);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
     const auto holds = m < Real(wanted.moving);  // the invariant speaks of it
-    nearest = select(close & holds & (distance < nearest), distance, nearest);
+    const Real left = kDeviates ? distance - spread : distance;
+    nearest = select(close & holds & (left < nearest), left, nearest);
     const Real moved =
         is_exact ? zero : norm(q.middle - q.start) + norm(q.end - q.middle);  // only errors ask
     PackMargin<Real> margin = margin_at(m, distance, moved);
@@ -278,6 +323,7 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     const auto kept = close & !(share * (distance - inflated - margin.distance) > loss);
     // of intervals at rest it says nothing: all three points stay clear along n there
     margin = {select(holds, margin.distance, zero), select(holds, margin.cone, zero)};
+    if constexpr (kDeviates) margin.distance = margin.distance + spread;
     if (any(kept))
       push(constraints_of<is_free>(wanted, x_A, q, n, distance, margin), m, kept, wanted,
            constraints);
@@ -290,8 +336,10 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
 template <typename Real>
 double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
                           ConstraintColumns& constraints) {
-  if (!wanted.pair.decides)
-    return append<Real, false>(wanted, MovingOther<Real>{wanted.other, law}, law, own, constraints);
+  const MovingOther<Real> mover{wanted.other, law};
+  if (!wanted.pair.decides && wanted.other.max_deviation > 0.0)
+    return append<Real, false>(wanted, DeviatingOther<Real>{mover}, law, own, constraints);
+  if (!wanted.pair.decides) return append<Real, false>(wanted, mover, law, own, constraints);
   if (wanted.is_free)
     return append<Real, true>(wanted, HoldingOther<Real>{wanted.pair, law}, law, own, constraints);
   return append<Real, false>(wanted, BrakingOther<Real>{wanted.pair, law}, law, own, constraints);

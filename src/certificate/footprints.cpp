@@ -19,9 +19,9 @@ double length_1(Vec2 a) {
   return std::abs(a.x) + std::abs(a.y);
 }
 
-Footprint braking_footprint(Vec2 position, Vec2 velocity, double radius, double max_acceleration,
+Footprint braking_footprint(Vec2 position, Vec2 velocity, double radius, const Ability& ability,
                             const StepLaw& law) {
-  const Braking braking = braking_of(velocity, max_acceleration, law);
+  const Braking braking = braking_of(velocity, ability, law);
   return {position, braking.length * braking.direction, radius, braking.intervals};
 }
 
@@ -68,14 +68,13 @@ double share_of(const Robot& robot, const Neighbor& neighbor) {
 
 Footprint footprint_of(const Robot& robot, const StepLaw& law) {
   if (robot.loiter) return loitering_footprint(*robot.loiter, robot.radius);
-  return braking_footprint(robot.position, robot.velocity, robot.radius, robot.max_acceleration,
-                           law);
+  return braking_footprint(robot.position, robot.velocity, robot.radius, ability_of(robot), law);
 }
 
 Footprint footprint_of(const Neighbor& neighbor, const StepLaw& law) {
   if (neighbor.loiter) return loitering_footprint(*neighbor.loiter, neighbor.radius);
   return braking_footprint(neighbor.position, neighbor.velocity, neighbor.radius,
-                           neighbor.max_acceleration, law);
+                           ability_of(neighbor), law);
 }
 
 double gap_of(const Footprint& a, const Footprint& b) {

@@ -18,9 +18,11 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const auto store = [i](Real value, std::vector<double>& column) { value.store(&column[i]); };
-    const Real a_max = load(robots.max_acceleration);
-    const PackBraking<Real> a = braking_of({load(robots.v_x), load(robots.v_y)}, a_max, law);
+    const PackBraking<Real> a = braking_of({load(robots.v_x), load(robots.v_y)},
+                                           load(robots.max_acceleration), load(robots.max_braking),
+                                           law);
     store(a.profile.speed, own.speed), store(a.profile.decrement, own.decrement);
+    store(a.increment, own.increment);
     store(a.profile.full_steps, own.full_steps);
     store(a.direction.x, own.direction_x), store(a.direction.y, own.direction_y);
     store(a.length, own.length), store(a.reach, own.reach), store(a.intervals, own.intervals);
@@ -36,7 +38,7 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
     store(most_ahead, own.most_ahead), store(most_aside, own.most_aside);
 
     const PackBound<Real> bound = bound_of({load(robots.x), load(robots.y)}, load(robots.radius),
-                                           a.profile, deviation, load(robots.max_speed), law);
+                                           a, deviation, load(robots.max_speed), law);
     store(bound.far_distance, own.far_distance), store(bound.speed_squared, own.far_speed_squared);
     for (std::size_t k = 0; k < 3; ++k) store(bound.reach[k], own.far_reach[k]);
     store(bound.clear_distance, own.clear_distance);
@@ -45,7 +47,7 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
 }
 
 /// Of one robot i and the chosen of its neighbors.
-template <bool kWeighed, typename Real>
+template <bool kUnlike, typename Real>
 AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::size_t i,
                      const PackNeighbor<Real>& other, Real neighbor,
                      decltype(Real() < Real()) chosen, NearQueue& queue) {
@@ -61,7 +63,9 @@ AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::s
   all(a.direction_x[i], queue.direction_x), all(a.direction_y[i], queue.direction_y);
   all(a.reach[i], queue.reach), all(a.intervals[i], queue.intervals);
   all(a.most_ahead[i], queue.most_ahead), all(a.most_aside[i], queue.most_aside);
-  if constexpr (kWeighed) all(robots.priority[i], queue.priority);
+  if constexpr (kUnlike) {
+    all(robots.priority[i], queue.priority), all(robots.max_braking[i], queue.max_braking);
+  }
   const auto some = [&](Real value, NearQueue::Column& column) {
     return store_chosen(chosen, value, &column[first]);
   };
@@ -69,11 +73,13 @@ AVO_KERNEL void push(const RobotColumns& robots, const BrakingColumns& a, std::s
   some(other.velocity.x, queue.other_v_x), some(other.velocity.y, queue.other_v_y);
   some(other.radius, queue.other_radius),
       some(other.max_acceleration, queue.other_max_acceleration);
-  if constexpr (kWeighed) some(other.priority, queue.other_priority);
+  if constexpr (kUnlike) {
+    some(other.priority, queue.other_priority), some(other.max_braking, queue.other_max_braking);
+  }
   queue.count += some(neighbor, queue.neighbor);
 }
 
-template <typename Real>
+template <bool kUnlike, typename Real>
 AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real>& clearance,
                             std::size_t lane, double robot, double neighbor) {
   const auto number = [lane](Real value) {
@@ -92,6 +98,7 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
           .b = {.profile = {.speed = number(b.profile.speed),
                             .decrement = number(b.profile.decrement),
                             .full_steps = number(b.profile.full_steps)},
+                .increment = number(kUnlike ? b.increment : b.profile.decrement),
                 .direction = {number(b.direction.x), number(b.direction.y)},
                 .length = number(b.length),
                 .reach = number(b.reach),
@@ -101,7 +108,7 @@ AVO_KERNEL NearPair lane_of(const PackPair<Real>& pair, const PackClearance<Real
 }
 
 /// Keeps those of the queue that may meet A and can refuse a candidate, and empties it.
-template <typename Real, bool kWeighed>
+template <typename Real, bool kUnlike>
 void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
   const bool exact = law.is_exact();
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
@@ -112,28 +119,31 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
         {load(queue.other_v_x), load(queue.other_v_y)},
         load(queue.other_radius),
         select(is_pair, load(queue.other_max_acceleration), Real(1.0)),  // a divisor
+        kUnlike ? select(is_pair, load(queue.other_max_braking), Real(1.0)) : Real(1.0),
         load(queue.other_priority)};
     const PackSelf<Real> self{{load(queue.x), load(queue.y)},
                               {load(queue.v_x), load(queue.v_y)},
                               load(queue.radius),
                               load(queue.max_acceleration),
+                              load(queue.max_braking),
                               load(queue.priority),
                               {{{}, {}, load(queue.full_steps)},
+                               {},
                                {load(queue.direction_x), load(queue.direction_y)},
                                load(queue.length),
                                load(queue.reach),
                                load(queue.intervals)}};
-    const PackPair<Real> pair = pair_of<kWeighed>(self, other, law);
+    const PackPair<Real> pair = pair_of<kUnlike>(self, other, law);
     const auto apart = pair.distance - (self.braking.reach + pair.b.reach);
     auto chosen = is_pair & !(apart > pair.inflated + pair.error);
-    PackClearance<Real> clearance = clearance_of(self, pair, other, law);
+    PackClearance<Real> clearance = clearance_of<kUnlike>(self, pair, other, law);
     if (!exact) clearance.gap = Real(-std::numeric_limits<double>::infinity());
     chosen = chosen &
              !(clearance.gap > clearance.against * load(queue.most_ahead) + load(queue.most_aside));
     for (std::uint32_t lanes = bits(chosen); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
       kept.push_back(
-          lane_of(pair, clearance, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
+          lane_of<kUnlike>(pair, clearance, lane, queue.robot[i + lane], queue.neighbor[i + lane]));
     }
   }
   queue.count = 0;
@@ -141,7 +151,7 @@ void judge(const StepLaw& law, NearQueue& queue, std::vector<NearPair>& kept) {
 
 /// Neighbors of robot i that are not far go to the queue; returns whether there are any that lanes
 /// leave out: movers, and those of an age.
-template <typename Real, bool kWeighed>
+template <typename Real, bool kUnlike>
 AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, const StepLaw& law,
                          NearPairs& pairs) {
   const Neighbors& neighbors = robots.neighbors[i];
@@ -161,7 +171,9 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
                               own.per_decrement[i],
                               own.most_ahead[i],
                               exact ? own.most_aside[i] : std::numeric_limits<double>::infinity()};
-  const Real zero(0.0), own_priority(robots.priority[i]);
+  const Real zero(0.0), own_priority(robots.priority[i]), own_braking(robots.max_braking[i]);
+  const std::vector<double>& of_braking =
+      kUnlike && columns.has_max_braking ? columns.max_braking : columns.max_acceleration;
   auto others = zero < zero;
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
     const auto load = [at = neighbors.first + k](const std::vector<double>& column) {
@@ -171,6 +183,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
                                    {load(columns.v_x), load(columns.v_y)},
                                    load(columns.radius),
                                    load(columns.max_acceleration),
+                                   load(of_braking),
                                    load(columns.priority)};
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(neighbors.count - k));
     const auto prompt = load(columns.decides) > zero;
@@ -178,14 +191,15 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     if (whom == Whom::movers) continue;
     auto near = counted & prompt & !are_far(bound, self, other);
     if (any(near)) near = near & !are_clear(bound, self, other, law);
-    if constexpr (kWeighed) {
-      const auto unlike = (other.priority < own_priority) | (other.priority > own_priority);
+    if constexpr (kUnlike) {
+      const auto unlike = (other.priority < own_priority) | (other.priority > own_priority) |
+                          (other.max_braking < own_braking) | (other.max_braking > own_braking);
       near = near | (counted & prompt & unlike);
     }
     if (any(near)) {
-      push<kWeighed>(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
+      push<kUnlike>(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
       if (pairs.queue.count >= NearQueue::kSize)
-        judge<Real, kWeighed>(law, pairs.queue, pairs.kept);
+        judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
     }
     const Vec<Real> p = self.position - other.position;
     if (any(dot(p, p) > range_squared)) break;
@@ -193,23 +207,26 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
   return any(others);
 }
 
-/// Whether some have another priority than 1.
-inline bool has_priorities(const RobotColumns& robots) {
+/// Whether some have another priority than 1, or a limit of braking.
+inline bool are_unlike(const RobotColumns& robots) {
   for (std::size_t i = 0; i < robots.count; ++i) {
-    if (robots.priority[i] != 1.0 || robots.neighbors[i].columns->has_priorities) return true;
+    const NeighborColumns& others = *robots.neighbors[i].columns;
+    if (robots.priority[i] != 1.0 || robots.max_braking[i] != robots.max_acceleration[i] ||
+        others.has_priorities || others.has_max_braking)
+      return true;
   }
   return false;
 }
 
-/// kWeighed: some have another priority than 1; else nobody looks at them, which takes fewer
-/// instructions.
-template <typename Real, bool kWeighed>
+/// kUnlike: see are_unlike(); else nobody looks at priorities and limits of braking, which takes
+/// fewer instructions.
+template <typename Real, bool kUnlike>
 AVO_KERNEL void look_for_all(const RobotColumns& robots, Whom whom, const StepLaw& law,
                              NearPairs& pairs) {
   for (std::size_t i = 0; i < robots.count; ++i) {
-    pairs.has_others[i] = look_for<Real, kWeighed>(robots, i, whom, law, pairs) ? 1 : 0;
+    pairs.has_others[i] = look_for<Real, kUnlike>(robots, i, whom, law, pairs) ? 1 : 0;
   }
-  judge<Real, kWeighed>(law, pairs.queue, pairs.kept);
+  judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
 }
 
 template <typename Real>
@@ -221,7 +238,7 @@ void find_near(const RobotColumns& robots, Whom whom, const StepLaw& law, NearPa
   pairs.queue.count = 0;  // some are left where memory ran out
   pairs.has_others.resize(robots.count);
   pairs.whom = whom;
-  if (has_priorities(robots)) {
+  if (are_unlike(robots)) {
     look_for_all<Real, true>(robots, whom, law, pairs);
   } else {
     look_for_all<Real, false>(robots, whom, law, pairs);
@@ -242,6 +259,7 @@ void admit_next(const RobotColumns& robots, const std::vector<double>& next_x,
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const PackBraking<Real> a{{load(own.speed), load(own.decrement), {}},
+                              load(own.increment),
                               {load(own.direction_x), load(own.direction_y)},
                               {},
                               load(own.reach),

@@ -9,14 +9,14 @@ namespace avo {
 
 void BrakingColumns::reserve(std::size_t robots) {
   if (far_reach[2].size() >= robots + kSpareNeighbors) return;  // the last to grow
-  for (Column* column : {&speed,          &decrement,    &full_steps,     &direction_x,
-                         &direction_y,    &length,       &stray_velocity, &stray_distance,
-                         &reach,          &intervals,    &ahead_start,    &ahead_slope,
-                         &across_start,   &across_slope, &anyhow_start,   &anyhow_slope,
-                         &fast_speed,     &fast_steps,   &slow_speed,     &slow_steps,
-                         &most_ahead,     &most_aside,   &far_distance,   &far_speed_squared,
-                         &clear_distance, &next_ahead,   &next_aside,     &per_decrement,
-                         &far_reach[0],   &far_reach[1], &far_reach[2]}) {
+  for (Column* column :
+       {&speed,          &decrement,    &increment,      &full_steps,     &direction_x,
+        &direction_y,    &length,       &stray_velocity, &stray_distance, &reach,
+        &intervals,      &ahead_start,  &ahead_slope,    &across_start,   &across_slope,
+        &anyhow_start,   &anyhow_slope, &fast_speed,     &fast_steps,     &slow_speed,
+        &slow_steps,     &most_ahead,   &most_aside,     &far_distance,   &far_speed_squared,
+        &clear_distance, &next_ahead,   &next_aside,     &per_decrement,  &far_reach[0],
+        &far_reach[1],   &far_reach[2]}) {
     column->resize(robots + kSpareNeighbors, 1.0);
   }
 }
@@ -37,6 +37,7 @@ void BrakingColumns::take_strays(const RobotColumns& robots, const StepLaw& law)
 
 Braking BrakingColumns::braking(std::size_t i) const {
   return {.profile = {.speed = speed[i], .decrement = decrement[i], .full_steps = full_steps[i]},
+          .increment = increment[i],
           .direction = {direction_x[i], direction_y[i]},
           .length = length[i],
           .reach = reach[i],

@@ -22,7 +22,8 @@ enum class Whom : unsigned char { everyone, movers };
 /// told who can refuse nothing, see PackBound.
 struct BrakingColumns {
   using Column = std::vector<double>;
-  Column speed, decrement, full_steps, direction_x, direction_y, length, reach, intervals;
+  Column speed, decrement, increment, full_steps, direction_x, direction_y, length, reach,
+      intervals;
   Column stray_velocity, stray_distance;  // see Stray
   // see Deviation
   Column ahead_start, ahead_slope, across_start, across_slope, anyhow_start, anyhow_slope;
@@ -49,9 +50,9 @@ struct NearQueue {
   Column robot, neighbor;  // indices
   // of A
   Column x, y, v_x, v_y, radius, max_acceleration, full_steps, direction_x, direction_y, length;
-  Column reach, intervals, most_ahead, most_aside, priority;
+  Column reach, intervals, most_ahead, most_aside, max_braking, priority;
   Column other_x, other_y, other_v_x, other_v_y, other_radius, other_max_acceleration,
-      other_priority;
+      other_max_braking, other_priority;
 };
 
 /// A pair that can refuse a candidate of A's: see BrakingPair.

@@ -16,8 +16,12 @@ BrakingProfile plain(const scalar::PackProfile<Real>& profile) {
 }
 
 Braking plain(const scalar::PackBraking<Real>& braking) {
-  return {plain(braking.profile), plain(braking.direction), braking.length.value,
-          braking.reach.value, braking.intervals.value};
+  return {.profile = plain(braking.profile),
+          .increment = braking.increment.value,
+          .direction = plain(braking.direction),
+          .length = braking.length.value,
+          .reach = braking.reach.value,
+          .intervals = braking.intervals.value};
 }
 
 scalar::Vec<Real> pack(Vec2 a) {
@@ -28,22 +32,31 @@ scalar::PackBraking<Real> pack(const Braking& braking) {
   return scalar::constant<Real>(braking);
 }
 
+// m, that a mover may come in all intervals in which A may move.
+double way_of_mover(const Neighbor& mover, const Braking& a, const StepLaw& law) {
+  const double t = law.time_step * a.intervals;
+  const double way = t * norm(mover.velocity) + 0.5 * t * t * norm(mover.acceleration);
+  if (!(mover.max_deviation > 0.0)) return way;
+  return std::min(way + 0.5 * t * t * mover.max_deviation, t * mover.max_speed);
+}
+
 }  // namespace
 
-Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law) {
-  return plain(scalar::braking_of(pack(velocity), Real(max_acceleration), law));
+Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law) {
+  return plain(
+      scalar::braking_of(pack(velocity), Real(ability.acceleration), Real(ability.braking), law));
 }
 
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law) {
   if (neighbor.behavior == Behavior::decides) {
-    const scalar::PackSelf<Real> self{pack(robot.position),   pack(robot.velocity), robot.radius,
-                                      robot.max_acceleration, robot.priority,       pack(a)};
-    const auto packed =
-        scalar::pair_of<true, Real>(self,
-                                    {pack(neighbor.position), pack(neighbor.velocity),
-                                     neighbor.radius, neighbor.max_acceleration, neighbor.priority},
-                                    law);
+    const scalar::PackSelf<Real> self{
+        pack(robot.position), pack(robot.velocity), robot.radius, robot.max_acceleration,
+        braking_limit(robot), robot.priority,       pack(a)};
+    const scalar::PackNeighbor<Real> other{pack(neighbor.position), pack(neighbor.velocity),
+                                           neighbor.radius,         neighbor.max_acceleration,
+                                           braking_limit(neighbor), neighbor.priority};
+    const auto packed = scalar::pair_of<true>(self, other, law);
     return {plain(packed.p),
             packed.contact.value,
             packed.inflated.value,
@@ -58,7 +71,8 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   pair.contact = robot.radius + neighbor.radius;
   pair.share = 1.0;
   pair.a = a;
-  const double lengths = pair.contact + a.reach + norm(robot.position) + norm(neighbor.position);
+  double lengths = pair.contact + a.reach + norm(robot.position) + norm(neighbor.position);
+  if (neighbor.max_deviation > 0.0) lengths += way_of_mover(neighbor, a, law);
   pair.inflated = pair.contact + scalar::rounding_margin<Real>(lengths, a.intervals, 1.0).value;
   pair.error =
       law.sensing_error.position + law.sensing_error.velocity * law.time_step * a.intervals;
@@ -68,16 +82,14 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
 SensingError error_against(const Neighbor& neighbor, const StepLaw& law) {
   const auto& [position, velocity] = law.sensing_error;
   const double time = neighbor.age * law.time_step;
-  const double a = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : 0.0;
+  const double a =
+      neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : neighbor.max_deviation;
   return {position + (time * velocity + 0.5 * a * time * time), velocity + a * time};
 }
 
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law) {
   double reach = pair.a.reach + pair.b.reach;
-  if (!pair.decides) {
-    const double t = law.time_step * pair.a.intervals;
-    reach += t * norm(neighbor.velocity) + 0.5 * t * t * norm(neighbor.acceleration);
-  }
+  if (!pair.decides) reach += way_of_mover(neighbor, pair.a, law);
   return norm(pair.p) - reach > pair.inflated + pair.error;
 }
 

@@ -19,12 +19,13 @@ inline Vec2 nearest_on_segment(Vec2 a, Vec2 b) {
 /// A robot that brakes.
 struct Braking {
   BrakingProfile profile;
+  double increment = 0.0;  ///< [u_a] m/s, see increment()
   Vec2 direction;          ///< unit, or 0 at rest
   double length = 0.0;     ///< [l] m until rest
   double reach = 0.0;      ///< m that no candidate's path leaves
   double intervals = 0.0;  ///< in which it or one of its candidates may move
 };
-Braking braking_of(Vec2 velocity, double max_acceleration, const StepLaw& law);
+Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law);
 
 /// How far any candidate's path gets from A's braking path, m, by interval: ahead and to a side of
 /// A's direction, and anyhow, growing with the distance that braking from the candidates' largest

@@ -20,27 +20,35 @@ AVO_BEGIN_KERNELS
 template <typename Real>
 struct PackBraking {
   PackProfile<Real> profile;
+  Real increment;
   Vec<Real> direction;
   Real length, reach, intervals;
 };
 
 template <typename Real>
 AVO_KERNEL PackBraking<Real> constant(const Braking& a) {
-  return {constant<Real>(a.profile), constant<Real>(a.direction), a.length, a.reach, a.intervals};
+  return {.profile = constant<Real>(a.profile),
+          .increment = a.increment,
+          .direction = constant<Real>(a.direction),
+          .length = a.length,
+          .reach = a.reach,
+          .intervals = a.intervals};
 }
 
 template <typename Real>
-AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleration,
+AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleration, Real max_braking,
                                         const StepLaw& law) {
   const Real zero(0.0), one(1.0), speed = norm(velocity);
-  const Real u = max_acceleration * Real(law.braking_time);
+  const Real u = max_braking * Real(law.braking_time);
   const auto moves = speed > zero;
   const Vec<Real> direction = velocity / select(moves, speed, one);
   PackBraking<Real> result;
   result.profile = profile(speed, u);
+  result.increment = max_acceleration * Real(law.braking_time);
   result.direction = {select(moves, direction.x, zero), select(moves, direction.y, zero)};
   // it may be faster than it looks
-  const PackProfile<Real> top = profile(speed + Real(law.sensing_error.velocity) + u, u);
+  const PackProfile<Real> top =
+      profile(speed + Real(law.sensing_error.velocity) + result.increment, u);
   result.length = stopping_length(result.profile, law);
   result.reach =
       Real(law.lag) * speed + Real(law.time_step - law.lag) * top.speed + stopping_length(top, law);
@@ -52,14 +60,14 @@ AVO_KERNEL PackBraking<Real> braking_of(Vec<Real> velocity, Real max_acceleratio
 template <typename Real>
 struct PackNeighbor {
   Vec<Real> position, velocity;
-  Real radius, max_acceleration, priority;
+  Real radius, max_acceleration, max_braking, priority;
 };
 
 /// Robot A.
 template <typename Real>
 struct PackSelf {
   Vec<Real> position, velocity;
-  Real radius, max_acceleration, priority;
+  Real radius, max_acceleration, max_braking, priority;
   PackBraking<Real> braking;
 };
 
@@ -78,21 +86,32 @@ struct PackDeviation {
 template <typename Real>
 AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real stray_velocity,
                                             Real stray_distance, const StepLaw& law) {
-  const Real zero(0.0), two(2.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
-  const Real speed = a.profile.speed, u = a.profile.decrement;
+  const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
+  const Real speed = a.profile.speed, u = a.profile.decrement, u_a = a.increment;
   const auto strays = stray_velocity > zero;
-  const auto slow = speed < u, turns = (!strays) & slow, steady = !(strays | slow);
+  const auto slow = speed < u_a, turns = (!strays) & slow, steady = !(strays | slow);
   PackDeviation<Real> result;
-  result.fast = profile(speed + u, u);
-  result.slow = profile(select(steady, speed - u, zero), u);
-  const Real length = stopping_length(result.fast, law);
-  const Real gained = length - stopping_length(result.slow, law);
-  result.ahead = {select(steady, rounding * two * lead * u, zero), select(steady, rounding, zero)};
-  result.across = {select(steady, rounding * lead * u, zero),
-                   select(steady, rounding * u / (speed + u), zero)};
+  result.fast = profile(speed + u_a, u);
+  const PackProfile<Real> braked = profile(max(speed - u, zero), u);
+  result.slow = braked;
+  result.slow.speed = select(steady, braked.speed, zero);
+  result.slow.full_steps = select(steady, braked.full_steps, zero);
+  const Real length = stopping_length(result.fast, law), left = stopping_length(braked, law);
+  const Real gained = length - select(steady, left, zero);
+  result.ahead = {select(steady, rounding * lead * (u_a + u), zero),
+                  select(steady, rounding, zero)};
+  result.across = {select(steady, rounding * lead * u_a, zero),
+                   select(steady, rounding * u_a / (speed + u_a), zero)};
+  Real behind =
+      zero;  // so far y falls behind x, where what may be chosen brakes harder than braking
+  if (any(u_a > u)) {
+    const Real least = stopping_length(profile(max(speed - u_a, zero), u), law);
+    behind = lead * (u_a - u) + (left - least);
+  }
   // a velocity moves a braking path by no more than itself times the time
-  const Real astray = stray_velocity * u * Real(law.time_step) * a.intervals + stray_distance;
-  result.anyhow = {select(strays, astray, select(turns, rounding * lead * (speed + u), zero)),
+  const Real astray = stray_velocity * u_a * Real(law.time_step) * a.intervals + stray_distance;
+  const Real slow_start = lead * (speed + u_a + braked.speed) + left;
+  result.anyhow = {select(strays, astray, rounding * select(turns, slow_start, behind)),
                    select(turns, rounding, zero)};
   const auto over = [](const typename PackDeviation<Real>::Line& line, Real distance) {
     return line.start + line.per_distance * distance;
@@ -115,15 +134,23 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
                                                             Vec<Real> next_velocity,
                                                             const StepLaw& law) {
   const Real zero(0.0), rounding(1.0 + 0x1p-30), lead(law.time_step - law.lag);
-  const Real u = a.profile.decrement, slow = a.profile.speed - u, speed = norm(next_velocity);
+  const Real u = a.profile.decrement, speed = norm(next_velocity);
+  const Real braked = max(a.profile.speed - u, zero),
+             left = stopping_length(profile(braked, u), law);
   const auto moves = speed > zero;
   const Vec<Real> direction = (Real(1.0) / select(moves, speed, Real(1.0))) * next_velocity;
   const Real length = stopping_length(profile(speed, u), law);
-  const auto steady = slow >= zero;
+  const auto steady = a.profile.speed >= a.increment;
   const Real far = lead * speed + length, margin = Real(0x1p-40) * a.reach;
-  const Real ahead = dot(a.direction, direction) * far - lead * slow -
-                     stopping_length(profile(max(slow, zero), u), law);
-  const Real aside = select(steady, abs(cross(a.direction, direction)) * far, far);
+  const Real ahead = dot(a.direction, direction) * far - lead * braked - left;
+  Real aside = select(steady, abs(cross(a.direction, direction)) * far, far);
+  const auto weak = a.increment > u;
+  if (any(weak)) {
+    const Real along = dot(a.direction, next_velocity);
+    const Real behind =
+        lead * (braked - along) + left - stopping_length(profile(max(along, zero), u), law);
+    aside = aside + select(weak, select(steady, max(behind, zero), lead * braked + left), zero);
+  }
   return {select(steady, rounding * max(ahead, zero) + margin, zero), rounding * aside + margin};
 }
 
@@ -136,20 +163,24 @@ struct PackDrift {
 };
 
 template <typename Real>
-AVO_KERNEL PackDrift<Real> drift_of(Real speed, Real decrement, const StepLaw& law) {
+AVO_KERNEL PackDrift<Real> drift_of(Real speed, Real increment, Real decrement,
+                                    const StepLaw& law) {
   const double H = law.time_step, L = law.longest_step;  // s
   const double V = L > H ? 2.0 * L - H : H;              // s: a V is how much faster it may be
-  const Real a = decrement / Real(law.braking_time);
+  const Real a = increment / Real(law.braking_time), weakness = increment / decrement;
   const Real start = Real(0.125 * (H * H + L * L) - 0.5 * H * H) * a;
-  const Real to_rest = Real(H) * a + speed + Real(law.sensing_error.velocity);  // a times it
-  return {start, Real(V) * a, start + Real(V) * to_rest + Real(0.5 * V * V) * a};
+  const Real to_rest =  // a times it
+      Real(H) * a + weakness * (speed + Real(law.sensing_error.velocity));
+  return {start, Real(V) * a, start + Real(V) * to_rest + Real(0.5 * V * V) * a * weakness};
 }
 
 /// Steps by which the intervals of a pair are more where clocks are free: B holds its velocity, and
 /// stops later than that.
-inline double later_intervals(const StepLaw& law) {
-  const double H = law.time_step, L = law.longest_step;
-  return law.has_free_clocks() ? 1.0 + std::ceil(std::max(L / H, 0.5)) : 0.0;
+template <typename Real>
+AVO_KERNEL Real later_intervals(Real increment, Real decrement, const StepLaw& law) {
+  if (!law.has_free_clocks()) return Real(0.0);
+  const double steps = std::ceil(std::max(law.longest_step / law.time_step, 0.5));
+  return Real(1.0) + floor(increment / decrement * Real(steps));
 }
 
 /// See BrakingPair, of one that decides.
@@ -175,26 +206,28 @@ AVO_KERNEL Real error_of(const PackBraking<Real>& b, const StepLaw& law) {
   if (!law.has_free_clocks()) return braking_error(b.profile, law, b.intervals);
   const auto& [position, velocity] = law.sensing_error;
   return Real(position) + Real(velocity * law.time_step) * b.intervals +
-         drift_of(b.profile.speed, b.profile.decrement, law).most;
+         drift_of(b.profile.speed, b.increment, b.profile.decrement, law).most;
 }
 
-/// kWeighed: by priorities, which matter only where some differ.
-template <bool kWeighed = true, typename Real>
+/// kUnlike: by priorities and limits of braking, which matter only where some differ.
+template <bool kUnlike = true, typename Real>
 AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor<Real>& other,
                                   const StepLaw& law) {
   const Real one(1.0);
   const Vec<Real> p_A = self.position;
   const PackBraking<Real>& a = self.braking;
   PackPair<Real> pair;
-  pair.b = braking_of(other.velocity, other.max_acceleration, law);
+  const Real braking = kUnlike ? other.max_braking : other.max_acceleration;
+  pair.b = braking_of(other.velocity, other.max_acceleration, braking, law);
   pair.p = p_A - other.position;
   pair.distance = norm(pair.p);
   pair.contact = self.radius + other.radius;
   const Real a_A = self.max_acceleration, a_B = other.max_acceleration;
   pair.share = law.has_free_clocks() ? one
-               : kWeighed            ? share_of(a_A, a_B, self.priority, other.priority)
+               : kUnlike             ? share_of(a_A, a_B, self.priority, other.priority)
                                      : a_A / (a_A + a_B);
-  pair.b.intervals = pair.b.intervals + Real(later_intervals(law));
+  pair.b.intervals =
+      pair.b.intervals + later_intervals(pair.b.increment, pair.b.profile.decrement, law);
   const Real lengths = pair.contact + a.reach + pair.b.reach + (abs(p_A.x) + abs(p_A.y)) +
                        (abs(other.position.x) + abs(other.position.y));
   pair.inflated = pair.contact +
@@ -212,7 +245,7 @@ struct PackClearance {
   Real against;  // in [0, 1], largest part of any of the normals against A's direction
 };
 
-template <typename Real>
+template <bool kUnlike = true, typename Real>
 AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const PackPair<Real>& pair,
                                             const PackNeighbor<Real>& other, const StepLaw& law) {
   const Real zero(0.0), one(1.0), d = pair.distance, length_A = self.braking.length;
@@ -222,15 +255,16 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real>& self, const Pa
   const Real towards =
       min(zero, length_A * dot(pair.p, d_A)) - max(zero, pair.b.length * dot(pair.p, d_B));
   const Real alone = d + towards / select(apart, d, one);
-  // equally able ones brake with less relative velocity than they have
+  // of those who brake alike the relative velocity never grows
   const Real steps = one + max(self.braking.profile.full_steps, pair.b.profile.full_steps);
   const Real drift = Real(law.time_step) * steps * norm(self.velocity - other.velocity);
-  const Real a_A = self.max_acceleration;
-  const auto able_alike = (other.max_acceleration <= a_A) & (other.max_acceleration >= a_A);
-  const Real together = select(able_alike, d - drift, alone);
+  const Real b_A = kUnlike ? self.max_braking : self.max_acceleration;
+  const Real b_B = kUnlike ? other.max_braking : other.max_acceleration;
+  const auto brake_alike = (b_B <= b_A) & (b_B >= b_A);
+  const Real together = select(brake_alike, d - drift, alone);
   const Real nearest = max(alone, together);
   const Real passes = pair.b.length * max(zero, dot(d_A, d_B));
-  const Real shift = select(able_alike, min(passes, drift), passes);
+  const Real shift = select(brake_alike, min(passes, drift), passes);
   const auto clear = apart & (nearest > zero);
   // and what rounding of p . d may hide
   const Real towards_B = max(zero, shift - dot(pair.p, d_A)) + Real(0x1p-40) * d;
@@ -260,26 +294,27 @@ struct PackBound {
 /// At least what one step and stopping take of one as fast as v, as a polynomial in v: v²/2a and
 /// what is lost by stopping in steps.
 template <typename Real>
-AVO_KERNEL std::array<Real, 3> reach_bound(Real u, const StepLaw& law) {
+AVO_KERNEL std::array<Real, 3> reach_bound(Real increment, Real u, const StepLaw& law) {
   const Real h(law.time_step), half(0.5), per_u = Real(1.0) / u;
-  const Real top = Real(law.sensing_error.velocity) + u;  // that one at rest may have
+  const Real top = Real(law.sensing_error.velocity) + increment;  // that one at rest may have
   const Real lost(std::abs(law.lag - 0.5 * law.time_step));
   return {(h - Real(law.lag) + lost) * top + h * (half * top * top * per_u + Real(0.125) * u),
           h + h * top * per_u + lost, half * h * per_u};
 }
 
 template <typename Real>
-AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackProfile<Real>& own,
+AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackBraking<Real>& a,
                                     const PackDeviation<Real>& deviation, Real max_speed,
                                     const StepLaw& law) {
+  const PackProfile<Real>& own = a.profile;
   const Real h(law.time_step), u = own.decrement, per_u = Real(1.0) / u;
-  const Real top = Real(law.sensing_error.velocity) + u;
-  const std::array<Real, 3> reach = reach_bound(u, law);
+  const Real top = Real(law.sensing_error.velocity) + a.increment;
+  const std::array<Real, 3> reach = reach_bound(a.increment, u, law);
   const auto reach_at = [&reach](Real v) { return reach[0] + v * (reach[1] + v * reach[2]); };
   const Real speed = Real(kFarther) * max(max_speed, own.speed);
-  const Real intervals = Real(3.0 + later_intervals(law)) + (speed + top) * per_u;
+  const Real intervals = (Real(3.0) + later_intervals(a.increment, u, law)) + (speed + top) * per_u;
   Real error = Real(law.sensing_error.position) + Real(law.sensing_error.velocity) * h * intervals;
-  if (law.has_free_clocks()) error = error + drift_of(speed, u, law).most;
+  if (law.has_free_clocks()) error = error + drift_of(speed, a.increment, u, law).most;
   // of the rounding margin, what does not grow with the distance
   const Real places = abs(position.x) + abs(position.y);
   const Real lengths = radius + reach_at(own.speed);
@@ -295,7 +330,8 @@ AVO_KERNEL PackBound<Real> bound_of(Vec<Real> position, Real radius, const PackP
           deviation.most_aside};
 }
 
-/// B is of A's a_max, and no faster than A may be. Its priority has to be A's as well.
+/// B is of A's a_max, and no faster than A may be. Its priority and its limit of braking have to be
+/// A's as well.
 template <typename Real>
 AVO_KERNEL auto is_alike(const PackBound<Real>& bound, const BrakingPoint<Real>& self,
                          const PackNeighbor<Real>& other) {

@@ -35,7 +35,7 @@ Vec2 separating_normal(const std::array<Vec2, 4>& corners) {
 
 void collect_capsules(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
                       std::vector<CapsuleConstraint>& constraints, Invariant& invariant) {
-  const Braking a = braking_of(robot.velocity, robot.max_acceleration, law);
+  const Braking a = braking_of(robot.velocity, ability_of(robot), law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (neighbor.behavior != Behavior::decides || neighbor.loiter) continue;
@@ -69,7 +69,7 @@ bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const Candid
 
 void append_half_planes(std::span<const CapsuleConstraint> constraints, const Robot& robot,
                         const StepLaw& law, double top_speed, std::vector<HalfPlane>& half_planes) {
-  const double decrement = braking_decrement(robot.max_acceleration, law);
+  const double decrement = decrement_of(robot, law);
   const double lead = law.time_step - law.lag;
   // l(S)/S, nondecreasing: a slower robot stops earlier than the half-plane counts on
   const double stopping_time =

@@ -135,16 +135,17 @@ std::optional<HalfPlane> cut_of(const NearWall& wall, const WallConstraints& wal
 
 }  // namespace
 
-double wall_reach(double speed, double max_speed, double max_acceleration, const StepLaw& law) {
-  const double u = braking_decrement(max_acceleration, law);
-  const double top_speed = std::max(std::min(speed + u, max_speed), speed);
-  return law.time_step * top_speed + stopping_length(top_speed, u, law);
+double wall_reach(double speed, double max_speed, const Ability& ability, const StepLaw& law) {
+  const double fastest = speed + increment(ability.acceleration, law);
+  const double top_speed = std::max(std::min(fastest, max_speed), speed);
+  const double decrement = braking_decrement(ability.braking, law);
+  return law.time_step * top_speed + stopping_length(top_speed, decrement, law);
 }
 
-WallRounding wall_rounding(double radius, double max_speed, double max_acceleration,
+WallRounding wall_rounding(double radius, double max_speed, const Ability& ability,
                            const StepLaw& law) {
   const BrakingProfile braking =
-      braking_profile(max_speed, braking_decrement(max_acceleration, law));
+      braking_profile(max_speed, braking_decrement(ability.braking, law));
   return {braking.full_steps + 2.0,
           radius + law.time_step * max_speed + stopping_length(braking, law)};
 }
@@ -162,11 +163,11 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
   constraints.near.clear();
   constraints.must_brake = constraints.broken = false;
   if (walls.empty()) return;
-  const double u = braking_decrement(robot.max_acceleration, law), speed = norm(robot.velocity);
-  const double reach = wall_reach(speed, robot.max_speed, robot.max_acceleration, law) +
+  const double u = decrement_of(robot, law), speed = norm(robot.velocity);
+  const double reach = wall_reach(speed, robot.max_speed, ability_of(robot), law) +
                        stray_of(robot.model, robot.max_acceleration, law.time_step).distance;
   const WallRounding rounding =
-      wall_rounding(robot.radius, robot.max_speed, robot.max_acceleration, law);
+      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
   constraints.middle = law.lag * robot.velocity;
   constraints.backup = braked(robot.velocity, u);
   constraints.stop = stopping_way(robot.velocity, u, law);

@@ -33,14 +33,14 @@ struct WallConstraints {
 
 /// m: S Δt + l(S), S the largest speed that it can have after this step. No candidate leads a robot
 /// farther from its center, and no farther wall can ask it to slow down.
-double wall_reach(double speed, double max_speed, double max_acceleration, const StepLaw& law);
+double wall_reach(double speed, double max_speed, const Ability& ability, const StepLaw& law);
 
 /// What the margins of a robot beside all walls have in common.
 struct WallRounding {
   double steps = 0.0;    ///< of braking from max_speed, and the one that is decided
   double lengths = 0.0;  ///< m, its radius and the way that these steps take
 };
-WallRounding wall_rounding(double radius, double max_speed, double max_acceleration,
+WallRounding wall_rounding(double radius, double max_speed, const Ability& ability,
                            const StepLaw& law);
 
 /// [m] m, what covers all rounding of a robot beside a wall: the same in all its decisions.

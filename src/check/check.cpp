@@ -14,6 +14,7 @@
 #include "check/course.h"
 #include "check/duty.h"
 #include "check/kinematics.h"
+#include "check/own_clock.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
@@ -39,6 +40,7 @@ struct Seen {
   CheckedState row;
   std::int64_t at = -1;  // number of the time, -1: never
   bool arrived = false, at_goal = false;
+  judge::OwnClock clock;
 };
 
 using Pairs = std::unordered_set<std::uint64_t>;
@@ -64,6 +66,8 @@ void insert(Pairs& pairs, std::uint64_t pair) {
 struct Check::State {
   std::vector<CheckedRobot> robots;
   std::vector<CheckedObstacle> obstacles;
+  // of each obstacle: where it was at the last time, and is at the next one, if it is placed there
+  std::vector<std::optional<judge::Place>> placed_before, placed;
   CheckOptions options;
   CheckReport report;  // as far as it is not derived from the rest
   std::vector<Seen> seen;
@@ -85,6 +89,7 @@ struct Check::State {
                   double time);
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
+  void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
   void judge_arrival(double time, const CheckedState& row);
   void meet(std::size_t first, std::size_t second);
   void meet_robots(const Mover& a, const Mover& b);
@@ -151,6 +156,16 @@ void Check::State::judge_step(const CheckedRobot& robot, const CheckedState& bef
   judge_limits(robot, before, now, time);
 }
 
+void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& now, double time) {
+  if (!robot.time_step) return;
+  Seen& mine = seen[static_cast<std::size_t>(now.robot)];
+  const auto amount = judge::early_change(
+      robot, {{mine.row, last_time}, {now, time}, options.relative_tolerance}, mine.clock);
+  if (!amount) return;
+  ++report.changes.count;
+  note(report.changes, {last_time, now.robot, {}, *amount});
+}
+
 void Check::State::judge_arrival(double time, const CheckedState& row) {
   const auto index = static_cast<std::size_t>(row.robot);
   const std::optional<Vec2>& goal = robots[index].goal;
@@ -179,10 +194,12 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   if (mine.at >= 0 && mine.at == times - 1) {
     ++report.robot_steps;
     judge_step(robot, mine.row, row, time);
+    judge_changes(robot, row, time);
     movers.push_back(judge::robot_mover(robot, mine.row, row, duration));
     report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
   } else {
     if (mine.at >= 0) ++report.gaps;
+    mine.clock.before.reset();
     movers.push_back(judge::newcomer(robot, row));
   }
   mine.row = row;
@@ -260,6 +277,8 @@ Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedObstacl
     judge::require_sound("obstacles." + std::to_string(k), obstacles[k]);
   state_->options = options;
   state_->obstacles = std::move(obstacles);
+  state_->placed_before.resize(state_->obstacles.size());
+  state_->placed.resize(state_->obstacles.size());
   for (const CheckedRobot& robot : robots) add_robot(robot);
 }
 Check::~Check() = default;
@@ -284,6 +303,16 @@ void Check::set_walls(std::vector<CheckedWall> walls) {
   state_->walls.set_walls(std::move(walls));
 }
 
+void Check::place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity) {
+  const auto count = static_cast<std::int64_t>(state_->obstacles.size());
+  if (obstacle < 0 || obstacle >= count)
+    refuse("obstacle", std::to_string(obstacle), "0 to " + std::to_string(count - 1));
+  const std::string place = "obstacles." + std::to_string(obstacle);
+  require(place + ".position", position, "m");
+  require(place + ".velocity", velocity, "m/s");
+  state_->placed[static_cast<std::size_t>(obstacle)] = judge::Place{position, velocity};
+}
+
 void Check::add(double time, std::span<const CheckedState> rows) {
   State& state = *state_;
   state.require_sound(time, rows);
@@ -294,9 +323,15 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   for (const CheckedState& row : rows) state.judge_row(time, row);
   for (const Mover& robot : state.movers)
     state.walls.judge(robot, {state.last_time, state.duration, state.options.relative_tolerance});
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k)
-    state.movers.push_back(judge::obstacle_mover(state.obstacles[k], static_cast<std::int64_t>(k),
-                                                 state.last_time, time));
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    const CheckedObstacle& obstacle = state.obstacles[k];
+    const auto told = [&](double t) { return judge::place_of(obstacle, t); };
+    const judge::Place to = state.placed[k].value_or(told(time));
+    const judge::Place from =
+        begins && state.placed[k] ? to : state.placed_before[k].value_or(told(state.last_time));
+    state.movers.push_back(
+        judge::obstacle_mover(from, to, obstacle.radius, static_cast<std::int64_t>(k)));
+  }
   state.boxes.clear();
   for (std::size_t i = 0; i < state.movers.size(); ++i)
     state.boxes.push_back(judge::box_of(state.movers[i], i, state.duration));
@@ -306,6 +341,7 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   state.last_time = state.report.to = time;
   state.report.rows += static_cast<std::int64_t>(rows.size());
   state.report.steps = state.times++;
+  state.placed_before = state.placed;
 }
 
 CheckReport Check::report() const {
@@ -336,7 +372,8 @@ bool CheckReport::safe() const {
          one_sided_contacts_moving.count == 0 && static_contacts.count == 0 &&
          accelerations.count == 0 && speeds.count == 0 && jumps.count == 0 && headings.count == 0 &&
          turns.count == 0 && lateral_accelerations.count == 0 && reversals.count == 0 &&
-         slow_flights.count == 0 && wheel_speeds.count == 0 && wheel_accelerations.count == 0;
+         slow_flights.count == 0 && wheel_speeds.count == 0 && wheel_accelerations.count == 0 &&
+         changes.count == 0;
 }
 
 }  // namespace avo

@@ -114,15 +114,14 @@ Mover newcomer(const CheckedRobot& robot, const CheckedState& now) {
   return mover;
 }
 
-Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double from, double to) {
-  const auto position = [&obstacle](double t) {
-    return obstacle.position + t * (obstacle.velocity + (0.5 * t) * obstacle.acceleration);
-  };
-  const auto velocity = [&obstacle](double t) {
-    return obstacle.velocity + t * obstacle.acceleration;
-  };
-  Mover mover{position(from), velocity(from), position(to), velocity(to), obstacle.radius, 0.0,
-              index};
+Place place_of(const CheckedObstacle& obstacle, double time) {
+  const double t = time;
+  return {obstacle.position + t * (obstacle.velocity + (0.5 * t) * obstacle.acceleration),
+          obstacle.velocity + t * obstacle.acceleration};
+}
+
+Mover obstacle_mover(const Place& from, const Place& to, double radius, std::int64_t index) {
+  Mover mover{from.position, from.velocity, to.position, to.velocity, radius, 0.0, index};
   mover.obstacle = true;
   return mover;
 }

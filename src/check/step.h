@@ -32,7 +32,12 @@ Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const C
                   double duration);
 /// A robot without a row at the start of the step.
 Mover newcomer(const CheckedRobot& robot, const CheckedState& now);
-Mover obstacle_mover(const CheckedObstacle& obstacle, std::int64_t index, double from, double to);
+/// Where a body is, and how fast.
+struct Place {
+  Vec2 position, velocity;  // m, m/s
+};
+Place place_of(const CheckedObstacle& obstacle, double time);
+Mover obstacle_mover(const Place& from, const Place& to, double radius, std::int64_t index);
 
 /// Are the two there at the end of the step only?
 inline bool end_only(const Mover& a, const Mover& b) {

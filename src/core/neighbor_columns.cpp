@@ -6,13 +6,14 @@
 namespace avo {
 
 void NeighborColumns::grow(std::size_t size) {
-  size = std::max(size, acceleration.size() + acceleration.size() / 2);
-  for (auto* column : {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &decides, &priority}) {
+  size = std::max(size, motion.size() + motion.size() / 2);
+  for (auto* column :
+       {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &max_braking, &decides, &priority}) {
     column->resize(size, 1.0);
   }
   age.resize(size);
   loiter.resize(size);
-  acceleration.resize(size);
+  motion.resize(size);
 }
 
 void list(const Neighbors& neighbors, std::vector<Neighbor>& listed) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,18 +15,27 @@ namespace avo {
 /// Columns have room for so many more entries than there are, which are read but do not count.
 inline constexpr std::size_t kSpareNeighbors = 16;
 
+/// What is known of the motion of one that does not decide.
+struct MoverMotion {
+  Vec2 acceleration;           // m/s²
+  double max_deviation = 0.0;  // m/s²
+  double max_speed = 0.0;      // m/s
+};
+
 /// Neighbors of one robot or of several; allocates only while it grows.
 struct NeighborColumns {
   std::size_t count = 0;
   bool has_movers = false;                       // some do not decide
   bool has_aged = false;                         // the age of some is not 0
   bool has_priorities = false;                   // some have another one than 1
+  bool has_max_braking = false;                  // some have one
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
-  std::vector<double> decides;     // see below; kPrompt unless add() was told otherwise
-  std::vector<double> priority;    // likewise 1
-  std::vector<int> age;            // steps, of all that are not kPrompt
-  std::vector<Vec2> acceleration;  // m/s², of those that do not decide
+  std::vector<double> decides;      // see below; kPrompt unless add() was told otherwise
+  std::vector<double> priority;     // likewise 1
+  std::vector<double> max_braking;  // m/s², read where some have one
+  std::vector<int> age;             // steps, of all that are not kPrompt
+  std::vector<MoverMotion> motion;  // of those that do not decide
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
@@ -36,7 +46,7 @@ struct NeighborColumns {
   /// Room for so many.
   void reserve(std::size_t neighbors) {
     // the last to grow: where memory runs out, some others may have grown already
-    if (acceleration.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
+    if (motion.size() < neighbors + kSpareNeighbors) grow(neighbors + kSpareNeighbors);
   }
   void add(const Neighbor& neighbor) {
     x[count] = neighbor.position.x, y[count] = neighbor.position.y;
@@ -49,10 +59,12 @@ struct NeighborColumns {
     has_loiterers = has_loiterers || loiters;
     age[count] = neighbor.age;
     priority[count] = neighbor.priority;
-    acceleration[count++] = neighbor.acceleration;
+    max_braking[count] = braking_limit(neighbor);
+    motion[count++] = {neighbor.acceleration, neighbor.max_deviation, neighbor.max_speed};
     has_movers = has_movers || moves_on;
     has_aged = has_aged || aged;
     has_priorities = has_priorities || neighbor.priority != 1.0;
+    has_max_braking = has_max_braking || neighbor.max_braking;
   }
   /// The one at `place` by the one at `other`, which stays.
   void replace(std::size_t place, std::size_t other) {
@@ -60,26 +72,30 @@ struct NeighborColumns {
     v_x[place] = v_x[other], v_y[place] = v_y[other];
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
     decides[place] = decides[other], age[place] = age[other];
-    acceleration[place] = acceleration[other];
-    priority[place] = priority[other], loiter[place] = loiter[other];
+    motion[place] = motion[other], loiter[place] = loiter[other];
+    priority[place] = priority[other], max_braking[place] = max_braking[other];
   }
   void clear() {
     if (has_movers || has_aged || has_loiterers) std::fill(decides.begin(), decides.end(), kPrompt);
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     count = 0;
-    has_movers = has_aged = has_priorities = has_loiterers = false;
+    has_movers = has_aged = has_priorities = has_max_braking = has_loiterers = false;
   }
   Neighbor operator[](std::size_t i) const {
-    const bool moves_on = decides[i] == kMover;
-    return {.position = {x[i], y[i]},
-            .velocity = {v_x[i], v_y[i]},
-            .radius = radius[i],
-            .max_acceleration = max_acceleration[i],
-            .acceleration = moves_on ? acceleration[i] : Vec2{},
-            .behavior = moves_on ? Behavior::moves_on : Behavior::decides,
-            .age = decides[i] == kPrompt ? 0 : age[i],
-            .priority = priority[i],
-            .loiter = decides[i] == kLoiterer ? std::optional(loiter[i]) : std::nullopt};
+    Neighbor neighbor{.position = {x[i], y[i]},
+                      .velocity = {v_x[i], v_y[i]},
+                      .radius = radius[i],
+                      .max_acceleration = max_acceleration[i],
+                      .age = decides[i] == kPrompt ? 0 : age[i],
+                      .priority = priority[i]};
+    if (has_max_braking) neighbor.max_braking = max_braking[i];
+    if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
+    if (decides[i] != kMover) return neighbor;
+    neighbor.behavior = Behavior::moves_on;
+    neighbor.acceleration = motion[i].acceleration;
+    neighbor.max_deviation = motion[i].max_deviation;
+    neighbor.max_speed = motion[i].max_speed;
+    return neighbor;
   }
 
  private:

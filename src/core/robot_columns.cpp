@@ -11,7 +11,7 @@ void for_each_column(Columns& robots, const Action& action) {
   for (auto* column :
        {&robots.x, &robots.y, &robots.v_x, &robots.v_y, &robots.preferred_x, &robots.preferred_y,
         &robots.distance_to_goal, &robots.radius, &robots.max_acceleration, &robots.max_speed,
-        &robots.priority, &robots.heading}) {
+        &robots.max_braking, &robots.priority, &robots.heading}) {
     action(*column);
   }
 }
@@ -33,6 +33,7 @@ void RobotColumns::add(const Robot& robot, const Neighbors& sensed) {
   distance_to_goal[count] = robot.distance_to_goal;
   radius[count] = robot.radius;
   max_acceleration[count] = robot.max_acceleration, max_speed[count] = robot.max_speed;
+  max_braking[count] = braking_limit(robot);
   heading[count] = robot.heading;
   model.push_back(is_holonomic(robot.model) ? nullptr : &robot.model);
   has_models = has_models || model.back() != nullptr;
@@ -53,6 +54,7 @@ Robot RobotColumns::robot(std::size_t i) const {
   robot.max_acceleration = max_acceleration[i], robot.max_speed = max_speed[i];
   robot.distance_to_goal = distance_to_goal[i];
   robot.priority = priority[i];
+  if (max_braking[i] != max_acceleration[i]) robot.max_braking = max_braking[i];
   if (model[i] != nullptr) robot.model = *model[i], robot.heading = heading[i];
   if (i < loiter.size() && loiter[i] != nullptr) robot.loiter = *loiter[i];
   return robot;

@@ -19,6 +19,7 @@ struct RobotColumns {
   Column preferred_x, preferred_y;     // m/s
   Column distance_to_goal, radius;     // m
   Column max_acceleration, max_speed;  // m/s², m/s
+  Column max_braking;                  // m/s²
   Column heading;                      // rad; read where there is a model
   Column priority;
   std::vector<const MotionModel*> model;    // of holonomic robots none

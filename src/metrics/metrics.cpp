@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t kMostListed = 100;  // of those that have not arrived
 constexpr double kRounding = 1e-12;       // of a limit: less excess than that is rounding
+constexpr double kAtRest = 1e-9;          // of max_speed: no faster is at rest
 
 // In the order of PlanStatus.
 constexpr std::array kCounts{&Decisions::optimal,     &Decisions::least_unsafe,
@@ -48,13 +49,13 @@ struct Metrics::State {
   RunSummary summary;
   std::map<std::uint64_t, std::optional<double>> arrival;  // s, of every robot that ever was
   std::set<std::pair<std::uint64_t, std::uint64_t>> collided, collided_one_sided,
-      collided_with_obstacle;
+      collided_with_obstacle, collided_in_motion;
   std::set<std::uint64_t> parked;
   std::vector<double> step_milliseconds;
   FirstSights first_sights;
 
   bool started = false;
-  double last_time = 0.0;
+  double last_time = 0.0, duration = 0.0;  // s, of the last step
   LastSeen last;
 
   std::vector<Body> robots, obstacles;
@@ -104,14 +105,13 @@ void Metrics::State::collect_robots(const Simulation& simulation) {
     const Vec2 start = at_once && body.exact ? fleet.velocity[i] : body.velocity;
     if (!started) {
       body.path.control.fill(body.position);
-    } else if (is_holonomic(model)) {
-      body.path = hermite_path(body.position, start, next, fleet.velocity[i], settings.time_step);
+    } else if (!moves_along_heading(model)) {
+      body.path = hermite_path(body.position, start, next, fleet.velocity[i], duration);
     } else {
       const double turn =
           std::remainder(fleet.heading[i] - last.robots[j].heading, 2.0 * std::numbers::pi);
       body.arc = arc_path(body.position, next, turn);
-      body.path =
-          hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), settings.time_step);
+      body.path = hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), duration);
     }
     robots.push_back(body);
   }
@@ -126,9 +126,9 @@ void Metrics::State::collect_obstacles(const Simulation& simulation) {
     body.radius = now.setup[k].radius;
     body.position = last.obstacles[k].position;
     body.velocity = last.obstacles[k].velocity;
-    body.exact = started && now.setup[k].acceleration == Vec2{};
-    body.path = hermite_path(body.position, body.velocity, now.position[k], now.velocity[k],
-                             settings.time_step);
+    body.exact = started && now.setup[k].acceleration == Vec2{} && now.setup[k].path.empty();
+    body.path =
+        hermite_path(body.position, body.velocity, now.position[k], now.velocity[k], duration);
     if (!started) body.path.control.fill(body.position);
     obstacles.push_back(body);
   }
@@ -144,11 +144,11 @@ void Metrics::State::collect_walls(const Simulation& simulation) {
 
 // Smallest distance of the centers over the step. A cubic is exact for held accelerations (also
 // of moving obstacles) and straight lines. For the arc of a car at the paper's limits it is within
-// 7e-8 m at 2 m/s, 3e-5 m at 0.1 m/s; from walls the arc itself is measured.
+// 7e-8 m at 2 m/s, 1e-4 m at 0.1 m/s; from walls the arc itself is measured.
 double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
   if (!response || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
   const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};
-  const Obstacle obstacle{pair, *response, settings.time_step};
+  const Obstacle obstacle{pair, *response, duration};
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
 }
 
@@ -169,15 +169,16 @@ void Metrics::State::meet(const Body& a, const Body& b) {
   collided.insert(std::minmax(a.name, b.name));
   const Separation closest = separation(a.path, b.path, overlapping);
   const double fraction = first_below(a.path, b.path, overlapping, closest.fraction);
-  const double time = last_time + fraction * settings.time_step;
+  const double time = last_time + fraction * duration;
   summary.first_collision_time = std::min(summary.first_collision_time.value_or(time), time);
 }
 
 void Metrics::State::meet_obstacle(const Body& robot, const Body& obstacle) {
   const double contact = robot.radius + obstacle.radius;
-  if (distance(robot, obstacle, contact) < contact * (1.0 - kContact)) {
-    collided_with_obstacle.insert({robot.name, obstacle.name});
-  }
+  if (!(distance(robot, obstacle, contact) < contact * (1.0 - kContact))) return;
+  collided_with_obstacle.insert({robot.name, obstacle.name});
+  const double at_rest = kAtRest * robot.setup->max_speed * settings.time_step;
+  if (way_of(robot) > at_rest) collided_in_motion.insert({robot.name, obstacle.name});
 }
 
 // m: any pair bounds the smallest clearance, here the first robot that avoids somebody and its
@@ -237,7 +238,7 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
     if (a > a_max * (1.0 + kRounding)) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);
     }
-    if (fleet.setup[i].parked) continue;
+    if (!simulation.decided(i)) continue;
     if (fleet.plan[i].violation > 0.0) ++summary.infeasible_steps;
     ++(summary.decisions.*kCounts[static_cast<std::size_t>(fleet.plan[i].status)]);
   }
@@ -268,6 +269,8 @@ Metrics::~Metrics() = default;
 
 void Metrics::observe(const Simulation& simulation) {
   State& state = *state_;
+  const bool is_free = state.settings.clock == Clock::free;
+  state.duration = is_free ? simulation.time() - state.last_time : state.settings.time_step;
   state.observe_arrivals(simulation);
   state.observe_limits(simulation);
   state.first_sights.observe(simulation);
@@ -276,7 +279,7 @@ void Metrics::observe(const Simulation& simulation) {
   state.collect_obstacles(simulation);
   state.collect_walls(simulation);
   state.observe_separation();
-  state.walls.observe(state.robots, state.response, state.settings.time_step);
+  state.walls.observe(state.robots, state.response, state.duration);
   state.remember(simulation);
   state.summary.steps = simulation.steps();
   state.started = true;
@@ -303,6 +306,8 @@ RunSummary Metrics::summary() const {
   summary.collision_pairs = static_cast<std::int64_t>(state_->collided.size());
   summary.one_sided_collisions = static_cast<std::int64_t>(state_->collided_one_sided.size());
   summary.obstacle_collisions = static_cast<std::int64_t>(state_->collided_with_obstacle.size());
+  summary.obstacle_collisions_in_motion =
+      static_cast<std::int64_t>(state_->collided_in_motion.size());
   summary.collision_obstacles = static_cast<std::int64_t>(state_->walls.touched.size());
   summary.min_obstacle_clearance = state_->walls.least_clearance;
   summary.first_seen_too_late = state_->first_sights.too_late();

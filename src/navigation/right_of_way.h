@@ -43,7 +43,7 @@ struct Course {
 
 /// Among all who claim the same passage and are within the sensing radius. Who is at the robot's
 /// place is itself: what others see of it does not count.
-Course right_of_way(const Passage& passage, const Claimant& robot, double max_acceleration,
+Course right_of_way(const Passage& passage, const Claimant& robot, double max_braking,
                     std::span<const Claimant> claimants, double sensing_radius);
 
 /// m, from the axis to the middle of the right-hand lane.

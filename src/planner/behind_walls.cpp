@@ -21,11 +21,11 @@ constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than 
 // m, from its center, of all that it can come to touch.
 double reach_of(const Robot& robot, const StepLaw& law) {
   return robot.radius +
-         wall_reach(norm(robot.velocity), robot.max_speed, robot.max_acceleration, law);
+         wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
 }
 double reach_of(const Neighbor& neighbor, const StepLaw& law) {
   return neighbor.radius +
-         wall_reach(norm(neighbor.velocity), kInfinity, neighbor.max_acceleration, law);
+         wall_reach(norm(neighbor.velocity), kInfinity, ability_of(neighbor), law);
 }
 
 double distance_to(const Wall& wall, Vec2 p) {
@@ -46,9 +46,9 @@ double way_round(Vec2 p, Vec2 q, const Wall& wall) {
 }
 
 // Whether what it needs in order to stop does.
-bool keeps_clear(Vec2 p, Vec2 velocity, double max_acceleration, double radius, const Wall& wall,
+bool keeps_clear(Vec2 p, Vec2 velocity, double max_braking, double radius, const Wall& wall,
                  const StepLaw& law) {
-  const Vec2 way = stopping_way(velocity, braking_decrement(max_acceleration, law), law);
+  const Vec2 way = stopping_way(velocity, braking_decrement(max_braking, law), law);
   return distance(Segment{p, p + way}, {wall.a, wall.b}) >= radius + wall.radius;
 }
 
@@ -65,7 +65,7 @@ struct HidingWalls {
     for (const Wall& wall : all) {
       if (count == kMost) break;
       if (distance_to(wall, robot.position) > reach + wall.radius) continue;
-      if (keeps_clear(robot.position, robot.velocity, robot.max_acceleration, robot.radius, wall,
+      if (keeps_clear(robot.position, robot.velocity, braking_limit(robot), robot.radius, wall,
                       law))
         walls[count++] = &wall;
     }
@@ -76,8 +76,7 @@ struct HidingWalls {
     const Vec2 q = neighbor.position;
     return std::any_of(walls.begin(), walls.begin() + count, [&](const Wall* wall) {
       if (!crosses(p, q, *wall)) return false;
-      if (!keeps_clear(q, neighbor.velocity, neighbor.max_acceleration, neighbor.radius, *wall,
-                       law))
+      if (!keeps_clear(q, neighbor.velocity, braking_limit(neighbor), neighbor.radius, *wall, law))
         return false;
       const double round = way_round(p, q, *wall);
       const double lost = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + round;
@@ -120,7 +119,7 @@ bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wal
 
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {
   const double reach =
-      robot.radius + wall_reach(robot.max_speed, robot.max_speed, robot.max_acceleration, law);
+      robot.radius + wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
   return std::any_of(walls.begin(), walls.end(), [&](const Wall& wall) {
     return distance_to(wall, robot.position) <= reach + wall.radius;
   });

@@ -54,6 +54,13 @@ bool is_within_limits(const Proposals& proposals) {
          });
 }
 
+// What the robot can follow of a proposal.
+Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
+  const Robot& robot = proposals.robot;
+  if (!has_limits_within_steps(robot.model)) return next_velocity;
+  return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
+}
+
 bool is_admitted(const Proposals& proposals, Vec2 next_velocity) {
   return admits(proposals.robot, next_velocity, proposals.law, proposals.workspace.constraints);
 }
@@ -101,8 +108,10 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
     if (result.state == ProgramState::discs_disjoint) break;
     // it gives way in all half-planes, those of the robot's own motion too
     if (result.state == ProgramState::least_unsafe && has_own_planes) break;
-    if (is_admitted(proposals, result.point)) {
-      return {result.point, round == 0 ? Chosen::wanted : Chosen::candidate};
+    const Vec2 candidate = followed(proposals, result.point);
+    if (is_admitted(proposals, candidate)) {
+      const bool wanted = round == 0 && candidate == result.point;
+      return {candidate, wanted ? Chosen::wanted : Chosen::candidate};
     }
     if (result.state == ProgramState::least_unsafe) break;
     append_cuts(proposals);
@@ -115,7 +124,7 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
   double admitted = 0.0, refused = 1.0;
   for (int i = 0; i < kBisections; ++i) {
     const double part = 0.5 * (admitted + refused);
-    const Vec2 candidate = backup + part * (farthest.point - backup);
+    const Vec2 candidate = followed(proposals, backup + part * (farthest.point - backup));
     if (is_admitted(proposals, candidate)) {
       admitted = part;
       choice = {candidate, Chosen::candidate};
@@ -133,7 +142,8 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const CertificateLaw& law = proposals.law;
   CertifiedWorkspace& workspace = proposals.workspace;
   const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
-  for (const double limit : {speed + u, speed, std::max(speed - u, 0.0)}) {
+  const double braked_speed = std::max(speed - decrement_of(robot, law.step), 0.0);
+  for (const double limit : {speed + u, speed, braked_speed}) {
     const double top_speed = std::min(limit, proposals.top_speed);
     proposals.begin();
     append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
@@ -141,9 +151,9 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
     for (int round = 0; round < kRounds; ++round) {
       const ProgramResult result = propose(proposals, top_speed);
       if (result.state != ProgramState::optimal) break;
-      if (is_admitted(proposals, result.point)) {
-        return {result.point,
-                result.point == proposals.wanted ? Chosen::wanted : Chosen::candidate};
+      const Vec2 candidate = followed(proposals, result.point);
+      if (is_admitted(proposals, candidate)) {
+        return {candidate, candidate == proposals.wanted ? Chosen::wanted : Chosen::candidate};
       }
       const std::size_t before = workspace.hard.size();
       append_cuts(proposals);  // of movers and walls
@@ -157,7 +167,7 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
 
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace) {
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const double u = increment(robot.max_acceleration, law.step);
   const Proposals proposals{
       robot,
       law,

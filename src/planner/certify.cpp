@@ -48,7 +48,7 @@ struct Decision {
   }
   // m/s, of the farthest choice
   double reach() const {
-    const double u = braking_decrement(robot.max_acceleration, law.step);
+    const double u = increment(robot.max_acceleration, law.step);
     return is_holonomic(robot.model) ? u : reach_of(robot.model) * u;
   }
 };
@@ -146,11 +146,11 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   std::vector<Neighbor>& movers = scratch.movers;
   movers.assign(neighbors.begin(), neighbors.end());
   for (Neighbor& mover : movers) {
-    if (mover.behavior == Behavior::decides) mover.acceleration = {};
+    if (mover.behavior == Behavior::decides) mover.acceleration = {}, mover.max_deviation = 0.0;
     mover.behavior = Behavior::moves_on;
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const double u = increment(robot.max_acceleration, law.step);
   const Vec2 wanted = approach(robot.velocity, target.velocity, reach_of(robot.model) * u);
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
   Plan plan =

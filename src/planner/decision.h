@@ -93,6 +93,14 @@ inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_veloc
           .violation = violation};
 }
 
+/// Whether a robot goes for what Eq. (23) chose as fast as it can, and does not approach it with δ.
+inline bool goes_at_once(const PlannerOptions& options) {
+  return options.method == Method::avo || adopts_at_once(options.method);
+}
+
+/// Without a certificate: what the robot's own motion can follow of the plan.
+Plan as_followed(const Planner& planner, const Robot& robot, Plan plan);
+
 /// Full braking; where the robot cannot even know how to, nothing but invalid_input.
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 

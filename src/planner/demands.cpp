@@ -15,9 +15,9 @@ namespace avo {
 
 // With k whole steps of u and a fraction f of one, V = (k + f) u and
 // V Δt + l(V) = u [Δt k (k + 1)/2 + k s + f (Δt (k + 1) + s)]: a quadratic in k, linear in f.
-double speed_before(double gap, double max_acceleration, const StepLaw& law) {
+double speed_before(double gap, double max_braking, const StepLaw& law) {
   if (!(gap > 0.0)) return 0.0;
-  const double u = braking_decrement(max_acceleration, law), h = law.time_step, s = law.lag;
+  const double u = braking_decrement(max_braking, law), h = law.time_step, s = law.lag;
   const auto way_of = [&](double k) { return u * (0.5 * h * k * (k + 1.0) + k * s); };
   const double half = 0.5 * h + s;
   double steps = std::floor((std::sqrt(half * half + 2.0 * h * gap / u) - half) / h);
@@ -29,12 +29,12 @@ double speed_before(double gap, double max_acceleration, const StepLaw& law) {
 void append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                          std::vector<HalfPlane>& half_planes) {
   const double reach =
-      wall_reach(norm(robot.velocity), robot.max_speed, robot.max_acceleration, law);
+      wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
   for (const Wall& wall : walls) {
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
     const double distance = norm(away), gap = distance - robot.radius - wall.radius;
     if (!(gap < reach) || !(distance > 0.0)) continue;
-    const double speed = speed_before(gap, robot.max_acceleration, law);
+    const double speed = speed_before(gap, braking_limit(robot), law);
     half_planes.push_back({away / distance, -std::min(speed, robot.max_speed)});
   }
 }

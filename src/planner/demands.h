@@ -17,7 +17,7 @@
 namespace avo {
 
 /// m/s: the largest V with V Δt + l(V) <= gap.
-double speed_before(double gap, double max_acceleration, const StepLaw& law);
+double speed_before(double gap, double max_braking, const StepLaw& law);
 
 /// A half-plane n . v' >= -V for each wall that the robot can reach with this decision, n away from
 /// it, V by its gap. 0 is in all of them.

@@ -113,6 +113,7 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
 }
 
 bool can_fly(const Robot& robot) {
+  if (robot.max_braking) return false;
   const double speed = norm(robot.velocity), least = airplane_of(robot).min_speed;
   if (!(speed >= least * (1.0 - kSpeedOff) && speed <= robot.max_speed * (1.0 + kSpeedOff)))
     return false;

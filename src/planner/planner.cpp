@@ -41,23 +41,30 @@ int is_size(double value) {
   return static_cast<int>(value >= kSmallest) & static_cast<int>(value <= kLargest);
 }
 
+int is_braking(double max_braking, double max_acceleration) {
+  return is_size(max_braking) & static_cast<int>(max_braking <= max_acceleration);
+}
+
 // Where the robot is does not matter for slowing down.
 bool can_brake(const Robot& robot) {
   const int velocity = is_known(robot.velocity);
-  return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed)) != 0;
+  const int braking =
+      robot.max_braking ? is_braking(*robot.max_braking, robot.max_acceleration) : 1;
+  return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed) & braking) != 0;
 }
 
 bool can_drive(const Robot& robot) {
-  return is_known(robot.heading) != 0 && is_valid(robot.model);
+  return is_known(robot.heading) != 0 &&
+         is_valid(robot.model, robot.max_acceleration, robot.max_speed);
 }
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
-// -v, Eq. (7); |v' - v| <= δ a_max always, |v'| <= v_max unless that is farther than δ a_max away.
+// -v, Eq. (7); |v' - v| <= δ b always, |v'| <= v_max unless that is farther than δ b away.
 // rate: the part of v' - v that one step turns into velocity.
 Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noexcept {
   const double speed = norm(robot.velocity);
   if (!(speed > 0.0)) return {};
-  const double limit = control_time * robot.max_acceleration;
+  const double limit = control_time * braking_limit(robot);
   const double change = std::min({speed / rate, limit, std::max(speed + robot.max_speed, 0.0)});
   return ((speed - change) / speed) * robot.velocity;
 }
@@ -75,7 +82,7 @@ bool is_valid(const Robot& robot) {
 }
 
 bool follows_heading(const Robot& robot) {
-  if (is_holonomic(robot.model)) return true;
+  if (!moves_along_heading(robot.model)) return true;
   const Vec2 v = robot.velocity, heading = elementary::direction(robot.heading);
   const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
   return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
@@ -83,13 +90,16 @@ bool follows_heading(const Robot& robot) {
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  const auto& [p, v, r, a_max, a, behavior, age, priority, loiter] = neighbor;
+  const auto& [p, v, r, a_max, a, behavior, age, priority, b, deviation, top, loiter] = neighbor;
   if (loiter && (is_known(loiter->center) & is_size(loiter->radius)) == 0) return false;
   const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
-  const int able =
-      static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) & is_size(priority);
+  const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
+                   is_size(priority) & (b ? is_braking(*b, a_max) : 1);
   const int dated = static_cast<int>(age >= 0) & static_cast<int>(age <= kMostAge);
-  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on | able) & dated) != 0;
+  const int bounded =
+      static_cast<int>(deviation >= 0.0) & is_known(deviation) & static_cast<int>(top >= kSmallest);
+  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on ? bounded : able) &
+          dated) != 0;
 }
 
 bool is_valid(const Wall& wall) {
@@ -218,6 +228,21 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
                  violation);
 }
 
+Plan as_followed(const Planner& planner, const Robot& robot, Plan plan) {
+  const PlannerOptions& options = planner.options();
+  if (options.certificate != Certificate::none || !has_limits_within_steps(robot.model) ||
+      !can_brake(robot) || !can_drive(robot))
+    return plan;
+  const double time_step = options.time_step;
+  const Vec2 wanted = robot.velocity + time_step * plan.acceleration;
+  const Vec2 v = within_own_limits(robot, time_step, wanted);
+  if (v == wanted) return plan;
+  plan.acceleration = (v - robot.velocity) / time_step;
+  const double control_time = adopts_at_once(options.method) ? time_step : options.control_time;
+  plan.new_velocity = robot.velocity + control_time * plan.acceleration;
+  return plan;
+}
+
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> given, std::span<const Wall> walls,
                             PlanWorkspace::Scratch& scratch) {
@@ -276,7 +301,7 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
       if (!can_fly(robot)) return plan;
       state.position = robot.position, state.circle = *with_circle(robot).loiter;
     }
-    const MotionLimits limits{robot.max_acceleration, robot.max_speed};
+    const MotionLimits limits{braking_limit(robot), robot.max_speed};
     plan.next_velocity =
         advance(robot.model, limits, state, plan, planner.options().time_step).next.velocity;
   } else {
@@ -315,10 +340,10 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {
   Robot steering = robot;
-  if (is_valid(robot)) steering.preferred_velocity = steered(robot);
-  return with_next_velocity(*this, robot,
-                            decide_among_obstacles(*this, steering, obstacles, {},
-                                                   PlanWorkspace::Scratch::of(workspace)));
+  if (is_valid(robot)) steering.preferred_velocity = steered(robot, goes_at_once(options_));
+  const Plan plan =
+      decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
+  return with_next_velocity(*this, robot, as_followed(*this, robot, plan));
 }
 
 }  // namespace avo

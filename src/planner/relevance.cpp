@@ -19,7 +19,7 @@ constexpr double kRounding = 1e-9;  // of a sum of lengths, generously
 
 // How a robot brakes that is as fast as it may be: the reach grows with the speed.
 Braking fastest(const Planner& planner, const Robot& robot) {
-  return braking_of({(1.0 + kSpeedRounding) * robot.max_speed, 0.0}, robot.max_acceleration,
+  return braking_of({(1.0 + kSpeedRounding) * robot.max_speed, 0.0}, ability_of(robot),
                     certificate_law(planner).step);
 }
 
@@ -33,7 +33,8 @@ double least_of_shares(const Peers& peers) {
 double most_drift(const Peers& peers, const StepLaw& law) {
   const double H = law.time_step, L = law.longest_step, V = std::max(H, 2.0 * L - H);
   const double time = H * (peers.intervals + 1.0);  // until rest
-  return peers.most_acceleration * (V * (time + 0.5 * V) + 0.125 * (H * H + L * L));
+  const double later = 0.5 * V * peers.most_weakness;
+  return peers.most_acceleration * (V * (time + later) + 0.125 * (H * H + L * L));
 }
 
 // Beyond it cannot_meet() holds of all pairs. What covers rounding grows with the places of both,
@@ -48,8 +49,9 @@ std::array<double, 3> certificate_range(const Planner& planner, const Robot& rob
   const double margin = 0x1p-48 * (1.0 + peers.intervals) / least_share;
   if (!(margin < 0.5)) return {kInfinity, 0.0, 0.0};
   const double wider = (1.0 + margin) / (1.0 - std::numbers::sqrt2 * margin);
-  const double u = braking_decrement(robot.max_acceleration, law);
-  const auto [at_rest, slope, curvature] = scalar::reach_bound(scalar::Pack<double>(u), law);
+  using Real = scalar::Pack<double>;
+  const auto [at_rest, slope, curvature] = scalar::reach_bound(
+      Real(increment(robot.max_acceleration, law)), Real(decrement_of(robot, law)), law);
   const double others = robot.radius + peers.reach + error.position + error.velocity * time +
                         drift + 4.0 * margin * kMostRelevantPosition;
   return {wider * (at_rest.value + others), wider * slope.value, wider * curvature.value};
@@ -59,9 +61,14 @@ std::array<double, 3> certificate_range(const Planner& planner, const Robot& rob
 
 void include(Peers& peers, const Planner& planner, const Robot& robot) {
   const Braking braking = fastest(planner, robot);
+  using Real = scalar::Pack<double>;
+  const Real later = scalar::later_intervals(
+      Real(braking.increment), Real(braking.profile.decrement), certificate_law(planner).step);
   peers.radius = std::max(peers.radius, robot.radius);
   peers.reach = std::max(peers.reach, robot.radius + braking.reach);
-  peers.intervals = std::max(peers.intervals, braking.intervals);
+  peers.intervals = std::max(peers.intervals, braking.intervals + later.value);
+  peers.most_weakness =
+      std::max(peers.most_weakness, robot.max_acceleration / braking_limit(robot));
   peers.least_acceleration = std::min(peers.least_acceleration, robot.max_acceleration);
   peers.most_acceleration = std::max(peers.most_acceleration, robot.max_acceleration);
   peers.least_priority = std::min(peers.least_priority, robot.priority);

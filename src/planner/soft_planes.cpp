@@ -35,7 +35,7 @@ void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& sof
   for (std::size_t r = 0; r < tile.robots.count; ++r) {
     for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
       if (neighbors.decides[k] != NeighborColumns::kMover) continue;
-      const double acceleration = norm(neighbors.acceleration[k]);
+      const double acceleration = norm(neighbors.motion[k].acceleration);
       soft.pairs.reach[i] = options.control_time * (tile.robots.max_acceleration[r] + acceleration);
       soft.raise[r] = std::max(soft.raise[r], options.control_time * acceleration);
       soft.share[i] = 1.0;

@@ -116,10 +116,10 @@ Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 
 }
 
 // Robots that cannot go everywhere at once go about it in their own way.
-void steer(RobotColumns& robots) {
+void steer(const PlannerOptions& options, RobotColumns& robots) {
   for (std::size_t i = 0; i < robots.count; ++i) {
     if (robots.model[i] == nullptr || turns_in_place(*robots.model[i])) continue;
-    const Vec2 wish = steered(robots.robot(i));
+    const Vec2 wish = steered(robots.robot(i), goes_at_once(options));
     robots.preferred_x[i] = wish.x, robots.preferred_y[i] = wish.y;
   }
 }
@@ -236,7 +236,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                   {decisions.unhindered_x[i], decisions.unhindered_y[i]},
                   violation,
                   overlapping};
-    if (robots.model[i] != nullptr && has_own_half_planes(*robots.model[i]))
+    if (robots.model[i] != nullptr && has_own_limits(*robots.model[i]))
       reach_out(robots, i, law.step, decisions, wished);
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
     const CertificateConstraints& constraints = scratch.certified.constraints;
@@ -263,6 +263,15 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
     if (soft.exceeding) worst = with_excess(soft.of(i), soft.excess_of(i), target, worst);
     const PlanStatus status = status_of(soft.overlapping[i] != 0, worst);
     plan = plan_of(planner.options(), tile.robots.velocity(i), target, status, worst);
+  }
+}
+
+// Plans made without a certificate, whose choices are made of what robots can follow.
+void keep_within_models(const Planner& planner, Tile& tile) {
+  if (planner.options().certificate != Certificate::none || !tile.robots.has_models) return;
+  for (std::size_t i = 0; i < tile.plan.size(); ++i) {
+    if (tile.robots.model[i] == nullptr) continue;
+    *tile.plan[i] = as_followed(planner, tile.robots.robot(i), *tile.plan[i]);
   }
 }
 
@@ -309,7 +318,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
-  if (tile.robots.has_models) steer(tile.robots);
+  if (tile.robots.has_models) steer(options, tile.robots);
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);
@@ -325,6 +334,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   } else {
     adopt(planner, tile, scratch);
   }
+  keep_within_models(planner, tile);
   clock.lap(Stage::certificate);
 }
 

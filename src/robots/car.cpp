@@ -19,8 +19,8 @@
 namespace avo {
 namespace {
 
-// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of a_max adds or
-// takes away, a car that would have to turn by more than this first stops, and then turns in place
+// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of braking takes
+// away, a car that would have to turn by more than this first stops, and then turns in place
 // about its rear axle (front wheels across), which does not move the axle.
 constexpr double kTurnInPlace = 0.25;  // rad
 
@@ -137,7 +137,7 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
   const Driving driving = driving_of(car, state, plan.new_velocity);
   const Controls control = controls(car, plan.acceleration, driving, time_step);
   const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
-  const double slow = limits.max_acceleration * time_step;
+  const double slow = limits.max_braking * time_step;
   if (top > slow || !turns_in_place(car)) return drive(car, state, driving, control, time_step);
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn = moves ? elementary::atan2(cross(driving.heading, plan.new_velocity),

@@ -11,6 +11,9 @@ namespace avo {
 
 MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
                        const Plan& plan, double time_step);
+/// src/robots/within.cpp
+MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,
+                       double duration);
 Stray stray_of_car(const Car& car, double max_acceleration, double time_step);
 double top_speed_of(const Car& car, const Robot& robot, double u);
 Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v);

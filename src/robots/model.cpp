@@ -3,18 +3,22 @@
 #include "robots/model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "core/elementary.h"
 #include "core/ranges.h"
 #include "robots/airplane.h"
 #include "robots/car.h"
+#include "robots/drive.h"
 
 namespace avo {
 
 const char* to_string(AccelerationSet set) {
   return set == AccelerationSet::exact ? "exact" : "incircle";
+}
+
+bool moves_along_heading(const MotionModel& model) {
+  return std::holds_alternative<Car>(model) || is_airplane(model);
 }
 
 double acceleration_limit(const MotionModel& model, double max_acceleration) {
@@ -24,11 +28,14 @@ double acceleration_limit(const MotionModel& model, double max_acceleration) {
 }
 
 double disc_radius(const MotionModel& model, double radius) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) return radius + drive->offset;
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr && car->body ? car->body->radius : radius;
 }
 
 Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model))
+    return position + drive->offset * elementary::direction(heading);
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr || offset_of(*car) == 0.0) return position;
   return position + offset_of(*car) * elementary::direction(heading);
@@ -36,9 +43,16 @@ Vec2 disc_center(const MotionModel& model, Vec2 position, double heading) {
 
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model))
+    return advance_drive(*drive, state, plan, time_step);
   if (const Airplane* airplane = std::get_if<Airplane>(&model))
     return fly(*airplane, limits, state, plan, time_step).motion;
   return advance_car(std::get<Car>(model), limits, state, plan, time_step);
+}
+
+MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
+                   double time, double duration) {
+  return within_arc(std::get<Car>(model), from, to, time, duration);
 }
 
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step) {
@@ -69,6 +83,8 @@ double top_speed_of(const Robot& robot, double u) {
 }
 
 Vec2 within_own_limits(const Robot& robot, double time, Vec2 v) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return within_own_limits(*drive, robot, time, v);
   const Car* car = std::get_if<Car>(&robot.model);
   return has_own_half_planes(robot.model) ? within_own_limits(*car, robot, time, v) : v;
 }
@@ -78,6 +94,10 @@ bool has_own_half_planes(const MotionModel& model) {
   return car != nullptr && (!turns_in_place(*car) || reach_of(model) > 1.0);
 }
 
+bool has_limits_within_steps(const MotionModel& model) {
+  return std::holds_alternative<DifferentialDrive>(model);
+}
+
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {
   if (const Car* car = std::get_if<Car>(&robot.model))
     append_own_half_planes(*car, robot, time, half_planes);
@@ -85,13 +105,17 @@ void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPla
     append_own_half_planes(*airplane, robot, time, half_planes);
 }
 
-Vec2 steered(const Robot& robot) {
+Vec2 steered(const Robot& robot, bool at_once) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return steered(*drive, robot, at_once);
   if (const Car* car = std::get_if<Car>(&robot.model)) return steered(*car, robot);
   const Airplane* airplane = std::get_if<Airplane>(&robot.model);
   return airplane != nullptr ? steered(*airplane, robot) : robot.preferred_velocity;
 }
 
 Vec2 within_steering(const Robot& robot, Vec2 v) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    return within_steering(*drive, robot, v);
   if (const Car* car = std::get_if<Car>(&robot.model)) return within_steering(*car, robot, v);
   const Airplane* airplane = std::get_if<Airplane>(&robot.model);
   return airplane != nullptr ? within_steering(*airplane, robot, v) : v;
@@ -138,7 +162,13 @@ bool can_reverse(const MotionModel& model) {
   return car != nullptr && car->reverse;
 }
 
-bool is_valid(const MotionModel& model) {
+bool is_valid(const MotionModel& model, double max_acceleration, double max_speed) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model)) {
+    return kPositive.contains(drive->track) && kPositive.contains(drive->offset) &&
+           kPositive.contains(drive->wheel_speed) &&
+           kPositive.contains(drive->wheel_acceleration) && max_speed <= drive->wheel_speed &&
+           max_acceleration < most_acceleration(*drive);
+  }
   if (const Airplane* airplane = std::get_if<Airplane>(&model))
     return kPositive.contains(airplane->min_speed) &&
            kPositive.contains(airplane->lateral_acceleration);

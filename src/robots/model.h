@@ -19,13 +19,17 @@
 namespace avo {
 
 struct MotionLimits {
-  double max_acceleration;  // m/s^2
-  double max_speed;         // m/s
+  double max_braking;  // m/s^2, with which it surely brakes
+  double max_speed;    // m/s
 };
 
 /// One step of a robot that is not holonomic, exactly; of state.position its disc's center.
 MotionStep advance(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
                    const Plan& plan, double time_step);
+
+/// The same robot in the midst of such a step, see within() in robots/motion.h.
+MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
+                   double time, double duration);
 
 /// How far any two decisions may lead apart, besides what holonomic motion makes of them.
 struct Stray {
@@ -49,8 +53,9 @@ double reach_of(const MotionModel& model);
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes);
 
 /// m/s: the preferred velocity as the model can go about it. One that can turn in place, or that is
-/// holonomic, heads for it at once.
-Vec2 steered(const Robot& robot);
+/// holonomic, heads for it at once. at_once: a wish is gone for as fast as the limits allow, and
+/// not approached with δ.
+Vec2 steered(const Robot& robot, bool at_once);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
 
@@ -60,6 +65,11 @@ double top_speed_of(const Robot& robot, double u);
 Vec2 within_own_limits(const Robot& robot, double time, Vec2 v);
 
 bool has_own_half_planes(const MotionModel& model);
+/// Whether these do not say it all: what it can follow is asked of within_own_limits().
+bool has_limits_within_steps(const MotionModel& model);
+inline bool has_own_limits(const MotionModel& model) {
+  return has_own_half_planes(model) || has_limits_within_steps(model);
+}
 
 /// append_own_half_planes() appends no more.
 inline constexpr std::size_t kMostOwnPlanes = 4;
@@ -82,7 +92,7 @@ double least_speed(const MotionModel& model);
 bool turns_in_place(const MotionModel& model);
 /// Whether it may move against its heading.
 bool can_reverse(const MotionModel& model);
-/// Whether every number is finite and in range.
-bool is_valid(const MotionModel& model);
+/// Whether every number is finite and in range, and the model keeps up with these limits.
+bool is_valid(const MotionModel& model, double max_acceleration, double max_speed);
 
 }  // namespace avo

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a decision becomes motion over one time step (paper Eqs. 7-9, 24, 25).
 #pragma once
+#include <cstdint>
+
 #include "avo/planner.h"
 #include "avo/scenario.h"
 
 namespace avo {
 
 struct MotionState {
-  Vec2 position;         // m, of its disc
-  Vec2 velocity;         // m/s
-  double heading = 0.0;  // rad; not of holonomic robots
+  Vec2 position;             // m, of its disc
+  Vec2 velocity;             // m/s
+  double heading = 0.0;      // rad; not of holonomic robots
   LoiterCircle circle = {};  // of an airplane: what it falls back on
 };
 
@@ -36,5 +38,10 @@ StepResponse step_response(const Planner& planner);
 
 /// A holonomic robot, Eqs. (7)-(9).
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response);
+
+/// Where a holonomic robot is `time` s after the start of a step of `duration` s, 0 <= time <
+/// duration; at_once: it has had the velocity of the end from the start.
+MotionState within(const MotionState& from, const MotionState& to, bool at_once, double time,
+                   double duration);
 
 }  // namespace avo

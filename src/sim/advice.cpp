@@ -36,6 +36,11 @@ Worst worst(const std::vector<RobotSetup>& robots, Measure measure) {
   return result;
 }
 
+/// What a robot's braking is limited by.
+std::string braking_key(const RobotSetup& robot) {
+  return robot.max_braking ? "max_braking" : "max_acceleration";
+}
+
 /// [2 v_max / a_max], the paper's rule for δ: one decision then reaches every valid velocity.
 double usual_control_time(const RobotSetup& robot) {
   return 2.0 * robot.max_speed / robot.max_acceleration;
@@ -74,11 +79,12 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
 }
 
 void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
-  const double dt = scenario.time_step;
-  const Worst jump = worst(scenario.robots,
-                           [&](const RobotSetup& r) { return r.max_speed * dt / disc_radius(r); });
+  const Worst jump = worst(scenario.robots, [&](const RobotSetup& r) {
+    return r.max_speed * time_step_of(scenario, r) / disc_radius(r);
+  });
   if (jump.value <= 1.0) return;
   const RobotSetup& robot = scenario.robots[jump.robot];
+  const double dt = time_step_of(scenario, robot);
   lines.push_back("time_step " + text(dt) + " s lets " + robot_name(jump.robot) + " travel " +
                   text(robot.max_speed) + " * " + text(dt) + " = " + text(robot.max_speed * dt) +
                   " m between decisions, more than its radius = " + text(disc_radius(robot)) +
@@ -87,13 +93,14 @@ void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines)
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
   const Worst slowest =
-      worst(scenario.robots, [](const RobotSetup& r) { return r.max_speed / r.max_acceleration; });
+      worst(scenario.robots, [](const RobotSetup& r) { return r.max_speed / braking_limit(r); });
   const double tau = planner_options(scenario).time_horizon;
   if (tau >= slowest.value) return;
   const RobotSetup& robot = scenario.robots[slowest.robot];
   lines.push_back("time_horizon " + text(tau) + " s is shorter than " + robot_name(slowest.robot) +
-                  " needs to stop, max_speed / max_acceleration = " + text(robot.max_speed) +
-                  " / " + text(robot.max_acceleration) + " = " + text(slowest.value) + " s");
+                  " needs to stop, max_speed / " + braking_key(robot) + " = " +
+                  text(robot.max_speed) + " / " + text(braking_limit(robot)) + " = " +
+                  text(slowest.value) + " s");
 }
 
 /// A certificate does not warn of what it assumes: broken_assumptions() tells.
@@ -102,16 +109,18 @@ bool is_certified(const Scenario& scenario) {
 }
 
 /// How far a robot's edge gets from where its center is now, if it decides to brake only a step
-/// later: r + v_max Δt + v_max² / (2 a_max), m.
+/// later: r + v_max Δt + v_max² / (2 b), m.
 double braking_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
-  return disc_radius(robot) + v * time_step + 0.5 * v * v / robot.max_acceleration;
+  return disc_radius(robot) + v * time_step + 0.5 * v * v / braking_limit(robot);
 }
 
 void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
   std::vector<RobotSetup> robots = scenario.robots;
   if (robots.size() < 2 || is_certified(scenario)) return;
-  const auto reach = [&](const RobotSetup& r) { return braking_reach(r, scenario.time_step); };
+  const auto reach = [&](const RobotSetup& r) {
+    return braking_reach(r, time_step_of(scenario, r));
+  };
   const Worst first = worst(robots, reach);
   robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
   const Worst second = worst(robots, reach);
@@ -121,8 +130,8 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
   lines.push_back("sensing_radius " + text(scenario.sensing_radius) + " m is less than " +
                   robot_name(first.robot) + " and " + robot_name(other) +
                   " need to stop short of each other, radius + max_speed * time_step + " +
-                  "max_speed^2 / (2 max_acceleration) = " + text(first.value) + " + " +
-                  text(second.value) + " = " + text(needed) + " m");
+                  "max_speed^2 / (2 " + braking_key(scenario.robots[first.robot]) + ") = " +
+                  text(first.value) + " + " + text(second.value) + " = " + text(needed) + " m");
 }
 
 void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {

@@ -38,8 +38,12 @@ struct Starts {
 
 double seconds_until_rest(const RobotSetup& robot, const CertificateLaw& law) {
   const double speed = norm(robot.velocity);
-  return law.step.time_step *
-         braking_steps(speed, braking_decrement(robot.max_acceleration, law.step));
+  return law.step.time_step * braking_steps(speed, decrement_of(robot, law.step));
+}
+
+// m/s
+double top_speed(const RobotSetup& robot) {
+  return std::max(robot.max_speed, norm(robot.velocity));
 }
 
 void collect_starters(Starts& starts) {
@@ -50,17 +54,20 @@ void collect_starters(Starts& starts) {
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
     const auto circle = circle_of(robots[i].model, robots[i].position, start_velocity(robots[i]));
     starts.starters.push_back({disc_center(robots[i]), static_cast<int>(i), way,
-                               disc_radius(robots[i]) + (circle ? 2.0 * circle->radius : norm(way)),
+                               disc_radius(robots[i]) +
+                                   (circle ? 2.0 * circle->radius : norm(way)) +
+                                   late_phase(starts.scenario, robots[i], starts.law),
                                circle.has_value()});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
-    starts.starters[i].reach = disc_radius(robots[i]) + longest * norm(robots[i].velocity);
+    starts.starters[i].reach = disc_radius(robots[i]) + longest * top_speed(robots[i]);
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
-    const double way = longest * norm(obstacle.velocity) +
-                       0.5 * longest * longest * norm(obstacle.acceleration) +
-                       parabola_error(obstacle.acceleration, starts.law.step);
+    const double way =
+        longest * norm(obstacle.velocity) +
+        0.5 * longest * longest * (norm(obstacle.acceleration) + obstacle.max_deviation) +
+        parabola_error(obstacle.acceleration, starts.law.step);
     starts.starters.push_back(
         {obstacle.position, -1 - static_cast<int>(k), {}, obstacle.radius + way});
   }
@@ -99,7 +106,11 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .behavior = own.parked || other.parked || avo::avoids(other, own)
                                 ? Behavior::decides
                                 : Behavior::moves_on,
+                .max_braking = other.max_braking,
+                .max_deviation = other.max_acceleration,
+                .max_speed = top_speed(other),
                 .loiter = circle_of(other.model, other.position, start_velocity(other))};
+    margin = late_phase(scenario, own, law) + late_phase(scenario, other, law);
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
@@ -107,17 +118,20 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .velocity = other.velocity,
                 .radius = other.radius,
                 .acceleration = other.acceleration,
-                .behavior = Behavior::moves_on};
-    margin = parabola_error(other.acceleration, law.step);
+                .behavior = Behavior::moves_on,
+                .max_deviation = other.max_deviation,
+                .max_speed = other.max_speed.value_or(std::numeric_limits<double>::infinity())};
+    margin = parabola_error(other.acceleration, law.step) + late_phase(scenario, own, law);
   }
   const double contact = disc_radius(own) + neighbor.radius;
-  if (are_apart(a, b, neighbor.behavior, contact)) return;
+  if (are_apart(a, b, neighbor.behavior, contact + margin)) return;
   Robot robot;
   robot.position = disc_center(own);
   robot.velocity = start_velocity(own);
   robot.radius = disc_radius(own);
   robot.max_acceleration = own.max_acceleration;
   robot.max_speed = own.max_speed;
+  robot.max_braking = own.max_braking;
   robot.loiter = circle_of(own.model, own.position, start_velocity(own));
   if (robot.loiter) {
     const double gap = gap_of(footprint_of(robot, law.step), footprint_of(neighbor, law.step));
@@ -214,6 +228,20 @@ void find_fast_starts(const Scenario& scenario, BrokenAssumptions& result) {
 
 }  // namespace
 
+StepLaw step_law(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
+  StepLaw own = law.step;
+  if (!own.has_free_clocks()) return own;
+  own.time_step = own.braking_time = time_step_of(scenario, robot);
+  own.lag = 0.5 * own.time_step;
+  return own;
+}
+
+// Braking in steps of any lengths up to L is ahead of continuous braking by 0 to a L²/8.
+double late_phase(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
+  if (scenario.clock == Clock::common || robot.velocity == Vec2{}) return 0.0;
+  return 0.125 * robot.max_acceleration * law.step.longest_step * law.step.longest_step;
+}
+
 bool is_layered(const Scenario& scenario) {
   const RobotSetup usual;
   return std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
@@ -222,8 +250,7 @@ bool is_layered(const Scenario& scenario) {
 }
 
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
-  return stopping_way(start_velocity(robot), braking_decrement(robot.max_acceleration, law.step),
-                      law.step);
+  return stopping_way(start_velocity(robot), decrement_of(robot, law.step), law.step);
 }
 
 BrokenAssumptions broken_assumptions(const Scenario& scenario) {

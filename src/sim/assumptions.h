@@ -9,6 +9,13 @@ namespace avo {
 /// What the robots of the scene agree on.
 CertificateLaw certificate_law(const Scenario& scenario);
 
+/// That of a robot, which may have a time step of its own.
+StepLaw step_law(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law);
+
+/// m: where clocks are free the first step of a robot that starts in motion may be a short one,
+/// with which it stops at most so much farther.
+double late_phase(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law);
+
 /// m, from where the robot starts to where it would stop.
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 

@@ -23,16 +23,29 @@ CheckedKinematics kinematics_of(const Car& car) {
       .exact_set = car.acceleration_set == AccelerationSet::exact};
 }
 
+CheckedKinematics kinematics_of(const DifferentialDrive& drive) {
+  return CheckedDrive{.track = drive.track,
+                      .offset = drive.offset,
+                      .wheel_speed = drive.wheel_speed,
+                      .wheel_acceleration = drive.wheel_acceleration};
+}
+
 CheckedKinematics kinematics_of(const Airplane& airplane) {
   return CheckedAirplane{.min_speed = airplane.min_speed,
                          .lateral_acceleration = airplane.lateral_acceleration};
+}
+
+// m: a drive is judged by its own disc, about its axle; the one that others sense holds that.
+double judged_radius(const RobotSetup& robot) {
+  const bool drives = std::holds_alternative<DifferentialDrive>(robot.model);
+  return drives ? robot.radius : disc_radius(robot);
 }
 
 }  // namespace
 
 CheckedRobot checked_robot(const RobotSetup& robot) {
   return {
-      .radius = disc_radius(robot),
+      .radius = judged_radius(robot),
       .max_acceleration = robot.max_acceleration,
       .max_speed = robot.max_speed,
       .goal = robot.goal,

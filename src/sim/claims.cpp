@@ -93,7 +93,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
     heeding.goal = beyond(p, *lane, rest);
   if (!claim) return heeding;
   const Passage& passage = passages[claim->passage];
-  const Course course = right_of_way(passage, {*claim, p}, traits.max_acceleration,
+  const Course course = right_of_way(passage, {*claim, p}, traits.max_braking,
                                      claims.of(claim->passage), world.settings.sensing_radius);
   heeding.preferred_speed = std::min(heeding.preferred_speed, course.max_speed);
   if (course.target) heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);

@@ -14,6 +14,7 @@
 #include "avo/error.h"
 #include "core/ranges.h"
 #include "sim/assumptions.h"
+#include "sim/clocks.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -72,7 +73,7 @@ void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
 // Throws Error if it is too strong for the delay that all of them have allowed for.
 void check_delay(const World& world, const RobotSetup& setup, RobotId robot) {
   const Scenario& settings = world.settings;
-  const PlannerOptions& options = world.planner.options();
+  const PlannerOptions& options = world.planner().options();
   if (settings.sensing.delay == 0 || options.certificate != Certificate::braking_trajectories)
     return;
   const double time = settings.sensing.delay * settings.time_step;
@@ -102,6 +103,21 @@ void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
            "one side only avoiding the other, " + name_of(fleet.id[slot]),
            "both or neither beside airplanes");
   }
+}
+
+// That of its time_step, which may be new.
+std::uint32_t pace_for(World& world, const RobotSetup& setup) {
+  return world.fleet.has_clocks ? world.pace_of(time_step_of(world.settings, setup)) : 0;
+}
+
+// Of the robot that has been added last.
+void add_clock(World& world, const RobotSetup& setup, std::uint32_t pace) {
+  if (!world.fleet.has_clocks) return;
+  const std::size_t slot = world.fleet.size() - 1;
+  OwnClock& clock = world.fleet.clock_of(slot);
+  clock.time_step = time_step_of(world.settings, setup);
+  clock.pace = pace;
+  start_clock(world, slot);
 }
 
 // As it is now; where it is matters to nobody whose values are checked.
@@ -144,9 +160,13 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
   }
 }
 
-// Throws Error where somebody could not keep clear of what does not move from now on.
+// Throws Error where somebody could not keep clear of what does not move from now on. A robot in
+// the midst of a step cannot brake before it ends.
 void check_newly_static(const World& world, const StaticObstacle& obstacle,
                         const std::string& name) {
+  if (world.fleet.has_clocks && world.all_matter())
+    refuse(name, "what comes while clocks are free",
+           "there from the start where there is a certificate");
   if (world.statics.walls.empty()) {  // nobody has been asked yet
     for (const std::uint32_t slot : world.fleet.slot_of)
       check(world, standing(world, slot), world.fleet.id[slot], true);
@@ -193,6 +213,7 @@ void park(World& world, const RobotSetup& setup, RobotId robot) {
   Ways ways = ways_among(world, statics);
   ways.travels.reserve(world.fleet.size() + 1);
   world.fleet.add(robot, setup);
+  add_clock(world, setup, 0);
   ways.travels.emplace_back();  // there is room
   world.statics = std::move(statics);
   world.ways = std::move(ways);
@@ -230,7 +251,9 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
       ways.travels.reserve(2 * ways.travels.size() + 8);
   }
   world.senses.reserve_one();
+  const std::uint32_t pace = pace_for(world, setup);
   world.fleet.add(robot, setup);
+  add_clock(world, setup, pace);
   world.senses.add(world.steps);
   world.senses.note(world.fleet, world.steps);
   if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room

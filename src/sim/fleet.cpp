@@ -28,8 +28,8 @@ std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
 }  // namespace
 
 RobotTraits traits_of(const RobotSetup& setup) {
-  return {disc_radius(setup), setup.max_speed, setup.max_acceleration, setup.preferred_speed,
-          !is_holonomic(setup.model)};
+  return {disc_radius(setup),   setup.max_speed,       setup.max_acceleration,
+          braking_limit(setup), setup.preferred_speed, !is_holonomic(setup.model)};
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
@@ -65,8 +65,13 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   bool full = slot_of.capacity() == slot;
   for_each_column([&](auto& column) { full = full || column.capacity() == slot; });
   if (full) reserve(2 * slot + 8);
-  if (!seen_acceleration.empty()) seen_acceleration.resize(slot + 1);
-  if (!models.empty() || !is_holonomic(setup.model)) models.resize(slot + 1);
+  if (has_clocks) clock.resize(slot + 1);
+  if (!models.empty() || !is_holonomic(setup.model)) {
+    for (std::size_t k = own_radius.size(); k < slot; ++k)
+      own_radius.push_back(traits[slot_of[k]].radius);  // of those that are holonomic
+    own_radius.resize(slot + 1);
+    models.resize(slot + 1);
+  }
   if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
@@ -78,16 +83,19 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   velocity[slot] = start_velocity(setup);
   nearest[slot] = std::numeric_limits<float>::infinity();
   heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
-  if (!models.empty()) models[slot] = setup.model;
+  if (!models.empty()) models[slot] = setup.model, own_radius[slot] = setup.radius;
   if (Flight* own = flight(slot)) *own = {*circle_of(setup.model, position[slot], velocity[slot])};
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
 void Fleet::remove(std::size_t slot) {
   slot_of.erase(slot_of.begin() + rank[slot]);
-  if (!models.empty()) models.erase(models.begin() + rank[slot]);
-  if (!seen_acceleration.empty()) seen_acceleration.erase(seen_acceleration.begin() + rank[slot]);
+  if (!models.empty()) {
+    models.erase(models.begin() + rank[slot]);
+    own_radius.erase(own_radius.begin() + rank[slot]);
+  }
   if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
+  if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
   for (std::size_t k = 0; k < slot_of.size(); ++k) {
@@ -117,34 +125,49 @@ std::size_t Fleet::find(RobotId robot) const {
 
 RobotSetup Fleet::setup(std::size_t slot) const {
   const RobotTraits& robot_traits = traits[slot];
-  return {.position = place(slot),
-          .velocity = velocity[slot],
-          .goal = goal[slot],
-          .radius = robot_traits.radius,
-          .max_speed = robot_traits.max_speed,
-          .max_acceleration = robot_traits.max_acceleration,
-          .preferred_speed = robot_traits.preferred_speed,
-          .model = model(slot),
-          .heading = heading[slot],
-          .priority = conduct[slot].priority,
-          .parked = conduct[slot].parked,
-          .layers = conduct[slot].layers,
-          .avoids = conduct[slot].avoids};
+  RobotSetup setup{.position = place(slot),
+                   .velocity = velocity[slot],
+                   .goal = goal[slot],
+                   .radius = models.empty() ? robot_traits.radius
+                                            : own_radius[static_cast<std::size_t>(rank[slot])],
+                   .max_speed = robot_traits.max_speed,
+                   .max_acceleration = robot_traits.max_acceleration,
+                   .preferred_speed = robot_traits.preferred_speed,
+                   .model = model(slot),
+                   .heading = heading[slot],
+                   .priority = conduct[slot].priority,
+                   .parked = conduct[slot].parked,
+                   .layers = conduct[slot].layers,
+                   .avoids = conduct[slot].avoids,
+                   .max_braking = max_braking_of(robot_traits)};
+  if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
+  return setup;
 }
 
 Vec2 Fleet::offset(std::size_t slot) const {
   return traits[slot].has_model ? disc_center(model(slot), {}, heading[slot]) : Vec2{};
 }
 
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
+                Vec2 velocity) {
+  Neighbor neighbor{.position = position,
+                    .velocity = velocity,
+                    .radius = traits.radius,
+                    .max_acceleration = traits.max_acceleration,
+                    .behavior = behavior,
+                    .priority = conduct.priority,
+                    .max_braking = max_braking_of(traits)};
+  if (behavior == Behavior::decides) return neighbor;
+  neighbor.max_deviation = traits.max_acceleration;
+  neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
+  return neighbor;
+}
+
 Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
-  return {.position = position[slot],
-          .velocity = velocity[slot],
-          .radius = traits[slot].radius,
-          .max_acceleration = traits[slot].max_acceleration,
-          .acceleration = behavior == Behavior::moves_on ? acceleration_seen(slot) : Vec2{},
-          .behavior = behavior,
-          .priority = conduct[slot].priority,
-          .loiter = circle(slot)};
+  Neighbor neighbor =
+      avo::sensed(traits[slot], conduct[slot], behavior, position[slot], velocity[slot]);
+  neighbor.loiter = circle(slot);
+  return neighbor;
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
@@ -202,6 +225,7 @@ void ObstacleColumns::add(const MovingObstacle& obstacle) {
   setup.push_back(obstacle);
   position.push_back(obstacle.position);
   velocity.push_back(obstacle.velocity);
+  target.push_back(0);
 }
 
 Neighbor ObstacleColumns::sensed(std::size_t index) const {
@@ -209,16 +233,37 @@ Neighbor ObstacleColumns::sensed(std::size_t index) const {
           .velocity = velocity[index],
           .radius = setup[index].radius,
           .acceleration = setup[index].acceleration,
-          .behavior = Behavior::moves_on};
+          .behavior = Behavior::moves_on,
+          .max_deviation = setup[index].max_deviation,
+          .max_speed = setup[index].max_speed.value_or(std::numeric_limits<double>::infinity())};
 }
 
 void ObstacleColumns::advance(double time_step) {
   for (std::size_t k = 0; k < setup.size(); ++k) {
+    if (!setup[k].path.empty()) {
+      const PathWalk next =
+          next_on_path(setup[k], {position[k], velocity[k], target[k]}, time_step);
+      position[k] = next.position, velocity[k] = next.velocity, target[k] = next.target;
+      continue;
+    }
     const Vec2 a = setup[k].acceleration;
     position[k] = position[k] + time_step * velocity[k] + (0.5 * time_step * time_step) * a;
     velocity[k] = velocity[k] + time_step * a;
   }
 }
+
+namespace {
+
+// When it decides again, and all that tells where it is until then.
+std::uint64_t mixed(std::uint64_t hash, const OwnClock& clock) {
+  hash = avo::mixed(hash, static_cast<std::uint64_t>(clock.begin));
+  hash = avo::mixed(hash, static_cast<std::uint64_t>(clock.end));
+  for (const MotionState* state : {&clock.from, &clock.to})
+    hash = mixed(mixed(mixed(hash, state->position), state->velocity), state->heading);
+  return mixed(hash, clock.time_step);
+}
+
+}  // namespace
 
 std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps) {
   std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(steps));
@@ -227,8 +272,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
-    const Vec2 seen = fleet.acceleration_seen(i);
-    if (!(seen == Vec2{})) hash = mixed(hash, seen);
+    if (fleet.has_clocks) hash = mixed(hash, fleet.clock_of(i));
     if (const Flight* own = fleet.flight(i)) {
       hash = mixed(mixed(hash, own->circle.center), own->circle.radius);
       hash = mixed(hash, own->has_arrived ? 1.0 : 0.0);
@@ -236,6 +280,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);
+    if (!obstacles.setup[k].path.empty()) hash = mixed(hash, std::uint64_t{obstacles.target[k]});
   }
   return hash;
 }

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "avo/simulation.h"
+#include "certificate/braking_path.h"
 #include "core/executor.h"
 #include "planner/relevance.h"
 #include "robots/model.h"
+#include "robots/motion.h"
 
 namespace avo {
 
@@ -18,10 +20,19 @@ struct RobotTraits {
   double radius = 0.0;            // m, of its disc
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
+  double max_braking = 0.0;       // m/s^2
   double preferred_speed = 0.0;   // m/s
   bool has_model = false;         // it is not holonomic
 };
 RobotTraits traits_of(const RobotSetup& setup);
+inline Ability ability_of(const RobotTraits& traits) {
+  return {traits.max_acceleration, traits.max_braking};
+}
+/// See Robot::max_braking; unset where it brakes with its max_acceleration.
+inline std::optional<double> max_braking_of(const RobotTraits& traits) {
+  if (traits.max_braking == traits.max_acceleration) return std::nullopt;
+  return traits.max_braking;
+}
 
 /// How a robot and the others give way to each other. Nearly all are alike.
 struct Conduct {
@@ -36,6 +47,10 @@ inline std::optional<Behavior> expected_of(const Conduct& b, const Conduct& a) {
   if ((a.avoids.bits & b.layers.bits) == 0) return std::nullopt;
   return (b.avoids.bits & a.layers.bits) != 0 ? Behavior::decides : Behavior::moves_on;
 }
+/// A robot as others sense it who count on that much of it. One that reacts to them in nothing does
+/// as it likes, within its limits.
+Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior behavior, Vec2 position,
+                Vec2 velocity);
 /// m/s; that of a robot with a heading points along it, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
@@ -43,6 +58,25 @@ Vec2 start_velocity(const RobotSetup& setup);
 struct Flight {
   LoiterCircle circle;       // that it falls back on
   bool has_arrived = false;  // it has passed its goal
+};
+
+/// Nanoseconds since the start of a run. Two robots decide at once or they do not: no rounding
+/// tells.
+using Instant = std::int64_t;
+
+/// The clock of one robot, and the step of its own that it is in.
+struct OwnClock {
+  double time_step = 0.0;      // s, from decision to decision
+  std::uint32_t pace = 0;      // see World::paces
+  Instant begin = 0, end = 0;  // of the step
+  MotionState from, to;        // at both
+  bool has_decided = false;    // else it brakes until its first decision
+
+  // m/s², on average.
+  Vec2 acceleration() const {
+    if (!(end > begin)) return {};
+    return (to.velocity - from.velocity) / (static_cast<double>(end - begin) / 1e9);
+  }
 };
 
 /// Columns by slot: robots that are near each other lie near each other once the fleet has been
@@ -64,9 +98,10 @@ struct Fleet {
   std::vector<std::uint32_t> cell;  // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
-  // m/s², of the last step, by rank; empty where nobody has to see it
-  std::vector<Vec2> seen_acceleration;
+  std::vector<OwnClock> clock;         // by rank; empty where the clock is common
+  bool has_clocks = false;
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
+  std::vector<double> own_radius;   // m, of their setups; likewise
   std::vector<Flight> flights;      // by rank; empty where nobody is an airplane
 
   std::size_t size() const { return id.size(); }
@@ -77,6 +112,10 @@ struct Fleet {
   std::vector<Wall> parked_discs() const;
   /// Slot of the robot; throws Error if there is none.
   std::size_t find(RobotId robot) const;
+  OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
+  const OwnClock& clock_of(std::size_t slot) const {
+    return clock[static_cast<std::size_t>(rank[slot])];
+  }
   MotionModel model(std::size_t slot) const {
     return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];
   }
@@ -91,10 +130,6 @@ struct Fleet {
   }
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
-  Vec2 acceleration_seen(std::size_t slot) const {
-    return seen_acceleration.empty() ? Vec2{}
-                                     : seen_acceleration[static_cast<std::size_t>(rank[slot])];
-  }
   /// Nothing of one that is no airplane.
   const Flight* flight(std::size_t slot) const {
     if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot)))
@@ -127,10 +162,11 @@ struct Fleet {
 struct ObstacleColumns {
   std::vector<MovingObstacle> setup;
   std::vector<Vec2> position, velocity;
+  std::vector<std::uint32_t> target;  // see PathWalk
 
   void add(const MovingObstacle& obstacle);
   Neighbor sensed(std::size_t index) const;
-  /// Constant acceleration, exactly.
+  /// Constant acceleration, exactly; or along a path.
   void advance(double time_step);
 };
 

@@ -22,7 +22,7 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, 
   const scalar::Traveller<Real> traveller{
       scalar::constant<Real>(position), scalar::constant<Real>(velocity),
       scalar::constant<Real>(goal),     robot.preferred_speed,
-      robot.max_acceleration,           robot.max_speed};
+      robot.max_braking,                robot.max_speed};
   return plain(scalar::preferred_velocity(traveller, scalar::way_of(traveller, step), step));
 }
 

@@ -3,6 +3,7 @@
 #include "planner/decision.h"
 #include "planner/scratch.h"
 #include "robots/model.h"
+#include "sim/clocks.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -21,7 +22,7 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
     const std::uint32_t slot = slots[k];
     Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
     Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
-                             looks_around(fleet.id[slot], world.steps), worker.legs);
+                             looks_around(fleet.id[slot], decisions_of(world, slot)), worker.legs);
     if (!world.ways.passages.empty())
       heading = heed_passages(world, world.claims, slot, travel, heading,
                               nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]));
@@ -55,7 +56,7 @@ void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worke
 }
 
 // Lays out what the robots of the tile know of themselves, and where each would go.
-void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
   Tile& tile = worker.tile;
   RobotColumns& robots = tile.robots;
@@ -68,6 +69,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
     robots.v_x[k] = fleet.velocity[slot].x, robots.v_y[k] = fleet.velocity[slot].y;
     robots.radius[k] = traits.radius;
     robots.max_acceleration[k] = traits.max_acceleration, robots.max_speed[k] = traits.max_speed;
+    robots.max_braking[k] = traits.max_braking;
     robots.heading[k] = fleet.heading[slot];
     robots.priority[k] = fleet.conduct[slot].priority;
     if (!fleet.flights.empty()) {
@@ -92,7 +94,7 @@ void set_out(World& world, std::span<const std::uint32_t> slots, Worker& worker)
   }
   if (!world.ways.empty()) follow_ways(world, slots, worker);
   if (robots.has_models) aim_discs(fleet, slots, worker);
-  choose_ways(world.response, worker.moving, robots);
+  choose_ways(pace.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
 }
 
@@ -100,19 +102,19 @@ void count(const World& world, Worker& worker) {
   if (!worker.clock.is_on()) return;
   for (std::size_t k = 0; k < worker.tile.plan.size(); ++k) {
     worker.pairs += static_cast<std::int64_t>(
-        planned_with(world.planner.options(), worker.tile.robots.neighbors[k]));
+        planned_with(world.planner().options(), worker.tile.robots.neighbors[k]));
     worker.infeasible += worker.tile.plan[k]->violation > 0.0 ? 1 : 0;
   }
 }
 
-void move_by_model(World& world, std::size_t slot) {
+void move_by_model(World& world, const Pace& pace, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const RobotTraits& traits = fleet.traits[slot];
-  const MotionLimits limits{traits.max_acceleration, traits.max_speed};
+  const MotionLimits limits{traits.max_braking, traits.max_speed};
   MotionState state{fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
   Flight* flight = fleet.flight(slot);
   if (flight != nullptr) state.circle = flight->circle;
-  const double time_step = world.settings.time_step;
+  const double time_step = pace.response.time_step;
   const MotionStep step =
       advance(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step);
   if (flight != nullptr) {
@@ -127,7 +129,7 @@ void move_by_model(World& world, std::size_t slot) {
   fleet.applied_acceleration[slot] = step.acceleration;
 }
 
-void move(World& world, Worker& worker) {
+void move(World& world, const Pace& pace, Worker& worker) {
   Fleet& fleet = world.fleet;
   MovingColumns& moving = worker.moving;
   Tile& tile = worker.tile;
@@ -136,12 +138,11 @@ void move(World& world, Worker& worker) {
     const Vec2 v_new = tile.plan[k]->new_velocity;
     moving.new_x[k] = v_new.x, moving.new_y[k] = v_new.y;
   }
-  std::uint64_t fast = advance(world.response, moving, tile.robots);
+  std::uint64_t fast = advance(pace.response, moving, tile.robots);
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
     const std::uint32_t slot = tile.slot[k];
-    const Vec2 before = fleet.velocity[slot];
     if (fleet.traits[slot].has_model) {
-      move_by_model(world, slot);
+      move_by_model(world, pace, slot);
       const std::uint64_t bit = std::uint64_t{1} << k;
       fast = world.is_fast(slot) ? fast | bit : fast & ~bit;
     } else {
@@ -149,23 +150,23 @@ void move(World& world, Worker& worker) {
       fleet.velocity[slot] = tile.plan[k]->next_velocity = tile.robots.velocity(k);
       fleet.applied_acceleration[slot] = moving.acceleration[k];
     }
-    if (world.layered)
-      fleet.seen_acceleration[static_cast<std::size_t>(fleet.rank[slot])] =
-          (fleet.velocity[slot] - before) / world.settings.time_step;
     fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
   }
   worker.fast = worker.fast || fast != 0;
+  if (!fleet.has_clocks) return;
+  for (const std::uint32_t slot : tile.slot) begin_step(world, slot);
 }
 
 }  // namespace
 
-void plan_and_move(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
-  set_out(world, slots, worker);
+void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
+                   Worker& worker) {
+  set_out(world, pace, slots, worker);
   worker.clock.lap(Stage::motion);
-  plan_together(world.planner, worker.tile, PlanWorkspace::Scratch::of(worker.workspace),
+  plan_together(pace.planner, worker.tile, PlanWorkspace::Scratch::of(worker.workspace),
                 worker.clock);
   count(world, worker);
-  move(world, worker);
+  move(world, pace, worker);
   worker.tile.clear();
   worker.clock.lap(Stage::motion);
 }

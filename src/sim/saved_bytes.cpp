@@ -17,11 +17,11 @@
 namespace avo {
 namespace {
 
-constexpr std::size_t kWord = 8;                     // bytes
-constexpr std::uint64_t kMark = 0x65766173206f7661;  // "avo save"
-constexpr std::size_t kFewestWords = 3;              // mark, number of bytes, checksum
-constexpr std::size_t kObstacleWords = 11, kRobotWords = 20;
-constexpr std::size_t kPastWords = 4;
+constexpr std::size_t kWord = 8;                              // bytes
+constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
+constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
+constexpr std::size_t kObstacleWords = 16, kRobotWords = 19;  // at least
+constexpr std::size_t kPastWords = 4, kClockWords = 15;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
 
 std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t index) {
@@ -130,6 +130,12 @@ void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, std::vector<Vec2>& points) {
+  archive.size(points, kPointWords);
+  for (Vec2& point : points) describe(archive, point);
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, SensingError& error) {
   describe(archive, error.position), describe(archive, error.velocity);
 }
@@ -149,9 +155,21 @@ void describe(Archive<kReads>& archive, PastState& state) {
 }
 
 template <bool kReads>
-void describe(Archive<kReads>& archive, MovingObstacle& setup, ObstacleState& state) {
+void describe(Archive<kReads>& archive, SavedClock& clock, RobotSetup& setup) {
+  describe(archive, clock.begin), describe(archive, clock.end);
+  for (MotionState* state : {&clock.from, &clock.to}) {
+    describe(archive, state->position), describe(archive, state->velocity);
+    describe(archive, state->heading);
+  }
+  describe(archive, clock.has_decided);
+  describe(archive, setup.time_step);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) {
   for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
+  describe(archive, state.target);
 }
 
 template <bool kReads>
@@ -165,8 +183,7 @@ void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id
   archive.size(obstacle.chains, kChainWords);
   for (Chain& chain : obstacle.chains) {
     describe(archive, chain.closed);
-    archive.size(chain.points, kPointWords);
-    for (Vec2& point : chain.points) describe(archive, point);
+    describe(archive, chain.points);
   }
 }
 
@@ -199,6 +216,12 @@ void describe(Archive<kReads>& archive, Car& car) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, DifferentialDrive& drive) {
+  describe(archive, drive.track), describe(archive, drive.offset);
+  describe(archive, drive.wheel_speed), describe(archive, drive.wheel_acceleration);
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, Airplane& airplane) {
   auto after = static_cast<std::uint8_t>(airplane.after_goal);
   describe(archive, airplane.min_speed), describe(archive, airplane.lateral_acceleration);
@@ -221,7 +244,8 @@ void describe(Archive<kReads>& archive, MotionModel& model) {
   archive.word(kind);
   if (kReads && kind == 0) model = Holonomic{};
   if (kReads && kind == 1) model = Car{};
-  if (kReads && kind == 2) model = Airplane{};
+  if (kReads && kind == 2) model = DifferentialDrive{};
+  if (kReads && kind == 3) model = Airplane{};
   if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
   std::visit([&](auto& known) { describe(archive, known); }, model);
 }
@@ -230,6 +254,9 @@ template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
+  double max_braking = setup.max_braking.value_or(0.0);  // 0: unset
+  describe(archive, max_braking);
+  if (max_braking != 0.0) setup.max_braking = max_braking;
   describe(archive, setup.preferred_speed), describe(archive, setup.priority);
   describe(archive, setup.parked);
   std::uint64_t layers = std::uint64_t{setup.layers.bits} << 32 | setup.avoids.bits;
@@ -242,7 +269,6 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, state.id.value), describe(archive, state.position);
   describe(archive, state.velocity), describe(archive, state.heading);
   describe(archive, state.detour.angle), describe(archive, state.detour.yielded);
-  describe(archive, state.seen_acceleration);
 }
 
 template <bool kReads>
@@ -281,6 +307,15 @@ void describe(Archive<kReads>& archive, SavedState& state) {
         std::count_if(scene.robots.begin(), scene.robots.end(),
                       [](const RobotSetup& robot) { return is_airplane(robot.model); })));
   for (SavedFlight& flight : state.flights) describe(archive, flight);
+  if (scene.clock == Clock::free) {
+    describe(archive, state.now);
+    archive.size(state.clocks, kClockWords);
+    if (state.clocks.size() != scene.robots.size())
+      refuse_saved(std::to_string(state.clocks.size()) + " clocks",
+                   std::to_string(scene.robots.size()));
+    for (std::size_t k = 0; k < state.clocks.size(); ++k)
+      describe(archive, state.clocks[k], scene.robots[k]);
+  }
   if (generations_needed(scene.sensing) < 2) return;  // they remember nothing
   archive.size(state.since, 1);
   for (std::int64_t& generation : state.since) describe(archive, generation);

@@ -2,11 +2,13 @@
 // What a saved state has to be that no bytes of another program, or forged ones, are.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/ranges.h"
 #include "planner/arrival.h"
 #include "robots/model.h"
+#include "sim/clocks.h"
 #include "sim/saved_state.h"
 
 namespace avo {
@@ -17,7 +19,8 @@ void refuse_saved(const std::string& given, const std::string& allowed) {
 
 namespace {
 
-constexpr std::int64_t kLastStep = std::int64_t{1} << 53;  // time() tells no later ones apart
+constexpr std::int64_t kLastInstant = std::int64_t{1} << 62;  // ns
+constexpr std::int64_t kLastStep = std::int64_t{1} << 53;     // time() tells no later ones apart
 
 // As many robots at a time as a scene may have: more of them may have been added to a simulation.
 void check_setups(const Scenario& scene) {
@@ -61,6 +64,27 @@ void check_past(const SavedState& state) {
   if (!whole || !dated || !finite) refuse_saved("a past that no robots can have", "theirs");
 }
 
+// Of a robot that may do as it likes within its step, the step has to be one.
+void check_clocks(const SavedState& state) {
+  if (state.scene.clock != Clock::free) return;
+  const auto is_whole = [](const MotionState& s) {
+    return is_finite(s.position) && is_finite(s.velocity) && kAnyValue.contains(s.heading);
+  };
+  bool sound = state.now >= 0 && state.now <= kLastInstant;
+  for (std::size_t k = 0; k < state.clocks.size() && sound; ++k) {
+    const SavedClock& clock = state.clocks[k];
+    const RobotSetup& robot = state.scene.robots[k];
+    sound = clock.begin >= 0 && clock.begin <= state.now && clock.end >= state.now &&
+            is_whole(clock.from) && is_whole(clock.to);
+    if (robot.parked) sound = sound && clock.end == std::numeric_limits<Instant>::max();
+    if (robot.parked || !sound) continue;
+    const auto step = whole_nanoseconds(time_step_of(state.scene, robot));
+    sound = step && clock.end - clock.begin <= *step &&
+            (!clock.has_decided || clock.end - clock.begin == *step);
+  }
+  if (!sound) refuse_saved("clocks that no robots can have", "theirs");
+}
+
 // Refuses what no simulation comes to: only forged bytes have it.
 void check_states(const SavedState& state) {
   const auto is_finite_motion = [](const auto& body) {
@@ -69,6 +93,13 @@ void check_states(const SavedState& state) {
   const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
                      std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
   if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
+  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+    const std::size_t points =
+        std::max<std::size_t>(state.scene.moving_obstacles[k].path.size(), 1);
+    if (state.obstacles[k].target >= points)
+      refuse_saved("way point " + std::to_string(state.obstacles[k].target),
+                   "below " + std::to_string(points));
+  }
   std::uint64_t next = 0;  // id, at least
   const auto check_id = [&next](std::uint64_t id, std::uint64_t beyond) {
     if (id < next || id >= beyond)
@@ -79,14 +110,13 @@ void check_states(const SavedState& state) {
   for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
   check_flights(state);
   check_past(state);
+  check_clocks(state);
   next = 0;
   for (const RobotState& robot : state.robots) {
     if (!kAnyValue.contains(robot.heading))
       refuse_saved("heading " + text(robot.heading), "an angle in rad");
     if (!is_sound(robot.detour)) refuse_saved("a detour that no robot can remember", "a sound one");
     check_id(robot.id.value, state.next_id);
-    if (!is_finite(robot.seen_acceleration))
-      refuse_saved("an acceleration that is not finite", "finite");
   }
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];

@@ -10,6 +10,7 @@
 
 #include "avo/scenario.h"
 #include "avo/simulation.h"
+#include "robots/motion.h"
 #include "sim/senses.h"
 
 namespace avo {
@@ -22,19 +23,8 @@ struct RobotState {
   Vec2 position, velocity;  // m, m/s
   double heading = 0.0;     // rad
   Detour detour;
-  Vec2 seen_acceleration;  // m/s^2
 };
-static_assert(sizeof(RobotState) == 80, "it says so in avo/simulation.h");
-
-/// What steps change of an airplane besides.
-struct SavedFlight {
-  LoiterCircle circle;
-  bool has_arrived = false;
-};
-
-struct ObstacleState {
-  Vec2 position, velocity;  // m, m/s
-};
+static_assert(sizeof(RobotState) == 64, "it says so in avo/simulation.h");
 
 /// What steps change of a robot's way around walls.
 struct SavedWay {
@@ -42,17 +32,32 @@ struct SavedWay {
   bool is_exact = false;     // of the graph of the robot's own radius
 };
 
+/// What steps change of an airplane besides.
+struct SavedFlight {
+  LoiterCircle circle;
+  bool has_arrived = false;
+};
+
+/// What else there is of a robot whose clock is free, see OwnClock.
+struct SavedClock {
+  std::int64_t begin = 0, end = 0;  // ns
+  MotionState from, to;
+  bool has_decided = false;
+};
+
 struct SavedState {
   Scenario scene;  // what is in RobotState does not count in its robots
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
-  std::vector<RobotState> robots;        // by ascending id, as many as the scene has
-  std::vector<ObstacleState> obstacles;  // likewise
-  std::vector<SavedWay> ways;            // of the robots; none without walls
+  std::vector<RobotState> robots;   // by ascending id, as many as the scene has
+  std::vector<PathWalk> obstacles;  // likewise; without a path the target is 0
+  std::vector<SavedWay> ways;       // of the robots; none without walls
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing
   std::vector<PastState> past;
+  std::int64_t now = 0;              // ns, of free clocks
+  std::vector<SavedClock> clocks;    // of the robots; none where the clock is common
   std::vector<SavedFlight> flights;  // of the airplanes among the robots, in their order
 };
 
@@ -76,6 +81,8 @@ void for_each_setting(const Visit& visit) {
   visit("right_of_way", &Scenario::right_of_way);
   visit("sensing", &Scenario::sensing);
   visit("sensing_error", &Scenario::sensing_error);
+  visit("clock", &Scenario::clock);
+  visit("longest_step", &Scenario::longest_step);
 }
 
 /// visit(key, member) for all that a moving obstacle's setup has.
@@ -85,6 +92,9 @@ void for_each_obstacle_value(const Visit& visit) {
   visit("velocity", &MovingObstacle::velocity);
   visit("acceleration", &MovingObstacle::acceleration);
   visit("radius", &MovingObstacle::radius);
+  visit("max_deviation", &MovingObstacle::max_deviation);
+  visit("max_speed", &MovingObstacle::max_speed);
+  visit("path", &MovingObstacle::path);
 }
 
 /// Throws Error on what no simulation comes to.

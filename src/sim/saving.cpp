@@ -72,8 +72,24 @@ bool are_same(const std::vector<Wall>& theirs, const std::vector<Wall>& ours) {
                     });
 }
 
+// The paces are the world's.
+void add_clocks(const SavedState& state, World& world, Fleet& fleet) {
+  for (std::size_t k = 0; k < state.clocks.size(); ++k) {
+    const SavedClock& saved = state.clocks[k];
+    OwnClock& clock = fleet.clock[k];
+    clock.time_step = time_step_of(state.scene, state.scene.robots[k]);
+    clock.pace = world.pace_of(clock.time_step);
+    clock.begin = saved.begin, clock.end = saved.end;
+    clock.from = saved.from, clock.to = saved.to;
+    if (is_holonomic(state.scene.robots[k].model))
+      clock.from.heading = clock.to.heading = fleet.heading[k];
+    clock.has_decided = saved.has_decided;
+  }
+}
+
 Fleet fleet_of(const SavedState& state) {
   Fleet fleet;
+  fleet.has_clocks = state.scene.clock == Clock::free;
   fleet.reserve(state.robots.size());
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const RobotState& robot = state.robots[k];
@@ -91,11 +107,6 @@ Fleet fleet_of(const SavedState& state) {
     const SavedFlight& saved = state.flights[flights++];
     *flight = {saved.circle, saved.has_arrived};
   }
-  const bool seen = std::any_of(state.robots.begin(), state.robots.end(), [](const RobotState& r) {
-    return !(r.seen_acceleration == Vec2{});
-  });
-  for (std::size_t k = 0; k < state.robots.size() && seen; ++k)
-    fleet.seen_acceleration.push_back(state.robots[k].seen_acceleration);
   return fleet;
 }
 
@@ -105,6 +116,7 @@ ObstacleColumns obstacles_of(const SavedState& state) {
     obstacles.add(state.scene.moving_obstacles[k]);
     obstacles.position[k] = state.obstacles[k].position;
     obstacles.velocity[k] = state.obstacles[k].velocity;
+    obstacles.target[k] = state.obstacles[k].target;
   }
   return obstacles;
 }
@@ -145,7 +157,9 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
 
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
-  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}};
+  SavedState state{
+      world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  state.now = world.now;
   state.next_obstacle = world.statics.next_id;
   state.static_ids = world.statics.id;
   if (world.senses.remember()) {
@@ -161,17 +175,20 @@ SavedState saved_state(const World& world) {
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
-    state.obstacles.push_back({world.obstacles.position[k], world.obstacles.velocity[k]});
+    state.obstacles.push_back(
+        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.target[k]});
   }
   state.scene.robots.reserve(fleet.size());
   state.robots.reserve(fleet.size());
   for (const std::uint32_t slot : fleet.slot_of) {
     state.scene.robots.push_back(fleet.setup(slot));
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
-                            fleet.heading[slot], fleet.detour[slot],
-                            fleet.acceleration_seen(slot)});
+                            fleet.heading[slot], fleet.detour[slot]});
     if (const Flight* flight = fleet.flight(slot))
       state.flights.push_back({flight->circle, flight->has_arrived});
+    if (!fleet.has_clocks) continue;
+    const OwnClock& clock = fleet.clock_of(slot);
+    state.clocks.push_back({clock.begin, clock.end, clock.from, clock.to, clock.has_decided});
   }
   return state;
 }
@@ -179,6 +196,7 @@ SavedState saved_state(const World& world) {
 void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   Fleet fleet = fleet_of(state);
+  add_clocks(state, world, fleet);
   Senses senses = senses_of(state, fleet);
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;
@@ -202,6 +220,8 @@ void restore(const SavedState& state, World& world) {
   if (other_ways) std::swap(world.ways, *other_ways);
   world.statics.next_id = state.next_obstacle;
   world.steps = state.steps;
+  world.now = state.now;
+  world.before = -1;
   world.next_id = state.next_id;
   world.next_layout = state.steps + 1;
   world.changed = true;

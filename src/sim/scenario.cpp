@@ -12,6 +12,8 @@
 #include "avo/response.h"
 #include "core/ranges.h"
 #include "planner/options.h"
+#include "robots/model.h"
+#include "sim/clocks.h"
 
 namespace avo {
 namespace {
@@ -37,12 +39,13 @@ std::string list_of(LayerSet set) {
   return list.append("]");
 }
 
+std::string at(Vec2 p) {
+  std::string point("[");
+  return point.append(text(p.x)).append(", ").append(text(p.y)).append("]");
+}
+
 // It has arrived where it stands.
 void check_parked(std::size_t i, const RobotSetup& robot) {
-  const auto at = [](Vec2 p) {
-    std::string point("[");
-    return point.append(text(p.x)).append(", ").append(text(p.y)).append("]");
-  };
   if (!(robot.goal == robot.position))
     refuse(std::string(Place{"robots", i, "goal"}), at(robot.goal),
            at(robot.position) + ", its position: it is parked");
@@ -68,6 +71,24 @@ void check_car(std::size_t i, const Car& car) {
   require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
 }
 
+void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
+  const std::string_view list = "robots";
+  require(Place{list, i, "drive.track"}, drive.track, kPositive, "m");
+  require(Place{list, i, "drive.offset"}, drive.offset, kPositive, "m");
+  require(Place{list, i, "drive.wheel_speed"}, drive.wheel_speed, kPositive, "m/s");
+  require(Place{list, i, "drive.wheel_acceleration"}, drive.wheel_acceleration, kPositive, "m/s^2");
+  if (robot.max_speed > drive.wheel_speed)
+    refuse(std::string(Place{list, i, "max_speed"}), text(robot.max_speed),
+           "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
+  const double most = most_acceleration(drive);
+  if (!(robot.max_acceleration < most))
+    refuse(std::string(Place{list, i, "max_acceleration"}), text(robot.max_acceleration),
+           "< " + text(most) + " m/s^2, wheel_acceleration/sqrt(1 + (track/(2 offset))^2)");
+  if (norm(robot.velocity) > drive.wheel_speed)
+    refuse(std::string(Place{list, i, "velocity"}), text(norm(robot.velocity)) + " m/s",
+           "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
+}
+
 // Of those that others are promised something of, see docs/certificate.md, "Airplanes".
 void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
                     double time_step) {
@@ -91,6 +112,9 @@ void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airp
     refuse(at("velocity"), text(speed) + " m/s",
            text(airplane.min_speed) + " to " + text(robot.max_speed) +
                " m/s, or left out: preferred_speed");
+  if (robot.max_braking)
+    refuse(at("max_braking"), text(*robot.max_braking),
+           "left out: it is an airplane, which cannot brake");
   if (robot.parked) refuse(at("parked"), "true", "false: it is an airplane");
 }
 
@@ -104,11 +128,34 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
   require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
   require(Place{list, i, "priority"}, robot.priority, kPositive, "");
+  if (robot.max_braking) {
+    require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
+    if (*robot.max_braking > robot.max_acceleration)
+      refuse(std::string(Place{list, i, "max_braking"}), text(*robot.max_braking),
+             "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
+  }
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
+    check_drive(i, robot, *drive);
   if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))
     check_airplane(i, robot, *airplane, time_step);
+}
+
+void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
+  const std::string_view list = "moving_obstacles";
+  const double most = *obstacle.max_speed;
+  require(Place{list, k, "max_speed"}, most, kPositive, "m/s");
+  if (!(obstacle.max_deviation > 0.0))
+    refuse(std::string(Place{list, k, "max_speed"}), text(most),
+           "left out without max_deviation: it keeps its acceleration");
+  if (!(obstacle.acceleration == Vec2{}))
+    refuse(std::string(Place{list, k, "acceleration"}), at(obstacle.acceleration),
+           "[0, 0] with max_speed, which it would exceed");
+  if (norm(obstacle.velocity) > most)
+    refuse(std::string(Place{list, k, "velocity"}), at(obstacle.velocity),
+           "at most max_speed = " + text(most) + " m/s long");
 }
 
 void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
@@ -117,6 +164,13 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
   require(Place{list, k, "velocity"}, obstacle.velocity, "m/s");
   require(Place{list, k, "acceleration"}, obstacle.acceleration, "m/s^2");
   require(Place{list, k, "radius"}, obstacle.radius, kPositive, "m");
+  require(Place{list, k, "max_deviation"}, obstacle.max_deviation, kNotNegative, "m/s^2");
+  if (obstacle.max_speed) check_max_speed(k, obstacle);
+  if (obstacle.path.empty()) return;
+  if (!obstacle.max_speed)
+    refuse(std::string(Place{list, k, "path"}), "one",
+           "left out without max_speed and max_deviation, within which it is followed");
+  for (const Vec2 point : obstacle.path) require(Place{list, k, "path"}, point, "m");
 }
 
 void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
@@ -130,7 +184,12 @@ void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
 }
 
 void check_duration(const Scenario& scenario) {
-  const double dt = scenario.time_step;
+  double dt = scenario.time_step;
+  if (scenario.clock == Clock::free) {
+    require("duration", scenario.duration, Range{0.0, kMostClockTime, true}, "s");
+    for (const RobotSetup& robot : scenario.robots)
+      dt = std::min(dt, time_step_of(scenario, robot));
+  }
   require("duration", scenario.duration, kPositive, "s");
   if (scenario.duration < dt)
     refuse("duration", text(scenario.duration), ">= time_step = " + text(dt) + " s");
@@ -139,20 +198,66 @@ void check_duration(const Scenario& scenario) {
            "at most " + std::to_string(kMostSteps) + " steps of " + text(dt) + " s");
 }
 
+// Decisions are at whole nanoseconds.
+template <typename Name>
+void check_clock(const Name& name, double time_step) {
+  require(name, time_step, Range{0.0, kMostClockTime, true}, "s");
+  if (whole_nanoseconds(time_step)) return;
+  const double near = std::max(1.0, std::round(time_step * 1e9)) / 1e9;
+  refuse(std::string(name), text(time_step),
+         "a whole number of nanoseconds where clock is free, such as " + text(near) + " s");
+}
+
+void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
+  const bool is_free = scenario.clock == Clock::free;
+  if (is_free) check_clock("time_step", scenario.time_step);
+  if (scenario.longest_step && !is_free)
+    refuse("longest_step", text(*scenario.longest_step), "left out where clock is common");
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
+    const Place place{"robots", i, "time_step"};
+    if (robot.time_step && robot.parked)
+      refuse(std::string(place), text(*robot.time_step), "left out: it is parked");
+    if (robot.time_step && !is_free)
+      refuse(std::string(place), text(*robot.time_step), "left out where clock is common");
+    if (!is_free || robot.parked) continue;
+    const double step = time_step_of(scenario, robot);
+    if (robot.time_step) check_clock(place, step);
+    if (step > options.longest_step)
+      refuse(std::string(place), text(step),
+             "<= longest_step = " + text(options.longest_step) + " s");
+    if (step == scenario.time_step) continue;
+    PlannerOptions own = options;
+    own.time_step = step;
+    validate(own, "robots." + std::to_string(i) + ".");
+  }
+  if (!is_free) return;
+  const SensingModel& sensing = scenario.sensing;
+  if (sensing.delay > 0)
+    refuse("sensing.delay", std::to_string(sensing.delay), "0 where clock is free");
+  if (sensing.dropped > 0.0)
+    refuse("sensing.dropped", text(sensing.dropped), "0 where clock is free");
+  if (sensing.occlusion) refuse("sensing.occlusion", "true", "false where clock is free");
+}
+
 // Braking lasts for so many steps only as can be looked at one by one.
 void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   const double steps = static_cast<double>(kMostBrakingSteps);
+  double time_step = options.time_step;  // of anybody, who counts the others' braking by it
+  for (const RobotSetup& robot : scenario.robots)
+    time_step = std::min(time_step, time_step_of(scenario, robot));
   const double longest =
       options.motion == Motion::held
-          ? steps * options.time_step
+          ? steps * time_step
           : steps * Response::proportional(options.control_time).rate(options.time_step) *
                 options.control_time;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
-    if (robot.max_speed <= longest * robot.max_acceleration) continue;
+    const double most = longest * braking_limit(robot);
+    if (robot.max_speed <= most) continue;
     refuse(std::string(Place{"robots", i, "max_speed"}), text(robot.max_speed),
-           "<= " + text(longest * robot.max_acceleration) + " m/s, " +
-               std::to_string(kMostBrakingSteps) + " steps of braking, with a certificate");
+           "<= " + text(most) + " m/s, " + std::to_string(kMostBrakingSteps) +
+               " steps of braking, with a certificate");
   }
 }
 
@@ -168,8 +273,20 @@ void check_sensing(const SensingModel& sensing) {
   require("sensing.dropped", sensing.dropped, kShareMissed, "");
 }
 
+// A measurement of the past is carried on from where it was: nobody remembers that of one on a
+// path.
+void check_paths(const Scenario& scenario) {
+  const SensingModel& sensing = scenario.sensing;
+  if (sensing.delay == 0 && !sensing.misses()) return;
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
+    if (!scenario.moving_obstacles[k].path.empty())
+      refuse(std::string(Place{"moving_obstacles", k, "path"}), "one",
+             "left out where sensing has delay, dropped or occlusion");
+  }
+}
+
 // The sides of a step's triangle are looked at, not what is inside: no wall may hide there.
-void check_beside_walls(const Scenario& scenario, const PlannerOptions& options) {
+void check_beside_walls(const Scenario& scenario) {
   const std::vector<RobotSetup>& robots = scenario.robots;
   const bool has_walls =
       !scenario.obstacles.empty() ||
@@ -177,12 +294,13 @@ void check_beside_walls(const Scenario& scenario, const PlannerOptions& options)
   for (std::size_t i = 0; i < robots.size() && has_walls; ++i) {
     const RobotSetup& robot = robots[i];
     if (robot.parked) continue;
-    const double most = std::min(robot.max_acceleration * options.time_step, 2.0 * robot.max_speed);
-    const double height = 0.25 * most * options.time_step;
+    const double time_step = time_step_of(scenario, robot);
+    const double most = std::min(robot.max_acceleration * time_step, 2.0 * robot.max_speed);
+    const double height = 0.25 * most * time_step;
     if (disc_radius(robot) > height) continue;
     refuse(std::string(Place{"robots", i, "radius"}), text(disc_radius(robot)),
            "> " + text(height) + " m beside obstacles, with a certificate: what a step of " +
-               text(options.time_step) + " s can turn off its way");
+               text(time_step) + " s can turn off its way");
   }
 }
 
@@ -221,9 +339,14 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
     if (!is_holonomic(scenario.robots[i].model) && options.motion != Motion::held)
       refuse(std::string(Place{"robots", i, "model"}), "one that is not holonomic",
              "holonomic with a certificate where motion is exponential");
+    // others count on what a_max can do to the velocity of its disc within the rest of its step
+    if (scenario.clock == Clock::free && may_exceed_reach(scenario.robots[i].model))
+      refuse(std::string(Place{"robots", i, "car"}),
+             "one with a body ahead of its axle, or with the exact set of accelerations",
+             "without both where clock is free, with a certificate");
   }
   check_braking(scenario, options);
-  check_beside_walls(scenario, options);
+  check_beside_walls(scenario);
 }
 
 }  // namespace
@@ -232,6 +355,7 @@ void validate(const Scenario& scenario) {
   check_sensing(scenario.sensing);
   const PlannerOptions options = planner_options(scenario);
   validate(options, "");
+  check_clocks(scenario, options);
   check_duration(scenario);
   require("sensing_radius", scenario.sensing_radius, kPositive, "m");
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
@@ -241,6 +365,7 @@ void validate(const Scenario& scenario) {
     check_robot(i, scenario.robots[i], scenario.time_step);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
+  check_paths(scenario);
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
     check_static_obstacle(k, scenario.obstacles[k]);
   check_flights(scenario, options);
@@ -258,6 +383,20 @@ std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
   return discs;
 }
 
+namespace {
+
+// Of those who decide.
+double longest_step_of(const Scenario& scenario) {
+  if (scenario.longest_step) return *scenario.longest_step;
+  double longest = 0.0;
+  for (const RobotSetup& robot : scenario.robots) {
+    if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
+  }
+  return longest > 0.0 ? longest : scenario.time_step;
+}
+
+}  // namespace
+
 PlannerOptions planner_options(const Scenario& scenario) {
   PlannerOptions options = default_options(scenario.method);
   options.motion = scenario.motion;
@@ -265,6 +404,8 @@ PlannerOptions planner_options(const Scenario& scenario) {
   options.samples = scenario.samples;
   options.max_neighbors = scenario.max_neighbors;
   options.arrival_distance = scenario.arrival_distance;
+  options.clock = scenario.clock;
+  if (scenario.clock == Clock::free) options.longest_step = longest_step_of(scenario);
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
   if (scenario.certificate) options.certificate = *scenario.certificate;
@@ -293,6 +434,8 @@ SensingError declared_error(const Scenario& scenario) {
   double strongest = 0.0;  // m/s²
   for (const RobotSetup& robot : scenario.robots)
     strongest = std::max(strongest, robot.max_acceleration);
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+    strongest = std::max(strongest, obstacle.max_deviation);
   const double time = scenario.sensing.delay * scenario.time_step;
   error.position += time * error.velocity + 0.5 * strongest * time * time;
   error.velocity += strongest * time;

@@ -56,22 +56,16 @@ void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& se
 
 // The robot at a place of the snapshot; nothing where the one that looks does not mind it.
 std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const Conduct& own) {
-  const Sensed& sensed = world.snapshot.sensed[place];
-  const Conduct& conduct = world.fleet.conduct[world.snapshot.grid.order()[place]];
+  const std::uint32_t slot = world.snapshot.grid.order()[place];
+  const Conduct& conduct = world.fleet.conduct[slot];
   const auto behavior = expected_of(conduct, own);
   if (conduct.parked || !behavior) return std::nullopt;
-  const bool moves_on = *behavior == Behavior::moves_on;
-  std::optional<LoiterCircle> loiter;
+  Neighbor neighbor =
+      sensed(world.fleet.traits[slot], conduct, *behavior, world.snapshot.grid.position(place),
+             world.snapshot.sensed[place].velocity);
   if (!world.snapshot.circle.empty() && world.snapshot.circle[place].radius > 0.0)
-    loiter = world.snapshot.circle[place];
-  return Neighbor{.position = world.snapshot.grid.position(place),
-                  .velocity = sensed.velocity,
-                  .radius = sensed.radius,
-                  .max_acceleration = sensed.max_acceleration,
-                  .acceleration = moves_on ? world.snapshot.acceleration[place] : Vec2{},
-                  .behavior = *behavior,
-                  .priority = conduct.priority,
-                  .loiter = loiter};
+    neighbor.loiter = world.snapshot.circle[place];
+  return neighbor;
 }
 
 // The same among moving obstacles, robots first where distances are equal, and where robots are not

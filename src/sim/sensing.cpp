@@ -33,13 +33,14 @@ struct Part {
 
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[i];
-  const double v = robot.max_speed, step = law.step.time_step, late = time_unseen(scenario);
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const StepLaw own = step_law(scenario, robot, law);
+  const double v = robot.max_speed, step = own.time_step, late = time_unseen(scenario);
+  const double u = decrement_of(robot, own);
   const double fastest = fastest_of(robot.model, v);
   return {static_cast<int>(i),
-          disc_radius(robot) + ((step + late) * fastest + (passes_goal(robot.model)
-                                                               ? room_to_turn(robot.model, v)
-                                                               : stopping_length(v, u, law.step))),
+          disc_radius(robot) +
+              ((step + late) * fastest + (passes_goal(robot.model) ? room_to_turn(robot.model, v)
+                                                                   : stopping_length(v, u, own))),
           step * (1.0 + braking_steps(v, u)) + late};
 }
 
@@ -47,9 +48,12 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
                const CertificateLaw& law) {
   // |v + t a| is largest at one of the ends
   const double speed =
-      std::max(norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration));
-  return obstacle.radius + seconds * speed + 0.5 * seconds * seconds * norm(obstacle.acceleration) +
-         parabola_error(obstacle.acceleration, law.step);
+      std::max({norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration),
+                obstacle.path.empty() ? 0.0 : *obstacle.max_speed});
+  const double change = norm(obstacle.acceleration) + obstacle.max_deviation;
+  const double way = seconds * speed + 0.5 * seconds * seconds * change;
+  const double most = obstacle.max_speed ? seconds * *obstacle.max_speed : way;
+  return obstacle.radius + std::min(way, most) + parabola_error(obstacle.acceleration, law.step);
 }
 
 // Whoever needs more time or more length than all others: all that an obstacle can be worst for.
@@ -65,9 +69,9 @@ std::vector<Part> worst_for_obstacles(std::vector<Part> parts) {
 }
 
 // A robot that reacts to nobody, as far as it is from another one that needs so many seconds until
-// rest: predicted to keep its acceleration.
+// rest.
 double part_of_mover(const RobotSetup& robot, double seconds) {
-  return disc_radius(robot) + seconds * (robot.max_speed + 0.5 * seconds * robot.max_acceleration);
+  return disc_radius(robot) + seconds * fastest_of(robot.model, robot.max_speed);
 }
 
 // Robots of the same layers, longest first.

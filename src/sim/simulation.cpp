@@ -15,6 +15,7 @@
 #include "core/ranges.h"
 #include "core/thread_pool.h"
 #include "planner/decision.h"
+#include "sim/clocks.h"
 #include "sim/edits.h"
 #include "sim/saved_state.h"
 #include "sim/world.h"
@@ -168,11 +169,34 @@ StaticObstacleView Simulation::static_obstacles() const {
 }
 
 double Simulation::time() const {
+  if (state_->fleet.has_clocks) return seconds(state_->now);
   return static_cast<double>(state_->steps) * state_->settings.time_step;
 }
 
 std::int64_t Simulation::steps() const {
   return state_->steps;
+}
+
+bool Simulation::can_step_by(double time) const {
+  if (!state_->fleet.has_clocks) return state_->steps < last_step(state_->settings, time);
+  constexpr double kRounding = 1e-12;  // of a sum of decimal fractions
+  return seconds(next_instant(*state_)) <= time * (1.0 + kRounding);
+}
+
+double Simulation::next_decision(std::size_t robot) const {
+  const Fleet& fleet = state_->fleet;
+  const std::uint32_t slot = fleet.slot_of[robot];
+  if (fleet.conduct[slot].parked) return std::numeric_limits<double>::infinity();
+  return fleet.has_clocks ? seconds(fleet.clock_of(slot).end) : time();
+}
+
+bool Simulation::decided(std::size_t robot) const {
+  const Fleet& fleet = state_->fleet;
+  const std::uint32_t slot = fleet.slot_of[robot];
+  if (fleet.conduct[slot].parked) return false;
+  if (!fleet.has_clocks) return state_->steps > 0;
+  const OwnClock& clock = fleet.clock_of(slot);
+  return clock.has_decided && clock.begin == state_->before;
 }
 
 bool Simulation::is_at_goal(std::size_t robot) const {
@@ -223,12 +247,16 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   }
   const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
   seen.walls.assign(walls.begin(), walls.end());
-  seen.among_movers = is_among_movers(state.planner.options(), seen.neighbors);
+  seen.among_movers = is_among_movers(state.planner().options(), seen.neighbors);
   return seen;
 }
 
 const Planner& Simulation::planner() const {
-  return state_->planner;
+  return state_->planner();
+}
+
+const Planner& Simulation::planner(std::size_t robot) const {
+  return state_->pace(state_->fleet.slot_of[robot]).planner;
 }
 
 void Simulation::measure(bool on) {

@@ -29,10 +29,9 @@ void lay_out(const Fleet& fleet, double radius, double near, std::size_t most, S
   snapshot.cells = make_cells(fleet.position, side);
 }
 
-void prepare(const Fleet& fleet, bool layered, Snapshot& snapshot) {
+void prepare(const Fleet& fleet, Snapshot& snapshot) {
   snapshot.grid.prepare(snapshot.cells, fleet.size());
   snapshot.sensed.resize(fleet.size());
-  snapshot.acceleration.resize(layered ? fleet.size() : 0);
   snapshot.circle.resize(fleet.flights.empty() ? 0 : fleet.size());
 }
 
@@ -45,8 +44,6 @@ std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snap
     const RobotTraits& robot_traits = fleet.traits[slot];
     snapshot.sensed[place] = {fleet.velocity[slot], robot_traits.radius,
                               robot_traits.max_acceleration};
-    if (!snapshot.acceleration.empty())
-      snapshot.acceleration[place] = fleet.acceleration_seen(slot);
     if (!snapshot.circle.empty())
       snapshot.circle[place] = fleet.circle(slot).value_or(LoiterCircle{});
   }

@@ -25,7 +25,6 @@ struct Snapshot {
   double side = 0.0;  // m, of a cell
   UniformGrid grid;
   std::vector<Sensed> sensed;
-  std::vector<Vec2> acceleration;    // m/s^2; where there are layers
   std::vector<LoiterCircle> circle;  // of radius 0 of those that brake; empty where all do
   std::uint64_t crowding = 0;        // see SortedPart
 };
@@ -34,7 +33,7 @@ struct Snapshot {
 /// sensing; near: m, typical of relevant_range(); most: neighbors found farther away.
 void lay_out(const Fleet& fleet, double radius, double near, std::size_t most, Snapshot& snapshot);
 
-void prepare(const Fleet& fleet, bool layered, Snapshot& snapshot);
+void prepare(const Fleet& fleet, Snapshot& snapshot);
 /// Parts may be taken at the same time, after prepare(). Returns the part's crowding.
 std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snapshot& snapshot);
 

@@ -31,11 +31,12 @@ std::uint64_t hash_of(const StaticWorld& statics) {
 }  // namespace
 
 void WallNeeds::include(const RobotTraits& robot, double stray, double speed, const StepLaw& law) {
-  const auto& [radius, max_speed, max_acceleration, preferred, has_model] = robot;
-  const WallRounding own = wall_rounding(radius, max_speed, max_acceleration, law);
+  const double radius = robot.radius, max_speed = robot.max_speed;
+  const Ability ability = ability_of(robot);
+  const WallRounding own = wall_rounding(radius, max_speed, ability, law);
   rounding = {std::max(rounding.steps, own.steps), std::max(rounding.lengths, own.lengths)};
   const double top_speed = std::max(max_speed, speed);
-  reach = std::max(reach, radius + stray + wall_reach(top_speed, max_speed, max_acceleration, law));
+  reach = std::max(reach, radius + stray + wall_reach(top_speed, max_speed, ability, law));
 }
 
 bool WallNeeds::cover(const WallNeeds& needs) const {

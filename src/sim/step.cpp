@@ -7,6 +7,7 @@
 
 #include "planner/decision.h"
 #include "robots/model.h"
+#include "sim/clocks.h"
 #include "sim/edits.h"
 #include "sim/sense.h"
 #include "sim/world.h"
@@ -34,11 +35,14 @@ void find_ranges(World& world) {
     robot.max_acceleration = robot_traits.max_acceleration;
     robot.max_speed = robot_traits.max_speed;
     robot.priority = fleet.conduct[slot].priority;
+    robot.max_braking = max_braking_of(robot_traits);
     return robot;
   };
-  Peers peers;
-  for (std::size_t i = 0; i < fleet.size(); ++i) {
-    if (!fleet.conduct[i].parked) include(peers, world.planner, limits(i));
+  std::vector<Peers> peers(world.paces.size());
+  for (std::size_t k = 0; k < peers.size(); ++k) {
+    for (std::size_t i = 0; i < fleet.size(); ++i) {
+      if (!fleet.conduct[i].parked) include(peers[k], world.paces[k].planner, limits(i));
+    }
   }
   double sum = 0.0;
   world.fast = false;
@@ -46,17 +50,20 @@ void find_ranges(World& world) {
       std::count_if(fleet.conduct.begin(), fleet.conduct.end(),
                     [](const Conduct& conduct) { return conduct.parked; }));
   const Conduct usual;
-  world.layered =
+  const bool layered =
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
       });
-  if (world.layered) fleet.seen_acceleration.resize(fleet.size());
-  world.selective = world.parked > 0 || world.layered || !fleet.flights.empty();
+  world.selective = world.parked > 0 || layered || !fleet.flights.empty();
   world.alike = fleet.flights.empty() &&
                 std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
-                            [](const Conduct& conduct) { return conduct == Conduct{}; });
+                            [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
+                std::none_of(fleet.traits.begin(), fleet.traits.end(),
+                             [](const RobotTraits& traits) { return max_braking_of(traits); });
   for (const std::uint32_t slot : fleet.slot_of) {
-    fleet.range[slot] = relevant_range(world.planner, limits(slot), peers);
+    const Pace& pace = world.pace(slot);
+    const auto k = static_cast<std::size_t>(&pace - world.paces.data());
+    fleet.range[slot] = relevant_range(pace.planner, limits(slot), peers[k]);
     sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed),
                     world.settings.sensing_radius);
     world.fast = world.fast || world.is_fast(slot);
@@ -84,7 +91,7 @@ void lay_out(World& world, Executor& executor) {
 
 void take_snapshot(World& world, Executor& executor) {
   const std::size_t parts = executor.workers();
-  prepare(world.fleet, world.layered, world.snapshot);
+  prepare(world.fleet, world.snapshot);
   parallel_for(executor, parts, [&](std::size_t part, std::size_t worker) {
     StageClock& clock = world.workers[worker].clock;
     clock.start();
@@ -104,6 +111,7 @@ void index(World& world, Executor& executor) {
     find_ranges(world);
     find_walls(world);
     if (!world.statics.walls.empty()) make_room(world);
+    if (world.fleet.has_clocks) world.due.reserve(world.fleet.size());
   }
   const bool due = world.steps >= world.next_layout;
   if (world.changed || due) lay_out(world, executor);
@@ -131,14 +139,49 @@ std::span<const std::uint32_t> deciding(const World& world, std::span<const std:
   return worker.deciding;
 }
 
-void take_slots(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+void take_slots(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
+                Worker& worker) {
   worker.clock.start();
   while (!slots.empty()) {
     const std::size_t robots = sense(world, slots, worker);
     worker.clock.lap(Stage::search);
-    plan_and_move(world, slots.first(robots), worker);
+    plan_and_move(world, pace, slots.first(robots), worker);
     slots = slots.subspan(robots);
   }
+}
+
+void take_tiles(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
+                Executor& executor) {
+  parallel_for(executor, (slots.size() + kTileRobots - 1) / kTileRobots,
+               [&](std::size_t tile, std::size_t worker) {
+                 const std::size_t first = tile * kTileRobots;
+                 const std::size_t count = std::min(kTileRobots, slots.size() - first);
+                 Worker& own = world.workers[worker];
+                 take_slots(world, pace, deciding(world, slots.subspan(first, count), own), own);
+               });
+}
+
+// Those whose own steps end now decide; then all are on their ways to the next instant.
+void step_freely(World& world, Executor& executor) {
+  std::vector<std::uint32_t>& due = world.due;
+  due.clear();
+  for (const std::uint32_t slot : world.snapshot.grid.order()) {
+    if (world.fleet.clock_of(slot).end == world.now) due.push_back(slot);
+  }
+  const auto pace_of = [&](std::uint32_t slot) { return world.fleet.clock_of(slot).pace; };
+  std::sort(due.begin(), due.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return pace_of(a) != pace_of(b) ? pace_of(a) < pace_of(b) : a < b;
+  });
+  std::span<const std::uint32_t> left = due;
+  while (!left.empty()) {
+    const auto last = std::find_if(left.begin(), left.end(), [&](std::uint32_t slot) {
+      return pace_of(slot) != pace_of(left.front());
+    });
+    const auto count = static_cast<std::size_t>(last - left.begin());
+    take_tiles(world, world.paces[pace_of(left.front())], left.first(count), executor);
+    left = left.subspan(count);
+  }
+  carry_on(world, next_instant(world));
 }
 
 }  // namespace
@@ -160,30 +203,27 @@ void leave(World& world) {
 
 void step(World& world) {
   leave(world);
-  const std::size_t robots = world.fleet.size();
   Executor& executor = executor_of(world);
   index(world, executor);
   world.torn = true;
-  parallel_for(executor, (robots + kTileRobots - 1) / kTileRobots,
-               [&](std::size_t tile, std::size_t worker) {
-                 const std::size_t first = tile * kTileRobots;
-                 const std::size_t count = std::min(kTileRobots, robots - first);
-                 Worker& own = world.workers[worker];
-                 take_slots(world,
-                            deciding(world, world.snapshot.grid.order().subspan(first, count), own),
-                            own);
-               });
-  world.fast = false;
+  bool fast = false;
+  std::size_t decisions = world.fleet.size() - world.parked;
+  if (world.fleet.has_clocks) {
+    step_freely(world, executor);
+    decisions = world.due.size();
+  } else {
+    take_tiles(world, world.paces.front(), world.snapshot.grid.order(), executor);
+    world.obstacles.advance(world.settings.time_step);
+  }
   for (Worker& worker : world.workers) {
-    world.fast = world.fast || worker.fast;
+    fast = fast || worker.fast;
     worker.fast = false;
   }
+  if (!world.fleet.has_clocks) world.fast = fast;
   world.torn = false;
-  world.obstacles.advance(world.settings.time_step);
   ++world.steps;
   world.senses.note(world.fleet, world.steps);
-  if (world.workers[0].clock.is_on())
-    world.robot_steps += static_cast<std::int64_t>(robots - world.parked);
+  if (world.workers[0].clock.is_on()) world.robot_steps += static_cast<std::int64_t>(decisions);
 }
 
 }  // namespace avo

@@ -32,22 +32,24 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
   }
   WallNeeds needs;
   for (const RobotSetup& robot : scenario.robots) {
-    const double stray =
-        stray_of(robot.model, robot.max_acceleration, law.step.time_step).distance +
-        room_to_turn(robot.model, robot.max_speed);
-    needs.include(traits_of(robot), stray, norm(start_velocity(robot)), law.step);
+    const StepLaw own = step_law(scenario, robot, law);
+    const double stray = stray_of(robot.model, robot.max_acceleration, own.time_step).distance +
+                         room_to_turn(robot.model, robot.max_speed);
+    needs.include(traits_of(robot), stray, norm(start_velocity(robot)), own);
   }
   listed.grid = grid_of(listed.walls, needs);
   return listed;
 }
 
 // What braking leaves is less than what it has to; the most that is missing.
-std::optional<WallStart> start_beside(const RobotSetup& robot, int number,
+std::optional<WallStart> start_beside(const Scenario& scenario, int number,
                                       const ListedWalls& listed, const CertificateLaw& law) {
+  const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
   const Vec2 center = disc_center(robot);
   const double radius = disc_radius(robot);
   const WallRounding rounding =
-      wall_rounding(radius, robot.max_speed, robot.max_acceleration, law.step);
+      wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
+  const double late = late_phase(scenario, robot, law);
   const Vec2 way = way_to_rest(robot, law);
   const auto circle = circle_of(robot.model, center, start_velocity(robot));
   const auto start_at = [&](const Wall& wall) {
@@ -56,7 +58,7 @@ std::optional<WallStart> start_beside(const RobotSetup& robot, int number,
       return WallStart{number, 0, distance(Vec2{}, segment),
                        distance(circle->center, {wall.a, wall.b}) - circle->radius,
                        radius + wall.radius + flight_margin(wall, radius, circle->radius)};
-    return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment),
+    return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment) - late,
                      radius + wall.radius + wall_margin(wall, rounding)};
   };
   const auto lacks = [](const WallStart& start) { return start.required - start.kept; };
@@ -106,7 +108,7 @@ void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
     const RobotSetup& robot = scenario.robots[i];
     if (robot.parked) continue;
     const int number = static_cast<int>(i);
-    if (const auto start = start_beside(robot, number, listed, law)) beside.push_back(*start);
+    if (const auto start = start_beside(scenario, number, listed, law)) beside.push_back(*start);
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
       if (leaves_room(disc_center(robot), scenario.obstacles[k])) continue;
       ++result.misplaced_count;

@@ -10,6 +10,7 @@
 #include "planner/demands.h"
 #include "planner/scratch.h"
 #include "robots/model.h"
+#include "sim/clocks.h"
 
 namespace avo {
 namespace {
@@ -18,16 +19,21 @@ namespace {
 std::size_t most_braking_steps(const World& world) {
   if (!world.all_matter()) return 0;
   constexpr double kMostAhead = 4096.0;  // of more, memory grows when it is needed
-  const double braking_time = world.planner.step_rate() * world.planner.options().control_time;
+  const Pace& shortest = *std::min_element(
+      world.paces.begin(), world.paces.end(),
+      [](const Pace& a, const Pace& b) { return a.response.time_step < b.response.time_step; });
+  const double braking_time =
+      shortest.planner.step_rate() * shortest.planner.options().control_time;
   const double error =
-      world.planner.options().sensing_error.velocity;  // m/s that one may be faster
+      world.planner().options().sensing_error.velocity;  // m/s that one may be faster
   double most = 0.0;
   for (const RobotTraits& robot_traits : world.fleet.traits) {
     const double fastest = robot_traits.max_speed + error;
-    most = std::max(most, fastest / (robot_traits.max_acceleration * braking_time));
+    const double a = robot_traits.max_acceleration, b = robot_traits.max_braking;
+    most = std::max(most, fastest / (b * braking_time) + a / b);
   }
   if (world.settings.sensing.misses()) most += kMostCarried;
-  return static_cast<std::size_t>(std::min(most + 4.0, kMostAhead));
+  return static_cast<std::size_t>(std::min(most + 3.0, kMostAhead));
 }
 
 constexpr std::size_t kMostAhead = 1024;  // of more, memory grows when it is needed
@@ -62,7 +68,7 @@ Heading heading_of(const World& world, std::size_t slot, double nearest) {
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
   const Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
-                                 looks_around(fleet.id[slot], world.steps), scratch);
+                                 looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
   if (world.ways.passages.empty()) return heading;
   Claims claims;
   SerialExecutor serial;
@@ -80,30 +86,42 @@ void find_passages(World& world) {
   world.ways.find_passages(std::move(radii));
 }
 
+void start_clocks(World& world, const Scenario& scenario) {
+  if (!world.fleet.has_clocks) return;
+  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
+    OwnClock& clock = world.fleet.clock_of(slot);
+    clock.time_step = time_step_of(scenario, scenario.robots[slot]);
+    clock.pace = world.pace_of(clock.time_step);
+    start_clock(world, slot);
+  }
+}
+
 }  // namespace
 
 World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
     : settings(scenario),
-      planner(planner_options(scenario)),
-      response(step_response(planner)),
+      paces{Pace(planner_options(scenario))},
       statics(static_world(scenario)),
       ways(scenario, statics.walls),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
+  fleet.has_clocks = scenario.clock == Clock::free;
   fleet.reserve(scenario.robots.size());
   senses.depth = generations_needed(scenario.sensing);
   for (const RobotSetup& setup : scenario.robots) {
     fleet.add({next_id++}, setup);
     senses.add(steps);
   }
+  start_clocks(*this, scenario);
   senses.note(fleet, steps);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
   settings.obstacles = std::vector<StaticObstacle>();
   // it was made of the robots that there were at first
-  if (planner.options().sensing_error != SensingError{})
-    settings.sensing_error = planner.options().sensing_error;
+  const PlannerOptions& options = planner().options();
+  if (options.sensing_error != SensingError{}) settings.sensing_error = options.sensing_error;
+  if (fleet.has_clocks) settings.longest_step = options.longest_step;
   for (Worker& worker : workers) reserve(*this, worker);
 }
 
@@ -111,14 +129,14 @@ void find_walls(World& world) {
   StaticWorld& statics = world.statics;
   if (statics.walls.empty()) return;
   find_passages(world);
-  const PlannerOptions& options = world.planner.options();
-  const StepLaw law = certificate_law(world.planner).step;
+  const PlannerOptions& options = world.planner().options();
   const Fleet& fleet = world.fleet;
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
     if (fleet.conduct[slot].parked) continue;
     const RobotTraits& traits = fleet.traits[slot];
     const double speed = norm(fleet.velocity[slot]);
+    const StepLaw law = certificate_law(world.pace(slot).planner).step;
     const double stray =
         traits.has_model
             ? stray_of(*fleet.own_model(slot), traits.max_acceleration, law.time_step).distance +
@@ -142,8 +160,19 @@ void make_room(World& world) {
   }
 }
 
+std::uint32_t World::pace_of(double time_step) {
+  const auto is_known = [&](const Pace& pace) { return pace.response.time_step == time_step; };
+  const auto place = std::find_if(paces.begin(), paces.end(), is_known);
+  const auto index = static_cast<std::uint32_t>(place - paces.begin());
+  if (place != paces.end()) return index;
+  PlannerOptions options = planner().options();
+  options.time_step = time_step;
+  paces.emplace_back(options);
+  return index;
+}
+
 std::size_t World::most_nearest() const {
-  const std::optional<int>& most = planner.options().max_neighbors;
+  const std::optional<int>& most = planner().options().max_neighbors;
   return most ? static_cast<std::size_t>(*most) : std::numeric_limits<std::size_t>::max();
 }
 
@@ -160,14 +189,16 @@ Robot World::robot(std::size_t slot, double nearest) const {
   heading.goal = disc_goal(fleet, slot, heading.goal);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
-  Robot robot{.position = p,
-              .velocity = v,
-              .preferred_velocity = preferred_velocity(p, v, traits, heading.goal, response),
-              .radius = robot_traits.radius,
-              .max_acceleration = robot_traits.max_acceleration,
-              .max_speed = robot_traits.max_speed,
-              .distance_to_goal = norm(heading.goal - p),
-              .priority = fleet.conduct[slot].priority};
+  Robot robot{
+      .position = p,
+      .velocity = v,
+      .preferred_velocity = preferred_velocity(p, v, traits, heading.goal, pace(slot).response),
+      .radius = robot_traits.radius,
+      .max_acceleration = robot_traits.max_acceleration,
+      .max_speed = robot_traits.max_speed,
+      .distance_to_goal = norm(heading.goal - p),
+      .priority = fleet.conduct[slot].priority,
+      .max_braking = max_braking_of(robot_traits)};
   if (const Flight* flight = fleet.flight(slot)) {
     robot.preferred_velocity = course_of(*flight, p, heading.goal, heading.preferred_speed);
     robot.loiter = flight->circle;

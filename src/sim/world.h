@@ -44,10 +44,18 @@ struct alignas(128) Worker {
   std::int64_t pairs = 0, infeasible = 0;
 };
 
-struct World {
-  Scenario settings;  // without its robots and obstacles
+/// What robots of one time_step decide and move by.
+struct Pace {
   Planner planner;
   StepResponse response;
+
+  explicit Pace(const PlannerOptions& options)
+      : planner(options), response(step_response(planner)) {}
+};
+
+struct World {
+  Scenario settings;        // without its robots and obstacles
+  std::vector<Pace> paces;  // the scene's first; others only where clocks are free
   Fleet fleet;
   ObstacleColumns obstacles;
   Senses senses;
@@ -55,31 +63,38 @@ struct World {
   Ways ways;
   Claims claims;
   std::int64_t steps = 0;
+  Instant now = 0, before = -1;  // of free clocks: the last step began before, if at all
   std::uint64_t next_id = 0;
 
   Snapshot snapshot;
   UniformGrid obstacle_grid;
   std::unique_ptr<Executor> executor;
   SerialExecutor serial;
-  std::vector<Worker> workers;   // as many as the executor has
-  bool torn = false;             // a step ended while some had moved and others not
-  bool changed = true;           // robots came or went
-  bool fast = false;             // some robot exceeds its max_speed
-  bool alike = true;             // all robots are of one Conduct, the usual one
-  bool selective = false;        // not everybody minds everybody, or some loiter
-  bool layered = false;          // by their layers
-  std::size_t parked = 0;        // robots
-  bool valid = false;            // all robots were, when they came, and there is nobody else
-  double near = 0.0;             // m, typical of Fleet::range
+  std::vector<Worker> workers;     // as many as the executor has
+  std::vector<std::uint32_t> due;  // slots, by pace, where clocks are free
+  bool torn = false;               // a step ended while some had moved and others not
+  bool changed = true;             // robots came or went
+  bool fast = false;               // some robot exceeds its max_speed
+  bool alike = true;               // all robots are of one Conduct, the usual one
+  bool selective = false;          // not everybody minds everybody, or some loiter
+  std::size_t parked = 0;          // robots
+  bool valid = false;              // all robots were, when they came, and there is nobody else
+  double near = 0.0;               // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
   std::int64_t robot_steps = 0;  // measured
 
   World(const Scenario& scenario, std::unique_ptr<Executor> steps_by);
 
+  const Planner& planner() const { return paces.front().planner; }
+  const Pace& pace(std::size_t slot) const {
+    return fleet.has_clocks ? paces[fleet.clock_of(slot).pace] : paces.front();
+  }
+  /// The index of one; it is made if there is none yet.
+  std::uint32_t pace_of(double time_step);
   /// Neighbors that the planner is given for being the nearest.
   std::size_t most_nearest() const;
   /// A certificate has to know all others within the sensing radius as well.
-  bool all_matter() const { return planner.options().certificate != Certificate::none; }
+  bool all_matter() const { return planner().options().certificate != Certificate::none; }
   bool is_fast(std::size_t slot) const;
   /// nearest: m, see heed_passages().
   Robot robot(std::size_t slot, double nearest) const;
@@ -92,9 +107,10 @@ void find_walls(World& world);
 /// For what the walls near a robot and its looking for a way take in a step.
 void make_room(World& world);
 
-/// Decides for the robots of the worker's tile, whose neighbors are known, moves them, and empties
-/// it.
-void plan_and_move(World& world, std::span<const std::uint32_t> slots, Worker& worker);
+/// Decides for the robots of the worker's tile, all of one pace, whose neighbors are known, moves
+/// them, and empties it.
+void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t> slots,
+                   Worker& worker);
 
 /// One sensing-acting cycle of all robots.
 void step(World& world);

@@ -72,7 +72,8 @@ const std::vector<Bad> kEntries{
      "DIR/s.yaml:4:1: found the unknown key \"obstacle\", allowed are version, name, time_step, "
      "duration, control_time, time_horizon, sensing_radius, max_neighbors, method, certificate, "
      "motion, precision, samples, arrival_distance, seed, robots, groups, robots_from, "
-     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error; did you mean "
+     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock; did "
+     "you mean "
      "\"obstacles\"?"},
     {"navigation_word", "navigation: maybe\n",
      "DIR/s.yaml:4:13: navigation: found \"maybe\", must be true or false"},
@@ -273,8 +274,8 @@ const std::vector<Bad> kScens{
     scen("unknown_key", "",
          "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
          "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
-         "heading, car, airplane, "
-         "priority, parked, layers, avoids; "
+         "heading, car, drive, airplane, "
+         "priority, max_braking, parked, layers, avoids, time_step; "
          "did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),
     {"no_map",

@@ -20,11 +20,11 @@ const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, time_horizon, sensing_radius, "
     "max_neighbors, method, certificate, motion, precision, samples, arrival_distance, seed, "
     "robots, groups, robots_from, "
-    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error";
+    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
-    "heading, car, airplane, "
-    "priority, parked, layers, avoids";
+    "heading, car, drive, airplane, "
+    "priority, max_braking, parked, layers, avoids, time_step";
 
 struct BadScene {
   const char* name;
@@ -89,6 +89,20 @@ const std::vector<BadScene> kBadScenes{
      "3:30: robots.0.goal: found [1, 0], must be [0, 0], its position: it is parked"},
     {"priority_zero", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], priority: 0}\n"),
      "3:48: robots.0.priority: found 0, must be > 0"},
+    {"brakes_harder_than_it_can",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_braking: 1.5}\n"),
+     "3:51: robots.0.max_braking: found 1.5, must be <= max_acceleration = 1 m/s^2"},
+    {"max_speed_of_one_that_keeps_its_acceleration",
+     kGood + s("moving_obstacles:\n  - {position: [9, 9], max_speed: 2}\n"),
+     "5:35: moving_obstacles.0.max_speed: found 2, must be left out without max_deviation: it "
+     "keeps "
+     "its acceleration"},
+    {"path_without_limits",
+     kGood + s("moving_obstacles:\n  - {position: [9, 9], max_deviation: 2, path: [[1, 2]]}\n"),
+     "5:48: moving_obstacles.0.path: found one, must be left out without max_speed and "
+     "max_deviation, within which it is followed"},
+    {"path_of_numbers", kGood + s("moving_obstacles:\n  - {position: [9, 9], path: [1, 2]}\n"),
+     "5:31: moving_obstacles.0.path.0: found 1, must be [x, y] in m"},
     {"missing_goal", s("version: 1\nrobots:\n  - {position: [0, 0]}\n"),
      "3:5: robots.0: found no \"goal\", must be given: where it wants to come to rest"},
     {"missing_position", kGood + s("  - {goal: [1, 0]}\n"),
@@ -237,7 +251,8 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: holonomic, car: {}}\n"),
      "3:61: robots.0.car: found keys of a car, must be left out: its model is holonomic"},
     {"unknown_model", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: cart}\n"),
-     "3:45: robots.0.model: found \"cart\", must be one of holonomic, car, airplane; did you mean "
+     "3:45: robots.0.model: found \"cart\", must be one of holonomic, car, differential_drive, "
+     "airplane; did you mean "
      "\"car\"?"},
     {"body_unknown_key",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {ofset: 1}}}\n"),
@@ -262,6 +277,26 @@ const std::vector<BadScene> kBadScenes{
     {"car_heading_word",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {heading: random}}\n"),
      "3:53: robots.0.car.heading: found \"random\", must be a number (rad)"},
+    {"drive_of_a_car",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: car, drive: {}}\n"),
+     "3:57: robots.0.drive: found keys of a differential drive, must be left out: its model is "
+     "car"},
+    {"drive_unknown_key",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], drive: {trak: 1}}\n"),
+     "3:46: robots.0.drive: found the unknown key \"trak\", allowed are track, offset, "
+     "wheel_speed, wheel_acceleration; did you mean \"track\"?"},
+    {"drive_brakes_too_hard",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_acceleration: 2, drive: "
+       "{track: 1.5, offset: 1, wheel_acceleration: 2.5}}\n"),
+     "3:56: robots.0.max_acceleration: found 2, must be < 2 m/s^2, "
+     "wheel_acceleration/sqrt(1 + (track/(2 offset))^2)"},
+    {"drive_faster_than_its_wheels",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_speed: 1.5, drive: "
+       "{wheel_speed: 1.25}}\n"),
+     "3:49: robots.0.max_speed: found 1.5, must be <= 1.25 m/s, its drive.wheel_speed"},
+    {"drive_starts_faster_than_its_wheels",
+     s("version: 1\nrobots:\n  - {position: [0, 0], velocity: [3, 4], goal: [1, 0], drive: {}}\n"),
+     "3:34: robots.0.velocity: found 5 m/s, must be <= 2 m/s, its drive.wheel_speed"},
     {"group_without_number", s("version: 1\ngroups:\n  - {placement: circle, goals: antipodal}\n"),
      "3:5: groups.0: found no \"number\", must be given: how many robots"},
     {"group_too_many",
@@ -276,9 +311,8 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, position: [0, "
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
-     "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, "
-     "airplane, "
-     "priority, parked, layers, avoids"},
+     "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, drive, "
+     "airplane, priority, max_braking, parked, layers, avoids, time_step"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
      "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random; did "
@@ -398,7 +432,8 @@ TEST(BadScene, files_that_are_no_files) {
       missing.err,
       "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
       "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
-      "maze, moving-obstacle, office, permutation-100, planes-12, positions-exchange, swap-blocks, "
+      "drives-100, maze, moving-obstacle, office, permutation-100, person, planes-12, "
+      "positions-exchange, swap-blocks, "
       "uniform-N, warehouse; did you mean \"circle-N\"?\n");
 }
 

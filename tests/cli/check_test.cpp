@@ -157,7 +157,8 @@ TEST(Check, cars_of_all_settings_keep_their_limits) {
     EXPECT_EQ(result.exit_code, 0) << car << "\n" << result.out;
     const Json json = Json::parse(result.out);
     EXPECT_EQ(json["with_heading"], 12'000);
-    EXPECT_NEAR(json["least_clearance"], run.summary["min_clearance"], 1e-6);
+    // the summary looks at cubics, which are that near the arcs of slow cars
+    EXPECT_NEAR(json["least_clearance"], run.summary["min_clearance"], 1e-4);
   }
 }
 
@@ -262,6 +263,7 @@ TEST(Check, json_has_all_keys_in_order) {
                            "wheel_accelerations",
                            "with_heading",
                            "without_heading",
+                           "changes",
                            "least_clearance",
                            "least_static_clearance",
                            "largest_acceleration",

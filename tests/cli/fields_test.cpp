@@ -92,12 +92,16 @@ TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
   ASSERT_EQ(refusal(scenario), "");
   EXPECT_EQ(check_ranges(scenario, scenario, ""), 6);
-  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 8);
+  EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 10);
   EXPECT_EQ(check_ranges(scenario, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
             2);
   avo::CarBody& body = std::get<avo::Car>(scenario.robots[0].model).body.emplace();
   EXPECT_EQ(check_ranges(scenario, body, "robots.0.car.body."), 2);
-  EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 4);
+  scenario.robots[0].model = avo::DifferentialDrive{};
+  EXPECT_EQ(check_ranges(scenario, std::get<avo::DifferentialDrive>(scenario.robots[0].model),
+                         "robots.0.drive."),
+            4);
+  EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 6);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing.noise, "sensing.noise."), 3);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing_error.emplace(), "sensing_error."), 2);
@@ -161,6 +165,8 @@ TEST(Fields, every_key_is_guessed_and_refused_twice) {
                      "{version: 1, robots: [{position: [0, 0], goal: [1, 0], airplane: {", "}}]}");
   check_misspellings(avo_io::fields<avo::Car>(),
                      "{version: 1, robots: [{position: [0, 0], goal: [1, 0], car: {", "}}]}");
+  check_misspellings(avo_io::fields<avo::DifferentialDrive>(),
+                     "{version: 1, robots: [{position: [0, 0], goal: [1, 0], drive: {", "}}]}");
   check_misspellings(avo_io::fields<avo_io::Group>(), "{version: 1, groups: [{", "}]}");
   check_misspellings(avo_io::fields<avo_io::RobotsFrom>(), "{version: 1, robots_from: {", "}}");
   check_misspellings(avo_io::fields<avo::SensingModel>(), "{version: 1, sensing: {", "}}");
@@ -253,6 +259,28 @@ moving_obstacles:
   EXPECT_EQ(scenario.moving_obstacles[0].velocity, (avo::Vec2{0, -0.5}));
   EXPECT_EQ(scenario.moving_obstacles[0].acceleration, (avo::Vec2{0.125, 0}));
   EXPECT_EQ(scenario.moving_obstacles[0].radius, 0.6);
+}
+
+TEST(Fields, a_drive_has_limits_of_its_wheels_where_none_are_given) {
+  const Scenario scenario = avo_io::parse_scenario(R"yaml(version: 1
+robots:
+  - {position: [0, 6], goal: [9, 6], model: differential_drive, heading: 0.5, drive: {track: 0.4, offset: 0.2, wheel_speed: 1.25, wheel_acceleration: 2}, radius: 0.3}
+  - {position: [0, 9], goal: [9, 6], drive: {}, max_speed: 0.5, max_acceleration: 0.25}
+)yaml",
+                                                   "f.yaml");
+  const avo::RobotSetup& robot = scenario.robots[0];
+  const avo::DifferentialDrive expected{0.4, 0.2, 1.25, 2.0};
+  EXPECT_EQ(robot.model, avo::MotionModel(expected));
+  EXPECT_EQ(robot.heading, 0.5);
+  EXPECT_EQ(robot.radius, 0.3);
+  EXPECT_EQ(disc_radius(robot), 0.5);
+  EXPECT_EQ(robot.max_speed, 1.25);
+  EXPECT_EQ(robot.preferred_speed, 1.25);
+  EXPECT_EQ(robot.max_acceleration, 0.5 * most_acceleration(expected));
+  EXPECT_EQ(scenario.robots[1].model, avo::MotionModel(avo::DifferentialDrive{}));
+  EXPECT_EQ(scenario.robots[1].max_speed, 0.5);
+  EXPECT_EQ(scenario.robots[1].preferred_speed, 0.5);
+  EXPECT_EQ(scenario.robots[1].max_acceleration, 0.25);
 }
 
 TEST(Fields, doubles_arrive_bit_by_bit_and_without_minus_zero) {

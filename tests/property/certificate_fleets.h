@@ -41,10 +41,12 @@ inline Fleet random_fleet(Random& random, Certificate kind, Motion motion) {
   const CertificateLaw law = law_of(fleet.options);
   const Vec2 offset = random.below(8) == 0 ? 1e7 * random.direction() : Vec2{};
   const int count = 2 + random.below(7);
+  const bool brakes_less = random.below(2) == 0;
   double extent = 1.0;
   while (static_cast<int>(fleet.robots.size()) < count) {
     extent *= 1.05;
     Robot robot = random_robot(random);
+    if (brakes_less) robot.max_braking = random_braking(random, robot.max_acceleration);
     robot.position = offset + in_disc(random, extent);
     if (touches(robot, others(fleet.robots, count))) continue;
     fleet.robots.push_back(robot);
@@ -90,7 +92,7 @@ inline Vec2 within_speed(const Robot& robot, Vec2 change) {
 inline Vec2 adverse_velocity(Random& random, const Robot& robot, Whim whim,
                              const std::vector<Neighbor>& neighbors, const CertificateLaw& law,
                              CertificateConstraints& constraints) {
-  const double u = braking_decrement(robot.max_acceleration, law.step);
+  const double u = increment(robot.max_acceleration, law.step);
   if (whim == Whim::random) {
     for (int i = 0; i < 6; ++i) {
       const Vec2 next = within_speed(robot, in_disc(random, u));
@@ -106,7 +108,7 @@ inline Vec2 adverse_velocity(Random& random, const Robot& robot, Whim whim,
   }
   Vec2 towards = nearest->position - robot.position;
   if (whim == Whim::at_where_it_stops && nearest->behavior == Behavior::decides) {
-    const double b = braking_decrement(nearest->max_acceleration, law.step);
+    const double b = decrement_of(*nearest, law.step);
     const double speed = norm(nearest->velocity);
     if (speed > 0.0) {
       towards = towards + (stopping_length(speed, b, law.step) / speed) * nearest->velocity;

@@ -38,7 +38,7 @@ Witness step(Random& random, Fleet& fleet, const CertificateLaw& law,
     const Vec2 next = adverse_velocity(random, robot, static_cast<Whim>(random.below(5)), neighbors,
                                        law, constraints);
     steps.push_back({robot.position, robot.velocity, next});
-    const double u = braking_decrement(robot.max_acceleration, law.step);
+    const double u = increment(robot.max_acceleration, law.step);
     witness.most_change = std::max(witness.most_change, norm(next - robot.velocity) / u);
     witness.most_speed = std::max(witness.most_speed, norm(next) / robot.max_speed);
   }
@@ -101,7 +101,7 @@ TEST_P(Certified, rounding_is_covered_by_the_margin) {
         const Robot &robot = fleet.robots[i], &other = fleet.robots[1 - i];
         collect_constraints(robot, others(fleet.robots, i), law, constraints);
         const Vec2 towards = other.position - robot.position;
-        const double u = braking_decrement(robot.max_acceleration, law.step);
+        const double u = increment(robot.max_acceleration, law.step);
         const Vec2 push = within_speed(robot, (u / norm(towards)) * towards);
         // to the last bit that is admitted, and now and then nothing but braking
         const Vec2 next = random.below(10) == 0

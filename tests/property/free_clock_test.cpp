@@ -48,11 +48,13 @@ std::vector<Clocked> clocked_fleet(Random& random, const Belief& belief) {
   std::vector<Clocked> fleet;
   std::vector<Robot> robots;
   const int count = 2 + random.below(5);
+  const bool brakes_less = belief.part_of_longest == 1.0 && random.below(2) == 0;
   double extent = 1.0;
   while (static_cast<int>(fleet.size()) < count) {
     extent *= 1.05;
     Clocked each;
     each.robot = random_robot(random);
+    if (brakes_less) each.robot.max_braking = random_braking(random, each.robot.max_acceleration);
     each.robot.position = in_disc(random, extent);
     if (touches(each.robot, others(robots, robots.size()))) continue;
     PlannerOptions options;
@@ -157,7 +159,7 @@ struct SlowPath {
       p = p + passed * v + (0.5 * passed * passed) * a, v = v + passed * a;
       if (norm(v) < 1e-12) break;
       begin = end, end += step;
-      a = -(std::min(robot.max_acceleration, norm(v) / step) / norm(v)) * v;
+      a = -(std::min(braking_limit(robot), norm(v) / step) / norm(v)) * v;
     }
     places.push_back(p);
   }
@@ -178,14 +180,15 @@ TEST(FreeClock, no_rest_of_a_step_leads_farther_than_the_drift) {
   for (int k = 0; k < 4000; ++k) {
     Robot b;
     b.max_acceleration = random.log_uniform(0.5, 3.0);
+    if (k % 2 == 0) b.max_braking = random_braking(random, b.max_acceleration);
     b.velocity = random.below(4) == 0 ? Vec2{} : in_disc(random, 1.5);
     PlannerOptions options;
     options.time_step = random.log_uniform(0.02, 0.3);
     options.clock = Clock::free, options.longest_step = random.log_uniform(0.02, 0.3);
     const StepLaw law = law_of(options).step;
     using Real = scalar::Pack<double>;
-    const auto drift =
-        scalar::drift_of<Real>(norm(b.velocity), braking_decrement(b.max_acceleration, law), law);
+    const auto drift = scalar::drift_of<Real>(
+        norm(b.velocity), increment(b.max_acceleration, law), decrement_of(b, law), law);
     const double part = k % 2 == 0 ? 1.0 : random.uniform(0.2, 1.0);
     const double step = part * options.longest_step;
     const double time = k % 3 == 0 ? step : random.uniform(0.0, step);
@@ -215,6 +218,10 @@ TEST(FreeClock, what_is_admitted_keeps_clear_of_all_rests_that_braking_keeps_cle
     a.max_acceleration = random.log_uniform(0.5, 3.0);
     b.max_acceleration = random.log_uniform(0.5, 3.0);
     a.max_speed = b.max_speed = 4.0;
+    if (k % 2 == 0) {
+      a.max_braking = random_braking(random, a.max_acceleration);
+      b.max_braking = random_braking(random, b.max_acceleration);
+    }
     const double contact = a.radius + b.radius, speed = random.log_uniform(0.01, 1.0);
     a.velocity = in_disc(random, speed), b.velocity = in_disc(random, speed);
     b.position = (contact + random.log_uniform(1e-4, 0.5)) * random.direction();

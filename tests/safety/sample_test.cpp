@@ -10,6 +10,7 @@
 #include "families.h"
 #include "run.h"
 #include "scenes.h"
+#include "table.h"
 
 namespace avo::safety {
 namespace {
@@ -73,27 +74,44 @@ TEST_P(Targets, are_reached_without_contact) {
 
 INSTANTIATE_TEST_SUITE_P(
     Families, Targets,
-    testing::Values(Sample{"circle-10", 1, 1.0}, Sample{"circle-50", 1, 1.0},
-                    Sample{"circle-100", 1, 1.0}, Sample{"circle-250", 1, 1.0},
-                    Sample{"circle-100-d2t6", 1, 1.0}, Sample{"circle-100-d4t10", 1, 1.0},
-                    Sample{"circle-100-jitter", 3, 0.99}, Sample{"random-2", 40, 0.995},
-                    Sample{"random-10", 30, 0.995}, Sample{"random-30", 20, 0.995},
-                    Sample{"random-60", 12, 0.99}, Sample{"swap", 1, 0.99},
-                    Sample{"swap-jitter", 3, 0.98}, Sample{"streams", 1, 0.99},
-                    Sample{"permutation", 4, 0.99}, Sample{"mixed", 6, 0.98},
-                    Sample{"movers", 6, 0.99}, Sample{"crush", 1, 0.0},
-                    Sample{"crush-packed", 1, 0.0}, Sample{"doorway-1.6", 2, 0.98},
-                    Sample{"corridor-1.6", 2, 0.98}, Sample{"corridor-2.4", 2, 0.98},
-                    Sample{"office-1.6", 2, 0.98}, Sample{"office-1.2", 2, 0.97},
-                    Sample{"maze", 2, 0.97}, Sample{"walls-random", 4, 0.0},
-                    Sample{"walls-cars", 4, 0.0}, Sample{"walls-corners", 4, 0.0},
-                    Sample{"walls-gaps", 4, 0.0}, Sample{"walls-movers", 2, 0.0}),
+    testing::Values(
+        Sample{"circle-10", 1, 1.0}, Sample{"circle-50", 1, 1.0}, Sample{"circle-100", 1, 1.0},
+        Sample{"circle-250", 1, 1.0}, Sample{"circle-100-d2t6", 1, 1.0},
+        Sample{"circle-100-d4t10", 1, 1.0}, Sample{"circle-100-jitter", 3, 0.99},
+        Sample{"random-2", 40, 0.995}, Sample{"random-10", 30, 0.995},
+        Sample{"random-30", 20, 0.995}, Sample{"random-60", 12, 0.99}, Sample{"swap", 1, 0.99},
+        Sample{"swap-jitter", 3, 0.98}, Sample{"streams", 1, 0.99}, Sample{"permutation", 4, 0.99},
+        Sample{"mixed", 6, 0.98}, Sample{"movers", 6, 0.99}, Sample{"crush", 1, 0.0},
+        Sample{"crush-packed", 1, 0.0}, Sample{"doorway-1.6", 2, 0.98},
+        Sample{"corridor-1.6", 2, 0.98}, Sample{"corridor-2.4", 2, 0.98},
+        Sample{"office-1.6", 2, 0.98}, Sample{"office-1.2", 2, 0.97}, Sample{"maze", 2, 0.97},
+        Sample{"walls-random", 4, 0.0}, Sample{"walls-cars", 4, 0.0},
+        Sample{"walls-corners", 4, 0.0}, Sample{"walls-gaps", 4, 0.0},
+        Sample{"walls-movers", 2, 0.0}, Sample{"clocks-random", 10, 0.99},
+        Sample{"clocks-steps-random", 10, 0.99}, Sample{"clocks-circle", 3, 0.99},
+        Sample{"clocks-crush", 2, 0.0}, Sample{"clocks-steps-crush", 2, 0.0},
+        Sample{"clocks-walls", 1, 0.0}, Sample{"clocks-movers", 2, 0.98}),
     [](const auto& kind) {
       std::string name = kind.param.family;
       std::replace_if(
           name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
       return name;
     });
+
+// The same scenes, by clocks of their own and by a common one.
+TEST(FreeClocks, cost_hardly_any_time) {
+  const std::vector<Family> all = families(kCrushSteps);
+  const auto mean_of = [&](const char* name) {
+    const Family& family = family_of(all, name);
+    std::vector<Outcome> outcomes;
+    for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + 10; ++seed)
+      outcomes.push_back(run_scene(family.make(seed), seed, ""));
+    const RowResult row = summarize(name, outcomes);
+    EXPECT_GE(static_cast<double>(row.arrived), 0.99 * static_cast<double>(row.robots)) << name;
+    return row.mean;
+  };
+  EXPECT_LT(mean_of("clocks-random"), 1.15 * mean_of("random-30"));
+}
 
 struct Kind {
   Certificate certificate;

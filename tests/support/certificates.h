@@ -29,6 +29,12 @@ inline CertificateLaw law_of(const PlannerOptions& options) {
   return certificate_law(Planner(options));
 }
 
+/// Half to all of a_max; one in three brakes with all of it, to which nothing is said.
+inline std::optional<double> random_braking(Random& random, double max_acceleration) {
+  if (random.below(3) == 0) return std::nullopt;
+  return random.uniform(0.3, 1.0) * max_acceleration;
+}
+
 /// Δt 0.02 to 0.5 s, δ from Δt to 4 s.
 inline PlannerOptions random_options(Random& random, Certificate kind, Motion motion) {
   const double time_step = random.log_uniform(0.02, 0.5);
@@ -40,7 +46,8 @@ inline Neighbor seen(const Robot& robot) {
           .velocity = robot.velocity,
           .radius = robot.radius,
           .max_acceleration = robot.max_acceleration,
-          .priority = robot.priority};
+          .priority = robot.priority,
+          .max_braking = robot.max_braking};
 }
 
 inline std::vector<TrajectoryConstraint> all_constraints(const TrajectoryConstraints& constraints) {

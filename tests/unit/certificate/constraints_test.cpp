@@ -63,8 +63,8 @@ TEST(Constraints, shares_of_a_pair_add_up_to_the_gap) {
 double plain_coefficient(const PairSituation& s, Vec2 next) {
   const StepLaw& law = s.law.step;
   const auto steps = [&](const Robot& robot) {
-    const double u = braking_decrement(robot.max_acceleration, law);
-    return 3 + static_cast<int>((norm(robot.velocity) + u) / u);
+    const double most = norm(robot.velocity) + increment(robot.max_acceleration, law);
+    return 3 + static_cast<int>(most / decrement_of(robot, law));
   };
   const int count = std::max(steps(s.a), steps(s.b));
   const auto x_A = stepped_braking(s.a, law, count), x_B = stepped_braking(s.b, law, count);
@@ -130,10 +130,10 @@ TEST(Constraints, tangent_is_the_derivative) {
     Random random(24);
     int compared = 0;
     while (compared < 1000) {
-      const PairSituation s = sound_pair(random, kTrajectories, motion);
+      const PairSituation s = sound_pair(random, kTrajectories, motion, compared % 2 == 0);
       CertificateConstraints constraints = constraints_of(s.a, s.b, s.law);
       const Vec2 next = random_choice(random, s);
-      const double u = braking_decrement(s.a.max_acceleration, s.law.step);
+      const double u = decrement_of(s.a, s.law.step);
       const double steps = norm(next) / u;
       // the braking path has kinks where a step more begins
       if (admits(s.a, next, s.law, constraints) || std::abs(steps - std::round(steps)) < 1e-3)

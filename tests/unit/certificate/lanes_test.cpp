@@ -35,19 +35,28 @@ Crowd random_crowd(Random& random) {
   Crowd crowd{law_of(options), random_body(random), {}, {}};
   crowd.robot.position = in_disc(random, 5.0);
   const int count = 1 + random.below(20);
-  const bool has_movers = random.below(2) == 0;
+  const bool has_movers = random.below(2) == 0, brakes_less = random.below(2) == 0;
+  if (brakes_less) crowd.robot.max_braking = random_braking(random, crowd.robot.max_acceleration);
   for (int k = 0; k < count; ++k) {
     Robot other = random_body(random);
     const double gap = random.log_uniform(1e-4, 6.0);
     other.position =
         crowd.robot.position + (crowd.robot.radius + other.radius + gap) * random.direction();
+    if (brakes_less) {
+      if (random.below(2) == 0) other.max_acceleration = crowd.robot.max_acceleration;
+      other.max_braking = random_braking(random, other.max_acceleration);
+      if (random.below(4) == 0) {  // alike
+        other.max_acceleration = crowd.robot.max_acceleration;
+        other.max_braking = crowd.robot.max_braking;
+      }
+    }
     crowd.neighbors.push_back(seen(other));
     if (has_movers && random.below(5) == 0) {
       crowd.neighbors.back().behavior = Behavior::moves_on;
       crowd.neighbors.back().acceleration = in_disc(random, 1.0);
     }
   }
-  const double u = braking_decrement(crowd.robot.max_acceleration, crowd.law.step);
+  const double u = increment(crowd.robot.max_acceleration, crowd.law.step);
   for (int k = 0; k < 4; ++k) crowd.candidates.push_back(crowd.robot.velocity + in_disc(random, u));
   return crowd;
 }
@@ -196,10 +205,10 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   NeighborColumns columns;
   NearPairs near;
   for (int i = 0; i < 4000; ++i) {
-    const PairSituation s =
-        random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
+    const PairSituation s = random_pair(
+        random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential, i % 4 >= 2);
     const StepLaw& law = s.law.step;
-    const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, law);
+    const Braking a = braking_of(s.a.velocity, ability_of(s.a), law);
     robots.clear();
     robots.add(s.a, in_columns({}, columns));
     find_near(robots, Whom::everyone, law, near);
@@ -213,7 +222,7 @@ TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
     const auto y = stepped_path(s.a, next, law, static_cast<int>(own.count));
     const double against = std::max(-dot(n, a.direction), 0.0);
     const double aside = std::abs(cross(n, a.direction));
-    slow += a.profile.speed < a.profile.decrement ? 1 : 0;
+    slow += a.profile.speed < a.increment ? 1 : 0;
     for (std::size_t m = 0; m < own.count; ++m) {
       const double most = against * own.ahead[m] + aside * own.across[m] + own.anyhow[m];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -247,13 +256,14 @@ Real strays(const Robot& a) {
 }
 
 Look look_of(const Robot& a, const Neighbor& b, const StepLaw& law) {
-  const auto own = scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), law);
+  const auto own =
+      scalar::braking_of(pack(a.velocity), Real(a.max_acceleration), Real(braking_limit(a)), law);
   const auto deviation = scalar::deviation_of(own, strays(a), Real(0.0), law);
   return {
-      scalar::bound_of(pack(a.position), Real(a.radius), own.profile, deviation, Real(a.max_speed),
-                       law),
+      scalar::bound_of(pack(a.position), Real(a.radius), own, deviation, Real(a.max_speed), law),
       {pack(a.position), pack(a.velocity), own.direction, own.profile.speed, a.max_acceleration},
-      {pack(b.position), pack(b.velocity), b.radius, b.max_acceleration, b.priority}};
+      {pack(b.position), pack(b.velocity), b.radius, b.max_acceleration, braking_limit(b),
+       b.priority}};
 }
 
 bool is_beyond_far_bound(const Robot& a, const Neighbor& b, const StepLaw& law) {
@@ -272,8 +282,10 @@ TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
     if (i % 6 == 0)  // of held motion
       s.law.step.longest_step = random.log_uniform(0.5, 3.0) * s.law.step.time_step;
     s.b.max_acceleration = s.a.max_acceleration;
+    if (i % 5 < 2) s.a.max_braking = random_braking(random, s.a.max_acceleration);
+    s.b.max_braking = s.a.max_braking;
     if (norm(s.b.velocity) > s.a.max_speed) s.b.velocity = {};
-    const Braking a = braking_of(s.a.velocity, s.a.max_acceleration, s.law.step);
+    const Braking a = braking_of(s.a.velocity, ability_of(s.a), s.law.step);
     const auto pair = [&] { return braking_pair(s.a, seen(s.b), a, s.law.step); };
     const double reaches = pair().a.reach + pair().b.reach + pair().inflated + pair().error;
     const double part = random.uniform(0.9, 1.1);
@@ -295,13 +307,17 @@ TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
     PairSituation s =
         random_pair(random, kTrajectories, i % 2 == 0 ? Motion::held : Motion::exponential);
     s.b.max_acceleration = s.a.max_acceleration;
+    if (i % 5 < 2) s.a.max_braking = random_braking(random, s.a.max_acceleration);
+    s.b.max_braking = s.a.max_braking;
     const Neighbor other = seen(s.b);
     const StepLaw& law = s.law.step;
     const Look look = look_of(s.a, other, law);
     const bool told = scalar::are_clear(look.bound, look.self, look.other, law).bit;
-    const auto own = scalar::braking_of(pack(s.a.velocity), Real(s.a.max_acceleration), law);
-    const scalar::PackSelf<Real> self{pack(s.a.position),   pack(s.a.velocity), s.a.radius,
-                                      s.a.max_acceleration, s.a.priority,       own};
+    const auto own = scalar::braking_of(pack(s.a.velocity), Real(s.a.max_acceleration),
+                                        Real(braking_limit(s.a)), law);
+    const scalar::PackSelf<Real> self{
+        pack(s.a.position), pack(s.a.velocity), s.a.radius, s.a.max_acceleration,
+        braking_limit(s.a), s.a.priority,       own};
     const auto pair = scalar::pair_of(self, look.other, law);
     const auto [gap, against] = scalar::clearance_of(self, pair, look.other, law);
     const auto deviation = scalar::deviation_of(own, strays(s.a), Real(0.0), law);

@@ -34,19 +34,25 @@ inline Robot random_body(Random& random) {
   return robot;
 }
 
-/// Near enough to matter, not in contact; joint braking may collide. weighed: of equal a_max, most
-/// of them, and unequal priorities.
+/// Near enough to matter, not in contact; joint braking may collide. unlike: of equal a_max, most
+/// of them, unequal priorities, and limits of braking, some of which are equal.
 inline PairSituation random_pair(Random& random, Certificate kind, Motion motion,
-                                 bool weighed = false) {
+                                 bool unlike = false) {
   PairSituation s;
   s.options = random_options(random, kind, motion);
   s.law = law_of(s.options);
   s.a = random_body(random);
   s.b = random_body(random);
-  if (weighed) {
+  if (unlike) {
     if (random.below(4) > 0) s.b.max_acceleration = s.a.max_acceleration;
     s.a.priority = random.log_uniform(0.01, 100.0);
     s.b.priority = random.log_uniform(0.01, 100.0);
+    s.a.max_braking = random_braking(random, s.a.max_acceleration);
+    s.b.max_braking = random_braking(random, s.b.max_acceleration);
+    if (random.below(3) == 0 && s.a.max_acceleration == s.b.max_acceleration) {
+      s.b.max_braking = s.a.max_braking;
+      if (random.below(2) == 0) s.b.priority = s.a.priority;
+    }
   }
   const double gap =
       random.below(3) == 0 ? random.log_uniform(1e-6, 1.0) : random.uniform(0.0, 6.0);
@@ -57,16 +63,16 @@ inline PairSituation random_pair(Random& random, Certificate kind, Motion motion
 
 /// One whose invariant holds.
 inline PairSituation sound_pair(Random& random, Certificate kind, Motion motion,
-                                bool weighed = false) {
+                                bool unlike = false) {
   for (;;) {
-    const PairSituation s = random_pair(random, kind, motion, weighed);
+    const PairSituation s = random_pair(random, kind, motion, unlike);
     if (invariant_holds({s.a, s.b}, s.law)) return s;
   }
 }
 
 /// Within u of v, anywhere.
 inline Vec2 random_choice(Random& random, const PairSituation& s) {
-  const double u = braking_decrement(s.a.max_acceleration, s.law.step);
+  const double u = increment(s.a.max_acceleration, s.law.step);
   return s.a.velocity + (random.below(3) == 0 ? u * random.direction() : in_disc(random, u));
 }
 
@@ -75,7 +81,7 @@ using Points = std::array<Vec2, 3>;
 /// Bézier points of "to v_1 in one step, then braking", step by step.
 inline std::vector<Points> stepped_path(const Robot& robot, Vec2 next, const StepLaw& law,
                                         int count) {
-  const double u = braking_decrement(robot.max_acceleration, law);
+  const double u = decrement_of(robot, law);
   std::vector<Points> path;
   Vec2 p = robot.position, v = robot.velocity;
   for (int m = 0; m < count; ++m) {
@@ -90,7 +96,7 @@ inline std::vector<Points> stepped_path(const Robot& robot, Vec2 next, const Ste
 }
 
 inline std::vector<Points> stepped_braking(const Robot& robot, const StepLaw& law, int count) {
-  const double u = braking_decrement(robot.max_acceleration, law), speed = norm(robot.velocity);
+  const double u = decrement_of(robot, law), speed = norm(robot.velocity);
   return stepped_path(robot, speed > u ? robot.velocity - (u / speed) * robot.velocity : Vec2{},
                       law, count);
 }
@@ -100,10 +106,10 @@ inline bool out_of_reach(const PairSituation& s) {
   double gap = norm(s.a.position - s.b.position) - s.a.radius - s.b.radius;
   const StepLaw& law = s.law.step;
   for (const Robot* robot : {&s.a, &s.b}) {
-    const double u = braking_decrement(robot->max_acceleration, law);
-    const double speed = norm(robot->velocity);
-    gap -= law.lag * speed + (law.time_step - law.lag) * (speed + u);
-    for (double next = speed + u; next > 0.0; next -= u) {
+    const double u = decrement_of(*robot, law), speed = norm(robot->velocity);
+    const double most = speed + increment(robot->max_acceleration, law);
+    gap -= law.lag * speed + (law.time_step - law.lag) * most;
+    for (double next = most; next > 0.0; next -= u) {
       gap -= law.lag * next + (law.time_step - law.lag) * std::max(next - u, 0.0);
     }
   }

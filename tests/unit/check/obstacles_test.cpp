@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "avo/error.h"
 #include "unit/check/recordings.h"
 
 namespace avo {
@@ -42,6 +43,26 @@ TEST(CheckObstacles, a_robot_in_motion_may_not) {
   EXPECT_EQ(report.obstacle_contacts_moving.first->robot, 0);
   EXPECT_EQ(report.obstacle_contacts_moving.first->other, 0);
   EXPECT_FALSE(report.safe());
+}
+
+// It turns round before the robot, and comes back.
+TEST(CheckObstacles, one_that_is_placed_is_where_it_was_placed) {
+  Check check({free_robot()}, {{.position = {-8, 0}, .velocity = {4, 0}}});
+  const CheckedState rest{0, {0, 0}, {0, 0}};
+  check.place_obstacle(0, {-8, 0}, {4, 0});
+  check.add(0.0, std::vector{rest});
+  check.place_obstacle(0, {-3, 0}, {0, 0});
+  check.add(2.0, std::vector{rest});
+  check.place_obstacle(0, {-8, 0}, {-4, 0});
+  check.add(4.0, std::vector{rest});
+  EXPECT_EQ(check.report().obstacle_contacts_at_rest, 0);  // as told it would have been at 1.75 s
+  check.place_obstacle(0, {-0.5, 0}, {0, 0});
+  check.add(6.0, std::vector{rest});
+  EXPECT_EQ(check.report().obstacle_contacts_at_rest, 1);
+  check.add(8.0, std::vector{CheckedState{0, {1, 0}, {1, 0}}});
+  EXPECT_EQ(check.report().obstacle_contacts_moving.count, 1);
+  EXPECT_NEAR(check.report().obstacle_contacts_moving.first->time, 6.0, 1e-9);
+  EXPECT_THROW(check.place_obstacle(1, {}, {}), Error);
 }
 
 // It brakes at 1 m/s^2 and rests from 1 s on; the obstacle arrives after that, or a bit before.

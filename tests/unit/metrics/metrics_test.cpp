@@ -132,6 +132,7 @@ TEST(Metrics, obstacle_collisions_are_counted_apart_and_once) {
                             {{10, 40}, {2, -1}, {}, 0.5}};
   const RunSummary summary = run(scene, 100);
   EXPECT_EQ(summary.obstacle_collisions, 2);
+  EXPECT_EQ(summary.obstacle_collisions_in_motion, 2);
   EXPECT_EQ(summary.collision_pairs, 0);
   EXPECT_FALSE(summary.first_collision_time);
 }
@@ -146,6 +147,7 @@ TEST(Metrics, accelerating_obstacles_are_met_on_their_curve) {
       scene.moving_obstacles = {{{0.5, aside + 8}, {-0.125, -4}, {0, 1}, 0.5}};
       const RunSummary summary = run(scene, 80);
       EXPECT_EQ(summary.obstacle_collisions, aside < 1.0 ? 1 : 0) << aside;
+      EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
     }
   }
 }

@@ -56,6 +56,8 @@ std::vector<Field> all_fields() {
       {"B.radius", [](Robot&, Neighbor& B, double x) { B.radius = x; }, true},
       {"B.max_acceleration", [](Robot&, Neighbor& B, double x) { B.max_acceleration = x; }, false,
        true},
+      {"max_braking", [](Robot& A, Neighbor&, double x) { A.max_braking = x; }, true, false, true},
+      {"B.max_braking", [](Robot&, Neighbor& B, double x) { B.max_braking = x; }, true},
       {"B.acceleration.x", [](Robot&, Neighbor& B, double x) { B.acceleration.x = x; }},
       {"B.acceleration.y", [](Robot&, Neighbor& B, double x) { B.acceleration.y = x; }},
   };

@@ -83,7 +83,7 @@ TEST(Airplanes, goals_all_around_are_passed) {
   }
 }
 
-// Airplanes, cars and holonomic robots, sent to one place after the other.
+// Airplanes, or robots of all kinds, sent to one place after the other.
 Scenario crowd(std::uint64_t seed, int robots, bool mixed) {
   Random random(seed);
   Scenario scene = scene_of({});
@@ -94,7 +94,7 @@ Scenario crowd(std::uint64_t seed, int robots, bool mixed) {
     setup.max_acceleration = random.log_uniform(0.5, 2.0);
     setup.priority = random.below(2) == 0 ? 1.0 : random.log_uniform(0.01, 100.0);
     setup.heading = random.uniform(-3.0, 3.0);
-    const int kind = mixed ? random.below(3) : 0;
+    const int kind = mixed ? random.below(4) : 0;
     if (kind == 0) {
       const double slow = random.uniform(0.5, 1.5);
       setup.model = Airplane{slow, random.uniform(1.0, 3.0), AfterGoal::loiter};
@@ -103,7 +103,12 @@ Scenario crowd(std::uint64_t seed, int robots, bool mixed) {
       setup.model = Car{.max_curvature = 0.8,
                         .body = CarBody{random.uniform(-0.3, 0.5), setup.radius},
                         .reverse = true};
+    } else if (kind == 2) {
+      setup.model = DifferentialDrive{.offset = random.uniform(0.1, 0.4)};
+      setup.max_acceleration = 0.5 * most_acceleration(std::get<DifferentialDrive>(setup.model));
     }
+    if (kind != 0 && random.below(2) == 0)
+      setup.max_braking = random.uniform(0.3, 1.0) * setup.max_acceleration;
     scene.robots.push_back(setup);
     if (broken_assumptions(scene).start_count > 0) scene.robots.pop_back();
   }
@@ -136,7 +141,7 @@ TEST(Airplanes, a_crush_of_them_does_not_touch) {
   for (const std::uint64_t seed : {1, 2}) expect_no_contact(crowd(seed, 40, false), 1'000);
 }
 
-TEST(Airplanes, a_crush_with_cars_and_holonomic_robots_does_not_touch) {
+TEST(Airplanes, a_crush_with_robots_of_all_other_kinds_does_not_touch) {
   for (const std::uint64_t seed : {3, 4}) expect_no_contact(crowd(seed, 60, true), 1'000);
 }
 
@@ -183,6 +188,11 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
             "sensing: found one that is not exact, must be left out in a scene with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.robots[0].parked = true, s.robots[0].goal = {}; }),
             "robots.0.parked: found true, must be false: it is an airplane");
+  EXPECT_EQ(with([](Scenario& s) { s.clock = Clock::free; }),
+            "clock: found free, must be common in a scene with airplanes");
+  EXPECT_EQ(with([](Scenario& s) { s.robots[0].max_braking = 0.5; }),
+            "robots.0.max_braking: found 0.5, must be left out: it is an airplane, which cannot "
+            "brake");
   EXPECT_EQ(with([](Scenario& s) {
               s.robots[0].velocity = {0.5, 0.0};
             }),

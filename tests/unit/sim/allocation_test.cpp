@@ -49,6 +49,15 @@ TEST(Allocation, none_per_step_of_avo_under_any_certificate) {
   }
 }
 
+TEST(Allocation, none_per_step_of_free_clocks) {
+  for (const int threads : {1, 2}) {
+    Scenario scene = test::dense_avo_scene(280, Motion::held, Certificate::braking_trajectories);
+    scene.clock = Clock::free;
+    for (std::size_t i = 0; i < scene.robots.size(); i += 3) scene.robots[i].time_step = 0.05;
+    EXPECT_EQ(allocations_when_warm(scene, threads, 1500, 1500), 0) << threads << " threads";
+  }
+}
+
 TEST(Allocation, none_per_step_of_orca) {
   Scenario scene = test::dense_scene(200, Motion::held);
   scene.method = Method::orca;

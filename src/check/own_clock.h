@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots that decide by clocks of their own: whether they hold what they have decided.
+#pragma once
+#include <optional>
+
+#include "avo/check.h"
+
+namespace avo::judge {
+
+struct TimedState {
+  CheckedState row;
+  double time = 0.0;  // s
+};
+
+/// Two rows, one after the other.
+struct Passage {
+  TimedState from, to;
+  double tolerance = 0.0;  // relative
+};
+
+/// What is known of one robot's clock.
+struct OwnClock {
+  std::optional<double> phase = {};       // s, of its first change
+  std::optional<TimedState> before = {};  // the row before the last one
+};
+
+/// m/s²: by how much its acceleration changed where the passage begins, if that is none of its
+/// times.
+std::optional<double> early_change(const CheckedRobot& robot, const Passage& passage,
+                                   OwnClock& clock);
+
+}  // namespace avo::judge

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// Differential drives. With h along the heading and n to its left, the point q = axle + L h has the
+// velocity v h + L ω n, and so q can be accelerated in any direction. Where a is the acceleration
+// of q, with k = b/2L and σ = L ω,
+//   v' = a·h + σ²/L,   σ' = a·n - v σ/L,   wheels: v ± k σ, and v' ± k σ'.
+// While a is held, q moves on a parabola, and the heading follows by h' = (σ/L) n.
+//
+// S = {V² G(φ)/L <= α_w - a_D √(1 + k²), V W(φ) <= w_max}, with V the speed of q, φ the angle of
+// its velocity off the heading, and a_D = max_acceleration, is kept by straight braking at up to
+// a_D, and so are the wheels' limits (docs/certificate.md, "Differential drives").
+#include "robots/drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/elementary.h"
+
+namespace avo {
+namespace {
+
+// rad, of the heading in a substep at most.
+constexpr double kSubturn = 1.0 / 16.0;
+// A step that asks for more is refused.
+constexpr double kMostSubsteps = 1024.0;
+constexpr double kFewestSubsteps = 2.0;
+// Of each limit, for rounding.
+constexpr double kReserve = 0x1p-20;
+// What is wished for stays so much within S, so that it can be followed to the end.
+constexpr double kWithin = 1.0 - 0x1p-9;
+constexpr double kNear = 2.0;         // [L], of the goal from the axle
+constexpr double kNearEnough = 0.05;  // [L]: nobody turns round for that
+
+double ratio(const DifferentialDrive& drive) {  // [k]
+  return 0.5 * drive.track / drive.offset;
+}
+
+// A step as seen from its first heading, which is (1, 0).
+struct Turning {
+  Vec2 velocity, acceleration;  // of q, at the start
+  double length;                // [h] s, of a substep
+  int substeps;
+
+  Vec2 velocity_at(double substep) const { return velocity + (substep * length) * acceleration; }
+};
+
+Turning turning_of(const DifferentialDrive& drive, const MotionState& state, Vec2 next_velocity,
+                   double time_step) {
+  const Vec2 h = elementary::direction(state.heading);
+  const auto seen = [&](Vec2 a) { return Vec2{dot(h, a), cross(h, a)}; };
+  const double top = std::max(norm(state.velocity), norm(next_velocity));
+  const double turn = top * time_step / drive.offset;
+  const double substeps = std::clamp(std::ceil(turn / kSubturn), kFewestSubsteps, kMostSubsteps);
+  return {seen(state.velocity), seen(next_velocity - state.velocity) / time_step,
+          time_step / substeps, static_cast<int>(substeps)};
+}
+
+// The heading is p²/|p|², where p has half its angle. From h' = ω n, with complex numbers
+// h' = (V - V* h²)/2L, it follows that p' = V p*/2L: linear, with V linear in time. So a power
+// series solves it exactly; what is left out in a substep is below 1e-17.
+Vec2 turned_by_substep(const DifferentialDrive& drive, const Turning& turning, int substep,
+                       Vec2 half) {
+  constexpr int kTerms = 8;
+  const Vec2 v = turning.velocity_at(substep), gained = turning.length * turning.acceleration;
+  const double scale = 0.5 * turning.length / drive.offset;
+  const auto by_conjugate = [](Vec2 a, Vec2 c) { return Vec2{dot(a, c), cross(c, a)}; };
+  Vec2 sum = half, before{}, term = half;
+  for (int n = 1; n <= kTerms; ++n) {
+    const Vec2 next = (scale / n) * (by_conjugate(v, term) + by_conjugate(gained, before));
+    sum = sum + next;
+    before = term, term = next;
+  }
+  return sum / norm(sum);
+}
+
+Vec2 heading_of(Vec2 half) {
+  return {half.x * half.x - half.y * half.y, 2.0 * half.x * half.y};
+}
+
+struct Wheels {
+  double speed, acceleration;  // of the one that has more of it
+};
+
+Wheels wheels_of(const DifferentialDrive& drive, Vec2 heading, Vec2 velocity, Vec2 acceleration) {
+  const double k = ratio(drive), v = dot(heading, velocity), across = cross(heading, velocity);
+  const double ahead = dot(heading, acceleration) + across * across / drive.offset;
+  const double turning = cross(heading, acceleration) - v * across / drive.offset;
+  return {std::abs(v) + k * std::abs(across), std::abs(ahead) + k * std::abs(turning)};
+}
+
+// How far wheels may be from the straight line between the ends of a substep: their second
+// derivatives times h²/8. In the robot's frame V' = a - ω J V and a' = -ω J a, J a turn to the
+// left,
+//   |V''| <= 2 ω a + (ω' + ω²) V,
+//   |V'''| <= 3 a (ω' + ω²) + V (3 ω ω' + ω'' + ω³),
+// with bounds of |ω|, |ω'|, |ω''|: σ' = a·n - v ω is bounded, and thus σ within the substep.
+Wheels between_samples(const DifferentialDrive& drive, const Turning& turning, double across,
+                       double top) {
+  const double a = norm(turning.acceleration), h = turning.length;
+  const double sigma = (across + a * h) / (1.0 - std::min(0.5, h * top / drive.offset));
+  const double w = sigma / drive.offset, w1 = (a + top * w) / drive.offset;
+  const double second = 2.0 * w * a + (w1 + w * w) * top, w2 = second / drive.offset;
+  const double third = 3.0 * a * (w1 + w * w) + top * (3.0 * w * w1 + w2 + w * w * w);
+  const double part = 0.125 * h * h * norm(Vec2{1.0, ratio(drive)});
+  return {part * second, part * third};
+}
+
+}  // namespace
+
+double most_acceleration(const DifferentialDrive& drive) {
+  return drive.wheel_acceleration / norm(Vec2{1.0, ratio(drive)});
+}
+
+// G and W of a unit vector.
+double most_speed(const DifferentialDrive& drive, double max_acceleration, double along,
+                  double across) {
+  const double k = ratio(drive), root = norm(Vec2{1.0, k}), aside = std::abs(across);
+  const double left = drive.wheel_acceleration - max_acceleration * root;
+  const bool grows = along > 0.0 && k * aside <= (1.0 + root) * along;  // φ <= (π - atan k)/2
+  const double g = grows ? aside * (aside + k * along) : 0.5 * (1.0 + root);
+  const double w = along > 0.0 && aside <= k * along ? along + k * aside : root;
+  const double by_speed = drive.wheel_speed / w;
+  const bool by_wheels = g * by_speed * by_speed <= drive.offset * left;
+  return by_wheels ? by_speed : std::sqrt(std::max(0.0, drive.offset * left / g));
+}
+
+MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
+                         double time_step) {
+  const Vec2 a = plan.acceleration;
+  MotionStep step;
+  step.next.velocity = state.velocity + time_step * a;
+  // less than the rounding of its making is rest
+  if (norm_squared(step.next.velocity) < 0x1p-100 * norm_squared(state.velocity))
+    step.next.velocity = {};
+  step.next.position = state.position + (0.5 * time_step) * (state.velocity + step.next.velocity);
+  const Turning turning = turning_of(drive, state, step.next.velocity, time_step);
+  Vec2 half{1.0, 0.0};
+  for (int k = 0; k < turning.substeps; ++k) half = turned_by_substep(drive, turning, k, half);
+  step.next.heading = std::remainder(state.heading + 2.0 * elementary::atan2(half.y, half.x),
+                                     2.0 * std::numbers::pi);
+  step.acceleration = norm(a);
+  step.way = 0.5 * time_step * (norm(state.velocity) + norm(step.next.velocity));
+  return step;
+}
+
+bool follows(const DifferentialDrive& drive, double max_acceleration, const MotionState& state,
+             Vec2 next_velocity, double time_step) {
+  const Turning turning = turning_of(drive, state, next_velocity, time_step);
+  const double top = std::max(norm(state.velocity), norm(next_velocity));
+  if (turning.length * top > drive.offset * (kSubturn + kReserve)) return false;
+  constexpr double kLeft = 1.0 - kReserve;
+  const auto kept = [&](const Wheels& wheels, const Wheels& more) {
+    return wheels.speed + more.speed <= kLeft * drive.wheel_speed &&
+           wheels.acceleration + more.acceleration <= kLeft * drive.wheel_acceleration;
+  };
+  Vec2 half{1.0, 0.0}, heading = half;
+  for (int k = 0; k < turning.substeps; ++k) {
+    const Vec2 v = turning.velocity_at(k);
+    const Wheels more = between_samples(drive, turning, std::abs(cross(heading, v)), top);
+    if (!kept(wheels_of(drive, heading, v, turning.acceleration), more)) return false;
+    half = turned_by_substep(drive, turning, k, half);
+    heading = heading_of(half);
+    const Wheels end = wheels_of(drive, heading, turning.velocity_at(k + 1), turning.acceleration);
+    if (!kept(end, more)) return false;
+  }
+  const Vec2 v = turning.velocity_at(turning.substeps);
+  const double speed = norm(v);
+  if (!(speed > 0.0)) return true;
+  return speed <= kLeft * most_speed(drive, max_acceleration, dot(heading, v) / speed,
+                                     cross(heading, v) / speed);
+}
+
+// The farthest that it can follow of what lies between straight braking and v.
+Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v) {
+  const MotionState state{{}, robot.velocity, robot.heading};
+  const auto can_follow = [&](Vec2 next) {
+    return follows(drive, robot.max_acceleration, state, next, time);
+  };
+  if (can_follow(v)) return v;
+  const double speed = norm(robot.velocity), u = robot.max_acceleration * time;
+  const Vec2 backup = speed > u ? ((speed - u) / speed) * robot.velocity : Vec2{};
+  constexpr int kBisections = 6;
+  double possible = 0.0, refused = 1.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double part = 0.5 * (possible + refused);
+    (can_follow(backup + part * (v - backup)) ? possible : refused) = part;
+  }
+  return backup + possible * (v - backup);
+}
+
+// Far from its goal it heads for it at once, and turns as q does. One that has its goal behind it
+// first turns on the spot, by q going round the axle; to the right where both ways are as long.
+//
+// Where the goal is nearer to the axle than L, that would circle round it: with β the angle of the
+// goal off the heading and d its distance, V cos β ahead and V sin β across make
+// β' = V sin β (cos β/d - 1/L). With as much across as kNear L/d times that, β shrinks at any
+// distance, not faster than it can be stopped. A goal
+// behind it is there driven to backwards.
+Vec2 steered(const DifferentialDrive& drive, const Robot& robot, bool at_once) {
+  const Vec2 wish = robot.preferred_velocity, h = elementary::direction(robot.heading);
+  const Vec2 left = perpendicular(h);
+  const double speed = norm(wish), distance = robot.distance_to_goal;
+  if (!(speed > 0.0)) return wish;
+  const double along = dot(h, wish) / speed, across = cross(h, wish) / speed;
+  if (distance >= kNear * drive.offset) {
+    const Vec2 turning = across > 0.0 ? left : -left;
+    return within_steering(drive, robot, along < 0.0 ? speed * turning : wish);
+  }
+  if (!at_once) return within_steering(drive, robot, wish);
+  if (distance <= kNearEnough * drive.offset) return {};
+  const double turn = std::min(kNear * drive.offset / distance * speed * std::abs(across),
+                               std::sqrt(robot.max_acceleration * drive.offset * std::abs(across)));
+  const Vec2 side = across * along < 0.0 ? -left : left;
+  return within_steering(drive, robot, (speed * along) * h + turn * side);
+}
+
+Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v) {
+  const double speed = norm(v);
+  if (!(speed > 0.0)) return v;
+  const Vec2 h = elementary::direction(robot.heading), to = v / speed;
+  const double most = kWithin * most_speed(drive, robot.max_acceleration, dot(h, to), cross(h, to));
+  return std::min(speed, most) * to;
+}
+
+}  // namespace avo

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Differential drives (docs/certificate.md, "Differential drives").
+#pragma once
+#include "robots/model.h"
+
+namespace avo {
+
+/// One step: the point q moves as it was decided, and the wheels follow.
+MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
+                         double time_step);
+
+/// Whether the wheels keep their limits while q accelerates evenly to that velocity, at every
+/// instant of the step, and also if it then brakes straight at up to max_acceleration.
+bool follows(const DifferentialDrive& drive, double max_acceleration, const MotionState& state,
+             Vec2 next_velocity, double time_step);
+
+/// m/s: so fast may q be in a direction, its parts along the heading and across it, that straight
+/// braking keeps the limits: the set S.
+double most_speed(const DifferentialDrive& drive, double max_acceleration, double along,
+                  double across);
+
+/// See robots/model.h.
+Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v);
+Vec2 steered(const DifferentialDrive& drive, const Robot& robot, bool at_once);
+Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v);
+
+}  // namespace avo

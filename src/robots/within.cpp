@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots in the midst of a step, from its ends: for those who decide while others are on their way.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/elementary.h"
+#include "robots/car.h"
+#include "robots/motion.h"
+
+namespace avo {
+namespace {
+
+Vec2 turned(Vec2 a, Vec2 by) {
+  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
+}
+
+// m/s, negative backwards.
+double signed_speed(const MotionState& state) {
+  const double speed = norm(state.velocity);
+  return dot(state.velocity, elementary::direction(state.heading)) < 0.0 ? -speed : speed;
+}
+
+double sine_ratio(double x) {
+  return std::abs(x) < 1e-8 ? 1.0 : elementary::direction(x).y / x;
+}
+
+// The arc of the axle, Eq. (24): its length grows with the speed, and its turn with its length.
+MotionState within_axle_arc(const MotionState& from, const MotionState& to, double time,
+                            double duration) {
+  const double speed = signed_speed(from), next_speed = signed_speed(to);
+  const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
+  double length = 0.5 * (speed + next_speed) * duration;
+  MotionState state = from;
+  if (length == 0.0) {  // in place, or not at all
+    state.heading = std::remainder(from.heading + turn * (time / duration), 2.0 * std::numbers::pi);
+    return state;
+  }
+  if (next_speed == 0.0) {  // it may have come to rest before the end
+    const double whole = norm(to.position - from.position) / sine_ratio(0.5 * turn);
+    if (whole < (1.0 - 1e-9) * std::abs(length)) {
+      length = std::copysign(whole, length);
+      duration = 2.0 * length / speed;
+      if (!(time < duration)) return to;
+    }
+  }
+  const double change = (next_speed - speed) / duration;
+  const double covered = time * (speed + 0.5 * time * change);
+  const double half_turn = 0.5 * turn * (covered / length);
+  const Vec2 half = elementary::direction(half_turn);
+  const Vec2 middle = turned(elementary::direction(from.heading), half);
+  state.position = from.position + (covered * sine_ratio(half_turn)) * middle;
+  state.heading = std::remainder(from.heading + 2.0 * half_turn, 2.0 * std::numbers::pi);
+  state.velocity = (speed + time * change) * turned(middle, half);
+  return state;
+}
+
+// Its position moved ahead of where it is, m.
+MotionState moved(MotionState state, double ahead) {
+  state.position = state.position + ahead * elementary::direction(state.heading);
+  return state;
+}
+
+}  // namespace
+
+MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,
+                       double duration) {
+  const double offset = offset_of(car);
+  if (offset == 0.0) return within_axle_arc(from, to, time, duration);
+  return moved(within_axle_arc(moved(from, -offset), moved(to, -offset), time, duration), offset);
+}
+
+MotionState within(const MotionState& from, const MotionState& to, bool at_once, double time,
+                   double duration) {
+  const double part = time / duration;
+  if (at_once)
+    return {from.position + part * (to.position - from.position), to.velocity, from.heading};
+  const Vec2 change = to.velocity - from.velocity;
+  return {from.position + (time * from.velocity + (0.5 * time * part) * change),
+          from.velocity + part * change, from.heading};
+}
+
+}  // namespace avo

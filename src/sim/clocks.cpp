@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole nanoseconds, so that instants are the same on every machine, and equal ones are equal.
+#include "sim/clocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/hash.h"
+#include "robots/model.h"
+#include "sim/world.h"
+
+namespace avo {
+namespace {
+
+constexpr std::uint64_t kPhases = 0x70686173;  // tells these random numbers from all others
+
+Instant step_of(const OwnClock& clock) {
+  return static_cast<Instant>(std::llround(clock.time_step * 1e9));
+}
+
+MotionState state_at(const World& world, std::size_t slot, Instant instant) {
+  const OwnClock& clock = world.fleet.clock_of(slot);
+  if (clock.end == instant) return clock.to;
+  const double time = seconds(instant - clock.begin), step = seconds(clock.end - clock.begin);
+  if (const MotionModel* model = world.fleet.own_model(slot))
+    return within(*model, clock.from, clock.to, time, step);
+  return within(clock.from, clock.to, adopts_at_once(world.settings.method), time, step);
+}
+
+void put(World& world, std::size_t slot, const MotionState& state) {
+  Fleet& fleet = world.fleet;
+  fleet.position[slot] = state.position;
+  fleet.velocity[slot] = state.velocity;
+  fleet.heading[slot] = state.heading;
+}
+
+}  // namespace
+
+std::optional<Instant> whole_nanoseconds(double seconds) {
+  if (!(std::abs(seconds) <= kMostClockTime)) return std::nullopt;
+  const auto whole = static_cast<Instant>(std::llround(seconds * 1e9));
+  return avo::seconds(whole) == seconds ? std::optional(whole) : std::nullopt;
+}
+
+void start_clock(World& world, std::size_t slot) {
+  Fleet& fleet = world.fleet;
+  OwnClock& clock = fleet.clock_of(slot);
+  clock.begin = world.now;
+  clock.from = clock.to = {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
+  clock.has_decided = false;
+  if (fleet.conduct[slot].parked) {
+    clock.end = std::numeric_limits<Instant>::max();
+    return;
+  }
+  const std::uint64_t number =
+      mixed(mixed(mixed(0, world.settings.seed), kPhases), fleet.id[slot].value);
+  const auto phase = static_cast<Instant>(number % static_cast<std::uint64_t>(step_of(clock)));
+  clock.end = clock.begin + phase;
+  const double time = seconds(phase), speed = norm(clock.from.velocity);
+  const double left = std::max(0.0, speed - fleet.traits[slot].max_acceleration * time);
+  if (speed > 0.0) clock.to.velocity = (left / speed) * clock.from.velocity;
+  clock.to.position =
+      clock.from.position + (0.5 * time) * (clock.from.velocity + clock.to.velocity);
+}
+
+void begin_step(World& world, std::size_t slot) {
+  Fleet& fleet = world.fleet;
+  OwnClock& clock = fleet.clock_of(slot);
+  clock.begin = world.now;
+  clock.end = world.now + step_of(clock);
+  clock.from = clock.to;
+  clock.to = {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
+  clock.has_decided = true;
+  put(world, slot, clock.from);
+}
+
+std::int64_t decisions_of(const World& world, std::size_t slot) {
+  if (!world.fleet.has_clocks) return world.steps;
+  return world.now / step_of(world.fleet.clock_of(slot));
+}
+
+Instant next_instant(const World& world) {
+  Instant next = std::numeric_limits<Instant>::max();
+  for (const OwnClock& clock : world.fleet.clock)
+    next = std::min(next, clock.end > world.now ? clock.end : world.now + step_of(clock));
+  if (next < std::numeric_limits<Instant>::max()) return next;
+  return world.now + static_cast<Instant>(std::llround(world.settings.time_step * 1e9));
+}
+
+void carry_on(World& world, Instant instant) {
+  Fleet& fleet = world.fleet;
+  world.fast = false;
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    if (fleet.conduct[slot].parked) continue;
+    put(world, slot, state_at(world, slot, instant));
+    fleet.cell[slot] = world.snapshot.cells.key(fleet.position[slot]);
+    world.fast = world.fast || world.is_fast(slot);
+  }
+  world.obstacles.advance(seconds(instant - world.now));
+  world.before = world.now;
+  world.now = instant;
+}
+
+}  // namespace avo

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// A crush of all kinds: unequal robots, cars among them, with priorities that give shares of 1/64
+// to 63/64, limits of braking of 0.5 to 1 of their a_max, one-sided layers, and people who do as
+// they like, all sent to one point after the other. Judged by Check.
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "avo/check.h"
+#include "avo/checked.h"
+#include "avo/simulation.h"
+#include "support/generators.h"
+
+namespace avo::test {
+namespace {
+
+constexpr int kRobots = 60, kPeople = 5;
+constexpr int kRally = 50;        // steps
+constexpr double kExtent = 14.0;  // m
+
+bool is_clear(const RobotSetup& robot, const std::vector<RobotSetup>& others) {
+  return std::all_of(others.begin(), others.end(), [&](const RobotSetup& other) {
+    return norm(other.position - robot.position) > other.radius + robot.radius + 0.02;
+  });
+}
+
+Vec2 in_square(Random& random, double extent) {
+  const double x = random.uniform(-0.5, 0.5);
+  return extent * Vec2{x, random.uniform(-0.5, 0.5)};
+}
+
+// One in six a car, one in six in a layer that the rest avoids and that avoids nobody of the rest.
+RobotSetup any_robot(Random& random) {
+  RobotSetup robot;
+  robot.radius = random.uniform(0.2, 0.4);
+  robot.position = in_square(random, kExtent);
+  robot.max_acceleration = random.uniform(0.5, 2.0);
+  robot.max_braking = random.uniform(0.5, 1.0) * robot.max_acceleration;
+  robot.max_speed = robot.preferred_speed = 1.5;
+  robot.priority = random.log_uniform(1e-3, 1e3);
+  const int kind = random.below(6);
+  if (kind == 0) robot.model = Car{0.3}, robot.heading = random.uniform(-3.0, 3.0);
+  if (kind == 1) robot.layers.bits = robot.avoids.bits = 2;
+  return robot;
+}
+
+Scenario crush(Random& random) {
+  Scenario scene;
+  scene.sensing_radius = 40.0;
+  scene.max_neighbors = 10;
+  while (scene.robots.size() < kRobots) {
+    const RobotSetup robot = any_robot(random);
+    if (is_clear(robot, scene.robots)) scene.robots.push_back(robot);
+  }
+  for (int k = 0; k < kPeople; ++k) {
+    MovingObstacle person;
+    const double top = random.uniform(0.5, 1.5);
+    person.position = (0.5 * kExtent + 6.0) * random.direction();
+    person.radius = 0.25;
+    person.max_deviation = random.uniform(0.5, 3.0);
+    person.max_speed = top;
+    for (int point = 0; point < 6; ++point) person.path.push_back(in_square(random, kExtent));
+    scene.moving_obstacles.push_back(person);
+  }
+  return scene;
+}
+
+Check judge_of(const Scenario& scene) {
+  std::vector<CheckedRobot> robots;
+  for (const RobotSetup& setup : scene.robots) robots.push_back(checked_robot(setup));
+  std::vector<CheckedObstacle> people;
+  for (const MovingObstacle& person : scene.moving_obstacles)
+    people.push_back({.position = person.position, .radius = person.radius});
+  return Check(robots, people);
+}
+
+void observe(const Simulation& simulation, Check& check) {
+  const ObstacleView people = simulation.obstacles();
+  for (std::size_t k = 0; k < people.setup.size(); ++k)
+    check.place_obstacle(static_cast<std::int64_t>(k), people.position[k], people.velocity[k]);
+  check.add(simulation.time(), checked_states(simulation.fleet()));
+}
+
+TEST(MixedCrush, nobody_touches_anybody_but_at_rest) {
+  Random random(3);
+  const Scenario scene = crush(random);
+  Simulation simulation(scene, 1);
+  Check check = judge_of(scene);
+  observe(simulation, check);
+  for (int step = 0; step < 2000; ++step) {
+    if (step % kRally == 0) {
+      const Vec2 rally = in_square(random, 0.5 * kExtent);
+      for (std::size_t k = 0; k < scene.robots.size(); ++k) simulation.set_goal({k}, rally);
+    }
+    simulation.step();
+    observe(simulation, check);
+  }
+  const CheckReport report = check.report();
+  EXPECT_EQ(report.overlaps.count, 0) << "deepest " << report.overlaps.worst;
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 0) << report.obstacle_contacts_moving.worst;
+  EXPECT_EQ(report.one_sided_contacts_moving.count, 0) << report.one_sided_contacts_moving.worst;
+  EXPECT_EQ(report.accelerations.count, 0) << "by up to " << report.accelerations.worst;
+  EXPECT_EQ(report.speeds.count, 0);
+  EXPECT_EQ(report.jumps.count, 0);
+  EXPECT_GT(report.obstacle_contacts_at_rest, 100);
+  EXPECT_GT(report.one_sided_contacts_at_rest, 100);
+  ASSERT_TRUE(report.least_clearance);
+  EXPECT_LT(*report.least_clearance, 0.02);  // it was tight
+  EXPECT_GT(report.largest_speed, 1.0);      // and fast
+}
+
+}  // namespace
+}  // namespace avo::test

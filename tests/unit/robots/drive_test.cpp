@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// Differential drives against the integration of their wheels (support/wheels.h): the step, the
+// lemma on braking, which decisions are followed.
+#include "robots/drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "support/generators.h"
+#include "support/wheels.h"
+
+namespace avo {
+namespace {
+
+using test::AxleState;
+using test::Random;
+using test::WheelUse;
+
+struct Drawn {
+  DifferentialDrive drive;
+  double max_acceleration = 0.0;
+  MotionState state;
+};
+
+Vec2 at_angle(double length, double angle) {
+  return {length * std::cos(angle), length * std::sin(angle)};
+}
+
+double angle_between(double a, double b) {
+  return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
+}
+
+// Any drive in any state of S, every third on its boundary.
+Drawn drawn(Random& random) {
+  Drawn d;
+  d.drive.track = random.log_uniform(0.1, 2.0);
+  d.drive.offset = random.log_uniform(0.05, 1.0);
+  d.drive.wheel_speed = random.log_uniform(0.2, 4.0);
+  d.drive.wheel_acceleration = random.log_uniform(0.3, 6.0);
+  d.max_acceleration = random.uniform(0.05, 0.95) * most_acceleration(d.drive);
+  d.state.heading = random.uniform(-std::numbers::pi, std::numbers::pi);
+  const double off = random.uniform(-std::numbers::pi, std::numbers::pi);
+  const double most = most_speed(d.drive, d.max_acceleration, std::cos(off), std::sin(off));
+  const double part = random.uniform(0.0, 1.5);
+  d.state.velocity = at_angle(std::min(part, 1.0) * most, d.state.heading + off);
+  return d;
+}
+
+Plan plan_by(Vec2 acceleration) {
+  Plan plan;
+  plan.acceleration = acceleration;
+  return plan;
+}
+
+TEST(Drive, q_moves_on_a_parabola_and_the_axle_follows) {
+  Random random(31);
+  double turned = 0.0;
+  for (int k = 0; k < 2'000 && !HasFailure(); ++k) {
+    Drawn d = drawn(random);
+    d.state.position = test::in_disc(random, 10.0);
+    const Vec2 a = test::in_disc(random, d.max_acceleration);
+    const double dt = random.log_uniform(0.02, 0.2);
+    AxleState axle = test::axle_of(d.drive, d.state.position, d.state.velocity, d.state.heading);
+    integrate(d.drive, axle, a, dt, 400);
+    const MotionStep step = advance_drive(d.drive, d.state, plan_by(a), dt);
+    EXPECT_LT(norm(step.next.position - center_of(d.drive, axle)), 1e-7);
+    EXPECT_LT(norm(step.next.velocity - center_velocity(d.drive, axle)), 1e-6);
+    EXPECT_LT(angle_between(step.next.heading, axle.heading), 5e-7);
+    EXPECT_EQ(step.bend, 0.0);
+    EXPECT_GE(step.way, norm(step.next.position - d.state.position) * (1.0 - 1e-12));
+    turned = std::max(turned, angle_between(step.next.heading, d.state.heading));
+  }
+  EXPECT_GT(turned, 0.5);
+}
+
+// Wheels at `substeps` instants of every step until rest; false where S was left.
+bool brakes_within_limits(const Drawn& d, double deceleration, double dt, int substeps,
+                          WheelUse& worst) {
+  AxleState axle = test::axle_of(d.drive, {}, d.state.velocity, d.state.heading);
+  double speed = norm(d.state.velocity);
+  const Vec2 back = speed > 0.0 ? (-1.0 / speed) * d.state.velocity : Vec2{};
+  while (speed > 0.0) {
+    const double time = std::min(dt, speed / deceleration);
+    WheelUse use = integrate(d.drive, axle, deceleration * back, time, substeps);
+    use.speed /= d.drive.wheel_speed, use.acceleration /= d.drive.wheel_acceleration;
+    worst.take(use);
+    speed -= deceleration * dt;
+    if (!(speed > 0.0)) break;
+    const Vec2 v = center_velocity(d.drive, axle);
+    const double along = std::cos(axle.heading) * v.x + std::sin(axle.heading) * v.y;
+    const double across = std::cos(axle.heading) * v.y - std::sin(axle.heading) * v.x;
+    if (speed >
+        (1.0 + 1e-6) * most_speed(d.drive, d.max_acceleration, along / speed, across / speed))
+      return false;
+  }
+  return true;
+}
+
+// The lemma: from any state of S, with any deceleration up to a_D.
+void expect_braking_within_limits(int brakings, std::uint64_t seed) {
+  Random random(seed);
+  WheelUse worst;
+  for (int k = 0; k < brakings && !testing::Test::HasFailure(); ++k) {
+    const Drawn d = drawn(random);
+    const double part = k % 4 == 0 ? random.uniform(0.3, 1.0) : 1.0;
+    const double least = norm(d.state.velocity) / (100.0 * d.max_acceleration);  // s
+    const double dt = std::max(random.log_uniform(0.02, 0.3), least);
+    EXPECT_TRUE(brakes_within_limits(d, part * d.max_acceleration, dt, 16, worst)) << k;
+    EXPECT_LE(worst.speed, 1.0 + 1e-6) << k;
+    EXPECT_LE(worst.acceleration, 1.0 + 1e-6) << k;
+  }
+  EXPECT_GT(worst.speed, 0.999);
+  EXPECT_GT(worst.acceleration, 0.9);
+  testing::Test::RecordProperty("worst_acceleration", std::to_string(worst.acceleration));
+  std::printf("%d brakings: at most %.6f of the wheels' acceleration, %.6f of their speed\n",
+              brakings, worst.acceleration, worst.speed);
+}
+
+TEST(Drive, braking_straight_keeps_S_and_the_wheels_within_their_limits) {
+  expect_braking_within_limits(20'000, 32);
+}
+
+// By scripts/soak.
+TEST(Drive, DISABLED_a_million_brakings) {
+  expect_braking_within_limits(1'000'000, 33);
+}
+
+// S is not smaller than it has to be: beyond its boundary braking breaks a limit.
+TEST(Drive, S_is_sharp_where_the_lemma_says_so) {
+  const DifferentialDrive drive{
+      .track = 0.4, .offset = 0.2, .wheel_speed = 1.2, .wheel_acceleration = 2.0};
+  EXPECT_NEAR(most_acceleration(drive), std::sqrt(2.0), 1e-15);
+  const double a = 0.5 * most_acceleration(drive);
+  EXPECT_NEAR(most_speed(drive, a, 1.0, 0.0), 1.2, 1e-15);
+  // 1 m/s² is left for V² G/L: in any direction up to √(L/1.2071)
+  EXPECT_NEAR(most_speed(drive, a, -1.0, 0.0), std::sqrt(0.2 / (0.5 + std::sqrt(0.5))), 1e-12);
+  EXPECT_NEAR(most_speed(drive, a, 0.0, 1.0), 0.40705, 1e-5);
+  EXPECT_NEAR(most_speed(drive, a, 0.0, -1.0), 0.40705, 1e-5);
+  const double ten = 10.0 / 180.0 * std::numbers::pi;
+  EXPECT_GT(most_speed(drive, a, std::cos(ten), std::sin(ten)), 0.98);
+  // there either the wheels accelerate by all that braking leaves them, or they are at full speed
+  for (const double off : {-1.0, -0.6, -0.05, 0.05, 0.6, 1.0}) {
+    const double most = most_speed(drive, a, std::cos(off), std::sin(off));
+    const AxleState axle = test::axle_of(drive, {}, at_angle(most, off), 0.0);
+    const WheelUse use = test::use_of(drive, axle, {});
+    const bool by_speed = std::abs(off) < 0.1;
+    EXPECT_NEAR(use.speed, 1.2, by_speed ? 1e-12 : 1.0) << off;
+    EXPECT_NEAR(use.acceleration, 1.0, by_speed ? 1.0 : 1e-12) << off;
+  }
+}
+
+// Whatever is followed keeps the limits at 200 instants, and leads into S; and what is refused
+// breaks them, nearly always.
+TEST(Drive, follows_what_the_wheels_can_and_no_more) {
+  Random random(34);
+  int followed = 0, refused = 0, wrongly = 0;
+  for (int k = 0; k < 30'000 && !HasFailure(); ++k) {
+    const Drawn d = drawn(random);
+    const double dt = random.log_uniform(0.02, 0.4);
+    const Vec2 a = test::in_disc(random, d.max_acceleration);
+    const Vec2 next = d.state.velocity + dt * a;
+    const bool follows_it = follows(d.drive, d.max_acceleration, d.state, next, dt);
+    AxleState axle = test::axle_of(d.drive, {}, d.state.velocity, d.state.heading);
+    const WheelUse use = integrate(d.drive, axle, a, dt, 200);
+    const double speed = norm(next), off = std::atan2(next.y, next.x) - axle.heading;
+    const double most = most_speed(d.drive, d.max_acceleration, std::cos(off), std::sin(off));
+    const bool could = use.speed <= d.drive.wheel_speed &&
+                       use.acceleration <= d.drive.wheel_acceleration && speed <= most;
+    if (follows_it) {
+      EXPECT_TRUE(could) << k << ": wheels " << use.speed / d.drive.wheel_speed << ' '
+                         << use.acceleration / d.drive.wheel_acceleration << ", speed "
+                         << speed / most;
+    }
+    follows_it ? ++followed : ++refused;
+    if (could && !follows_it) ++wrongly;
+  }
+  EXPECT_GT(followed, 10'000);
+  EXPECT_GT(refused, 3'000);
+  EXPECT_LT(wrongly, 700);  // 2 %
+}
+
+// From rest in every direction, at once: the whole disc of accelerations.
+TEST(Drive, leaves_from_rest_in_every_direction) {
+  const DifferentialDrive drive;
+  for (int k = 0; k < 360; ++k) {
+    const Vec2 next = at_angle(0.1, k * std::numbers::pi / 180.0);
+    EXPECT_TRUE(follows(drive, 1.0, {{}, {}, 0.7}, next, 0.1)) << k;
+  }
+  EXPECT_FALSE(follows(drive, 1.0, {{}, {}, 0.7}, at_angle(1.0, 3.0), 0.1));
+}
+
+TEST(Drive, brakes_to_rest_exactly) {
+  Random random(35);
+  for (int k = 0; k < 1'000 && !HasFailure(); ++k) {
+    const Drawn d = drawn(random);
+    const MotionStep step = advance_drive(d.drive, d.state, plan_by(-10.0 * d.state.velocity), 0.1);
+    EXPECT_EQ(step.next.velocity, Vec2{});
+  }
+}
+
+// A robot as its planner sees it: the farthest that can be followed, or braking.
+TEST(Drive, comes_as_near_to_a_wish_as_its_wheels_can) {
+  Random random(36);
+  int partly = 0;
+  for (int k = 0; k < 3'000 && !HasFailure(); ++k) {
+    const Drawn d = drawn(random);
+    Robot robot;
+    robot.velocity = d.state.velocity, robot.heading = d.state.heading;
+    robot.max_acceleration = d.max_acceleration, robot.max_speed = d.drive.wheel_speed;
+    robot.model = d.drive;
+    const double u = 0.1 * d.max_acceleration, speed = norm(robot.velocity);
+    const Vec2 backup = speed > u ? ((speed - u) / speed) * robot.velocity : Vec2{};
+    const Vec2 wanted = robot.velocity + test::in_disc(random, u);
+    const Vec2 next = within_own_limits(robot, 0.1, wanted);
+    if (next == backup) continue;
+    EXPECT_TRUE(follows(d.drive, d.max_acceleration, d.state, next, 0.1));
+    const double part = norm(next - backup) / norm(wanted - backup);
+    EXPECT_LE(part, 1.0 + 1e-9);
+    if (next == wanted) continue;
+    ++partly;
+    const Vec2 more = next + (1.0 / 32.0) * (wanted - backup);
+    EXPECT_FALSE(part < 0.9 && follows(d.drive, d.max_acceleration, d.state, more, 0.1) &&
+                 follows(d.drive, d.max_acceleration, d.state, wanted, 0.1));
+  }
+  EXPECT_GT(partly, 100);
+}
+
+}  // namespace
+}  // namespace avo
