@@ -61,6 +61,7 @@ struct HidingWalls {
 
   HidingWalls(const Robot& robot, std::span<const Wall> all, const StepLaw& law)
       : reach(reach_of(robot, law)) {
+    if (is_airplane(robot.model)) return;  // it does not brake
     for (const Wall& wall : all) {
       if (count == kMost) break;
       if (distance_to(wall, robot.position) > reach + wall.radius) continue;
@@ -71,7 +72,7 @@ struct HidingWalls {
   }
 
   bool hide(Vec2 p, const Neighbor& neighbor, const StepLaw& law) const {
-    if (neighbor.behavior != Behavior::decides || neighbor.age > 0) return false;
+    if (neighbor.behavior != Behavior::decides || neighbor.age > 0 || neighbor.loiter) return false;
     const Vec2 q = neighbor.position;
     return std::any_of(walls.begin(), walls.begin() + count, [&](const Wall* wall) {
       if (!crosses(p, q, *wall)) return false;

@@ -50,6 +50,7 @@ TEST(Verbs, scenes_are_listed_and_printed) {
                                        "office",
                                        "permutation-100",
                                        "person",
+                                       "planes-12",
                                        "positions-exchange",
                                        "swap-blocks",
                                        "uniform-N",
