@@ -20,8 +20,7 @@ constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than 
 
 // m, from its center, of all that it can come to touch.
 double reach_of(const Robot& robot, const StepLaw& law) {
-  return robot.radius +
-         wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
+  return robot.radius + wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
 }
 double reach_of(const Neighbor& neighbor, const StepLaw& law) {
   return neighbor.radius +

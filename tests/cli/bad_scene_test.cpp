@@ -272,8 +272,8 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\nsensing_radius: 40\nrobots:\n  - {position: [0, 0], goal: [9, 0], airplane: "
        "{}}\n"
        "moving_obstacles:\n  - {position: [50, 0]}\n"),
-     "moving_obstacles: found 1 of them, must be none in a scene with airplanes, which cannot stop "
-     "for them"},
+     "6:3: moving_obstacles: found 1 of them, must be none in a scene with airplanes, which cannot "
+     "stop for them"},
     {"car_heading_word",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {heading: random}}\n"),
      "3:53: robots.0.car.heading: found \"random\", must be a number (rad)"},
