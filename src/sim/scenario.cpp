@@ -211,6 +211,11 @@ void check_clock(const Name& name, double time_step) {
 void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
   const bool is_free = scenario.clock == Clock::free;
   if (is_free) check_clock("time_step", scenario.time_step);
+  for (std::size_t i = 0; i < scenario.robots.size() && is_free; ++i) {
+    if (std::holds_alternative<DifferentialDrive>(scenario.robots[i].model))
+      refuse(std::string(Place{"robots", i, "model"}), "a differential drive",
+             "holonomic or a car where clock is free");
+  }
   if (scenario.longest_step && !is_free)
     refuse("longest_step", text(*scenario.longest_step), "left out where clock is common");
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
