@@ -23,7 +23,8 @@ struct TrajectoryFrame {
 };
 
 /// Observer of a simulation that keeps a bounded number of frames, equally spaced in time, however
-/// long the run is: when it is full it drops every other one. Robots must not be added or removed.
+/// long the run is: when it is full it drops every other one. No robots may be added. One that
+/// leaves stays in the frames where it was.
 class TrajectoryRecorder {
  public:
   explicit TrajectoryRecorder(std::size_t most_frames = 1024);  ///< >= 2
@@ -38,7 +39,8 @@ class TrajectoryRecorder {
   std::size_t most_frames_;
   std::size_t stride_ = 1;    // steps between kept frames
   std::size_t observed_ = 0;  // frames seen
-  double last_step_ = -1.0;   // number of the scene's time step, where clocks are free
+  std::vector<RobotId> robots_;
+  double last_step_ = -1.0;  // number of the scene's time step, where clocks are free
   TrajectoryFrame latest_;
   std::vector<TrajectoryFrame> kept_;
 };

@@ -17,8 +17,18 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
   const ObstacleView obstacles = simulation.obstacles();
   latest_.time = simulation.time();
-  latest_.position.assign(fleet.position.begin(), fleet.position.end());
-  latest_.heading.assign(fleet.heading.begin(), fleet.heading.end());
+  if (observed_ == 0) {
+    robots_.assign(fleet.id.begin(), fleet.id.end());
+    latest_.position.resize(robots_.size());
+    latest_.heading.resize(robots_.size());
+  }
+  // ids ascend in both; those that are gone stay where they were
+  std::size_t place = 0;
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+    while (place < robots_.size() && !(robots_[place] == fleet.id[k])) ++place;
+    if (place == robots_.size()) throw Error("figure: found a robot that was added in mid-run");
+    latest_.position[place] = fleet.position[k], latest_.heading[place] = fleet.heading[k];
+  }
   latest_.obstacle_position.assign(obstacles.position.begin(), obstacles.position.end());
 
   if (is_repeated(simulation)) return;

@@ -7,6 +7,7 @@
 
 namespace avo_io {
 
+using avo::Airplane;
 using avo::Car;
 using avo::CarBody;
 using avo::DifferentialDrive;
@@ -147,6 +148,7 @@ const std::vector<Field<RobotSetup>>& fields() {
       {"car", kNested, kOptional, kNoNumber, "", "a car's own; its position is its rear axle"},
       {"drive", kNested, kOptional, kNoNumber, "",
        "a differential drive's own; its position is the middle of its axle"},
+      {"airplane", kNested, kOptional, kNoNumber, "", "an airplane's own; it cannot stop"},
       {"priority", &RobotSetup::priority, kOptional, kPositive, "",
        "of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, 1/64 to 63/64 of it"},
       {"max_braking", &RobotSetup::max_braking, kOptional, kPositive, "m/s^2",
@@ -182,6 +184,18 @@ const std::vector<Field<Car>>& fields() {
       {"reverse", &Car::reverse, kOptional, kNoNumber, "", "it may drive backwards"},
       {"acceleration_set", &Car::acceleration_set, kOptional, kNoNumber, "",
        "exact: |a_lin| and |a_lat| <= max_acceleration; incircle: |a| is"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<Airplane>>& fields() {
+  static const std::vector<Field<Airplane>> table{
+      {"min_speed", &Airplane::min_speed, kOptional, kPositive, "m/s", "never less"},
+      {"lateral_acceleration", &Airplane::lateral_acceleration, kOptional, kPositive, "m/s^2",
+       "across its way, never exceeded; max_acceleration is along it"},
+      {"after_goal", &Airplane::after_goal, kOptional, kNoNumber, "",
+       "once it has passed its goal: it turns right there for ever, or is gone"},
   };
   return table;
 }

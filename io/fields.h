@@ -142,6 +142,10 @@ struct MembersOf<avo::DifferentialDrive> {
   using type = MemberOf<avo::DifferentialDrive, double>;
 };
 template <>
+struct MembersOf<avo::Airplane> {
+  using type = MemberOf<avo::Airplane, double, avo::AfterGoal>;
+};
+template <>
 struct MembersOf<AntipodalGoals> {
   using type = MemberOf<AntipodalGoals>;
 };
@@ -261,12 +265,15 @@ inline constexpr std::array<std::pair<std::string_view, avo::NoiseDistribution>,
 inline const auto kAccelerationSets =
     by_name(avo::AccelerationSet::incircle, avo::AccelerationSet::exact);
 
+inline const auto kAfterGoals = by_name(avo::AfterGoal::loiter, avo::AfterGoal::leave);
+
 /// The alternatives of avo::MotionModel, in their order.
-enum class ModelKind : std::uint8_t { holonomic, car, differential_drive };
-inline constexpr std::array<std::pair<std::string_view, ModelKind>, 3> kModels{
+enum class ModelKind : std::uint8_t { holonomic, car, differential_drive, airplane };
+inline constexpr std::array<std::pair<std::string_view, ModelKind>, 4> kModels{
     {{"holonomic", ModelKind::holonomic},
      {"car", ModelKind::car},
-     {"differential_drive", ModelKind::differential_drive}}};
+     {"differential_drive", ModelKind::differential_drive},
+     {"airplane", ModelKind::airplane}}};
 constexpr std::string_view model_name(ModelKind kind) {
   return kModels[static_cast<std::size_t>(kind)].first;
 }

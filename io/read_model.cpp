@@ -15,6 +15,7 @@ struct OwnKeys {
 constexpr OwnKeys kOwnKeys[] = {
     {"car", ModelKind::car, "keys of a car"},
     {"drive", ModelKind::differential_drive, "keys of a differential drive"},
+    {"airplane", ModelKind::airplane, "keys of an airplane"},
 };
 
 /// The model that is named, or whose keys there are.
@@ -68,6 +69,7 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
   if (kind == ModelKind::differential_drive &&
       !std::holds_alternative<avo::DifferentialDrive>(robot.model))
     robot.model = avo::DifferentialDrive{};
+  if (kind == ModelKind::airplane && !is_airplane(robot.model)) robot.model = avo::Airplane{};
   const YamlNode *given = node.find("heading"), *car = node.find("car");
   const YamlNode* within = car != nullptr ? car->find("heading") : nullptr;
   if (given != nullptr && within != nullptr)
@@ -85,6 +87,12 @@ void read_model(const Reader& reader, const YamlNode& node, const std::string& p
     reader.check_keys(*drive, path_to(path, "drive"), keys_of(table));
     reader.read(*drive, path_to(path, "drive"), table,
                 std::get<avo::DifferentialDrive>(robot.model), true);
+  }
+  if (const YamlNode* airplane = node.find("airplane")) {
+    const auto& table = fields<avo::Airplane>();
+    reader.check_keys(*airplane, path_to(path, "airplane"), keys_of(table));
+    reader.read(*airplane, path_to(path, "airplane"), table, std::get<avo::Airplane>(robot.model),
+                true);
   }
 }
 

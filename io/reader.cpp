@@ -224,6 +224,10 @@ void Reader::set(avo::AccelerationSet& value, const YamlNode& node, const Path& 
   value = choice(node, path, kAccelerationSets);
 }
 
+void Reader::set(avo::AfterGoal& value, const YamlNode& node, const Path& path, const Rule&) const {
+  value = choice(node, path, kAfterGoals);
+}
+
 void Reader::set(avo::Fill& value, const YamlNode& node, const Path& path, const Rule&) const {
   value = choice(node, path, kFills);
 }

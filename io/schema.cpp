@@ -98,6 +98,9 @@ ValueSchema describe(avo::NoiseDistribution value, const avo::Range&) {
 ValueSchema describe(avo::AccelerationSet value, const avo::Range&) {
   return {names_schema(kAccelerationSets), name_of(kAccelerationSets, value)};
 }
+ValueSchema describe(avo::AfterGoal value, const avo::Range&) {
+  return {names_schema(kAfterGoals), name_of(kAfterGoals, value)};
+}
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
 }
@@ -199,7 +202,8 @@ Json nested_of_robots(const Json& heading) {
   return {{"model", names_schema(kModels)},
           {"heading", heading},
           {"car", car},
-          {"drive", map_schema(fields<avo::DifferentialDrive>())}};
+          {"drive", map_schema(fields<avo::DifferentialDrive>())},
+          {"airplane", map_schema(fields<avo::Airplane>())}};
 }
 
 /// The keys that many like robots share.

@@ -167,8 +167,7 @@ Caption draw_half_planes(const std::string& folder) {
           point(plan.new_velocity) + " m/s (" + to_string(plan.status) + "), Eq. (23).",
       "CA_A is convex, " + area_of(space) + "; that of Fig. 4 is not, with " +
           area_of(space_of(neighbors_of_figure(Behavior::moves_on), true)) + ".",
-      "half-planes that the whole disc satisfies are not shown. Fig. 6(b), a drawing of the "
-      "car, is left out."};
+      "half-planes that the whole disc satisfies are not shown."};
 }
 
 }  // namespace avo::paper

@@ -21,6 +21,7 @@ Caption draw_acceleration_obstacle(const std::string& folder);  // Fig. 3
 Caption draw_reciprocal_sets(const std::string& folder);        // Fig. 5
 Caption draw_among_obstacles(const std::string& folder);        // Fig. 4
 Caption draw_half_planes(const std::string& folder);            // Fig. 6(a)
+Caption draw_car_accelerations(const std::string& folder);      // Fig. 6(b)
 Caption draw_exchange(const std::string& folder);               // Fig. 1
 Caption draw_moving_obstacle(const std::string& folder);        // Fig. 7
 Caption draw_circle(const std::string& folder);                 // Fig. 8

@@ -52,7 +52,8 @@ void draw_all(const std::string& folder) {
   for (const Draw draw :
        {Draw{draw_exchange}, Draw{draw_velocity_obstacle}, Draw{draw_acceleration_obstacle},
         Draw{draw_among_obstacles}, Draw{draw_reciprocal_sets}, Draw{draw_half_planes},
-        Draw{draw_moving_obstacle}, Draw{draw_circle}, Draw{draw_cars}, Draw{draw_speed}}) {
+        Draw{draw_car_accelerations}, Draw{draw_moving_obstacle}, Draw{draw_circle},
+        Draw{draw_cars}, Draw{draw_speed}}) {
     captions.push_back(draw(folder));
     std::printf("%s/%s\n", folder.c_str(), captions.back().file.c_str());
     std::fflush(stdout);

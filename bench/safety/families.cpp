@@ -107,6 +107,14 @@ std::vector<Family> families(double soak_steps) {
                  true, [soak_steps](std::uint64_t seed) {
                    return mixed_crush(0.1 * soak_steps / kCrushes, seed);
                  }});
+  for (const bool mixed : {false, true}) {
+    all.push_back({mixed ? "airplanes-mixed" : "airplanes",
+                   mixed ? "the same with cars and holonomic robots among them"
+                         : "100 unequal airplanes sent to one point",
+                   kCrushes, true, [mixed, soak_steps](std::uint64_t seed) {
+                     return airplanes(mixed, soak_steps / kCrushes, seed);
+                   }});
+  }
   add_walls(all, soak_steps);
   add_sensing(all);
   return all;

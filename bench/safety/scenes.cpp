@@ -188,4 +188,44 @@ Scene crush(bool packed, double robot_steps, std::uint64_t seed) {
   return scene;
 }
 
+Scene airplanes(bool mixed, double robot_steps, std::uint64_t seed) {
+  constexpr std::size_t kRobots = 100;
+  Scene scene{usual_scenario()};
+  Random random(seed, 7);
+  for (int k = 0; k < 5; ++k) scene.rallies.push_back(random.in_square(20.0));
+  std::vector<RobotSetup> robots;
+  std::vector<Vec2> centers;  // from the place of each to the middle of what it does not leave
+  double room = 0.0;          // m, the largest radius of that
+  for (std::size_t i = 0; i < kRobots; ++i) {
+    RobotSetup robot = usual_robot({}, scene.rallies[0], kSpeed);
+    robot.radius = random.between(0.3, 0.6);
+    robot.max_acceleration = random.between(0.3, 3.0);
+    robot.priority = i % 2 == 0 ? 1.0 : random.between(0.01, 4.0);
+    robot.heading = random.between(-kPi, kPi);
+    LoiterCircle circle;
+    if (!mixed || i % 3 == 0) {
+      const Airplane airplane{random.between(0.4, 1.2), random.between(0.8, 3.0)};
+      const Vec2 heading{std::cos(robot.heading), std::sin(robot.heading)};
+      robot.velocity = airplane.min_speed * heading;
+      robot.model = airplane;
+      circle = loiter_circle(airplane, {}, robot.velocity);
+    } else if (i % 3 == 1) {
+      robot.model = Car{.max_curvature = 0.8, .reverse = true};
+    }
+    robots.push_back(robot);
+    centers.push_back(circle.center);
+    room = std::max(room, circle.radius + robot.radius);
+  }
+  const std::vector<Vec2> starts =
+      random_places(std::vector<double>(kRobots, room), 30.0 * room, 0.1, random);
+  for (std::size_t i = 0; i < kRobots; ++i) {
+    robots[i].position = starts[i] - centers[i];
+    scene.scenario.robots.push_back(robots[i]);
+  }
+  Scenario& scenario = scene.scenario;
+  see_far_enough(scenario);
+  scenario.duration = std::max(1.0, std::ceil(robot_steps / double(kRobots))) * scenario.time_step;
+  return scene;
+}
+
 }  // namespace avo::safety

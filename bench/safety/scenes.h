@@ -73,6 +73,10 @@ Scene mixed(std::uint64_t seed);
 /// axis. `packed`: equal radii, and they start at four fifths of the densest packing.
 Scene crush(bool packed, double robot_steps, std::uint64_t seed);
 
+/// 100 unequal airplanes that loiter, all sent to one point, every 5 s to another of five.
+/// `mixed`: of every three robots one is an airplane, one a car and one holonomic.
+Scene airplanes(bool mixed, double robot_steps, std::uint64_t seed);
+
 /// Two groups of 4 x 4 change sides through a gap of 2.5 m in a wall of obstacles at rest.
 Scene doorway();
 

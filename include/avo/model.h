@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion models: how a robot can move (paper §V). SI units.
 //
-// A robot is known to the others by its disc alone, and by how it brakes: never by its model. What
+// A robot is known to the others by its disc alone, and by what it falls back on: it brakes, or it
+// loiters. They never ask for its model. What
 // is called its position in a scene is a point of its own, see disc_center().
 #pragma once
 #include <cstdint>
@@ -63,12 +64,45 @@ struct DifferentialDrive {
 /// that brakes with less has something left for turning while it brakes.
 AVO_API double most_acceleration(const DifferentialDrive& drive);
 
+/// What an airplane does once it has flown through its goal.
+enum class AfterGoal : std::uint8_t {
+  loiter,  ///< it turns right for ever, where it is then
+  leave,   ///< it is no longer there when the next step begins
+};
+AVO_API const char* to_string(AfterGoal after_goal);
+
+/// Cannot stop. It comes to its goal by passing it. What others are promised is that it can always
+/// turn right at full, at the speed that it has: see LoiterCircle.
+struct Airplane {
+  double min_speed = 1.0;             ///< m/s, > 0
+  double lateral_acceleration = 1.0;  ///< [a_lat] m/s^2, > 0; max_acceleration is along its way
+  AfterGoal after_goal = AfterGoal::loiter;
+  friend bool operator==(const Airplane&, const Airplane&) = default;
+};
+
+/// The circle that an airplane turns right on if it decides nothing better: its disc stays within
+/// `radius` and its own radius of the center.
+struct LoiterCircle {
+  Vec2 center = {};     ///< [c] m, to the right of the airplane
+  double radius = 0.0;  ///< [ρ] m
+  friend bool operator==(const LoiterCircle&, const LoiterCircle&) = default;
+};
+
+/// Of an airplane that flies there, not at rest. It turns a millionth less than it could.
+AVO_API LoiterCircle loiter_circle(const Airplane& airplane, Vec2 position, Vec2 velocity);
+
 /// How a robot moves.
-using MotionModel = std::variant<Holonomic, Car, DifferentialDrive>;
+using MotionModel = std::variant<Holonomic, Car, DifferentialDrive, Airplane>;
 
 inline bool is_holonomic(const MotionModel& model) {
   return std::holds_alternative<Holonomic>(model);
 }
+inline bool is_airplane(const MotionModel& model) {
+  return std::holds_alternative<Airplane>(model);
+}
+
+/// m/s²: what |a| of one whose setup says `max_acceleration` never exceeds.
+AVO_API double acceleration_limit(const MotionModel& model, double max_acceleration);
 
 /// Whether the velocity of its disc is along its heading or against it, as that of a car is. Others
 /// move on parabolas between decisions where acceleration is held.

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "avo/model.h"
 #include "avo/vec.h"
@@ -34,6 +35,9 @@ struct Robot {
   /// [b_A] m/s^2, > 0, <= max_acceleration: with which it surely brakes whenever it has to, and
   /// others have to know it; unset: max_acceleration. A decision may ask for more.
   std::optional<double> max_braking = {};
+  /// Of an airplane, the circle that the others know of it; unset: that of position and velocity.
+  /// Remember it while the airplane is on it: made anew in each step, it drifts by rounding.
+  std::optional<LoiterCircle> loiter = {};
 };
 
 /// What A counts on from another one.
@@ -63,11 +67,14 @@ struct Neighbor {
   double max_deviation = 0.0;
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
+  /// What B falls back on, where it decides: to turn right on this circle for ever. Unset: to
+  /// brake.
+  std::optional<LoiterCircle> loiter = {};
 };
 
 /// [b] m/s^2, with which a robot brakes.
 template <typename Robot>
-double braking_limit(const Robot& robot) {
+inline double braking_limit(const Robot& robot) {
   return robot.max_braking.value_or(robot.max_acceleration);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "certificate/footprints.h"
 #include "robots/model.h"
 
 namespace avo {
@@ -54,6 +55,8 @@ void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size
   if (law.kind == Certificate::stopping_capsules) {
     collect_capsules(robot, neighbors, law.step, constraints.capsules, constraints.invariant);
   }
+  if (neighbors.columns->has_loiterers)
+    collect_loiterers(robot, neighbors, law.step, constraints.capsules, constraints.invariant);
 }
 
 namespace {

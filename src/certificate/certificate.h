@@ -24,10 +24,10 @@ struct CertificateConstraints {
   Invariant invariant;
   TrajectoryConstraints
       trajectories;  ///< braking_trajectories; of movers also for stopping_capsules
-  std::vector<CapsuleConstraint> capsules;
-  WallConstraints walls;  ///< by begin_walls()
-  CandidatePath path;     ///< of the last candidate asked about
-  NearPairs near;         ///< of all robots of find_near()
+  std::vector<CapsuleConstraint> capsules;  ///< stopping_capsules; of all that loiter
+  WallConstraints walls;                    ///< by begin_walls()
+  CandidatePath path;                       ///< of the last candidate asked about
+  NearPairs near;                           ///< of all robots of find_near()
   // of a robot that is looked at by itself
   RobotColumns alone;
   NeighborColumns seen;

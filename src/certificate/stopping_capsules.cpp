@@ -38,7 +38,7 @@ void collect_capsules(const Robot& robot, const Neighbors& neighbors, const Step
   const Braking a = braking_of(robot.velocity, ability_of(robot), law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
-    if (neighbor.behavior != Behavior::decides) continue;
+    if (neighbor.behavior != Behavior::decides || neighbor.loiter) continue;
     const BrakingPair pair = braking_pair(robot, neighbor, a, law);
     if (cannot_meet(pair, neighbor, law)) continue;
     const Vec2 s_A = pair.a.length * pair.a.direction, s_B = pair.b.length * pair.b.direction;
@@ -48,8 +48,8 @@ void collect_capsules(const Robot& robot, const Neighbors& neighbors, const Step
     for (const Vec2 corner : corners) distance = std::min(distance, dot(n, corner));
     const double held = held_distance(pair, distance, static_cast<int>(k), invariant);
     // A's capsule begins at n . x = min(0, n . s_A), and may use its share of the gap
-    constraints.push_back(
-        {static_cast<int>(k), n, std::min(0.0, dot(n, s_A)) - pair.share * (distance - held)});
+    const double begin = std::min(0.0, dot(n, s_A));
+    constraints.push_back({static_cast<int>(k), n, begin - pair.share * (distance - held), begin});
   }
 }
 
@@ -58,11 +58,13 @@ bool keeps_capsules(std::span<const CapsuleConstraint> constraints, const Candid
   if (constraints.empty()) return true;
   const double length = stopping_length(path.braking, law);
   const Vec2 end = path.first + length * path.direction;
-  return std::all_of(constraints.begin(), constraints.end(),
-                     [&](const CapsuleConstraint& constraint) {
-                       return dot(constraint.normal, path.first) - path.bend >= constraint.offset &&
-                              dot(constraint.normal, end) >= constraint.offset;
-                     });
+  return std::all_of(
+      constraints.begin(), constraints.end(), [&](const CapsuleConstraint& constraint) {
+        return dot(constraint.normal, path.first) - path.bend >= constraint.offset &&
+               dot(constraint.normal, end) >= constraint.offset &&
+               (path.swing == Vec2{} ||
+                constraint.begin + dot(constraint.normal, path.swing) >= constraint.offset);
+      });
 }
 
 void append_half_planes(std::span<const CapsuleConstraint> constraints, const Robot& robot,

@@ -17,6 +17,7 @@ struct CapsuleConstraint {
   int neighbor = 0;
   Vec2 normal;          ///< unit, from B's capsule to A's
   double offset = 0.0;  ///< m
+  double begin = 0.0;   ///< m, where A's present capsule begins
 };
 
 /// Appends the constraints of the neighbors that decide and whose capsules can come to meet A's.

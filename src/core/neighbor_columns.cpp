@@ -12,6 +12,7 @@ void NeighborColumns::grow(std::size_t size) {
     column->resize(size, 1.0);
   }
   age.resize(size);
+  loiter.resize(size);
   motion.resize(size);
 }
 

@@ -36,9 +36,12 @@ struct NeighborColumns {
   std::vector<double> max_braking;  // m/s², read where some have one
   std::vector<int> age;             // steps, of all that are not kPrompt
   std::vector<MoverMotion> motion;  // of those that do not decide
+  bool has_loiterers = false;
+  std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
-  // It decides and is of age 0; it decides and is older; it moves on.
-  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0;
+  // It decides and is of age 0; it decides and is older; it moves on; it decides and does not
+  // brake.
+  static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0;
 
   /// Room for so many.
   void reserve(std::size_t neighbors) {
@@ -50,7 +53,10 @@ struct NeighborColumns {
     v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;
     radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
     const bool moves_on = neighbor.behavior == Behavior::moves_on, aged = neighbor.age > 0;
-    decides[count] = moves_on ? kMover : aged ? kAged : kPrompt;
+    const bool loiters = !moves_on && neighbor.loiter.has_value();
+    decides[count] = moves_on ? kMover : loiters ? kLoiterer : aged ? kAged : kPrompt;
+    if (loiters) loiter[count] = *neighbor.loiter;
+    has_loiterers = has_loiterers || loiters;
     age[count] = neighbor.age;
     priority[count] = neighbor.priority;
     max_braking[count] = braking_limit(neighbor);
@@ -66,14 +72,14 @@ struct NeighborColumns {
     v_x[place] = v_x[other], v_y[place] = v_y[other];
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
     decides[place] = decides[other], age[place] = age[other];
-    motion[place] = motion[other];
+    motion[place] = motion[other], loiter[place] = loiter[other];
     priority[place] = priority[other], max_braking[place] = max_braking[other];
   }
   void clear() {
-    if (has_movers || has_aged) std::fill(decides.begin(), decides.end(), kPrompt);
+    if (has_movers || has_aged || has_loiterers) std::fill(decides.begin(), decides.end(), kPrompt);
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     count = 0;
-    has_movers = has_aged = has_priorities = has_max_braking = false;
+    has_movers = has_aged = has_priorities = has_max_braking = has_loiterers = false;
   }
   Neighbor operator[](std::size_t i) const {
     Neighbor neighbor{.position = {x[i], y[i]},
@@ -83,6 +89,7 @@ struct NeighborColumns {
                       .age = decides[i] == kPrompt ? 0 : age[i],
                       .priority = priority[i]};
     if (has_max_braking) neighbor.max_braking = max_braking[i];
+    if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
     if (decides[i] != kMover) return neighbor;
     neighbor.behavior = Behavior::moves_on;
     neighbor.acceleration = motion[i].acceleration;

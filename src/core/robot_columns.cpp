@@ -38,6 +38,10 @@ void RobotColumns::add(const Robot& robot, const Neighbors& sensed) {
   model.push_back(is_holonomic(robot.model) ? nullptr : &robot.model);
   has_models = has_models || model.back() != nullptr;
   priority[count] = robot.priority;
+  if (robot.loiter) {
+    loiter.resize(count, nullptr);
+    loiter.push_back(&*robot.loiter);
+  }
   neighbors.push_back(sensed);
   ++count;
 }
@@ -52,6 +56,7 @@ Robot RobotColumns::robot(std::size_t i) const {
   robot.priority = priority[i];
   if (max_braking[i] != max_acceleration[i]) robot.max_braking = max_braking[i];
   if (model[i] != nullptr) robot.model = *model[i], robot.heading = heading[i];
+  if (i < loiter.size() && loiter[i] != nullptr) robot.loiter = *loiter[i];
   return robot;
 }
 
@@ -59,6 +64,7 @@ void RobotColumns::swap(std::size_t i, std::size_t k) {
   for_each_column(*this, [&](Column& column) { std::swap(column[i], column[k]); });
   std::swap(model[i], model[k]);
   std::swap(neighbors[i], neighbors[k]);
+  if (!loiter.empty()) std::swap(loiter[i], loiter[k]);
 }
 
 }  // namespace avo

@@ -22,9 +22,10 @@ struct RobotColumns {
   Column max_braking;                  // m/s²
   Column heading;                      // rad; read where there is a model
   Column priority;
-  std::vector<const MotionModel*> model;  // of holonomic robots none
-  bool has_models = false;                // some are not holonomic
-  std::vector<Neighbors> neighbors;       // that each senses, nearest first
+  std::vector<const MotionModel*> model;    // of holonomic robots none
+  bool has_models = false;                  // some are not holonomic
+  std::vector<Neighbors> neighbors;         // that each senses, nearest first
+  std::vector<const LoiterCircle*> loiter;  // of airplanes; empty where nobody is one
 
   void reserve(std::size_t robots);
   void clear() {
@@ -32,8 +33,9 @@ struct RobotColumns {
     model.clear();
     has_models = false;
     neighbors.clear();
+    loiter.clear();
   }
-  /// robot.model has to stay where it is.
+  /// robot.model and robot.loiter have to stay where they are.
   void add(const Robot& robot, const Neighbors& sensed);
   Robot robot(std::size_t i) const;
   /// Two robots in each other's place.

@@ -231,7 +231,9 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     summary.max_speed = std::max(summary.max_speed, norm(fleet.velocity[i]));
     if (!started) continue;
-    const double a = fleet.applied_acceleration[i], a_max = fleet.setup[i].max_acceleration;
+    const RobotSetup& setup = fleet.setup[i];
+    const double a = fleet.applied_acceleration[i];
+    const double a_max = acceleration_limit(setup.model, setup.max_acceleration);
     summary.max_acceleration = std::max(summary.max_acceleration, a);
     if (a > a_max * (1.0 + kRounding)) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);

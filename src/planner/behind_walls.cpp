@@ -20,8 +20,7 @@ constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than 
 
 // m, from its center, of all that it can come to touch.
 double reach_of(const Robot& robot, const StepLaw& law) {
-  return robot.radius +
-         wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
+  return robot.radius + wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
 }
 double reach_of(const Neighbor& neighbor, const StepLaw& law) {
   return neighbor.radius +
@@ -61,6 +60,7 @@ struct HidingWalls {
 
   HidingWalls(const Robot& robot, std::span<const Wall> all, const StepLaw& law)
       : reach(reach_of(robot, law)) {
+    if (is_airplane(robot.model)) return;  // it does not brake
     for (const Wall& wall : all) {
       if (count == kMost) break;
       if (distance_to(wall, robot.position) > reach + wall.radius) continue;
@@ -71,7 +71,7 @@ struct HidingWalls {
   }
 
   bool hide(Vec2 p, const Neighbor& neighbor, const StepLaw& law) const {
-    if (neighbor.behavior != Behavior::decides || neighbor.age > 0) return false;
+    if (neighbor.behavior != Behavior::decides || neighbor.age > 0 || neighbor.loiter) return false;
     const Vec2 q = neighbor.position;
     return std::any_of(walls.begin(), walls.begin() + count, [&](const Wall* wall) {
       if (!crosses(p, q, *wall)) return false;

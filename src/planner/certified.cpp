@@ -82,6 +82,15 @@ void append_cuts(const Proposals& proposals) {
     }
     first = last;
   }
+  if (!keeps_capsules(constraints.capsules, constraints.path, proposals.law.step)) {
+    const std::size_t before = proposals.workspace.hard.size();
+    const double u = proposals.acceleration.radius;
+    const double fastest = std::min(norm(proposals.robot.velocity) + u, proposals.top_speed);
+    append_half_planes(constraints.capsules, proposals.robot, proposals.law.step, fastest,
+                       proposals.workspace.hard);
+    for (std::size_t k = before; k < proposals.workspace.hard.size(); ++k)
+      proposals.workspace.hard[k].offset += kInside * u;
+  }
   append_wall_cuts(constraints.walls, constraints.path, proposals.law.step,
                    kInside * proposals.acceleration.radius, proposals.workspace.hard);
 }

@@ -23,8 +23,10 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors);
 bool follows_heading(const Robot& robot);
 
 /// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under
-/// every option.
-bool can_follow(const Robot& robot, const PlannerOptions& options);
+/// every option. Nor can an airplane, and one that decides beside an airplane.
+bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options);
+bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
+                const PlannerOptions& options);
 
 /// How many of the neighbors, the nearest, get a half-plane.
 inline std::size_t planned_with(const PlannerOptions& options, std::size_t neighbors) {

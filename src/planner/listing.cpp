@@ -13,6 +13,7 @@
 #include "planner/certify.h"
 #include "planner/decision.h"
 #include "planner/demands.h"
+#include "planner/flight.h"
 #include "planner/neighbor_order.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
@@ -43,6 +44,20 @@ std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot&
   return scratch.order;
 }
 
+// What the circle of an airplane keeps from each.
+void list_walls_of_flight(const Robot& robot, std::span<const Wall> walls,
+                          std::vector<WallConstraint>& constraints) {
+  if (!can_fly(robot)) return;
+  const LoiterCircle circle = *with_circle(robot).loiter;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!is_valid(walls[k])) continue;
+    const Vec2 away = circle.center - nearest_on({walls[k].a, walls[k].b}, circle.center);
+    const double distance = norm(away);
+    constraints.push_back({static_cast<int>(k), robot.radius + walls[k].radius,
+                           distance - circle.radius, distance > 0.0 ? away / distance : Vec2{}});
+  }
+}
+
 }  // namespace
 
 void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> neighbors,
@@ -50,7 +65,8 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
                                   std::span<const Wall> walls) const {
   half_planes.planes.clear();
   half_planes.overlapping = false;
-  if (!all_valid(robot, neighbors) || !follows_heading(robot) || !can_follow(robot, options_))
+  if (!all_valid(robot, neighbors) || !follows_heading(robot) ||
+      !can_follow(robot, neighbors, options_))
     return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   for (const std::uint32_t k :
@@ -70,7 +86,9 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
   half_planes.speeds.clear();
   half_planes.obstacles.clear();
   half_planes.overlapping = false;
-  if (!is_valid(robot) || !follows_heading(robot) || !can_follow(robot, options_)) return;
+  if (!is_valid(robot) || !follows_heading(robot) ||
+      !can_follow(robot, std::span<const Neighbor>{}, options_))
+    return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   const auto cuts = [&allowed](const HalfPlane& plane) {
     return lens_support_min(plane.normal, allowed) < plane.offset;
@@ -94,6 +112,7 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
                                   std::vector<WallConstraint>& constraints) const {
   constraints.clear();
   if (options_.certificate == Certificate::none || !is_valid(robot)) return;
+  if (is_airplane(robot.model)) return list_walls_of_flight(robot, walls, constraints);
   WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!is_valid(walls[k])) continue;
@@ -117,6 +136,17 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
   leave_out_hidden(*this, robot, neighbors, walls, scratch.order);
   scratch.listed.clear();
   for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
+  if (is_airplane(robot.model)) {
+    const Robot on_circle = with_circle(robot);
+    collect_flight(on_circle, in_columns(scratch.listed, scratch.alone.neighbors), {},
+                   certificate_law(*this).step, scratch.flight);
+    constraints.clear();
+    for (const SeparatingLine& line : scratch.flight.lines)
+      constraints.push_back(
+          {static_cast<int>(scratch.order[static_cast<std::size_t>(line.neighbor)]), 0, line.normal,
+           dot(line.normal, on_circle.loiter->center) - on_circle.loiter->radius - line.part});
+    return;
+  }
   CertificateConstraints& own = scratch.certified.constraints;
   collect_constraints(robot, scratch.listed, certificate_law(*this), own);
   list_constraints(own, robot.position, constraints);

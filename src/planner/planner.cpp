@@ -15,6 +15,7 @@
 #include "planner/arrival.h"
 #include "planner/certify.h"
 #include "planner/demands.h"
+#include "planner/flight.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
 #include "planner/passive_obstacles.h"
@@ -72,6 +73,8 @@ Vec2 braking_velocity(const Robot& robot, double control_time, double rate) noex
 
 bool is_valid(const Robot& robot) {
   const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
+  if (robot.loiter && (is_known(robot.loiter->center) & is_size(robot.loiter->radius)) == 0)
+    return false;
   const int lengths = is_size(robot.radius) & is_size(robot.priority) &
                       static_cast<int>(robot.distance_to_goal >= 0.0);
   return can_brake(robot) && (places & lengths) != 0 &&
@@ -87,7 +90,8 @@ bool follows_heading(const Robot& robot) {
 }
 
 bool is_valid(const Neighbor& neighbor) {
-  const auto& [p, v, r, a_max, a, behavior, age, priority, b, deviation, top] = neighbor;
+  const auto& [p, v, r, a_max, a, behavior, age, priority, b, deviation, top, loiter] = neighbor;
+  if (loiter && (is_known(loiter->center) & is_size(loiter->radius)) == 0) return false;
   const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
                    is_size(priority) & (b ? is_braking(*b, a_max) : 1);
@@ -116,9 +120,31 @@ bool all_valid(const Robot& robot, const Neighbors& neighbors) {
   return true;
 }
 
-bool can_follow(const Robot& robot, const PlannerOptions& options) {
+namespace {
+
+template <typename Neighbors>
+bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
+                      const PlannerOptions& options) {
+  bool loiters = is_airplane(robot.model), others = false;
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor& neighbor = neighbors[k];
+    loiters = loiters || neighbor.loiter.has_value();
+    others = others || neighbor.age > 0 || neighbor.behavior != Behavior::decides;
+  }
+  if (is_airplane(robot.model) && (others || !can_fly(robot))) return false;
+  if (loiters && !allows_loiterers(options)) return false;
   return is_holonomic(robot.model) || options.certificate == Certificate::none ||
          options.motion == Motion::held;
+}
+
+}  // namespace
+
+bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options) {
+  return can_follow_among(robot, neighbors, options);
+}
+bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
+                const PlannerOptions& options) {
+  return can_follow_among(robot, neighbors, options);
 }
 
 PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
@@ -187,6 +213,10 @@ double Planner::step_lag() const {
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
   if (!can_brake(robot)) return {.status = PlanStatus::invalid_input};
   const PlannerOptions& options = planner.options();
+  if (is_airplane(robot.model)) {
+    if (!can_drive(robot) || !can_fly(robot)) return {.status = PlanStatus::invalid_input};
+    return loiter_on(planner, robot, status, violation);
+  }
   if (adopts_at_once(options.method))
     return plan_of(options, robot.velocity, {}, status, violation);
   if (options.method == Method::avo) {
@@ -217,7 +247,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> given, std::span<const Wall> walls,
                             PlanWorkspace::Scratch& scratch) {
   const PlannerOptions& options = planner.options();
-  if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, options)) {
+  if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, given, options)) {
     return brake(planner, robot, PlanStatus::invalid_input, 0.0);
   }
   const std::span<const Neighbor> obstacles = nearest_first(robot, given, scratch);
@@ -266,7 +296,11 @@ namespace {
 Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   if (!can_brake(robot)) return plan;
   if (!is_holonomic(robot.model) && can_drive(robot)) {
-    const MotionState state{{}, robot.velocity, robot.heading};
+    MotionState state{{}, robot.velocity, robot.heading};
+    if (is_airplane(robot.model)) {
+      if (!can_fly(robot)) return plan;
+      state.position = robot.position, state.circle = *with_circle(robot).loiter;
+    }
     const MotionLimits limits{braking_limit(robot), robot.max_speed};
     plan.next_velocity =
         advance(robot.model, limits, state, plan, planner.options().time_step).next.velocity;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "avo/planner.h"
+#include "certificate/footprints.h"
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
 #include "lp/programs.h"
@@ -33,6 +34,7 @@ struct PlanWorkspace::Scratch {
   std::vector<Neighbor> listed, movers;
   PassiveWorkspace passive;
   CertifiedWorkspace certified;
+  FlightConstraints flight;
 
   /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);

@@ -8,6 +8,7 @@
 #include "certificate/inevitable.h"
 #include "planner/certify.h"
 #include "planner/decision.h"
+#include "planner/flight.h"
 #include "planner/scratch.h"
 #include "robots/model.h"
 
@@ -43,6 +44,7 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (is_safe && neighbor.behavior == Behavior::decides) continue;
+    if (neighbor.loiter) continue;  // it turns faster than its acceleration says
     first.take(inevitable_contact(robot, neighbor, law.step), static_cast<int>(k), -1);
   }
   for (std::size_t k = 0; !is_safe && k < walls.size(); ++k)
@@ -56,6 +58,13 @@ SafetyReport Planner::state(const Robot& robot, std::span<const Neighbor> neighb
       std::all_of(walls.begin(), walls.end(), [](const Wall& wall) { return is_valid(wall); });
   if (!all_valid(robot, neighbors) || !walls_valid || !follows_heading(robot)) return {};
   const CertificateLaw law = law_of_state(*this);
+  if (is_airplane(robot.model)) {
+    if (!can_follow(robot, neighbors, options_)) return {};
+    PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+    collect_flight(with_circle(robot), in_columns(neighbors, scratch.alone.neighbors), walls,
+                   law.step, scratch.flight);
+    return {scratch.flight.broken ? SafetyState::unknown : SafetyState::safe};
+  }
   CertificateConstraints& constraints = PlanWorkspace::Scratch::of(workspace).certified.constraints;
   collect_constraints(robot, neighbors, law, constraints, walls);
   return state_of(robot, constraints.alone.neighbors[0], walls, law, constraints);

@@ -12,6 +12,7 @@
 #include "planner/behind_walls.h"
 #include "planner/certify.h"
 #include "planner/demands.h"
+#include "planner/flight.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
 #include "robots/model.h"
@@ -206,6 +207,13 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
     Plan& plan = *tile.plan[i];
     const bool overlapping = soft.overlapping[i] != 0;
     const double violation = most_violation(soft, i, decisions.violation[i]);
+    if (robots.model[i] != nullptr && passes_goal(*robots.model[i])) {
+      const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
+      plan = fly_towards(planner, robots.robot(i), robots.neighbors[i], tile.walls_of(i),
+                         {target, violation, overlapping}, scratch.flight);
+      plan.state = scratch.flight.broken ? SafetyState::unknown : state_if_free;
+      continue;
+    }
     WallConstraints& walls = scratch.certified.constraints.walls;
     begin_walls(robots, tile, i, law, walls);
     if (decisions.is_free[i] != 0.0 && is_unhindered(law, tile, near, i) && walls.near.empty()) {
@@ -274,8 +282,9 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const RobotColumns& robots = tile.robots;
   const Neighbors& neighbors = robots.neighbors[i];
   const bool valid = tile.trusted || all_valid(robots.robot(i), neighbors);
-  const bool can_follow_any = robots.model[i] == nullptr;
-  if (!valid || !(can_follow_any || can_follow(robots.robot(i), options))) {
+  const bool can_follow_any =
+      robots.model[i] == nullptr && !robots.neighbors[i].columns->has_loiterers;
+  if (!valid || !(can_follow_any || can_follow(robots.robot(i), neighbors, options))) {
     *tile.plan[i] = brake(planner, robots.robot(i), PlanStatus::invalid_input, 0.0);
     return true;
   }

@@ -7,6 +7,7 @@
 
 #include "core/elementary.h"
 #include "core/ranges.h"
+#include "robots/airplane.h"
 #include "robots/car.h"
 #include "robots/drive.h"
 
@@ -17,7 +18,13 @@ const char* to_string(AccelerationSet set) {
 }
 
 bool moves_along_heading(const MotionModel& model) {
-  return std::holds_alternative<Car>(model);
+  return std::holds_alternative<Car>(model) || is_airplane(model);
+}
+
+double acceleration_limit(const MotionModel& model, double max_acceleration) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  if (airplane != nullptr) return norm(Vec2{max_acceleration, airplane->lateral_acceleration});
+  return reach_of(model) * max_acceleration;
 }
 
 double disc_radius(const MotionModel& model, double radius) {
@@ -38,6 +45,8 @@ MotionStep advance(const MotionModel& model, const MotionLimits& limits, const M
                    const Plan& plan, double time_step) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&model))
     return advance_drive(*drive, state, plan, time_step);
+  if (const Airplane* airplane = std::get_if<Airplane>(&model))
+    return fly(*airplane, limits, state, plan, time_step).motion;
   return advance_car(std::get<Car>(model), limits, state, plan, time_step);
 }
 
@@ -92,20 +101,55 @@ bool has_limits_within_steps(const MotionModel& model) {
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes) {
   if (const Car* car = std::get_if<Car>(&robot.model))
     append_own_half_planes(*car, robot, time, half_planes);
+  if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))
+    append_own_half_planes(*airplane, robot, time, half_planes);
 }
 
 Vec2 steered(const Robot& robot, bool at_once) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     return steered(*drive, robot, at_once);
-  const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? steered(*car, robot) : robot.preferred_velocity;
+  if (const Car* car = std::get_if<Car>(&robot.model)) return steered(*car, robot);
+  const Airplane* airplane = std::get_if<Airplane>(&robot.model);
+  return airplane != nullptr ? steered(*airplane, robot) : robot.preferred_velocity;
 }
 
 Vec2 within_steering(const Robot& robot, Vec2 v) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     return within_steering(*drive, robot, v);
-  const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? within_steering(*car, robot, v) : v;
+  if (const Car* car = std::get_if<Car>(&robot.model)) return within_steering(*car, robot, v);
+  const Airplane* airplane = std::get_if<Airplane>(&robot.model);
+  return airplane != nullptr ? within_steering(*airplane, robot, v) : v;
+}
+
+bool passes_goal(const MotionModel& model) {
+  return is_airplane(model);
+}
+
+bool leaves_at_goal(const MotionModel& model) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  return airplane != nullptr && airplane->after_goal == AfterGoal::leave;
+}
+
+double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+            const Plan& plan, double time_step, Vec2 goal) {
+  return distance(fly(std::get<Airplane>(model), limits, state, plan, time_step).way, goal);
+}
+
+std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, Vec2 velocity) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  if (airplane == nullptr) return std::nullopt;
+  return loiter_circle(*airplane, position, velocity);
+}
+
+double room_to_turn(const MotionModel& model, double max_speed) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  if (airplane == nullptr) return 0.0;
+  return 2.0 * max_speed * max_speed / usable_acceleration(*airplane);
+}
+
+double least_speed(const MotionModel& model) {
+  const Airplane* airplane = std::get_if<Airplane>(&model);
+  return airplane != nullptr ? airplane->min_speed : 0.0;
 }
 
 bool turns_in_place(const MotionModel& model) {
@@ -122,10 +166,12 @@ bool is_valid(const MotionModel& model, double max_acceleration, double max_spee
   if (const auto* drive = std::get_if<DifferentialDrive>(&model)) {
     return kPositive.contains(drive->track) && kPositive.contains(drive->offset) &&
            kPositive.contains(drive->wheel_speed) &&
-           kPositive.contains(drive->wheel_acceleration) &&
-           max_speed <= drive->wheel_speed &&
+           kPositive.contains(drive->wheel_acceleration) && max_speed <= drive->wheel_speed &&
            max_acceleration < most_acceleration(*drive);
   }
+  if (const Airplane* airplane = std::get_if<Airplane>(&model))
+    return kPositive.contains(airplane->min_speed) &&
+           kPositive.contains(airplane->lateral_acceleration);
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr) return true;
   const bool body = !car->body || (kAnyValue.contains(car->body->offset) &&

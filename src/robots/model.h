@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a motion model is to all others: what it makes of a decision, how far that may be from what
-// it falls back on, which decisions it can follow, and where it steers. Whatever the model, a robot
-// falls back on straight braking of its disc (src/certificate/braking_path.h).
+// it falls back on, which decisions it can follow, and where it steers. An airplane falls back
+// on a circle (src/robots/airplane.h), every other robot on straight braking of its disc
+// (src/certificate/braking_path.h).
 //
 // All of it is about the robot's disc, see disc_center(). Models are told apart in src/robots
 // alone.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "avo/half_plane.h"
@@ -51,8 +53,8 @@ double reach_of(const MotionModel& model);
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes);
 
 /// m/s: the preferred velocity as the model can go about it. One that can turn in place, or that is
-/// holonomic, heads for it at once. at_once: a wish is gone for as fast as the limits allow, and not
-/// approached with δ.
+/// holonomic, heads for it at once. at_once: a wish is gone for as fast as the limits allow, and
+/// not approached with δ.
 Vec2 steered(const Robot& robot, bool at_once);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
@@ -71,6 +73,20 @@ inline bool has_own_limits(const MotionModel& model) {
 
 /// append_own_half_planes() appends no more.
 inline constexpr std::size_t kMostOwnPlanes = 4;
+
+/// Whether it cannot stop: it comes to its goal by passing it, at its preferred speed.
+bool passes_goal(const MotionModel& model);
+/// Whether it leaves the scene once it has passed its goal.
+bool leaves_at_goal(const MotionModel& model);
+/// m: how near a step of one that passes its goal comes to it.
+double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
+            const Plan& plan, double time_step, Vec2 goal);
+/// The circle that it falls back on; none of one that brakes.
+std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, Vec2 velocity);
+/// m: farther from its center than its disc and braking reach, what it may need to fall back on.
+double room_to_turn(const MotionModel& model, double max_speed);
+/// m/s: with which it starts that is said to be at rest.
+double least_speed(const MotionModel& model);
 
 /// Whether it turns before it drives where it is at rest.
 bool turns_in_place(const MotionModel& model);

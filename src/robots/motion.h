@@ -9,9 +9,10 @@
 namespace avo {
 
 struct MotionState {
-  Vec2 position;         // m, of its disc
-  Vec2 velocity;         // m/s
-  double heading = 0.0;  // rad; not of holonomic robots
+  Vec2 position;             // m, of its disc
+  Vec2 velocity;             // m/s
+  double heading = 0.0;      // rad; not of holonomic robots
+  LoiterCircle circle = {};  // of an airplane: what it falls back on
 };
 
 struct MotionStep {

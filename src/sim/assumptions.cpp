@@ -9,7 +9,9 @@
 #include <limits>
 #include <span>
 
+#include "certificate/footprints.h"
 #include "neighbors/uniform_grid.h"
+#include "robots/model.h"
 #include "sim/fleet.h"
 
 namespace avo {
@@ -21,6 +23,7 @@ struct Starter {
   int source = 0;      // robot i, or -1 - k for moving obstacle k
   Vec2 way;            // m, from where a robot is to where it would stop
   double reach = 0.0;  // m, radius and the farthest it can get while the robots brake
+  bool loiters = false;
 };
 
 // Certificate, scene and scratch memory.
@@ -49,9 +52,12 @@ void collect_starters(Starts& starts) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const Vec2 way = way_to_rest(robots[i], starts.law);
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
-    starts.starters.push_back(
-        {disc_center(robots[i]), static_cast<int>(i), way,
-         disc_radius(robots[i]) + norm(way) + late_phase(starts.scenario, robots[i], starts.law)});
+    const auto circle = circle_of(robots[i].model, robots[i].position, start_velocity(robots[i]));
+    starts.starters.push_back({disc_center(robots[i]), static_cast<int>(i), way,
+                               disc_radius(robots[i]) +
+                                   (circle ? 2.0 * circle->radius : norm(way)) +
+                                   late_phase(starts.scenario, robots[i], starts.law),
+                               circle.has_value()});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
     starts.starters[i].reach = disc_radius(robots[i]) + longest * top_speed(robots[i]);
@@ -73,7 +79,7 @@ bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double con
   const Vec2 p = a.position - b.position;
   const double distance = norm(p);
   if (distance >= a.reach + b.reach) return true;
-  if (behavior == Behavior::moves_on || !(distance > 0.0)) return false;
+  if (behavior == Behavior::moves_on || a.loiters || b.loiters || !(distance > 0.0)) return false;
   return distance + (std::min(0.0, dot(p, a.way)) - std::max(0.0, dot(p, b.way))) / distance >=
          contact;
 }
@@ -102,7 +108,8 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                                 : Behavior::moves_on,
                 .max_braking = other.max_braking,
                 .max_deviation = other.max_acceleration,
-                .max_speed = top_speed(other)};
+                .max_speed = top_speed(other),
+                .loiter = circle_of(other.model, other.position, start_velocity(other))};
     margin = late_phase(scenario, own, law) + late_phase(scenario, other, law);
   } else {
     const MovingObstacle& other =
@@ -125,7 +132,13 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   robot.max_acceleration = own.max_acceleration;
   robot.max_speed = own.max_speed;
   robot.max_braking = own.max_braking;
-  collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
+  robot.loiter = circle_of(own.model, own.position, start_velocity(own));
+  if (robot.loiter) {
+    const double gap = gap_of(footprint_of(robot, law.step), footprint_of(neighbor, law.step));
+    starts.constraints.invariant.slack = gap;
+  } else {
+    collect_constraints(robot, std::span(&neighbor, 1), law, starts.constraints);
+  }
   const double distance = norm(robot.position - neighbor.position);
   // beside a robot at rest the slack does not count what may touch it, but that is contact
   const double depth =

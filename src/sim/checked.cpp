@@ -30,6 +30,11 @@ CheckedKinematics kinematics_of(const DifferentialDrive& drive) {
                       .wheel_acceleration = drive.wheel_acceleration};
 }
 
+CheckedKinematics kinematics_of(const Airplane& airplane) {
+  return CheckedAirplane{.min_speed = airplane.min_speed,
+                         .lateral_acceleration = airplane.lateral_acceleration};
+}
+
 // m: a drive is judged by its own disc, about its axle; the one that others sense holds that.
 double judged_radius(const RobotSetup& robot) {
   const bool drives = std::holds_alternative<DifferentialDrive>(robot.model);

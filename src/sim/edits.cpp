@@ -89,6 +89,22 @@ void check_delay(const World& world, const RobotSetup& setup, RobotId robot) {
          "<= " + rounded(most, 9) + " m/s^2, what sensing_error allows for within the delay");
 }
 
+// Throws Error where an airplane, or one among airplanes, could not be kept apart from all others.
+void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
+  if (!world.obstacles.setup.empty())
+    refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
+  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
+    const RobotSetup other = fleet.setup(slot);
+    const bool flies = is_airplane(setup.model) || is_airplane(other.model);
+    if (!flies || other.parked || avoids(setup, other) == avoids(other, setup)) continue;
+    refuse(name_of(robot) + ": avoids",
+           "one side only avoiding the other, " + name_of(fleet.id[slot]),
+           "both or neither beside airplanes");
+  }
+}
+
 // That of its time_step, which may be new.
 std::uint32_t pace_for(World& world, const RobotSetup& setup) {
   return world.fleet.has_clocks ? world.pace_of(time_step_of(world.settings, setup)) : 0;
@@ -226,6 +242,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   }
   check_sensing(world, setup, robot);
   check_delay(world, setup, robot);
+  check_flights(world, setup, robot);
   Ways& ways = world.ways;
   Travel travel;
   if (!ways.empty()) {
@@ -268,6 +285,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
         ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }
   world.fleet.goal[slot] = goal;
+  if (Flight* flight = world.fleet.flight(slot)) flight->has_arrived = false;
 }
 
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {

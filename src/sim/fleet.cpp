@@ -39,6 +39,9 @@ Conduct conduct_of(const RobotSetup& setup) {
 Vec2 start_velocity(const RobotSetup& setup) {
   if (is_holonomic(setup.model)) return setup.velocity;
   const Vec2 heading = elementary::direction(setup.heading);
+  const double least = least_speed(setup.model);
+  if (setup.velocity == Vec2{} && least > 0.0)
+    return std::clamp(setup.preferred_speed, least, setup.max_speed) * heading;
   const bool backwards = can_reverse(setup.model) && dot(setup.velocity, heading) < 0.0;
   return norm(setup.velocity) * (backwards ? -heading : heading);
 }
@@ -69,6 +72,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
     own_radius.resize(slot + 1);
     models.resize(slot + 1);
   }
+  if (!flights.empty() || passes_goal(setup.model)) flights.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -80,6 +84,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup) {
   nearest[slot] = std::numeric_limits<float>::infinity();
   heading[slot] = traits[slot].has_model ? setup.heading : 0.0;
   if (!models.empty()) models[slot] = setup.model, own_radius[slot] = setup.radius;
+  if (Flight* own = flight(slot)) *own = {*circle_of(setup.model, position[slot], velocity[slot])};
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
@@ -89,6 +94,7 @@ void Fleet::remove(std::size_t slot) {
     models.erase(models.begin() + rank[slot]);
     own_radius.erase(own_radius.begin() + rank[slot]);
   }
+  if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   for_each_column(
       [&](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(slot)); });
@@ -158,7 +164,10 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior beha
 }
 
 Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
-  return avo::sensed(traits[slot], conduct[slot], behavior, position[slot], velocity[slot]);
+  Neighbor neighbor =
+      avo::sensed(traits[slot], conduct[slot], behavior, position[slot], velocity[slot]);
+  neighbor.loiter = circle(slot);
+  return neighbor;
 }
 
 void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
@@ -264,6 +273,10 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(hash, fleet.heading[i]);
     hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
     if (fleet.has_clocks) hash = mixed(hash, fleet.clock_of(i));
+    if (const Flight* own = fleet.flight(i)) {
+      hash = mixed(mixed(hash, own->circle.center), own->circle.radius);
+      hash = mixed(hash, own->has_arrived ? 1.0 : 0.0);
+    }
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
     hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);

@@ -10,6 +10,7 @@
 #include "certificate/braking_path.h"
 #include "core/executor.h"
 #include "planner/relevance.h"
+#include "robots/model.h"
 #include "robots/motion.h"
 
 namespace avo {
@@ -53,6 +54,12 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior beha
 /// m/s; that of a robot with a heading points along it, or against it.
 Vec2 start_velocity(const RobotSetup& setup);
 
+/// What airplanes remember.
+struct Flight {
+  LoiterCircle circle;       // that it falls back on
+  bool has_arrived = false;  // it has passed its goal
+};
+
 /// Nanoseconds since the start of a run. Two robots decide at once or they do not: no rounding
 /// tells.
 using Instant = std::int64_t;
@@ -95,6 +102,7 @@ struct Fleet {
   bool has_clocks = false;
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
   std::vector<double> own_radius;   // m, of their setups; likewise
+  std::vector<Flight> flights;      // by rank; empty where nobody is an airplane
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
@@ -122,6 +130,19 @@ struct Fleet {
   }
   /// With its present goal, position, velocity and heading.
   RobotSetup setup(std::size_t slot) const;
+  /// Nothing of one that is no airplane.
+  const Flight* flight(std::size_t slot) const {
+    if (flights.empty() || !traits[slot].has_model || !passes_goal(*own_model(slot)))
+      return nullptr;
+    return &flights[static_cast<std::size_t>(rank[slot])];
+  }
+  Flight* flight(std::size_t slot) {
+    return const_cast<Flight*>(static_cast<const Fleet*>(this)->flight(slot));
+  }
+  std::optional<LoiterCircle> circle(std::size_t slot) const {
+    const Flight* own = flight(slot);
+    return own != nullptr ? std::optional(own->circle) : std::nullopt;
+  }
   /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
   std::optional<Behavior> expected(std::size_t b, std::size_t a) const {
     if (conduct[a].parked || conduct[b].parked) return std::nullopt;
@@ -166,6 +187,14 @@ struct FleetMirror {
 /// disc's.
 inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim) {
   return aim == fleet.goal[slot] ? aim + fleet.offset(slot) : aim;
+}
+
+/// m/s: the preferred velocity of an airplane.
+inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double preferred_speed) {
+  const Vec2 way = goal - position;
+  const double distance = norm(way);
+  if (flight.has_arrived || !(distance > 0.0)) return {};
+  return (preferred_speed / distance) * way;
 }
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.

@@ -42,6 +42,19 @@ void aim_discs(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker&
   }
 }
 
+// Airplanes do not slow down at their goals, and circle where they are once they have passed them.
+void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
+  RobotColumns& robots = worker.tile.robots;
+  const MovingColumns& moving = worker.moving;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const Flight* flight = fleet.flight(slots[k]);
+    if (flight == nullptr) continue;
+    const Vec2 v = course_of(*flight, robots.position(k), {moving.goal_x[k], moving.goal_y[k]},
+                             moving.preferred_speed[k]);
+    robots.preferred_x[k] = v.x, robots.preferred_y[k] = v.y;
+  }
+}
+
 // Lays out what the robots of the tile know of themselves, and where each would go.
 void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slots, Worker& worker) {
   Fleet& fleet = world.fleet;
@@ -59,6 +72,10 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
     robots.max_braking[k] = traits.max_braking;
     robots.heading[k] = fleet.heading[slot];
     robots.priority[k] = fleet.conduct[slot].priority;
+    if (!fleet.flights.empty()) {
+      const Flight* own = fleet.flight(slot);
+      robots.loiter.push_back(own != nullptr ? &own->circle : nullptr);
+    }
     worker.moving.goal_x[k] = fleet.goal[slot].x, worker.moving.goal_y[k] = fleet.goal[slot].y;
     worker.moving.preferred_speed[k] = traits.preferred_speed;
     tile.detour.push_back(&fleet.detour[slot]);
@@ -78,6 +95,7 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
   if (!world.ways.empty()) follow_ways(world, slots, worker);
   if (robots.has_models) aim_discs(fleet, slots, worker);
   choose_ways(pace.response, worker.moving, robots);
+  if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
 }
 
 void count(const World& world, Worker& worker) {
@@ -92,9 +110,19 @@ void count(const World& world, Worker& worker) {
 void move_by_model(World& world, const Pace& pace, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const RobotTraits& traits = fleet.traits[slot];
-  const MotionStep step = advance(*fleet.own_model(slot), {traits.max_braking, traits.max_speed},
-                                  {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]},
-                                  fleet.plan[slot], pace.response.time_step);
+  const MotionLimits limits{traits.max_braking, traits.max_speed};
+  MotionState state{fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
+  Flight* flight = fleet.flight(slot);
+  if (flight != nullptr) state.circle = flight->circle;
+  const double time_step = pace.response.time_step;
+  const MotionStep step =
+      advance(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step);
+  if (flight != nullptr) {
+    flight->circle = step.next.circle;
+    const double nearest =
+        pass(*fleet.own_model(slot), limits, state, fleet.plan[slot], time_step, fleet.goal[slot]);
+    if (nearest <= world.settings.arrival_distance) flight->has_arrived = true;
+  }
   fleet.position[slot] = step.next.position;
   fleet.velocity[slot] = fleet.plan[slot].next_velocity = step.next.velocity;
   fleet.heading[slot] = step.next.heading;

@@ -221,6 +221,22 @@ void describe(Archive<kReads>& archive, DifferentialDrive& drive) {
   describe(archive, drive.wheel_speed), describe(archive, drive.wheel_acceleration);
 }
 
+template <bool kReads>
+void describe(Archive<kReads>& archive, Airplane& airplane) {
+  auto after = static_cast<std::uint8_t>(airplane.after_goal);
+  describe(archive, airplane.min_speed), describe(archive, airplane.lateral_acceleration);
+  describe(archive, after);
+  if (after > static_cast<std::uint8_t>(AfterGoal::leave))
+    refuse_saved("an unknown after_goal", "a known one");
+  airplane.after_goal = static_cast<AfterGoal>(after);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, SavedFlight& flight) {
+  describe(archive, flight.circle.center), describe(archive, flight.circle.radius);
+  describe(archive, flight.has_arrived);
+}
+
 // Its kind and then what that has.
 template <bool kReads>
 void describe(Archive<kReads>& archive, MotionModel& model) {
@@ -229,6 +245,7 @@ void describe(Archive<kReads>& archive, MotionModel& model) {
   if (kReads && kind == 0) model = Holonomic{};
   if (kReads && kind == 1) model = Car{};
   if (kReads && kind == 2) model = DifferentialDrive{};
+  if (kReads && kind == 3) model = Airplane{};
   if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
   std::visit([&](auto& known) { describe(archive, known); }, model);
 }
@@ -285,6 +302,11 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     describe(archive, scene.robots[k], state.robots[k]);
   }
+  if (kReads)
+    state.flights.resize(static_cast<std::size_t>(
+        std::count_if(scene.robots.begin(), scene.robots.end(),
+                      [](const RobotSetup& robot) { return is_airplane(robot.model); })));
+  for (SavedFlight& flight : state.flights) describe(archive, flight);
   if (scene.clock == Clock::free) {
     describe(archive, state.now);
     archive.size(state.clocks, kClockWords);

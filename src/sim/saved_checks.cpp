@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a saved state has to be that no bytes of another program, or forged ones, are.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "core/ranges.h"
 #include "planner/arrival.h"
+#include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/saved_state.h"
 
@@ -30,6 +32,22 @@ void check_setups(const Scenario& scene) {
     part.robots.assign(begin + static_cast<std::ptrdiff_t>(first),
                        begin + static_cast<std::ptrdiff_t>(last));
     validate(part);
+  }
+}
+
+// On its circle, as a step leaves it.
+void check_flights(const SavedState& state) {
+  constexpr double kOff = 1e-6;  // of the radius
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    const RobotState& robot = state.robots[i];
+    if (!is_airplane(state.scene.robots[i].model)) continue;
+    const LoiterCircle own =
+        *circle_of(state.scene.robots[i].model, robot.position, robot.velocity);
+    const LoiterCircle& saved = state.flights[k++].circle;
+    const double off = kOff * own.radius;
+    if (!(norm(own.center - saved.center) <= off && std::abs(own.radius - saved.radius) <= off))
+      refuse_saved("an airplane off its circle", "one on it");
   }
 }
 
@@ -90,6 +108,7 @@ void check_states(const SavedState& state) {
     next = id + 1;
   };
   for (const ObstacleId id : state.static_ids) check_id(id.value, state.next_obstacle);
+  check_flights(state);
   check_past(state);
   check_clocks(state);
   next = 0;

@@ -32,6 +32,12 @@ struct SavedWay {
   bool is_exact = false;     // of the graph of the robot's own radius
 };
 
+/// What steps change of an airplane besides.
+struct SavedFlight {
+  LoiterCircle circle;
+  bool has_arrived = false;
+};
+
 /// What else there is of a robot whose clock is free, see OwnClock.
 struct SavedClock {
   std::int64_t begin = 0, end = 0;  // ns
@@ -50,8 +56,9 @@ struct SavedState {
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing
   std::vector<PastState> past;
-  std::int64_t now = 0;            // ns, of free clocks
-  std::vector<SavedClock> clocks;  // of the robots; none where the clock is common
+  std::int64_t now = 0;              // ns, of free clocks
+  std::vector<SavedClock> clocks;    // of the robots; none where the clock is common
+  std::vector<SavedFlight> flights;  // of the airplanes among the robots, in their order
 };
 
 /// visit(key, member) for all that a scene has besides robots and obstacles.

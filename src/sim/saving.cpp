@@ -100,6 +100,13 @@ Fleet fleet_of(const SavedState& state) {
     fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
     fleet.detour[k] = robot.detour;
   }
+  std::size_t flights = 0;
+  for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    Flight* flight = fleet.flight(k);
+    if (flight == nullptr) continue;
+    const SavedFlight& saved = state.flights[flights++];
+    *flight = {saved.circle, saved.has_arrived};
+  }
   return fleet;
 }
 
@@ -150,7 +157,8 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
 
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
-  SavedState state{world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  SavedState state{
+      world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   state.now = world.now;
   state.next_obstacle = world.statics.next_id;
   state.static_ids = world.statics.id;
@@ -176,6 +184,8 @@ SavedState saved_state(const World& world) {
     state.scene.robots.push_back(fleet.setup(slot));
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
                             fleet.heading[slot], fleet.detour[slot]});
+    if (const Flight* flight = fleet.flight(slot))
+      state.flights.push_back({flight->circle, flight->has_arrived});
     if (!fleet.has_clocks) continue;
     const OwnClock& clock = fleet.clock_of(slot);
     state.clocks.push_back({clock.begin, clock.end, clock.from, clock.to, clock.has_decided});

@@ -89,7 +89,36 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
 }
 
-void check_robot(std::size_t i, const RobotSetup& robot) {
+// Of those that others are promised something of, see docs/certificate.md, "Airplanes".
+void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
+                    double time_step) {
+  constexpr double kMostTurn = 3.0;  // rad, in a step
+  constexpr double kOff = 1e-9;      // of a speed: the length of a vector of that speed
+  const std::string_view list = "robots";
+  const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
+  require(Place{list, i, "airplane.min_speed"}, airplane.min_speed, kPositive, "m/s");
+  require(Place{list, i, "airplane.lateral_acceleration"}, airplane.lateral_acceleration, kPositive,
+          "m/s^2");
+  if (airplane.min_speed > robot.max_speed)
+    refuse(at("airplane.min_speed"), text(airplane.min_speed),
+           "<= max_speed = " + text(robot.max_speed) + " m/s");
+  const double most = kMostTurn * airplane.min_speed / time_step;
+  if (airplane.lateral_acceleration > most)
+    refuse(at("airplane.lateral_acceleration"), text(airplane.lateral_acceleration),
+           "<= " + text(most) + " m/s^2, 3 rad in a step at min_speed");
+  const double speed = norm(robot.velocity);
+  if (speed > 0.0 &&
+      !(speed >= (1.0 - kOff) * airplane.min_speed && speed <= (1.0 + kOff) * robot.max_speed))
+    refuse(at("velocity"), text(speed) + " m/s",
+           text(airplane.min_speed) + " to " + text(robot.max_speed) +
+               " m/s, or left out: preferred_speed");
+  if (robot.max_braking)
+    refuse(at("max_braking"), text(*robot.max_braking),
+           "left out: it is an airplane, which cannot brake");
+  if (robot.parked) refuse(at("parked"), "true", "false: it is an airplane");
+}
+
+void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   const std::string_view list = "robots";
   require(Place{list, i, "position"}, robot.position, "m");
   require(Place{list, i, "velocity"}, robot.velocity, "m/s");
@@ -110,6 +139,8 @@ void check_robot(std::size_t i, const RobotSetup& robot) {
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     check_drive(i, robot, *drive);
+  if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))
+    check_airplane(i, robot, *airplane, time_step);
 }
 
 void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
@@ -180,6 +211,11 @@ void check_clock(const Name& name, double time_step) {
 void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
   const bool is_free = scenario.clock == Clock::free;
   if (is_free) check_clock("time_step", scenario.time_step);
+  for (std::size_t i = 0; i < scenario.robots.size() && is_free; ++i) {
+    if (std::holds_alternative<DifferentialDrive>(scenario.robots[i].model))
+      refuse(std::string(Place{"robots", i, "model"}), "a differential drive",
+             "holonomic or a car where clock is free");
+  }
   if (scenario.longest_step && !is_free)
     refuse("longest_step", text(*scenario.longest_step), "left out where clock is common");
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
@@ -273,6 +309,35 @@ void check_beside_walls(const Scenario& scenario) {
   }
 }
 
+// What an airplane is promised and promises holds under these only.
+void check_flights(const Scenario& scenario, const PlannerOptions& options) {
+  const std::vector<RobotSetup>& robots = scenario.robots;
+  const auto first = std::find_if(robots.begin(), robots.end(),
+                                  [](const RobotSetup& r) { return is_airplane(r.model); });
+  if (first == robots.end()) return;
+  const std::string among = " in a scene with airplanes";
+  if (!scenario.moving_obstacles.empty())
+    refuse("moving_obstacles", std::to_string(scenario.moving_obstacles.size()) + " of them",
+           "none" + among + ", which cannot stop for them");
+  if (options.method != Method::avo) refuse("method", to_string(options.method), "avo" + among);
+  if (options.motion != Motion::held) refuse("motion", to_string(options.motion), "held" + among);
+  if (options.clock != Clock::common) refuse("clock", to_string(options.clock), "common" + among);
+  if (options.certificate == Certificate::stopping_capsules)
+    refuse("certificate", to_string(options.certificate), "braking_trajectories or none" + among);
+  if (!scenario.sensing.is_exact()) refuse("sensing", "one that is not exact", "left out" + among);
+  if (options.sensing_error != SensingError{})
+    refuse("sensing_error", "one that is not 0", "left out" + among);
+  for (auto a = first; a != robots.end(); ++a) {
+    if (!is_airplane(a->model)) continue;
+    for (const RobotSetup& b : robots) {
+      if (b.parked || avoids(*a, b) == avoids(b, *a)) continue;
+      refuse("robots." + std::to_string(a - robots.begin()) + ".avoids",
+             "one side only avoiding the other, robot " + std::to_string(&b - robots.data()),
+             "both or neither: it is an airplane");
+    }
+  }
+}
+
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
@@ -301,12 +366,14 @@ void validate(const Scenario& scenario) {
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robots > kMostRobots)
     refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));
-  for (std::size_t i = 0; i < scenario.robots.size(); ++i) check_robot(i, scenario.robots[i]);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    check_robot(i, scenario.robots[i], scenario.time_step);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     check_obstacle(k, scenario.moving_obstacles[k]);
   check_paths(scenario);
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
     check_static_obstacle(k, scenario.obstacles[k]);
+  check_flights(scenario, options);
   check_certificate(scenario, options);
 }
 

@@ -60,8 +60,12 @@ std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const C
   const Conduct& conduct = world.fleet.conduct[slot];
   const auto behavior = expected_of(conduct, own);
   if (conduct.parked || !behavior) return std::nullopt;
-  return sensed(world.fleet.traits[slot], conduct, *behavior, world.snapshot.grid.position(place),
-                world.snapshot.sensed[place].velocity);
+  Neighbor neighbor =
+      sensed(world.fleet.traits[slot], conduct, *behavior, world.snapshot.grid.position(place),
+             world.snapshot.sensed[place].velocity);
+  if (!world.snapshot.circle.empty() && world.snapshot.circle[place].radius > 0.0)
+    neighbor.loiter = world.snapshot.circle[place];
+  return neighbor;
 }
 
 // The same among moving obstacles, robots first where distances are equal, and where robots are not

@@ -38,7 +38,9 @@ Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law)
   const double u = decrement_of(robot, own);
   const double fastest = fastest_of(robot.model, v);
   return {static_cast<int>(i),
-          disc_radius(robot) + ((step + late) * fastest + stopping_length(v, u, own)),
+          disc_radius(robot) +
+              ((step + late) * fastest + (passes_goal(robot.model) ? room_to_turn(robot.model, v)
+                                                                   : stopping_length(v, u, own))),
           step * (1.0 + braking_steps(v, u)) + late};
 }
 

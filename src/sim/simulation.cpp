@@ -202,6 +202,7 @@ bool Simulation::decided(std::size_t robot) const {
 bool Simulation::is_at_goal(std::size_t robot) const {
   const std::uint32_t slot = state_->fleet.slot_of[robot];
   if (state_->fleet.conduct[slot].parked) return true;
+  if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = state_->fleet.place(slot), goal = state_->fleet.goal[slot];
   return norm(goal - p) <= state_->settings.arrival_distance && state_->ways.is_in_sight(p, goal);
 }

@@ -32,6 +32,7 @@ void lay_out(const Fleet& fleet, double radius, double near, std::size_t most, S
 void prepare(const Fleet& fleet, Snapshot& snapshot) {
   snapshot.grid.prepare(snapshot.cells, fleet.size());
   snapshot.sensed.resize(fleet.size());
+  snapshot.circle.resize(fleet.flights.empty() ? 0 : fleet.size());
 }
 
 std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snapshot& snapshot) {
@@ -43,6 +44,8 @@ std::uint64_t take(const Fleet& fleet, std::size_t part, std::size_t parts, Snap
     const RobotTraits& robot_traits = fleet.traits[slot];
     snapshot.sensed[place] = {fleet.velocity[slot], robot_traits.radius,
                               robot_traits.max_acceleration};
+    if (!snapshot.circle.empty())
+      snapshot.circle[place] = fleet.circle(slot).value_or(LoiterCircle{});
   }
   return sorted.crowding;
 }

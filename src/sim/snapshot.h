@@ -25,7 +25,8 @@ struct Snapshot {
   double side = 0.0;  // m, of a cell
   UniformGrid grid;
   std::vector<Sensed> sensed;
-  std::uint64_t crowding = 0;  // see SortedPart
+  std::vector<LoiterCircle> circle;  // of radius 0 of those that brake; empty where all do
+  std::uint64_t crowding = 0;        // see SortedPart
 };
 
 /// Chooses the cells: as large as a search is wide, or half of that in crowds. radius: m, of

@@ -6,7 +6,9 @@
 #include <iterator>
 
 #include "planner/decision.h"
+#include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/edits.h"
 #include "sim/sense.h"
 #include "sim/world.h"
 
@@ -52,8 +54,9 @@ void find_ranges(World& world) {
       std::any_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
       });
-  world.selective = world.parked > 0 || layered;
-  world.alike = std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
+  world.selective = world.parked > 0 || layered || !fleet.flights.empty();
+  world.alike = fleet.flights.empty() &&
+                std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                             [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
                 std::none_of(fleet.traits.begin(), fleet.traits.end(),
                              [](const RobotTraits& traits) { return max_braking_of(traits); });
@@ -183,7 +186,23 @@ void step_freely(World& world, Executor& executor) {
 
 }  // namespace
 
+namespace {
+
+// Those that have passed their goals, and do not stay.
+void leave(World& world) {
+  const Fleet& fleet = world.fleet;
+  for (std::size_t rank = fleet.flights.size(); rank > 0; --rank) {
+    const std::uint32_t slot = fleet.slot_of[rank - 1];
+    const Flight* own = fleet.flight(slot);
+    if (own != nullptr && own->has_arrived && leaves_at_goal(*fleet.own_model(slot)))
+      remove_robot(world, fleet.id[slot]);
+  }
+}
+
+}  // namespace
+
 void step(World& world) {
+  leave(world);
   Executor& executor = executor_of(world);
   index(world, executor);
   world.torn = true;

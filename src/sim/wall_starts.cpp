@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "certificate/footprints.h"
 #include "robots/model.h"
 #include "sim/assumptions.h"
 #include "sim/fleet.h"
@@ -32,7 +33,8 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
   WallNeeds needs;
   for (const RobotSetup& robot : scenario.robots) {
     const StepLaw own = step_law(scenario, robot, law);
-    const double stray = stray_of(robot.model, robot.max_acceleration, own.time_step).distance;
+    const double stray = stray_of(robot.model, robot.max_acceleration, own.time_step).distance +
+                         room_to_turn(robot.model, robot.max_speed);
     needs.include(traits_of(robot), stray, norm(start_velocity(robot)), own);
   }
   listed.grid = grid_of(listed.walls, needs);
@@ -49,8 +51,13 @@ std::optional<WallStart> start_beside(const Scenario& scenario, int number,
       wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
   const double late = late_phase(scenario, robot, law);
   const Vec2 way = way_to_rest(robot, law);
+  const auto circle = circle_of(robot.model, center, start_velocity(robot));
   const auto start_at = [&](const Wall& wall) {
     const Segment segment{wall.a - center, wall.b - center};
+    if (circle)
+      return WallStart{number, 0, distance(Vec2{}, segment),
+                       distance(circle->center, {wall.a, wall.b}) - circle->radius,
+                       radius + wall.radius + flight_margin(wall, radius, circle->radius)};
     return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment) - late,
                      radius + wall.radius + wall_margin(wall, rounding)};
   };

@@ -139,7 +139,8 @@ void find_walls(World& world) {
     const StepLaw law = certificate_law(world.pace(slot).planner).step;
     const double stray =
         traits.has_model
-            ? stray_of(fleet.model(slot), traits.max_acceleration, law.time_step).distance
+            ? stray_of(*fleet.own_model(slot), traits.max_acceleration, law.time_step).distance +
+                  room_to_turn(*fleet.own_model(slot), traits.max_speed)
             : 0.0;
     needs.include(traits, stray, speed, law);
     if (options.method == Method::avo) continue;
@@ -198,7 +199,12 @@ Robot World::robot(std::size_t slot, double nearest) const {
       .distance_to_goal = norm(heading.goal - p),
       .priority = fleet.conduct[slot].priority,
       .max_braking = max_braking_of(robot_traits)};
-  if (robot_traits.has_model) robot.model = fleet.model(slot), robot.heading = fleet.heading[slot];
+  if (const Flight* flight = fleet.flight(slot)) {
+    robot.preferred_velocity = course_of(*flight, p, heading.goal, heading.preferred_speed);
+    robot.loiter = flight->circle;
+  }
+  if (robot_traits.has_model)
+    robot.model = *fleet.own_model(slot), robot.heading = fleet.heading[slot];
   return robot;
 }
 

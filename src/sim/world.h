@@ -76,7 +76,7 @@ struct World {
   bool changed = true;             // robots came or went
   bool fast = false;               // some robot exceeds its max_speed
   bool alike = true;               // all robots are of one Conduct, the usual one
-  bool selective = false;          // not everybody minds everybody
+  bool selective = false;          // not everybody minds everybody, or some loiter
   std::size_t parked = 0;          // robots
   bool valid = false;              // all robots were, when they came, and there is nobody else
   double near = 0.0;               // m, typical of Fleet::range

@@ -274,7 +274,7 @@ const std::vector<Bad> kScens{
     scen("unknown_key", "",
          "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
          "are scen, number, velocity, radius, max_speed, max_acceleration, preferred_speed, model, "
-         "heading, car, drive, "
+         "heading, car, drive, airplane, "
          "priority, max_braking, parked, layers, avoids, time_step; "
          "did you mean \"number\"?",
          "{scen: a.scen, numbr: 2}"),

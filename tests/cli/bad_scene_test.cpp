@@ -23,7 +23,7 @@ const std::string kSceneKeys =
     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock";
 const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
-    "heading, car, drive, "
+    "heading, car, drive, airplane, "
     "priority, max_braking, parked, layers, avoids, time_step";
 
 struct BadScene {
@@ -240,6 +240,11 @@ const std::vector<BadScene> kBadScenes{
      "3:44: robots.0.car: found the unknown key \"wheel_base\", allowed are wheelbase, "
      "max_curvature, body, reverse, acceleration_set, heading; "
      "did you mean \"wheelbase\"?"},
+    {"drive_with_a_clock_of_its_own",
+     s("version: 1\nclock: free\nrobots:\n"
+       "  - {position: [0, 0], goal: [1, 0], model: differential_drive}\n"),
+     "4:45: robots.0.model: found a differential drive, must be holonomic or a car where clock is "
+     "free"},
     {"two_headings",
      s("version: 1\nrobots:\n"
        "  - {position: [0, 0], goal: [1, 0], heading: 1, car: {heading: 1}}\n"),
@@ -251,13 +256,29 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: holonomic, car: {}}\n"),
      "3:61: robots.0.car: found keys of a car, must be left out: its model is holonomic"},
     {"unknown_model", s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: cart}\n"),
-     "3:45: robots.0.model: found \"cart\", must be one of holonomic, car, differential_drive; did "
-     "you mean "
+     "3:45: robots.0.model: found \"cart\", must be one of holonomic, car, differential_drive, "
+     "airplane; did you mean "
      "\"car\"?"},
     {"body_unknown_key",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {ofset: 1}}}\n"),
      "3:51: robots.0.car.body: found the unknown key \"ofset\", allowed are offset, radius; did "
      "you mean \"offset\"?"},
+    {"airplane_unknown_key",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], airplane: {min_spee: 1}}\n"),
+     "3:49: robots.0.airplane: found the unknown key \"min_spee\", allowed are min_speed, "
+     "lateral_acceleration, after_goal; did you mean \"min_speed\"?"},
+    {"airplane_after_goal",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], airplane: {after_goal: land}}\n"),
+     "3:61: robots.0.airplane.after_goal: found \"land\", must be one of loiter, leave"},
+    {"airplane_keys_of_a_car",
+     s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: car, airplane: {}}\n"),
+     "3:60: robots.0.airplane: found keys of an airplane, must be left out: its model is car"},
+    {"airplane_among_movers",
+     s("version: 1\nsensing_radius: 40\nrobots:\n  - {position: [0, 0], goal: [9, 0], airplane: "
+       "{}}\n"
+       "moving_obstacles:\n  - {position: [50, 0]}\n"),
+     "6:3: moving_obstacles: found 1 of them, must be none in a scene with airplanes, which cannot "
+     "stop for them"},
     {"car_heading_word",
      s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {heading: random}}\n"),
      "3:53: robots.0.car.heading: found \"random\", must be a number (rad)"},
@@ -296,7 +317,7 @@ const std::vector<BadScene> kBadScenes{
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
      "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, drive, "
-     "priority, max_braking, parked, layers, avoids, time_step"},
+     "airplane, priority, max_braking, parked, layers, avoids, time_step"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
      "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random; did "
@@ -416,9 +437,8 @@ TEST(BadScene, files_that_are_no_files) {
       missing.err,
       "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
       "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
-      "drives-100, maze, mixed-yard, moving-obstacle, office, permutation-100, person, "
-      "positions-exchange, reversing-cars, "
-      "swap-blocks, "
+      "drives-100, maze, mixed-yard, moving-obstacle, office, permutation-100, person, planes-12, "
+      "positions-exchange, reversing-cars, swap-blocks, "
       "uniform-N, warehouse; did you mean \"circle-N\"?\n");
 }
 

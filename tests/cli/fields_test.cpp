@@ -161,6 +161,8 @@ TEST(Fields, every_key_is_guessed_and_refused_twice) {
   check_misspellings(avo_io::fields<avo::RobotSetup>(), "{version: 1, robots: [{", "}]}");
   check_misspellings(avo_io::fields<avo::MovingObstacle>(), "{version: 1, moving_obstacles: [{",
                      "}]}");
+  check_misspellings(avo_io::fields<avo::Airplane>(),
+                     "{version: 1, robots: [{position: [0, 0], goal: [1, 0], airplane: {", "}}]}");
   check_misspellings(avo_io::fields<avo::Car>(),
                      "{version: 1, robots: [{position: [0, 0], goal: [1, 0], car: {", "}}]}");
   check_misspellings(avo_io::fields<avo::DifferentialDrive>(),

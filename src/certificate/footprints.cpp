@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "certificate/footprints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "avo/half_plane.h"
+#include "certificate/kernels.h"
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+constexpr double kLoitering = 4.0;  // roundings of a circle that is remembered, in steps of braking
+
+double length_1(Vec2 a) {
+  return std::abs(a.x) + std::abs(a.y);
+}
+
+Footprint braking_footprint(Vec2 position, Vec2 velocity, double radius, const Ability& ability,
+                            const StepLaw& law) {
+  const Braking braking = braking_of(velocity, ability, law);
+  return {position, braking.length * braking.direction, radius, braking.intervals};
+}
+
+Footprint loitering_footprint(const LoiterCircle& circle, double radius) {
+  return {circle.center, {}, circle.radius + radius, kLoitering};
+}
+
+// From B's to A's, odd in the exchange of the two, bit for bit. One of them is a point: of a and b
+// one way at least is 0.
+Vec2 between(const Footprint& a, const Footprint& b) {
+  const Vec2 p = a.start - b.start;
+  return nearest_on_segment(p, p + (a.way - b.way));
+}
+
+// docs/certificate.md, "Rounding": a decision shrinks what has added up by a share.
+double margin_between(const Footprint& a, const Footprint& b, double share) {
+  using Real = scalar::Pack<double>;
+  const double lengths =
+      length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) + a.radius + b.radius;
+  return scalar::rounding_margin<Real>(lengths, std::max(a.intervals, b.intervals),
+                                       std::min(share, 1.0 - share))
+      .value;
+}
+
+struct Between {
+  Vec2 normal;
+  double gap, part;  // m
+};
+
+// A pair that overlaps keeps what it has.
+Between line_between(const Footprint& a, const Footprint& b, double share) {
+  const Vec2 nearest = between(a, b);
+  const double distance = norm(nearest), gap = distance - (a.radius + b.radius);
+  const Vec2 normal = distance > 0.0 ? nearest / distance : Vec2{};
+  return {normal, gap, gap >= 0.0 ? share * (gap - margin_between(a, b, share)) : 0.0};
+}
+
+double share_of(const Robot& robot, const Neighbor& neighbor) {
+  return reciprocal_share(robot.max_acceleration, neighbor.max_acceleration, robot.priority,
+                          neighbor.priority);
+}
+
+}  // namespace
+
+Footprint footprint_of(const Robot& robot, const StepLaw& law) {
+  if (robot.loiter) return loitering_footprint(*robot.loiter, robot.radius);
+  return braking_footprint(robot.position, robot.velocity, robot.radius, ability_of(robot), law);
+}
+
+Footprint footprint_of(const Neighbor& neighbor, const StepLaw& law) {
+  if (neighbor.loiter) return loitering_footprint(*neighbor.loiter, neighbor.radius);
+  return braking_footprint(neighbor.position, neighbor.velocity, neighbor.radius,
+                           ability_of(neighbor), law);
+}
+
+double gap_of(const Footprint& a, const Footprint& b) {
+  return norm(between(a, b)) - (a.radius + b.radius);
+}
+
+void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const StepLaw& law,
+                       std::vector<CapsuleConstraint>& constraints, Invariant& invariant) {
+  const Footprint own = footprint_of(robot, law);
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor neighbor = neighbors[k];
+    if (!neighbor.loiter || neighbor.behavior != Behavior::decides) continue;
+    const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
+    invariant.slack = std::min(invariant.slack, line.gap);
+    if (line.gap < 0.0) invariant.broken = static_cast<int>(k);
+    // A's begins at n . x = min(0, n . way)
+    const double begin = std::min(0.0, dot(line.normal, own.way));
+    constraints.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
+  }
+}
+
+double flight_margin(const Wall& wall, double radius, double circle) {
+  const double places = std::max(length_1(wall.a), length_1(wall.b));
+  return 0x1p-44 * (2.0 * places + 3.0 * (wall.radius + radius + 2.0 * circle));
+}
+
+void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
+                    const StepLaw& law, FlightConstraints& constraints) {
+  const Footprint own = footprint_of(robot, law);
+  constraints = {std::move(constraints.lines), std::move(constraints.walls),
+                 std::numeric_limits<double>::infinity(), false};
+  constraints.lines.clear(), constraints.walls.clear();
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor neighbor = neighbors[k];
+    if (neighbor.behavior != Behavior::decides) continue;
+    const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
+    constraints.slack = std::min(constraints.slack, line.gap);
+    constraints.broken = constraints.broken || line.gap < 0.0;
+    constraints.lines.push_back({static_cast<int>(k), line.normal, line.part});
+  }
+  for (const Wall& wall : walls) {
+    const double kept = robot.radius + wall.radius;
+    const double away = distance(own.start, {wall.a, wall.b}) - robot.loiter->radius;
+    constraints.broken = constraints.broken || away < kept;
+    constraints.walls.push_back(
+        {wall.a, wall.b, kept + flight_margin(wall, robot.radius, robot.loiter->radius)});
+  }
+}
+
+bool keeps_flight(const FlightConstraints& constraints, const Robot& robot,
+                  const FlightStep& step) {
+  const LoiterCircle &now = *robot.loiter, &next = step.motion.next.circle;
+  const bool lines_kept =
+      std::all_of(constraints.lines.begin(), constraints.lines.end(), [&](const auto& line) {
+        const Vec2 n = line.normal;
+        const double circle = dot(n, next.center - now.center) - (next.radius - now.radius);
+        const double way = dot(n, step.way.start - now.center) + now.radius + lowest(step.way, n);
+        return circle >= -line.part && way >= -line.part;
+      });
+  if (!lines_kept) return false;
+  const Segment chord{step.way.start, step.motion.next.position};
+  const double off = sagitta(step.way);
+  return std::all_of(constraints.walls.begin(), constraints.walls.end(), [&](const Wall& wall) {
+    const Segment segment{wall.a, wall.b};
+    return distance(next.center, segment) - next.radius >= wall.radius &&
+           distance(chord, segment) - off >= wall.radius;
+  });
+}
+
+}  // namespace avo

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Airplanes. With heading h, n to its left, speed s and curvature κ,
+//   p' = s h,  h' = s κ n,  s' = a_lin;   |a_lin| <= a_max,  s² |κ| <= a_lat,  s in [s_min, s_max]
+// and both controls are held through a step. The circle that an airplane falls back on has the
+// radius ρ = s²/a_lat, its center is to the right.
+#include "robots/airplane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/elementary.h"
+
+namespace avo {
+namespace {
+
+// Of a_lat: kept back, so that a controller can come back to a circle that it has left a little.
+constexpr double kReserve = 1e-6;
+// Goals are steered to where a circle leads there that is so much wider than the least one.
+constexpr double kWiderCircle = 1.05;
+
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+// a turned by the angle of a unit vector.
+Vec2 turned(Vec2 a, Vec2 by) {
+  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
+}
+
+// From the start to where so much of the arc is behind it.
+Vec2 chord(const Arc& arc, double length) {
+  const double half = 0.5 * arc.curvature * length;
+  const Vec2 by = elementary::direction(half);
+  const double straight = std::abs(half) < 1e-8 ? length : length * (by.y / half);
+  return straight * turned(arc.heading, by);
+}
+
+// It is set back onto the circle in each step: nothing piles up, however long it stays there.
+FlightStep hold_circle(const Airplane& airplane, const MotionState& state, double time_step) {
+  const LoiterCircle& circle = state.circle;
+  const double speed = std::sqrt(usable_acceleration(airplane) * circle.radius);
+  const double length = speed * time_step, turn = length / circle.radius;
+  const Vec2 out = state.position - circle.center;
+  const Vec2 next = turned(out / norm(out), elementary::direction(-turn));
+  FlightStep step;
+  step.way = {state.position, elementary::direction(state.heading), -1.0 / circle.radius, length};
+  step.motion.next = {
+      circle.center + circle.radius * next, {}, elementary::atan2(-next.x, next.y), circle};
+  step.motion.next.velocity = speed * elementary::direction(step.motion.next.heading);
+  step.motion.acceleration = usable_acceleration(airplane);
+  step.motion.way = length;
+  return step;
+}
+
+}  // namespace
+
+const char* to_string(AfterGoal after_goal) {
+  return after_goal == AfterGoal::leave ? "leave" : "loiter";
+}
+
+LoiterCircle loiter_circle(const Airplane& airplane, Vec2 position, Vec2 velocity) {
+  const double radius = norm_squared(velocity) / usable_acceleration(airplane);
+  return {position - (radius / norm(velocity)) * perpendicular(velocity), radius};
+}
+
+double usable_acceleration(const Airplane& airplane) {
+  return (1.0 - kReserve) * airplane.lateral_acceleration;
+}
+
+// Where the way stops leading down, heading and n are at right angles. With σ the sign of κ it has
+// come down by (1 + σ n × h)/|κ| by then, here without the difference of nearly equal numbers.
+double lowest(const Arc& arc, Vec2 n) {
+  const double turn = arc.curvature * arc.length, down = dot(n, arc.heading);
+  const double end = dot(n, chord(arc, arc.length));
+  const Vec2 last = turned(arc.heading, elementary::direction(turn));
+  const double least = std::min(0.0, end);
+  if (!(down < 0.0 && dot(n, last) > 0.0)) return least;
+  const double across = std::copysign(1.0, turn) * cross(n, arc.heading);
+  const double part = across <= 0.0 ? down * down / (1.0 - across) : 1.0 + across;
+  return std::min(least, -part / std::abs(arc.curvature));
+}
+
+double distance(const Arc& arc, Vec2 p) {
+  const Vec2 to = p - arc.start;
+  const double x = dot(arc.heading, to), y = cross(arc.heading, to);
+  const double turn = elementary::atan2(arc.curvature * x, 1.0 - arc.curvature * y);
+  const double along = std::abs(turn) < 1e-8 ? x : turn / arc.curvature;
+  double least = std::min(norm(to), norm(to - chord(arc, arc.length)));
+  if (along > 0.0 && along < arc.length) least = std::min(least, norm(to - chord(arc, along)));
+  return least;
+}
+
+double sagitta(const Arc& arc) {
+  // of half a turn at most: (1 - cos x) <= x²/2, and the chord is no longer than the arc
+  return 0.125 * arc.length * arc.length * std::abs(arc.curvature);
+}
+
+Vec2 loitering(const Airplane& airplane, const MotionState& state) {
+  return -usable_acceleration(airplane) * perpendicular(elementary::direction(state.heading));
+}
+
+FlightStep fly(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
+               const Plan& plan, double time_step) {
+  if (plan.acceleration == loitering(airplane, state))
+    return hold_circle(airplane, state, time_step);
+  const Vec2 heading = elementary::direction(state.heading);
+  const double speed = norm(state.velocity), most = usable_acceleration(airplane);
+  const double next_speed = std::clamp(speed + dot(heading, plan.acceleration) * time_step,
+                                       airplane.min_speed, limits.max_speed);
+  const double top = std::max(speed, next_speed);
+  const double across = std::clamp(cross(heading, plan.acceleration), -most, most);
+  FlightStep step;
+  step.way = {state.position, heading, across / (top * top),
+              0.5 * (speed + next_speed) * time_step};
+  MotionState& next = step.motion.next;
+  next.position = state.position + chord(step.way, step.way.length);
+  next.heading = wrapped(state.heading + step.way.curvature * step.way.length);
+  next.velocity = next_speed * elementary::direction(next.heading);
+  next.circle = loiter_circle(airplane, next.position, next.velocity);
+  step.motion.acceleration = norm(Vec2{(next_speed - speed) / time_step, across});
+  step.motion.way = step.way.length;
+  return step;
+}
+
+// Along the heading a_max, across it a_lat.
+void append_own_half_planes(const Airplane& airplane, const Robot& robot, double time,
+                            std::vector<HalfPlane>& half_planes) {
+  const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h), v = robot.velocity;
+  const auto bound = [&](Vec2 normal, double most) {
+    half_planes.push_back({normal, dot(normal, v) - most});
+    half_planes.push_back({-normal, -dot(normal, v) - most});
+  };
+  bound(h, robot.max_acceleration * time);
+  bound(n, usable_acceleration(airplane) * time);
+}
+
+// Velocities at more than 45 degrees become turns at full: as much across as ahead.
+Vec2 within_steering(const Airplane&, const Robot& robot, Vec2 v) {
+  const Vec2 h = elementary::direction(robot.heading), n = perpendicular(h);
+  const double ahead = dot(h, v), across = cross(h, v);
+  if (ahead >= std::abs(across)) return v;
+  return norm(v) * (h + (across > 0.0 ? n : -n));
+}
+
+// By pure pursuit (Coulter, CMU 1992), no faster than its circle allows. From a goal inside the
+// smallest circle it flies away, until it is outside.
+Vec2 steered(const Airplane& airplane, const Robot& robot) {
+  const double wanted = norm(robot.preferred_velocity);
+  if (!(wanted > 0.0)) return {};
+  const Vec2 to = robot.preferred_velocity / wanted, h = elementary::direction(robot.heading);
+  const double across = std::abs(cross(h, to));
+  const double radius = across > 0.0 ? robot.distance_to_goal / (2.0 * across)
+                                     : std::numeric_limits<double>::infinity();
+  const double top = std::sqrt(usable_acceleration(airplane) * radius / kWiderCircle);
+  if (top < airplane.min_speed) return airplane.min_speed * h;
+  const double fastest = std::min({std::max(wanted, airplane.min_speed), top, robot.max_speed});
+  return within_steering(airplane, robot, fastest * to);
+}
+
+}  // namespace avo

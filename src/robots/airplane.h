@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Airplanes: a minimum speed, and turns that a lateral acceleration limits. What one falls back on
+// is a circle to its right, which it holds for ever (docs/certificate.md, "Airplanes").
+#pragma once
+#include <vector>
+
+#include "robots/model.h"
+
+namespace avo {
+
+/// A way of constant curvature, of less than half a turn.
+struct Arc {
+  Vec2 start;              ///< m
+  Vec2 heading;            ///< unit, there
+  double curvature = 0.0;  ///< [κ] 1/m, > 0: to the left
+  double length = 0.0;     ///< m
+};
+
+/// m: the least of n·(x - start) over its points x; n a unit vector.
+double lowest(const Arc& arc, Vec2 n);
+/// m, from its nearest point.
+double distance(const Arc& arc, Vec2 p);
+/// m, that no point of it is farther from its chord than.
+double sagitta(const Arc& arc);
+
+struct FlightStep {
+  MotionStep motion;  ///< with the circle that it then falls back on
+  Arc way;
+};
+FlightStep fly(const Airplane& airplane, const MotionLimits& limits, const MotionState& state,
+               const Plan& plan, double time_step);
+
+/// [a_lat] m/s², less what a controller may need to stay on a circle.
+double usable_acceleration(const Airplane& airplane);
+
+/// m/s²: to hold the speed and turn right at full. With exactly that, fly() stays on state.circle.
+Vec2 loitering(const Airplane& airplane, const MotionState& state);
+
+void append_own_half_planes(const Airplane& airplane, const Robot& robot, double time,
+                            std::vector<HalfPlane>& half_planes);
+Vec2 steered(const Airplane& airplane, const Robot& robot);
+Vec2 within_steering(const Airplane& airplane, const Robot& robot, Vec2 v);
+
+}  // namespace avo
