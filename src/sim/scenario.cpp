@@ -435,10 +435,14 @@ SensingError declared_error(const Scenario& scenario) {
   const bool is_gaussian = distribution == NoiseDistribution::gaussian;
   const double most = kBoth * (is_gaussian ? truncated.value_or(kUsualTruncation) : 1.0);
   SensingError error{most * position, most * velocity};
+  if (scenario.sensing.delay == 0 && scenario.sensing.dropped == 0.0) return error;
+  double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
+  for (const RobotSetup& robot : scenario.robots) {
+    strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
+    swing = std::max(swing, fastest_of(robot.model, robot.max_speed) - robot.max_speed);
+  }
+  error.velocity += swing;
   if (scenario.sensing.delay == 0) return error;
-  double strongest = 0.0;  // m/s²
-  for (const RobotSetup& robot : scenario.robots)
-    strongest = std::max(strongest, robot.max_acceleration);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles)
     strongest = std::max(strongest, obstacle.max_deviation);
   const double time = scenario.sensing.delay * scenario.time_step;
