@@ -15,6 +15,7 @@
 #include "core/ranges.h"
 #include "sim/assumptions.h"
 #include "sim/clocks.h"
+#include "sim/one_sided.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -97,20 +98,28 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
          "at most " + text_of(declared) + ", what all have declared");
 }
 
-// Throws Error where an airplane, or one among airplanes, could not be kept apart from all others.
+// Throws Error where an airplane would come among movers.
 void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
   if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
   if (!world.obstacles.setup.empty())
     refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
-  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    const RobotSetup other = fleet.setup(slot);
-    const bool flies = is_airplane(setup.model) || is_airplane(other.model);
-    if (!flies || other.parked || avoids(setup, other) == avoids(other, setup)) continue;
-    refuse(name_of(robot) + ": avoids",
-           "one side only avoiding the other, " + name_of(fleet.id[slot]),
-           "both or neither beside airplanes");
-  }
+}
+
+// Throws Error where it would avoid one that does not avoid it, or the other way round, and nothing
+// could be promised to the two.
+void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  std::vector<RobotSetup> robots;
+  for (const std::uint32_t slot : fleet.slot_of) robots.push_back(fleet.setup(slot));
+  robots.push_back(setup);
+  const auto pair = find_impossible(robots);
+  if (!pair || (pair->avoiding < fleet.size() && pair->avoided < fleet.size())) return;
+  const auto name_at = [&](std::size_t rank) {
+    return name_of(rank < fleet.size() ? fleet.id[fleet.slot_of[rank]] : robot);
+  };
+  refuse(name_at(pair->avoiding) + ": avoids", name_at(pair->avoided) + ", which does not avoid it",
+         "both or neither: " + std::string(pair->reason));
 }
 
 // That of its time_step, which may be new.
@@ -251,6 +260,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   check_sensing(world, setup, robot);
   check_declared(world, setup, robot);
   check_flights(world, setup, robot);
+  check_one_sided(world, setup, robot);
   Ways& ways = world.ways;
   Travel travel;
   if (!ways.empty()) {

@@ -12,8 +12,10 @@
 #include "avo/response.h"
 #include "core/ranges.h"
 #include "planner/options.h"
+#include "robots/airplane.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/one_sided.h"
 
 namespace avo {
 namespace {
@@ -61,7 +63,7 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
   require_usual("avoids", robot.avoids, usual.avoids);
 }
 
-void check_car(std::size_t i, const RobotSetup& robot, const Car& car) {
+void check_car(std::size_t i, const Car& car) {
   const std::string_view list = "robots";
   require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
   if (car.max_curvature)
@@ -69,10 +71,6 @@ void check_car(std::size_t i, const RobotSetup& robot, const Car& car) {
   if (!car.body) return;
   require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
   require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
-  // whom it does not avoid counts on its acceleration, and knows nothing of how its disc swings
-  if (car.body->offset != 0.0 && !robot.parked && !(robot.avoids == RobotSetup{}.avoids))
-    refuse(std::string(Place{list, i, "avoids"}), list_of(robot.avoids),
-           "left out: its body is not over its axle");
 }
 
 void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
@@ -96,8 +94,7 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
 // Of those that others are promised something of, see docs/certificate.md, "Airplanes".
 void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
                     double time_step) {
-  constexpr double kMostTurn = 3.0;  // rad, in a step
-  constexpr double kOff = 1e-9;      // of a speed: the length of a vector of that speed
+  constexpr double kOff = 1e-9;  // of a speed: the length of a vector of that speed
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
   require(Place{list, i, "airplane.min_speed"}, airplane.min_speed, kPositive, "m/s");
@@ -139,8 +136,8 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
              "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
   }
   if (robot.parked) check_parked(i, robot);
-  require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
-  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, robot, *car);
+  require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
+  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     check_drive(i, robot, *drive);
   if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))
@@ -326,15 +323,38 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   if (!scenario.sensing.is_exact()) refuse("sensing", "one that is not exact", "left out" + among);
   if (options.sensing_error != SensingError{})
     refuse("sensing_error", "one that is not 0", "left out" + among);
-  for (auto a = first; a != robots.end(); ++a) {
-    if (!is_airplane(a->model)) continue;
-    for (const RobotSetup& b : robots) {
-      if (b.parked || avoids(*a, b) == avoids(b, *a)) continue;
-      refuse("robots." + std::to_string(a - robots.begin()) + ".avoids",
-             "one side only avoiding the other, robot " + std::to_string(&b - robots.data()),
-             "both or neither: it is an airplane");
-    }
+}
+
+void check_one_sided(const Scenario& scenario) {
+  if (const auto pair = find_impossible(scenario.robots))
+    refuse(std::string(Place{"robots", pair->avoiding, "avoids"}),
+           "robot " + std::to_string(pair->avoided) + ", which does not avoid it",
+           "both or neither: " + std::string(pair->reason));
+}
+
+// Of those who decide.
+double longest_step_of(const Scenario& scenario) {
+  if (scenario.longest_step) return *scenario.longest_step;
+  double longest = 0.0;
+  for (const RobotSetup& robot : scenario.robots) {
+    if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
   }
+  return longest > 0.0 ? longest : scenario.time_step;
+}
+
+// What the rest of a step adds to a state that is seen in the midst of it, beyond what
+// max_acceleration does to the velocity of the disc: see docs/certificate.md, "Clocks of their
+// own".
+SensingError unforeseen(const Scenario& scenario) {
+  const double longest = longest_step_of(scenario);
+  SensingError most;
+  for (const RobotSetup& robot : scenario.robots) {
+    if (robot.parked) continue;
+    const SensingError own = unforeseen(robot.model, robot.max_acceleration, longest);
+    most.position = std::max(most.position, own.position);
+    most.velocity = std::max(most.velocity, own.velocity);
+  }
+  return most;
 }
 
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
@@ -346,6 +366,19 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
   }
   check_braking(scenario, options);
   check_beside_walls(scenario);
+  if (!scenario.sensing_error || scenario.clock == Clock::common) return;
+  constexpr double kRounding = 1.0 + 1e-9;
+  const SensingError least = unforeseen(scenario);
+  const auto& [position, velocity] = *scenario.sensing_error;
+  const auto require_least = [](const char* key, double found, double least_of_all,
+                                const char* unit) {
+    if (least_of_all > kRounding * found)
+      refuse(std::string("sensing_error.") + key, text(found),
+             ">= " + text(least_of_all) + unit +
+                 ", what the rest of a step of a car may add where clock is free");
+  };
+  require_least("position", position, least.position, " m");
+  require_least("velocity", velocity, least.velocity, " m/s");
 }
 
 }  // namespace
@@ -368,6 +401,7 @@ void validate(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
     check_static_obstacle(k, scenario.obstacles[k]);
   check_flights(scenario, options);
+  check_one_sided(scenario);
   check_certificate(scenario, options);
 }
 
@@ -381,20 +415,6 @@ std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
   }
   return discs;
 }
-
-namespace {
-
-// Of those who decide.
-double longest_step_of(const Scenario& scenario) {
-  if (scenario.longest_step) return *scenario.longest_step;
-  double longest = 0.0;
-  for (const RobotSetup& robot : scenario.robots) {
-    if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
-  }
-  return longest > 0.0 ? longest : scenario.time_step;
-}
-
-}  // namespace
 
 PlannerOptions planner_options(const Scenario& scenario) {
   PlannerOptions options = default_options(scenario.method);
@@ -422,25 +442,6 @@ PlannerOptions planner_options(const Scenario& scenario) {
   return options;
 }
 
-namespace {
-
-// What the rest of a step adds to a state that is seen in the midst of it, beyond what
-// max_acceleration does to the velocity of the disc: see docs/certificate.md, "Clocks of their
-// own".
-SensingError unforeseen(const Scenario& scenario) {
-  const double longest = longest_step_of(scenario);
-  SensingError most;
-  for (const RobotSetup& robot : scenario.robots) {
-    if (robot.parked) continue;
-    const SensingError own = unforeseen(robot.model, robot.max_acceleration, longest);
-    most.position = std::max(most.position, own.position);
-    most.velocity = std::max(most.velocity, own.velocity);
-  }
-  return most;
-}
-
-}  // namespace
-
 SensingError declared_error(const Scenario& scenario) {
   // of both coordinates, and what rounding adds to it
   constexpr double kBoth = std::numbers::sqrt2 * (1.0 + 0x1p-40);
@@ -452,11 +453,11 @@ SensingError declared_error(const Scenario& scenario) {
     const auto [unseen_way, unseen_speed] = unforeseen(scenario);
     error.position += unseen_way, error.velocity += unseen_speed;
   }
-  if (scenario.sensing.delay == 0 && scenario.sensing.dropped == 0.0) return error;
+  if (scenario.sensing.delay == 0 && !scenario.sensing.misses()) return error;
   double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
   for (const RobotSetup& robot : scenario.robots) {
     strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
-    swing = std::max(swing, fastest_of(robot.model, robot.max_speed) - robot.max_speed);
+    swing = std::max(swing, swing_of(robot.model, robot.max_acceleration, robot.max_speed));
   }
   error.velocity += swing;
   if (scenario.sensing.delay == 0) return error;
