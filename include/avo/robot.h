@@ -62,8 +62,10 @@ struct Neighbor {
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
   /// [b_B] m/s^2, see Robot::max_braking; likewise
   std::optional<double> max_braking = {};
-  /// [η] m/s^2, >= 0, of one that moves on: its acceleration may at any time be that far from the
-  /// one given. A certificate keeps A clear of wherever it may then be while A moves.
+  /// [η] m/s^2, >= 0. Of one that moves on: its acceleration may at any time be that far from the
+  /// one given. A certificate keeps A clear of wherever it may then be while A moves. Of one that
+  /// decides, and has an age: its acceleration, where that may be more than max_acceleration, as
+  /// that of a car with the exact set, which is up to √2 times as much.
   double max_deviation = 0.0;
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();

@@ -82,8 +82,9 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
 SensingError error_against(const Neighbor& neighbor, const StepLaw& law) {
   const auto& [position, velocity] = law.sensing_error;
   const double time = neighbor.age * law.time_step;
-  const double a =
-      neighbor.behavior == Behavior::decides ? neighbor.max_acceleration : neighbor.max_deviation;
+  const double a = neighbor.behavior == Behavior::decides
+                       ? std::max(neighbor.max_acceleration, neighbor.max_deviation)
+                       : neighbor.max_deviation;
   return {position + (time * velocity + 0.5 * a * time * time), velocity + a * time};
 }
 

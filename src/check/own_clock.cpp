@@ -86,11 +86,11 @@ std::optional<double> early_change(const CheckedRobot& robot, const Passage& pas
     const double allowed = a_max * (passage.tolerance * lever + times) + held.rounding;
     if (held.off > allowed) most = std::max(most, held.off / lever);
   };
-  if (!is_holonomic(robot.kinematics)) {
+  if (is_holonomic(robot.kinematics) || std::holds_alternative<CheckedDrive>(robot.kinematics)) {
+    look(velocity_of(rows));
+  } else {
     look(speed_of(rows));
     look(turn_of(rows));
-  } else {
-    look(velocity_of(rows));
   }
   if (most == 0.0) return {};
   const double time = passage.from.time;

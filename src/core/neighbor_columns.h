@@ -35,7 +35,7 @@ struct NeighborColumns {
   std::vector<double> priority;     // likewise 1
   std::vector<double> max_braking;  // m/s², read where some have one
   std::vector<int> age;             // steps, of all that are not kPrompt
-  std::vector<MoverMotion> motion;  // of those that do not decide
+  std::vector<MoverMotion> motion;  // of those that do not decide, and of all that are not kPrompt
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
@@ -90,10 +90,10 @@ struct NeighborColumns {
                       .priority = priority[i]};
     if (has_max_braking) neighbor.max_braking = max_braking[i];
     if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
+    if (decides[i] != kPrompt) neighbor.max_deviation = motion[i].max_deviation;
     if (decides[i] != kMover) return neighbor;
     neighbor.behavior = Behavior::moves_on;
     neighbor.acceleration = motion[i].acceleration;
-    neighbor.max_deviation = motion[i].max_deviation;
     neighbor.max_speed = motion[i].max_speed;
     return neighbor;
   }

@@ -165,6 +165,16 @@ Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
   return stray;
 }
 
+// docs/certificate.md, "Clocks of their own"
+SensingError unforeseen_of_car(const Car& car, double max_acceleration, double time_step) {
+  const double excess = (reach_of(car) - 1.0) * max_acceleration * time_step;  // m/s
+  SensingError result{0.5 * excess * time_step, excess};
+  result.position += stray_of_car(car, max_acceleration, time_step).distance;
+  if (offset_of(car) != 0.0 && turns_in_place(car))
+    result.position += 0.5 * max_acceleration * time_step * time_step;
+  return result;
+}
+
 // Others count on no more than |v| + u of whoever decides, which the corners of the square exceed;
 // and the disc of a car that turns about its axle comes farther than the axle.
 double top_speed_of(const Car& car, const Robot& robot, double u) {

@@ -15,6 +15,7 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
 MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,
                        double duration);
 Stray stray_of_car(const Car& car, double max_acceleration, double time_step);
+SensingError unforeseen_of_car(const Car& car, double max_acceleration, double time_step);
 double top_speed_of(const Car& car, const Robot& robot, double u);
 Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v);
 void append_own_half_planes(const Car& car, const Robot& robot, double time,

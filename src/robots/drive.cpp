@@ -124,6 +124,20 @@ double most_speed(const DifferentialDrive& drive, double max_acceleration, doubl
   return by_wheels ? by_speed : std::sqrt(std::max(0.0, drive.offset * left / g));
 }
 
+namespace {
+
+// rad, after so much time in which the velocity changes to that one.
+double next_heading(const DifferentialDrive& drive, const MotionState& state, Vec2 next_velocity,
+                    double time) {
+  const Turning turning = turning_of(drive, state, next_velocity, time);
+  Vec2 half{1.0, 0.0};
+  for (int k = 0; k < turning.substeps; ++k) half = turned_by_substep(drive, turning, k, half);
+  return std::remainder(state.heading + 2.0 * elementary::atan2(half.y, half.x),
+                        2.0 * std::numbers::pi);
+}
+
+}  // namespace
+
 MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
                          double time_step) {
   const Vec2 a = plan.acceleration;
@@ -133,14 +147,17 @@ MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& stat
   if (norm_squared(step.next.velocity) < 0x1p-100 * norm_squared(state.velocity))
     step.next.velocity = {};
   step.next.position = state.position + (0.5 * time_step) * (state.velocity + step.next.velocity);
-  const Turning turning = turning_of(drive, state, step.next.velocity, time_step);
-  Vec2 half{1.0, 0.0};
-  for (int k = 0; k < turning.substeps; ++k) half = turned_by_substep(drive, turning, k, half);
-  step.next.heading = std::remainder(state.heading + 2.0 * elementary::atan2(half.y, half.x),
-                                     2.0 * std::numbers::pi);
+  step.next.heading = next_heading(drive, state, step.next.velocity, time_step);
   step.acceleration = norm(a);
   step.way = 0.5 * time_step * (norm(state.velocity) + norm(step.next.velocity));
   return step;
+}
+
+MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
+                        const MotionState& to, double time, double duration) {
+  MotionState state = within(from, to, false, time, duration);
+  if (time > 0.0) state.heading = next_heading(drive, from, state.velocity, time);
+  return state;
 }
 
 bool follows(const DifferentialDrive& drive, double max_acceleration, const MotionState& state,

@@ -9,6 +9,10 @@ namespace avo {
 MotionStep advance_drive(const DifferentialDrive& drive, const MotionState& state, const Plan& plan,
                          double time_step);
 
+/// See within() in robots/model.h.
+MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
+                        const MotionState& to, double time, double duration);
+
 /// Whether the wheels keep their limits while q accelerates evenly to that velocity, at every
 /// instant of the step, and also if it then brakes straight at up to max_acceleration.
 bool follows(const DifferentialDrive& drive, double max_acceleration, const MotionState& state,

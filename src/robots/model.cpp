@@ -52,12 +52,19 @@ MotionStep advance(const MotionModel& model, const MotionLimits& limits, const M
 
 MotionState within(const MotionModel& model, const MotionState& from, const MotionState& to,
                    double time, double duration) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&model))
+    return within_step(*drive, from, to, time, duration);
   return within_arc(std::get<Car>(model), from, to, time, duration);
 }
 
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step) {
   const Car* car = std::get_if<Car>(&model);
   return car != nullptr ? stray_of_car(*car, max_acceleration, time_step) : Stray{};
+}
+
+SensingError unforeseen(const MotionModel& model, double max_acceleration, double time_step) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr ? unforeseen_of_car(*car, max_acceleration, time_step) : SensingError{};
 }
 
 double fastest_of(const MotionModel& model, double max_speed) {

@@ -38,6 +38,10 @@ struct Stray {
 };
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step);
 
+/// What others who see it in the midst of a step of that length, and expect of it what a_max does
+/// to the velocity of its disc, may be off by in place and velocity.
+SensingError unforeseen(const MotionModel& model, double max_acceleration, double time_step);
+
 /// m/s: that its disc never exceeds, where the robot itself keeps to max_speed.
 double fastest_of(const MotionModel& model, double max_speed);
 

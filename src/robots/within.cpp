@@ -25,15 +25,19 @@ double sine_ratio(double x) {
   return std::abs(x) < 1e-8 ? 1.0 : elementary::direction(x).y / x;
 }
 
-// The arc of the axle, Eq. (24): its length grows with the speed, and its turn with its length.
-MotionState within_axle_arc(const MotionState& from, const MotionState& to, double time,
-                            double duration) {
+// The arc of the axle, Eq. (24): its length grows with the speed, and its turn with its length. In
+// place it turns evenly, or, where its disc swings, by an angle that grows with the square of the
+// time.
+MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool swings,
+                            double time, double duration) {
   const double speed = signed_speed(from), next_speed = signed_speed(to);
   const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
   double length = 0.5 * (speed + next_speed) * duration;
   MotionState state = from;
   if (length == 0.0) {  // in place, or not at all
-    state.heading = std::remainder(from.heading + turn * (time / duration), 2.0 * std::numbers::pi);
+    const double part = time / duration;
+    state.heading =
+        std::remainder(from.heading + turn * (swings ? part * part : part), 2.0 * std::numbers::pi);
     return state;
   }
   if (next_speed == 0.0) {  // it may have come to rest before the end
@@ -66,8 +70,9 @@ MotionState moved(MotionState state, double ahead) {
 MotionState within_arc(const Car& car, const MotionState& from, const MotionState& to, double time,
                        double duration) {
   const double offset = offset_of(car);
-  if (offset == 0.0) return within_axle_arc(from, to, time, duration);
-  return moved(within_axle_arc(moved(from, -offset), moved(to, -offset), time, duration), offset);
+  if (offset == 0.0) return within_axle_arc(from, to, false, time, duration);
+  return moved(within_axle_arc(moved(from, -offset), moved(to, -offset), true, time, duration),
+               offset);
 }
 
 MotionState within(const MotionState& from, const MotionState& to, bool at_once, double time,

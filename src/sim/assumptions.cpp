@@ -107,7 +107,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                                 ? Behavior::decides
                                 : Behavior::moves_on,
                 .max_braking = other.max_braking,
-                .max_deviation = other.max_acceleration,
+                .max_deviation = reach_of(other.model) * other.max_acceleration,
                 .max_speed = top_speed(other),
                 .loiter = circle_of(other.model, other.position, start_velocity(other))};
     margin = late_phase(scenario, own, law) + late_phase(scenario, other, law);

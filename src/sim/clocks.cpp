@@ -58,10 +58,13 @@ void start_clock(World& world, std::size_t slot) {
   const auto phase = static_cast<Instant>(number % static_cast<std::uint64_t>(step_of(clock)));
   clock.end = clock.begin + phase;
   const double time = seconds(phase), speed = norm(clock.from.velocity);
-  const double left = std::max(0.0, speed - fleet.traits[slot].max_acceleration * time);
-  if (speed > 0.0) clock.to.velocity = (left / speed) * clock.from.velocity;
+  const double left = std::max(0.0, speed - fleet.traits[slot].max_braking * time);
+  if (!(speed > 0.0) || phase == 0) return;
+  clock.to.velocity = (left / speed) * clock.from.velocity;
   clock.to.position =
       clock.from.position + (0.5 * time) * (clock.from.velocity + clock.to.velocity);
+  if (const MotionModel* model = fleet.own_model(slot))
+    clock.to.heading = within(*model, clock.from, clock.to, time, time).heading;
 }
 
 void begin_step(World& world, std::size_t slot) {

@@ -70,23 +70,31 @@ void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
               " m, sensing_radius is " + std::to_string(scene.sensing_radius) + " m");
 }
 
-// Throws Error if it is too strong for the delay that all of them have allowed for.
-void check_delay(const World& world, const RobotSetup& setup, RobotId robot) {
-  const Scenario& settings = world.settings;
-  const PlannerOptions& options = world.planner().options();
-  if (settings.sensing.delay == 0 || options.certificate != Certificate::braking_trajectories)
-    return;
-  const double time = settings.sensing.delay * settings.time_step;
-  const double of_noise = declared_error(settings).velocity;
-  const double most = std::max(0.0, (options.sensing_error.velocity - of_noise) / time);
-  const auto is_allowed_for = [most](double a_max) { return a_max <= most * (1.0 + 1e-9); };
-  const std::vector<RobotTraits>& others = world.fleet.traits;
-  const bool were = std::all_of(others.begin(), others.end(), [&](const RobotTraits& traits) {
-    return is_allowed_for(traits.max_acceleration);
-  });
-  if (!were || is_allowed_for(setup.max_acceleration)) return;
-  refuse(name_of(robot) + ": max_acceleration", text(setup.max_acceleration),
-         "<= " + rounded(most, 9) + " m/s^2, what sensing_error allows for within the delay");
+// Throws Error where what all have declared is enough for those who are there, and not for this
+// one.
+void check_declared(const World& world, const RobotSetup& setup, RobotId robot) {
+  const SensingError& declared = world.planner().options().sensing_error;
+  if (world.planner().options().certificate != Certificate::braking_trajectories) return;
+  Scenario scene = world.settings;
+  const auto needed_by = [&scene](const RobotSetup& one) {
+    scene.robots.assign(1, one);
+    return declared_error(scene);
+  };
+  const auto suffices = [&declared](const SensingError& needed) {
+    constexpr double kRounding = 1.0 + 1e-9;
+    return needed.position <= kRounding * declared.position &&
+           needed.velocity <= kRounding * declared.velocity;
+  };
+  const SensingError needed = needed_by(setup);
+  if (suffices(needed) || !suffices(declared_error(world.settings))) return;
+  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot)
+    if (!suffices(needed_by(world.fleet.setup(slot)))) return;
+  const auto text_of = [](const SensingError& error) {
+    return "{position: " + rounded(error.position, 6) +
+           ", velocity: " + rounded(error.velocity, 6) + "}";
+  };
+  refuse(name_of(robot) + ": sensing_error", text_of(needed),
+         "at most " + text_of(declared) + ", what all have declared");
 }
 
 // Throws Error where an airplane, or one among airplanes, could not be kept apart from all others.
@@ -141,7 +149,7 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
 
 void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) {
   check_sensing(world, setup, robot);
-  check_delay(world, setup, robot);
+  check_declared(world, setup, robot);
   check_flights(world, setup, robot);
 }
 

@@ -28,8 +28,13 @@ std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
 }  // namespace
 
 RobotTraits traits_of(const RobotSetup& setup) {
-  return {disc_radius(setup),   setup.max_speed,       setup.max_acceleration,
-          braking_limit(setup), setup.preferred_speed, !is_holonomic(setup.model)};
+  return {.radius = disc_radius(setup),
+          .max_speed = setup.max_speed,
+          .max_acceleration = setup.max_acceleration,
+          .max_braking = braking_limit(setup),
+          .max_deviation = reach_of(setup.model) * setup.max_acceleration,
+          .preferred_speed = setup.preferred_speed,
+          .has_model = !is_holonomic(setup.model)};
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
@@ -157,8 +162,8 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior beha
                     .behavior = behavior,
                     .priority = conduct.priority,
                     .max_braking = max_braking_of(traits)};
+  neighbor.max_deviation = traits.max_deviation;
   if (behavior == Behavior::decides) return neighbor;
-  neighbor.max_deviation = traits.max_acceleration;
   neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
   return neighbor;
 }

@@ -21,6 +21,7 @@ struct RobotTraits {
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double max_braking = 0.0;       // m/s^2
+  double max_deviation = 0.0;     // m/s^2: its velocity may change by so much a second
   double preferred_speed = 0.0;   // m/s
   bool has_model = false;         // it is not holonomic
 };

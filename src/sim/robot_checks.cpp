@@ -38,7 +38,7 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
   require_usual("avoids", robot.avoids, usual.avoids);
 }
 
-void check_car(std::size_t i, const Car& car) {
+void check_car(std::size_t i, const RobotSetup& robot, const Car& car) {
   const std::string_view list = "robots";
   require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
   if (car.max_curvature)
@@ -46,6 +46,10 @@ void check_car(std::size_t i, const Car& car) {
   if (!car.body) return;
   require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
   require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
+  // whom it does not avoid counts on its acceleration, and knows nothing of how its disc swings
+  if (car.body->offset != 0.0 && !robot.parked && !(robot.avoids == RobotSetup{}.avoids))
+    refuse(std::string(Place{list, i, "avoids"}), list_of(robot.avoids),
+           "left out: its body is not over its axle");
 }
 
 void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
@@ -115,7 +119,7 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   }
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
-  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
+  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, robot, *car);
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     check_drive(i, robot, *drive);
   if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))

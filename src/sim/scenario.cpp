@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "avo/response.h"
 #include "core/ranges.h"
@@ -87,11 +86,6 @@ void check_clock(const Name& name, double time_step) {
 void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
   const bool is_free = scenario.clock == Clock::free;
   if (is_free) check_clock("time_step", scenario.time_step);
-  for (std::size_t i = 0; i < scenario.robots.size() && is_free; ++i) {
-    if (std::holds_alternative<DifferentialDrive>(scenario.robots[i].model))
-      refuse(std::string(Place{"robots", i, "model"}), "a differential drive",
-             "holonomic or a car where clock is free");
-  }
   if (scenario.longest_step && !is_free)
     refuse("longest_step", text(*scenario.longest_step), "left out where clock is common");
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
@@ -220,11 +214,6 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
     if (!is_holonomic(scenario.robots[i].model) && options.motion != Motion::held)
       refuse(std::string(Place{"robots", i, "model"}), "one that is not holonomic",
              "holonomic with a certificate where motion is exponential");
-    // others count on what a_max can do to the velocity of its disc within the rest of its step
-    if (scenario.clock == Clock::free && may_exceed_reach(scenario.robots[i].model))
-      refuse(std::string(Place{"robots", i, "car"}),
-             "one with a body ahead of its axle, or with the exact set of accelerations",
-             "without both where clock is free, with a certificate");
   }
   check_braking(scenario, options);
   check_beside_walls(scenario);

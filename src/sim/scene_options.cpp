@@ -34,6 +34,21 @@ double longest_step_of(const Scenario& scenario) {
   return longest > 0.0 ? longest : scenario.time_step;
 }
 
+// What the rest of a step adds to a state that is seen in the midst of it, beyond what
+// max_acceleration does to the velocity of the disc: see docs/certificate.md, "Clocks of their
+// own".
+SensingError unforeseen(const Scenario& scenario) {
+  const double longest = longest_step_of(scenario);
+  SensingError most;
+  for (const RobotSetup& robot : scenario.robots) {
+    if (robot.parked) continue;
+    const SensingError own = unforeseen(robot.model, robot.max_acceleration, longest);
+    most.position = std::max(most.position, own.position);
+    most.velocity = std::max(most.velocity, own.velocity);
+  }
+  return most;
+}
+
 }  // namespace
 
 PlannerOptions planner_options(const Scenario& scenario) {
@@ -69,6 +84,10 @@ SensingError declared_error(const Scenario& scenario) {
   const bool is_gaussian = distribution == NoiseDistribution::gaussian;
   const double most = kBoth * (is_gaussian ? truncated.value_or(kUsualTruncation) : 1.0);
   SensingError error{most * position, most * velocity};
+  if (scenario.clock == Clock::free) {
+    const auto [unseen_way, unseen_speed] = unforeseen(scenario);
+    error.position += unseen_way, error.velocity += unseen_speed;
+  }
   if (scenario.sensing.delay == 0 && scenario.sensing.dropped == 0.0) return error;
   double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
   for (const RobotSetup& robot : scenario.robots) {

@@ -107,6 +107,23 @@ TEST(Age, is_an_error_of_that_neighbor) {
   }
 }
 
+// As a car with the exact set, whose velocity changes by more than its a_max.
+TEST(Age, counts_the_acceleration_that_it_may_have_had) {
+  StepLaw law;
+  law.time_step = 0.1;
+  Neighbor late{.max_acceleration = 1.0, .age = 3};
+  EXPECT_DOUBLE_EQ(error_against(late, law).velocity, 0.3);
+  late.max_deviation = 0.5;  // it has its a_max at least
+  EXPECT_DOUBLE_EQ(error_against(late, law).velocity, 0.3);
+  late.max_deviation = 1.4;
+  EXPECT_DOUBLE_EQ(error_against(late, law).velocity, 0.42);
+  EXPECT_DOUBLE_EQ(error_against(late, law).position, 0.5 * 1.4 * 0.09);
+  NeighborColumns columns;
+  columns.reserve(1);
+  columns.add(late);
+  EXPECT_EQ(columns[0].max_deviation, 1.4);
+}
+
 TEST(Age, out_of_range_is_invalid) {
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "avo/checked.h"
@@ -159,6 +160,52 @@ TEST(CarCrush, nobody_touches_a_wall) {
   }
   EXPECT_GT(robot_steps, 40'000);
   EXPECT_LT(least, 1e-3) << "nobody comes near";
+}
+
+// Drives among them. Half of all decide twice as often, and all are sent to one point after the
+// other.
+TEST(CarCrush, with_clocks_of_their_own_nobody_touches_anybody) {
+  std::int64_t robot_steps = 0;
+  double least = 1e9;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Scenario scene = crush(random);
+    scene.clock = Clock::free, scene.seed = seed;
+    std::vector<CheckedRobot> robots;
+    for (RobotSetup& robot : scene.robots) {
+      if (random.below(2) == 0) robot.time_step = 0.5 * scene.time_step;
+      if (is_holonomic(robot.model) && random.below(2) == 0) {
+        const DifferentialDrive drive{.wheel_speed = robot.max_speed,
+                                      .wheel_acceleration = 4.0 * robot.max_acceleration};
+        robot.model = drive, robot.heading = random.uniform(-3.0, 3.0);
+      }
+      robots.push_back(checked_robot(robot));
+      robots.back().time_step = time_step_of(scene, robot);
+    }
+    Check check(robots);
+    Simulation simulation(scene, 1);
+    check.add(0.0, checked_states(simulation.fleet()));
+    double next_rally = 0.0;
+    while (simulation.time() < 30.0) {
+      if (simulation.time() >= next_rally) {
+        const Vec2 rally = in_disc(random, 3.0);
+        for (std::size_t k = 0; k < robots.size(); ++k) simulation.set_goal({k}, rally);
+        next_rally += 8.0;
+      }
+      simulation.step();
+      check.add(simulation.time(), checked_states(simulation.fleet()));
+      robot_steps += std::ssize(robots);
+    }
+    const CheckReport report = check.report();
+    EXPECT_EQ(report.overlaps.count, 0) << "by " << report.overlaps.worst;
+    EXPECT_EQ(report.changes.count, 0) << "by " << report.changes.worst;
+    EXPECT_TRUE(report.safe());
+    least = std::min(least, report.least_clearance.value_or(1e9));
+  }
+  EXPECT_GT(robot_steps, 500'000);
+  EXPECT_LT(least, 0.1) << "no crush";
+  RecordProperty("least", std::to_string(least));
 }
 
 }  // namespace

@@ -187,8 +187,8 @@ TEST(FreeClock, no_rest_of_a_step_leads_farther_than_the_drift) {
     options.clock = Clock::free, options.longest_step = random.log_uniform(0.02, 0.3);
     const StepLaw law = law_of(options).step;
     using Real = scalar::Pack<double>;
-    const auto drift = scalar::drift_of<Real>(
-        norm(b.velocity), increment(b.max_acceleration, law), decrement_of(b, law), law);
+    const auto drift = scalar::drift_of<Real>(norm(b.velocity), increment(b.max_acceleration, law),
+                                              decrement_of(b, law), law);
     const double part = k % 2 == 0 ? 1.0 : random.uniform(0.2, 1.0);
     const double step = part * options.longest_step;
     const double time = k % 3 == 0 ? step : random.uniform(0.0, step);

@@ -118,6 +118,23 @@ void expect_braking_within_limits(int brakings, std::uint64_t seed) {
               brakings, worst.acceleration, worst.speed);
 }
 
+TEST(Drive, in_the_midst_of_a_step_it_is_where_a_shorter_one_ends) {
+  Random random(23);
+  for (int k = 0; k < 2000; ++k) {
+    const Drawn d = drawn(random);
+    const double step = random.log_uniform(0.02, 0.5), time = random.uniform(0.01, 0.99) * step;
+    const Plan plan = plan_by(test::in_disc(random, d.max_acceleration));
+    const MotionState to = advance_drive(d.drive, d.state, plan, step).next;
+    const MotionState now = within_step(d.drive, d.state, to, time, step);
+    const MotionState shorter = advance_drive(d.drive, d.state, plan, time).next;
+    EXPECT_NEAR(norm(now.position - shorter.position), 0.0, 1e-12) << k;
+    EXPECT_NEAR(norm(now.velocity - shorter.velocity), 0.0, 1e-12) << k;
+    EXPECT_LT(angle_between(now.heading, shorter.heading), 1e-12) << k;
+    const MotionState start = within_step(d.drive, d.state, to, 0.0, step);
+    EXPECT_EQ(start.heading, d.state.heading);
+  }
+}
+
 TEST(Drive, braking_straight_keeps_S_and_the_wheels_within_their_limits) {
   expect_braking_within_limits(20'000, 32);
 }

@@ -217,6 +217,19 @@ TEST(Layers, who_is_not_avoided_changes_no_bit) {
   }
 }
 
+TEST(Layers, to_the_one_that_avoids_a_car_it_accelerates_as_its_set_allows) {
+  Scenario scene;
+  scene.robots = {in_layer(robot_at({0, 0}, {9, 0}), 1, 3),
+                  in_layer(robot_at({5, 0}, {-9, 0}), 2, 2)};
+  scene.robots[1].model = Car{.acceleration_set = AccelerationSet::exact};
+  const Neighbor seen = Simulation(scene, 1).perceive(0).neighbors.at(0);
+  EXPECT_EQ(seen.behavior, Behavior::moves_on);
+  EXPECT_DOUBLE_EQ(seen.max_deviation, std::sqrt(2.0));
+  scene.robots[1].model = Car{.body = CarBody{0.4, 0.6}};
+  EXPECT_EQ(refusal(scene),
+            "robots.1.avoids: found [1], must be left out: its body is not over its axle");
+}
+
 // What the next step decides is what plan() makes of a mover, and the mover decides as if alone.
 TEST(Layers, to_the_one_that_avoids_the_other_is_a_mover) {
   Scenario scene;

@@ -354,8 +354,30 @@ TEST(Senses, nobody_comes_who_is_too_strong_for_the_declared_delay) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),
-                 "robot 4: max_acceleration: found 1.1, must be <= 1 m/s^2, what sensing_error "
-                 "allows for within the delay");
+                 "robot 4: sensing_error: found {position: 0.0564117, velocity: 0.194853}, must be "
+                 "at most {position: 0.0559117, velocity: 0.184853}, what all have declared");
+  }
+}
+
+TEST(Senses, nobody_comes_whose_disc_moves_as_nobody_has_declared) {
+  const RobotSetup plain = robot_at({9.0, 9.0}, {0.0, 9.0});
+  RobotSetup swinging = robot_at({14.0, 9.0}, {0.0, 9.0}), exact = swinging;
+  swinging.model = Car{.max_curvature = 0.5, .body = CarBody{0.4, 0.6}};
+  exact.model = Car{.acceleration_set = AccelerationSet::exact};
+  SensingModel late;
+  late.delay = 1;
+  for (const bool free : {false, true}) {
+    Scenario scene = crossing(3, free ? SensingModel{} : late);
+    if (free) scene.clock = Clock::free;
+    for (const RobotSetup& setup : {swinging, exact}) {
+      Simulation simulation(scene, 1);
+      simulation.add_robot(plain);
+      EXPECT_THROW(simulation.add_robot(setup), Error) << free;
+      Scenario with = scene;
+      with.robots.push_back(setup);
+      with.robots.back().position.y = -14.0;
+      EXPECT_NO_THROW(Simulation(with, 1).add_robot(setup)) << free;
+    }
   }
 }
 
