@@ -214,11 +214,9 @@ const std::vector<BadScene> kBadScenes{
      "3:44: robots.0.car: found the unknown key \"wheel_base\", allowed are wheelbase, "
      "max_curvature, body, reverse, acceleration_set, heading; "
      "did you mean \"wheelbase\"?"},
-    {"drive_with_a_clock_of_its_own",
-     s("version: 1\nclock: free\nrobots:\n"
-       "  - {position: [0, 0], goal: [1, 0], model: differential_drive}\n"),
-     "4:45: robots.0.model: found a differential drive, must be holonomic or a car where clock is "
-     "free"},
+    {"airplane_with_a_clock_of_its_own",
+     s("version: 1\nclock: free\nrobots:\n  - {position: [0, 0], goal: [1, 0], airplane: {}}\n"),
+     "2:8: clock: found free, must be common in a scene with airplanes"},
     {"two_headings",
      s("version: 1\nrobots:\n"
        "  - {position: [0, 0], goal: [1, 0], heading: 1, car: {heading: 1}}\n"),
