@@ -107,7 +107,8 @@ std::optional<double> find_crossing(const Front& front, double max_acceleration)
 std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
                                          const StepLaw& law) {
   const bool decides = neighbor.behavior == Behavior::decides;
-  const double a_B = decides ? neighbor.max_acceleration : 0.0;
+  const double a_B = decides ? std::max(neighbor.max_acceleration, neighbor.max_deviation)
+                             : neighbor.max_deviation;
   const auto [position, velocity] = error_against(neighbor, law);
   const Vec2 p = robot.position - neighbor.position;
   const Vec2 kept = decides ? Vec2{} : neighbor.acceleration;

@@ -29,13 +29,14 @@ struct NeighborColumns {
   bool has_aged = false;                         // the age of some is not 0
   bool has_priorities = false;                   // some have another one than 1
   bool has_max_braking = false;                  // some have one
+  bool has_deviations = false;                   // likewise a max_deviation
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
   std::vector<double> decides;      // see below; kPrompt unless add() was told otherwise
   std::vector<double> priority;     // likewise 1
   std::vector<double> max_braking;  // m/s², read where some have one
   std::vector<int> age;             // steps, of all that are not kPrompt
-  std::vector<MoverMotion> motion;  // of those that do not decide, and of all that are not kPrompt
+  std::vector<MoverMotion> motion;  // of those that do not decide; else its max_deviation
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
@@ -62,6 +63,7 @@ struct NeighborColumns {
     max_braking[count] = braking_limit(neighbor);
     motion[count++] = {neighbor.acceleration, neighbor.max_deviation, neighbor.max_speed};
     has_movers = has_movers || moves_on;
+    has_deviations = has_deviations || neighbor.max_deviation > 0.0;
     has_aged = has_aged || aged;
     has_priorities = has_priorities || neighbor.priority != 1.0;
     has_max_braking = has_max_braking || neighbor.max_braking;
@@ -80,6 +82,7 @@ struct NeighborColumns {
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
     count = 0;
     has_movers = has_aged = has_priorities = has_max_braking = has_loiterers = false;
+    has_deviations = false;
   }
   Neighbor operator[](std::size_t i) const {
     Neighbor neighbor{.position = {x[i], y[i]},
@@ -90,7 +93,7 @@ struct NeighborColumns {
                       .priority = priority[i]};
     if (has_max_braking) neighbor.max_braking = max_braking[i];
     if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
-    if (decides[i] != kPrompt) neighbor.max_deviation = motion[i].max_deviation;
+    if (has_deviations) neighbor.max_deviation = motion[i].max_deviation;
     if (decides[i] != kMover) return neighbor;
     neighbor.behavior = Behavior::moves_on;
     neighbor.acceleration = motion[i].acceleration;

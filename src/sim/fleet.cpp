@@ -162,6 +162,8 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior beha
                     .behavior = behavior,
                     .priority = conduct.priority,
                     .max_braking = max_braking_of(traits)};
+  if (behavior == Behavior::decides && traits.max_deviation <= traits.max_acceleration)
+    return neighbor;
   neighbor.max_deviation = traits.max_deviation;
   if (behavior == Behavior::decides) return neighbor;
   neighbor.max_speed = std::max(traits.max_speed, norm(velocity));

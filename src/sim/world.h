@@ -75,7 +75,7 @@ struct World {
   bool torn = false;               // a step ended while some had moved and others not
   bool changed = true;             // robots came or went
   bool fast = false;               // some robot exceeds its max_speed
-  bool alike = true;               // all robots are of one Conduct, the usual one
+  bool alike = true;               // all robots are as others expect who know nothing more
   bool selective = false;          // not everybody minds everybody, or some loiter
   std::size_t parked = 0;          // robots
   bool valid = false;              // all robots were, when they came, and there is nobody else

@@ -66,6 +66,16 @@ TEST(StateQuery, one_that_decides_is_taken_to_do_its_best) {
             SafetyState::unknown);
 }
 
+TEST(StateQuery, one_that_may_do_something_else_dooms_more_rarely) {
+  Neighbor person = oncoming(4.01, 2.0, Behavior::moves_on), exact = oncoming(2.7, 2.0);
+  EXPECT_EQ(state_of(driving(), {person}).state, SafetyState::doomed);
+  person.max_deviation = 3.0;  // it may stop, or step aside
+  EXPECT_EQ(state_of(driving(), {person}).state, SafetyState::unknown);
+  EXPECT_EQ(state_of(driving(), {exact}).state, SafetyState::doomed);
+  exact.max_deviation = 1.5;
+  EXPECT_EQ(state_of(driving(), {exact}).state, SafetyState::unknown);
+}
+
 TEST(StateQuery, one_at_rest_is_doomed_where_it_cannot_get_away) {
   Robot slow;
   slow.max_speed = 0.3;
