@@ -252,30 +252,6 @@ AVO_KERNEL void push(const PackConstraints<Real>& fresh, Real m, Mask kept,
   constraints.count += Real::kLanes;
 }
 
-// Of the intervals from k on those that are looked at closely: each for itself, so that no number
-// of lanes has a say.
-template <bool is_free, typename Real, typename MarginAt>
-AVO_KERNEL auto looked_at(const PairConstraints& wanted, const OwnColumns& own, std::size_t k,
-                          const PackPoints<Real>& q, Real inflated, const MarginAt& margin_at) {
-  const Real zero(0.0), most = Real::load(&own.most[k]), m = Real::numbers_from(k);
-  const Vec<Real> d = constant<Real>(wanted.pair.a.direction);
-  auto close = m < Real(static_cast<double>(wanted.intervals));
-  const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
-  PackMargin<Real> margin = margin_at(m, Real(wanted.pair.contact), before + after);
-  if (is_free) margin.cone = zero;  // whoever is out of reach asks for none
-  const Real around = max(before, after), length = norm(q.middle);
-  const Real gap = Real(wanted.pair.share) * (length - (inflated + around + margin.distance));
-  const Real left = gap - margin.cone * most;
-  close = close & !(left > most);
-  if (!any(close)) return close;
-  // n points to what is so near to q_1 that it is turned by less than around/w
-  const Real w = length - Real(0.5) * around;
-  const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
-  const Real loss = max(-dot(q.middle, d), zero) * E + abs(cross(q.middle, d)) * F;
-  return close &
-         !((left > zero) & ((left - Real::load(&own.anyhow[k])) * w > loss + around * (E + F)));
-}
-
 /// Appends the constraints that can refuse a candidate. Returns the least distance of the intervals
 /// that are looked at closely; of the others it is beyond contact.
 template <typename Real, bool is_free, typename Other>
@@ -283,7 +259,7 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
               const OwnColumns& own, ConstraintColumns& constraints) {
   const BrakingPair& pair = wanted.pair;
   const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
-  const Real share(pair.share);
+  const Real share(pair.share), contact(pair.contact);
   constexpr bool kDeviates = std::is_same_v<Other, DeviatingOther<Real>>;
   const Vec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
@@ -314,8 +290,25 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
       q = reach.q, spread = reach.radius;
       inflated = inflated + spread;
     }
-    const auto close = looked_at<is_free>(wanted, own, k, q, inflated, margin_at);
-    if (!any(close)) continue;
+    // those that are looked at closely: each for itself, so that no number of lanes has a say
+    auto close = m < Real(static_cast<double>(wanted.intervals));
+    {
+      const Real before = one_norm(q.middle - q.start), after = one_norm(q.end - q.middle);
+      PackMargin<Real> margin = margin_at(m, contact, before + after);
+      if (is_free) margin.cone = zero;  // whoever is out of reach asks for none
+      const Real around = max(before, after), length = norm(q.middle);
+      const Real gap = share * (length - (inflated + around + margin.distance));
+      const Real left = gap - margin.cone * most;
+      close = close & !(left > most);
+      if (!any(close)) continue;
+      // n points to what is so near to q_1 that it is turned by less than around/w
+      const Real w = length - Real(0.5) * around;
+      const Real E = Real::load(&own.ahead[k]), F = Real::load(&own.across[k]);
+      const Real loss = max(-dot(q.middle, d), zero) * E + abs(cross(q.middle, d)) * F;
+      close = close & !((left > zero) &
+                        ((left - Real::load(&own.anyhow[k])) * w > loss + around * (E + F)));
+      if (!any(close)) continue;
+    }
     const Vec<Real> n = normal_of(q);
     const Real distance = min(min(dot(n, q.start), dot(n, q.middle)), dot(n, q.end));
     const auto holds = m < Real(wanted.moving);  // the invariant speaks of it
