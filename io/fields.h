@@ -11,109 +11,12 @@
 #include <variant>
 #include <vector>
 
-#include "avo/geometry.h"
 #include "avo/scenario.h"
+#include "avo/vec.h"
 #include "core/ranges.h"
+#include "scene_parts.h"
 
 namespace avo_io {
-
-/// N robots on a circle of radius max(min_radius, spacing * N / 2π), evenly, from angle 0.
-struct CirclePlacement {
-  avo::Vec2 center;
-  double min_radius = 0.0;
-  double spacing = 2.25;
-};
-/// Row by row from `corner` towards +x, then +y.
-struct GridPlacement {
-  avo::Vec2 corner;
-  double spacing = 2.0;
-  int columns = 1;
-};
-/// Evenly from `from` to `to`.
-struct LinePlacement {
-  avo::Vec2 from, to;
-};
-/// Uniform in the rectangle from min to max, no disc nearer than `clearance` to another one.
-struct RandomPlacement {
-  avo::Vec2 min, max;
-  double clearance = 0.0;
-};
-using Placement = std::variant<CirclePlacement, GridPlacement, LinePlacement, RandomPlacement>;
-
-/// The start mirrored in the center of the placement.
-struct AntipodalGoals {};
-/// The start moved by `by`.
-struct OffsetGoals {
-  avo::Vec2 by;
-};
-/// The starts of the group, dealt anew in one random cycle: nobody keeps his own.
-struct PermutationGoals {};
-/// Uniform in the rectangle from min to max, no goal's disc nearer than `clearance` to another.
-struct RandomGoals {
-  avo::Vec2 min, max;
-  double clearance = 0.0;
-};
-using Goals = std::variant<AntipodalGoals, OffsetGoals, PermutationGoals, RandomGoals>;
-
-enum class GroupHeading : std::uint8_t { goal, random, given };
-
-/// Many like robots.
-struct Group {
-  int number = 0;
-  avo::RobotSetup robot;  ///< all but position and goal
-  GroupHeading heading = GroupHeading::goal;
-  Placement placement;
-  Goals goals;
-};
-
-/// `number` robots from the first rows of a MovingAI scenario.
-struct RobotsFrom {
-  std::string scen;  ///< file, relative to the scene's
-  int number = 0;
-  avo::RobotSetup robot;  ///< all but position and goal
-  GroupHeading heading = GroupHeading::goal;
-};
-
-struct PolylineObstacle {
-  std::vector<avo::Vec2> points;  ///< at least two
-};
-struct PolygonObstacle {
-  std::vector<avo::Vec2> points;  ///< at least three
-  bool solid = false;
-};
-struct DiscObstacle {
-  avo::Disc disc;
-};
-struct WktObstacle {
-  std::string text;
-  avo::Fill as = avo::Fill::solid;
-};
-struct WktFileObstacle {
-  std::string file;
-  avo::Fill as = avo::Fill::solid;
-};
-struct MapObstacle {
-  std::string file;
-  double cell = 1.0;
-  avo::Vec2 origin;
-};
-struct RosMapObstacle {
-  std::string file;
-};
-/// An entry of `obstacles`; the first field of each is the key that tells its kind.
-using ObstacleEntry = std::variant<PolylineObstacle, PolygonObstacle, DiscObstacle, WktObstacle,
-                                   WktFileObstacle, MapObstacle, RosMapObstacle>;
-
-enum class RosMode : std::uint8_t { trinary, scale };
-
-/// What a map.yaml of ROS says of its image.
-struct RosMap {
-  std::string image;  ///< file, relative to map.yaml
-  double resolution = 0.05;
-  double occupied_thresh = 0.65, free_thresh = 0.25;
-  int negate = 0;
-  RosMode mode = RosMode::trinary;
-};
 
 /// Which kinds of values T has. std::monostate: one with keys of its own, read by the code that
 /// knows them.

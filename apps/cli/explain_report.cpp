@@ -169,16 +169,19 @@ void append_certificate(const Decision& decision,
     line("detour", fmt::format("{:.6g} rad to the right", decision.seen.detour.angle));
 }
 
-}  // namespace
-
-std::string to_json(const Decision& decision) {
-  const auto& seen = decision.seen;
+Json half_planes_of(const Decision& decision) {
   Json half_planes = Json::array();
   for (const avo::NeighborPlane& plane : decision.half_planes.planes)
     half_planes.push_back(
-        {{"neighbor", name_of(seen.source[static_cast<std::size_t>(plane.neighbor)])},
+        {{"neighbor", name_of(decision.seen.source[static_cast<std::size_t>(plane.neighbor)])},
          {"normal", to_json(plane.plane.normal)},
          {"offset", plane.plane.offset}});
+  return half_planes;
+}
+
+// Whom it senses.
+Json obstacles_of(const Decision& decision) {
+  const auto& seen = decision.seen;
   Json obstacles = Json::array();
   for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
     const avo::Neighbor& neighbor = seen.neighbors[k];
@@ -201,6 +204,13 @@ std::string to_json(const Decision& decision) {
     }
     if (!decision.risks.empty()) obstacles.back()["risk"] = decision.risks[k];
   }
+  return obstacles;
+}
+
+}  // namespace
+
+std::string to_json(const Decision& decision) {
+  const auto& seen = decision.seen;
   const avo::Robot& self = seen.robot;
   Json json{{"scene", decision.scene},
             {"robot", decision.robot},
@@ -213,9 +223,9 @@ std::string to_json(const Decision& decision) {
             {"max_acceleration", self.max_acceleration},
             {"max_braking", braking_limit(self)},
             {"priority", self.priority},
-            {"obstacles", obstacles},
+            {"obstacles", obstacles_of(decision)},
             {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
-            {"half_planes", half_planes},
+            {"half_planes", half_planes_of(decision)},
             {"walls", walls_of(decision)},
             {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
   if (decision.method == avo::Method::avo) {

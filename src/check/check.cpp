@@ -6,15 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <unordered_set>
 #include <utility>
 
 #include "avo/error.h"
 #include "check/counts.h"
 #include "check/course.h"
-#include "check/duty.h"
 #include "check/kinematics.h"
 #include "check/own_clock.h"
+#include "check/pair_judge.h"
 #include "check/refuse.h"
 #include "check/step.h"
 #include "check/sweep.h"
@@ -24,16 +23,10 @@
 namespace avo {
 namespace {
 
-using judge::Duty;
-using judge::duty;
 using judge::Mover;
 using judge::note;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// A robot is at rest up to this part of max_speed (of 1 m/s where there is none).
-constexpr double kAtRest = 1e-9;
-constexpr std::size_t kMostPairs = 10'000'000;
 
 // The last that was seen of a robot.
 struct Seen {
@@ -42,24 +35,6 @@ struct Seen {
   bool arrived = false, at_goal = false;
   judge::OwnClock clock;
 };
-
-using Pairs = std::unordered_set<std::uint64_t>;
-
-// Those who ever touched what does not avoid them, and those of them who moved.
-struct Contacts {
-  Pairs all, moving;
-  std::int64_t at_rest() const { return static_cast<std::int64_t>(all.size() - moving.size()); }
-};
-
-std::uint64_t key(std::int64_t a, std::int64_t b) {
-  return static_cast<std::uint64_t>(a) << 32U | static_cast<std::uint64_t>(b);
-}
-
-void insert(Pairs& pairs, std::uint64_t pair) {
-  if (pairs.size() >= kMostPairs && !pairs.contains(pair))
-    throw Error("found more than " + std::to_string(kMostPairs) + " overlapping pairs");
-  pairs.insert(pair);
-}
 
 }  // namespace
 
@@ -73,9 +48,7 @@ struct Check::State {
   std::vector<Seen> seen;
   std::int64_t times = 0;
   double last_time = 0.0, last_arrival = 0.0;
-  Pairs overlaps;
-  Contacts contacts, one_sided;
-  judge::Kinds kinds;
+  judge::PairJudge pairs;
   judge::WallJudge walls;
 
   // of the present step
@@ -91,19 +64,6 @@ struct Check::State {
                     double time);
   void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
   void judge_arrival(double time, const CheckedState& row);
-  void meet(std::size_t first, std::size_t second);
-  void meet_robots(const Mover& a, const Mover& b);
-  void meet_mover(const Mover& robot, const Mover& other, Contacts& known, CheckCount& moving);
-  double overlap_distance(const Mover& a, const Mover& b) const {
-    return (a.radius + b.radius) * (1.0 - options.relative_tolerance) - a.error - b.error;
-  }
-  // The time of a fraction of the present step, for this pair, s.
-  double instant(const Mover& a, const Mover& b, double fraction) const {
-    return last_time + (judge::end_only(a, b) ? 1.0 : fraction) * duration;
-  }
-  // No pair farther apart than this tells anything new, m.
-  double reach() const { return std::max(report.least_clearance.value_or(unmet()), 0.0); }
-  double unmet() const { return kinds.mutual ? kInfinity : 0.0; }
 };
 
 void Check::State::require_sound(double time, std::span<const CheckedState> rows) const {
@@ -206,69 +166,6 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   mine.at = times;
 }
 
-void Check::State::meet_robots(const Mover& a, const Mover& b) {
-  const auto path = judge::relative_pieces(a, b, duration);
-  const double contact = a.radius + b.radius, limit = overlap_distance(a, b);
-  const std::uint64_t pair = key(a.index, b.index);
-  const double best = report.least_clearance.value_or(kInfinity);
-  // the rows themselves are not interpolated
-  const double at_start = norm(path.piece(0).control.front());
-  const double at_rows = std::min(at_start, norm(a.to - b.to));
-  const double row_limit = contact * (1.0 - options.relative_tolerance);
-  const double known = overlaps.contains(pair) ? row_limit - report.overlaps.worst : row_limit;
-  if (lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
-  const judge::Instant nearest = nearest_instant(path);
-  report.least_clearance = std::min(best, nearest.distance - contact);
-  const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
-  if (!(depth > 0.0)) return;
-  insert(overlaps, pair);
-  CheckViolation overlap{last_time, a.index, b.index, depth};
-  report.overlaps.worst = std::max(report.overlaps.worst, overlap.amount);
-  if (report.overlaps.first && report.overlaps.first->time < last_time) return;
-  const double first_row = at_start < row_limit ? 0.0 : 1.0;
-  const double instant_seen = at_rows < row_limit ? first_row : nearest.fraction;
-  overlap.time =
-      instant(a, b, std::min(first_below(path, limit).value_or(instant_seen), instant_seen));
-  note(report.overlaps, overlap);
-}
-
-// A robot that moves at all in a step rests at single instants of it only: it is enough to know
-// the first and the last instant of the contact.
-void Check::State::meet_mover(const Mover& robot, const Mover& other, Contacts& known,
-                              CheckCount& moving) {
-  const auto path = judge::relative_pieces(robot, other, duration);
-  const double limit = overlap_distance(robot, other);
-  if (lower_bound(path) > limit) return;
-  const double nearest = nearest_instant(path).distance;
-  if (!(nearest < limit)) return;
-  const std::uint64_t pair = key(robot.index, other.index);
-  insert(known.all, pair);
-  const double first = first_below(path, limit).value_or(0.0);
-  const double last = last_below(path, limit).value_or(1.0);
-  const double at_rest =
-      kAtRest * judge::speed_scale(robots[static_cast<std::size_t>(robot.index)]);
-  if (!(judge::speed_bound(robot, first, last, duration) > at_rest)) return;
-  insert(known.moving, pair);
-  note(moving, {instant(robot, other, first), robot.index, other.index, limit - nearest});
-}
-
-void Check::State::meet(std::size_t first, std::size_t second) {
-  const Mover &a = movers[std::min(first, second)], &b = movers[std::max(first, second)];
-  if (a.obstacle) return;  // robots come first: then both are
-  if (b.obstacle) return meet_mover(a, b, contacts, report.obstacle_contacts_moving);
-  switch (
-      duty(robots[static_cast<std::size_t>(a.index)], robots[static_cast<std::size_t>(b.index)])) {
-    case Duty::nobody:
-      return;
-    case Duty::first:
-      return meet_mover(a, b, one_sided, report.one_sided_contacts_moving);
-    case Duty::second:
-      return meet_mover(b, a, one_sided, report.one_sided_contacts_moving);
-    case Duty::both:
-      return meet_robots(a, b);
-  }
-}
-
 Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedObstacle> obstacles,
              const CheckOptions& options)
     : state_(std::make_unique<State>()) {
@@ -293,7 +190,7 @@ std::int64_t Check::add_robot(const CheckedRobot& robot) {
   judge::require_sound("robots." + std::to_string(index), robot);
   state_->seen.emplace_back();
   state_->robots.push_back(robot);
-  state_->kinds.add(robot);
+  state_->pairs.add_robot(robot);
   return index;
 }
 
@@ -321,8 +218,9 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   if (begins) state.last_time = state.report.from = time;
   state.movers.clear();
   for (const CheckedState& row : rows) state.judge_row(time, row);
-  for (const Mover& robot : state.movers)
-    state.walls.judge(robot, {state.last_time, state.duration, state.options.relative_tolerance});
+  const judge::Step step{state.last_time, state.duration, state.options.relative_tolerance,
+                         state.robots};
+  for (const Mover& robot : state.movers) state.walls.judge(robot, step);
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     const CheckedObstacle& obstacle = state.obstacles[k];
     const auto told = [&](double t) { return judge::place_of(obstacle, t); };
@@ -336,8 +234,10 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   for (std::size_t i = 0; i < state.movers.size(); ++i)
     state.boxes.push_back(judge::box_of(state.movers[i], i, state.duration));
   judge::sweep(
-      state.boxes, [&state] { return state.reach(); },
-      [&state](std::size_t a, std::size_t b) { state.meet(a, b); });
+      state.boxes, [&state] { return state.pairs.reach(); },
+      [&](std::size_t a, std::size_t b) {
+        state.pairs.meet(state.movers[std::min(a, b)], state.movers[std::max(a, b)], step);
+      });
   state.last_time = state.report.to = time;
   state.report.rows += static_cast<std::int64_t>(rows.size());
   state.report.steps = state.times++;
@@ -358,11 +258,7 @@ CheckReport Check::report() const {
   }
   if (report.with_goal > 0 && report.arrived == report.with_goal)
     report.last_arrival = state.last_arrival;
-  report.overlaps.count = static_cast<std::int64_t>(state.overlaps.size());
-  report.obstacle_contacts_moving.count = static_cast<std::int64_t>(state.contacts.moving.size());
-  report.obstacle_contacts_at_rest = state.contacts.at_rest();
-  report.one_sided_contacts_moving.count = static_cast<std::int64_t>(state.one_sided.moving.size());
-  report.one_sided_contacts_at_rest = state.one_sided.at_rest();
+  state.pairs.write(report);
   state.walls.write(report);
   return report;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "avo/check.h"
@@ -13,6 +14,13 @@
 #include "check/sweep.h"
 
 namespace avo::judge {
+
+/// The step that is judged.
+struct Step {
+  double from = 0.0, duration = 0.0;  // s
+  double relative_tolerance = 0.0;
+  std::span<const CheckedRobot> robots;  // by number
+};
 
 /// A robot's disc or an obstacle over one step.
 struct Mover {

@@ -10,12 +10,6 @@
 
 namespace avo::judge {
 
-/// The step that is judged.
-struct Step {
-  double from = 0.0, duration = 0.0;  // s
-  double relative_tolerance = 0.0;
-};
-
 /// The tree holds the walls; a robot counts once.
 class WallJudge {
  public:

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "avo/scenario.h"
+#include "avo/simulation.h"
+#include "metrics/not_arrived.h"
 #include "metrics/separation.h"
 
 namespace avo {
@@ -21,6 +23,18 @@ struct Body {
   const RobotSetup* setup = nullptr;  // of a robot
   std::optional<ArcPath> arc = {};    // of one that turns, which `path` interpolates
 };
+
+/// Between what was seen last and now.
+struct BodyStep {
+  const LastSeen& last;
+  double duration;  // s
+  bool moves;       // false before the first step
+  bool at_once;     // new velocities are adopted at once
+};
+
+/// The robots that were there before the step and are there after it.
+void collect_robots(const FleetView& fleet, const BodyStep& step, std::vector<Body>& robots);
+void collect_obstacles(const ObstacleView& now, const BodyStep& step, std::vector<Body>& obstacles);
 
 /// Bounds how far the body goes in the step, m.
 inline double way_of(const Body& body) {

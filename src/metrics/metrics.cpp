@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -67,8 +65,6 @@ struct Metrics::State {
   std::vector<ObstacleId> static_ids;  // whose walls these are
 
   void remember(const Simulation& simulation);
-  void collect_robots(const Simulation& simulation);
-  void collect_obstacles(const Simulation& simulation);
   void collect_walls(const Simulation& simulation);
   void observe_limits(const Simulation& simulation);
   void observe_arrivals(const Simulation& simulation);
@@ -82,57 +78,6 @@ struct Metrics::State {
 void Metrics::State::remember(const Simulation& simulation) {
   last_time = simulation.time();
   last.look_at(simulation);
-}
-
-// The robots that were there before the step and are there after it; ids ascend in both.
-void Metrics::State::collect_robots(const Simulation& simulation) {
-  const FleetView fleet = simulation.fleet();
-  const bool at_once = adopts_at_once(settings.method);
-  robots.clear();
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    while (j < last.robots.size() && last.robots[j].id.value < fleet.id[i].value) ++j;
-    if (j == last.robots.size() || !(last.robots[j].id == fleet.id[i])) continue;
-    Body body;
-    body.name = fleet.id[i].value;
-    body.setup = &fleet.setup[i];
-    body.radius = disc_radius(fleet.setup[i]);
-    body.velocity = last.robots[j].velocity;
-    const MotionModel& model = fleet.setup[i].model;
-    body.position = disc_center(model, last.robots[j].position, last.robots[j].heading);
-    const Vec2 next = disc_center(model, fleet.position[i], fleet.heading[i]);
-    body.w = fleet.plan[i].new_velocity - body.velocity;
-    body.exact = started && is_holonomic(model);
-    const Vec2 start = at_once && body.exact ? fleet.velocity[i] : body.velocity;
-    if (!started) {
-      body.path.control.fill(body.position);
-    } else if (!moves_along_heading(model)) {
-      body.path = hermite_path(body.position, start, next, fleet.velocity[i], duration);
-    } else {
-      const double turn =
-          std::remainder(fleet.heading[i] - last.robots[j].heading, 2.0 * std::numbers::pi);
-      body.arc = arc_path(body.position, next, turn);
-      body.path = hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), duration);
-    }
-    robots.push_back(body);
-  }
-}
-
-void Metrics::State::collect_obstacles(const Simulation& simulation) {
-  const ObstacleView now = simulation.obstacles();
-  obstacles.clear();
-  for (std::size_t k = 0; k < now.setup.size() && k < last.obstacles.size(); ++k) {
-    Body body;
-    body.name = k;
-    body.radius = now.setup[k].radius;
-    body.position = last.obstacles[k].position;
-    body.velocity = last.obstacles[k].velocity;
-    body.exact = started && now.setup[k].acceleration == Vec2{} && now.setup[k].path.empty();
-    body.path =
-        hermite_path(body.position, body.velocity, now.position[k], now.velocity[k], duration);
-    if (!started) body.path.control.fill(body.position);
-    obstacles.push_back(body);
-  }
 }
 
 // Those that the step was taken among.
@@ -276,8 +221,10 @@ void Metrics::observe(const Simulation& simulation) {
   state.observe_limits(simulation);
   state.first_sights.observe(simulation);
   if (!state.started) state.remember(simulation);  // before the first step nothing moves
-  state.collect_robots(simulation);
-  state.collect_obstacles(simulation);
+  const BodyStep step{state.last, state.duration, state.started,
+                      adopts_at_once(state.settings.method)};
+  collect_robots(simulation.fleet(), step, state.robots);
+  collect_obstacles(simulation.obstacles(), step, state.obstacles);
   state.collect_walls(simulation);
   state.observe_separation();
   state.walls.observe(state.robots, state.response, state.duration);

@@ -1,143 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// A saved state as bytes: 64-bit words, the lowest byte first on every machine. They are a mark,
-// the number of bytes, the version of the library, the settings, obstacles, robots, and at the end
-// a checksum of all the words before it. One text, describe(), serves writing and reading.
+// A saved state as the words of an archive: a mark, the number of bytes, the version of the
+// library, the settings, obstacles, robots, and at the end a checksum of all the words before it.
 #include <algorithm>
-#include <bit>
-#include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "avo/version.h"
 #include "core/hash.h"
-#include "planner/options.h"
+#include "sim/archive.h"
+#include "sim/saved_models.h"
 #include "sim/saved_state.h"
 
 namespace avo {
 namespace {
 
-constexpr std::size_t kWord = 8;                              // bytes
 constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
 constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 16, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15;
-constexpr std::size_t kStaticWords = 4, kChainWords = 2, kPointWords = 2;  // at least
-
-std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t index) {
-  std::uint64_t word = 0;
-  for (std::size_t k = 0; k < kWord; ++k) {
-    word |= std::to_integer<std::uint64_t>(bytes[index * kWord + k]) << (8 * k);
-  }
-  return word;
-}
-
-void put_word(std::uint64_t word, std::byte* to) {
-  for (std::size_t k = 0; k < kWord; ++k) to[k] = static_cast<std::byte>(word >> (8 * k) & 0xff);
-}
+constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0;
   for (std::size_t k = 0; k < bytes.size() / kWord; ++k) hash = mixed(hash, word_at(bytes, k));
   return hash;
-}
-
-// Writes values behind `written`, or takes them off the front of `unread`.
-template <bool kReads>
-struct Archive {
-  std::vector<std::byte> written = {};
-  std::span<const std::byte> unread = {};
-
-  void word(std::uint64_t& value) {
-    if constexpr (kReads) {
-      if (unread.empty()) refuse_saved("the end of the bytes", "more of them");
-      value = word_at(unread, 0);
-      unread = unread.subspan(kWord);
-    } else {
-      written.resize(written.size() + kWord);
-      put_word(value, &written[written.size() - kWord]);
-    }
-  }
-  /// Makes room for as many entries as there are, of so many words each.
-  template <typename Entry>
-  void size(std::vector<Entry>& list, std::size_t words) {
-    std::uint64_t count = list.size();
-    word(count);
-    const std::uint64_t most = unread.size() / (words * kWord);
-    if (kReads && count > most)
-      refuse_saved(std::to_string(count) + " entries", "at most " + std::to_string(most));
-    list.resize(static_cast<std::size_t>(count));
-  }
-};
-
-template <bool kReads, typename Value>
-requires std::is_arithmetic_v<Value>
-void describe(Archive<kReads>& archive, Value& value) {
-  if constexpr (std::is_floating_point_v<Value>) {
-    auto word = std::bit_cast<std::uint64_t>(value);
-    archive.word(word);
-    value = std::bit_cast<Value>(word);
-  } else {
-    auto word = static_cast<std::uint64_t>(value);
-    archive.word(word);
-    value = static_cast<Value>(word);
-    if (static_cast<std::uint64_t>(value) != word)
-      refuse_saved("the number " + std::to_string(word), "one that its type has");
-  }
-}
-
-template <bool kReads, typename Choice>
-requires std::is_enum_v<Choice>
-void describe(Archive<kReads>& archive, Choice& choice) {
-  auto number = static_cast<std::underlying_type_t<Choice>>(choice);
-  describe(archive, number);
-  if (number >= kNames<Choice>.size()) refuse_saved("an unknown choice", "a known one");
-  choice = static_cast<Choice>(number);
-}
-
-// Eight letters a word.
-template <bool kReads>
-void describe(Archive<kReads>& archive, std::string& text) {
-  std::uint64_t count = text.size();
-  archive.word(count);
-  if (kReads && count > archive.unread.size())
-    refuse_saved("a text of " + std::to_string(count) + " bytes", "shorter");
-  text.resize(static_cast<std::size_t>(count));
-  for (std::size_t first = 0; first < text.size(); first += kWord) {
-    const std::span<char> letters =
-        std::span(text).subspan(first, std::min(kWord, text.size() - first));
-    std::uint64_t word = 0;
-    for (std::size_t k = 0; k < letters.size(); ++k)
-      word |= std::uint64_t{static_cast<unsigned char>(letters[k])} << (8 * k);
-    archive.word(word);
-    for (std::size_t k = 0; k < letters.size(); ++k)
-      letters[k] = static_cast<char>(word >> (8 * k) & 0xff);
-  }
-}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, Vec2& value) {
-  describe(archive, value.x), describe(archive, value.y);
-}
-
-template <bool kReads, typename Value>
-void describe(Archive<kReads>& archive, std::optional<Value>& optional) {
-  bool is_set = optional.has_value();
-  Value value = optional.value_or(Value{});
-  describe(archive, is_set);
-  describe(archive, value);
-  if constexpr (kReads) optional = is_set ? std::optional(value) : std::nullopt;
-}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, std::vector<Vec2>& points) {
-  archive.size(points, kPointWords);
-  for (Vec2& point : points) describe(archive, point);
-}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, SensingError& error) {
-  describe(archive, error.position), describe(archive, error.velocity);
 }
 
 template <bool kReads>
@@ -197,57 +83,9 @@ void describe(Archive<kReads>& archive, SavedWay& way) {
 }
 
 template <bool kReads>
-void describe(Archive<kReads>&, Holonomic&) {}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, Car& car) {
-  bool has_body = car.body.has_value();
-  double curvature = car.max_curvature.value_or(0.0);  // 0: unbounded
-  auto set = static_cast<std::uint8_t>(car.acceleration_set);
-  describe(archive, car.wheelbase), describe(archive, curvature);
-  describe(archive, has_body), describe(archive, car.reverse), describe(archive, set);
-  if (set > static_cast<std::uint8_t>(AccelerationSet::exact))
-    refuse_saved("an unknown set of accelerations", "a known one");
-  if (curvature != 0.0) car.max_curvature = curvature;
-  car.acceleration_set = static_cast<AccelerationSet>(set);
-  if (!has_body) return;
-  if (kReads) car.body.emplace();
-  describe(archive, car.body->offset), describe(archive, car.body->radius);
-}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, DifferentialDrive& drive) {
-  describe(archive, drive.track), describe(archive, drive.offset);
-  describe(archive, drive.wheel_speed), describe(archive, drive.wheel_acceleration);
-}
-
-template <bool kReads>
-void describe(Archive<kReads>& archive, Airplane& airplane) {
-  auto after = static_cast<std::uint8_t>(airplane.after_goal);
-  describe(archive, airplane.min_speed), describe(archive, airplane.lateral_acceleration);
-  describe(archive, after);
-  if (after > static_cast<std::uint8_t>(AfterGoal::leave))
-    refuse_saved("an unknown after_goal", "a known one");
-  airplane.after_goal = static_cast<AfterGoal>(after);
-}
-
-template <bool kReads>
 void describe(Archive<kReads>& archive, SavedFlight& flight) {
   describe(archive, flight.circle.center), describe(archive, flight.circle.radius);
   describe(archive, flight.has_arrived);
-}
-
-// Its kind and then what that has.
-template <bool kReads>
-void describe(Archive<kReads>& archive, MotionModel& model) {
-  auto kind = static_cast<std::uint64_t>(model.index());
-  archive.word(kind);
-  if (kReads && kind == 0) model = Holonomic{};
-  if (kReads && kind == 1) model = Car{};
-  if (kReads && kind == 2) model = DifferentialDrive{};
-  if (kReads && kind == 3) model = Airplane{};
-  if (kind != model.index()) refuse_saved("an unknown motion model", "a known one");
-  std::visit([&](auto& known) { describe(archive, known); }, model);
 }
 
 template <bool kReads>

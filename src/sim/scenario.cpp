@@ -5,144 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <string>
 #include <string_view>
-#include <variant>
 
 #include "avo/response.h"
 #include "core/ranges.h"
 #include "planner/options.h"
-#include "robots/airplane.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/one_sided.h"
+#include "sim/scene_checks.h"
 
 namespace avo {
 namespace {
-
-// A value's place in a list of the scene.
-struct Place {
-  std::string_view list;
-  std::size_t index;
-  std::string_view field;
-
-  explicit operator std::string() const {
-    return std::string(list) + "." + std::to_string(index) + "." + std::string(field);
-  }
-};
-
-std::string list_of(LayerSet set) {
-  std::string list("[");
-  for (int k = 0; k < 32; ++k) {
-    if ((set.bits >> k & 1U) == 0) continue;
-    if (list.size() > 1) list.append(", ");
-    list.append(std::to_string(k));
-  }
-  return list.append("]");
-}
-
-std::string at(Vec2 p) {
-  std::string point("[");
-  return point.append(text(p.x)).append(", ").append(text(p.y)).append("]");
-}
-
-// It has arrived where it stands.
-void check_parked(std::size_t i, const RobotSetup& robot) {
-  if (!(robot.goal == robot.position))
-    refuse(std::string(Place{"robots", i, "goal"}), at(robot.goal),
-           at(robot.position) + ", its position: it is parked");
-  if (!(robot.velocity == Vec2{}))
-    refuse(std::string(Place{"robots", i, "velocity"}), at(robot.velocity), "[0, 0]: it is parked");
-  const RobotSetup usual;
-  const auto require_usual = [&](std::string_view field, LayerSet found, LayerSet left_out) {
-    if (!(found == left_out))
-      refuse(std::string(Place{"robots", i, field}), list_of(found),
-             "left out: it is parked, and nobody may touch it");
-  };
-  require_usual("layers", robot.layers, usual.layers);
-  require_usual("avoids", robot.avoids, usual.avoids);
-}
-
-void check_car(std::size_t i, const Car& car) {
-  const std::string_view list = "robots";
-  require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
-  if (car.max_curvature)
-    require(Place{list, i, "car.max_curvature"}, *car.max_curvature, kPositive, "1/m");
-  if (!car.body) return;
-  require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
-  require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
-}
-
-void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
-  const std::string_view list = "robots";
-  require(Place{list, i, "drive.track"}, drive.track, kPositive, "m");
-  require(Place{list, i, "drive.offset"}, drive.offset, kPositive, "m");
-  require(Place{list, i, "drive.wheel_speed"}, drive.wheel_speed, kPositive, "m/s");
-  require(Place{list, i, "drive.wheel_acceleration"}, drive.wheel_acceleration, kPositive, "m/s^2");
-  if (robot.max_speed > drive.wheel_speed)
-    refuse(std::string(Place{list, i, "max_speed"}), text(robot.max_speed),
-           "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
-  const double most = most_acceleration(drive);
-  if (!(robot.max_acceleration < most))
-    refuse(std::string(Place{list, i, "max_acceleration"}), text(robot.max_acceleration),
-           "< " + text(most) + " m/s^2, wheel_acceleration/sqrt(1 + (track/(2 offset))^2)");
-  if (norm(robot.velocity) > drive.wheel_speed)
-    refuse(std::string(Place{list, i, "velocity"}), text(norm(robot.velocity)) + " m/s",
-           "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
-}
-
-// Of those that others are promised something of, see docs/certificate.md, "Airplanes".
-void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
-                    double time_step) {
-  constexpr double kOff = 1e-9;  // of a speed: the length of a vector of that speed
-  const std::string_view list = "robots";
-  const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
-  require(Place{list, i, "airplane.min_speed"}, airplane.min_speed, kPositive, "m/s");
-  require(Place{list, i, "airplane.lateral_acceleration"}, airplane.lateral_acceleration, kPositive,
-          "m/s^2");
-  if (airplane.min_speed > robot.max_speed)
-    refuse(at("airplane.min_speed"), text(airplane.min_speed),
-           "<= max_speed = " + text(robot.max_speed) + " m/s");
-  const double most = kMostTurn * airplane.min_speed / time_step;
-  if (airplane.lateral_acceleration > most)
-    refuse(at("airplane.lateral_acceleration"), text(airplane.lateral_acceleration),
-           "<= " + text(most) + " m/s^2, 3 rad in a step at min_speed");
-  const double speed = norm(robot.velocity);
-  if (speed > 0.0 &&
-      !(speed >= (1.0 - kOff) * airplane.min_speed && speed <= (1.0 + kOff) * robot.max_speed))
-    refuse(at("velocity"), text(speed) + " m/s",
-           text(airplane.min_speed) + " to " + text(robot.max_speed) +
-               " m/s, or left out: preferred_speed");
-  if (robot.max_braking)
-    refuse(at("max_braking"), text(*robot.max_braking),
-           "left out: it is an airplane, which cannot brake");
-  if (robot.parked) refuse(at("parked"), "true", "false: it is an airplane");
-}
-
-void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
-  const std::string_view list = "robots";
-  require(Place{list, i, "position"}, robot.position, "m");
-  require(Place{list, i, "velocity"}, robot.velocity, "m/s");
-  require(Place{list, i, "goal"}, robot.goal, "m");
-  require(Place{list, i, "radius"}, robot.radius, kPositive, "m");
-  require(Place{list, i, "max_speed"}, robot.max_speed, kPositive, "m/s");
-  require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
-  require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
-  require(Place{list, i, "priority"}, robot.priority, kPositive, "");
-  if (robot.max_braking) {
-    require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
-    if (*robot.max_braking > robot.max_acceleration)
-      refuse(std::string(Place{list, i, "max_braking"}), text(*robot.max_braking),
-             "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
-  }
-  if (robot.parked) check_parked(i, robot);
-  require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
-  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
-  if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
-    check_drive(i, robot, *drive);
-  if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))
-    check_airplane(i, robot, *airplane, time_step);
-}
 
 void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
   const std::string_view list = "moving_obstacles";
@@ -152,10 +27,10 @@ void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
     refuse(std::string(Place{list, k, "max_speed"}), text(most),
            "left out without max_deviation: it keeps its acceleration");
   if (!(obstacle.acceleration == Vec2{}))
-    refuse(std::string(Place{list, k, "acceleration"}), at(obstacle.acceleration),
+    refuse(std::string(Place{list, k, "acceleration"}), text(obstacle.acceleration),
            "[0, 0] with max_speed, which it would exceed");
   if (norm(obstacle.velocity) > most)
-    refuse(std::string(Place{list, k, "velocity"}), at(obstacle.velocity),
+    refuse(std::string(Place{list, k, "velocity"}), text(obstacle.velocity),
            "at most max_speed = " + text(most) + " m/s long");
 }
 
@@ -332,31 +207,6 @@ void check_one_sided(const Scenario& scenario) {
            "both or neither: " + std::string(pair->reason));
 }
 
-// Of those who decide.
-double longest_step_of(const Scenario& scenario) {
-  if (scenario.longest_step) return *scenario.longest_step;
-  double longest = 0.0;
-  for (const RobotSetup& robot : scenario.robots) {
-    if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
-  }
-  return longest > 0.0 ? longest : scenario.time_step;
-}
-
-// What the rest of a step adds to a state that is seen in the midst of it, beyond what
-// max_acceleration does to the velocity of the disc: see docs/certificate.md, "Clocks of their
-// own".
-SensingError unforeseen(const Scenario& scenario) {
-  const double longest = longest_step_of(scenario);
-  SensingError most;
-  for (const RobotSetup& robot : scenario.robots) {
-    if (robot.parked) continue;
-    const SensingError own = unforeseen(robot.model, robot.max_acceleration, longest);
-    most.position = std::max(most.position, own.position);
-    most.velocity = std::max(most.velocity, own.velocity);
-  }
-  return most;
-}
-
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
   if (options.certificate == Certificate::none) return;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
@@ -403,75 +253,6 @@ void validate(const Scenario& scenario) {
   check_flights(scenario, options);
   check_one_sided(scenario);
   check_certificate(scenario, options);
-}
-
-std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
-  std::vector<Wall> discs;
-  for (const RobotSetup& robot : robots) {
-    if (robot.parked) {
-      const Vec2 center = disc_center(robot);
-      discs.push_back({center, center, disc_radius(robot)});
-    }
-  }
-  return discs;
-}
-
-PlannerOptions planner_options(const Scenario& scenario) {
-  PlannerOptions options = default_options(scenario.method);
-  options.motion = scenario.motion;
-  options.time_step = scenario.time_step;
-  options.samples = scenario.samples;
-  options.max_neighbors = scenario.max_neighbors;
-  options.arrival_distance = scenario.arrival_distance;
-  options.clock = scenario.clock;
-  if (scenario.clock == Clock::free) options.longest_step = longest_step_of(scenario);
-  if (scenario.control_time) options.control_time = *scenario.control_time;
-  if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
-  if (scenario.certificate) options.certificate = *scenario.certificate;
-  if (scenario.sensing_error) {
-    options.sensing_error = *scenario.sensing_error;
-  } else if (options.certificate == Certificate::braking_trajectories) {
-    options.sensing_error = declared_error(scenario);
-  }
-  const MeasurementNoise& noise = scenario.sensing.noise;
-  if (noise.distribution == NoiseDistribution::gaussian) {
-    const double carried = scenario.sensing.delay * scenario.time_step * noise.velocity;
-    options.sensing_noise.position = norm(Vec2{noise.position, carried});
-    options.sensing_noise.velocity = noise.velocity;
-  }
-  return options;
-}
-
-SensingError declared_error(const Scenario& scenario) {
-  // of both coordinates, and what rounding adds to it
-  constexpr double kBoth = std::numbers::sqrt2 * (1.0 + 0x1p-40);
-  const auto& [position, velocity, distribution, truncated] = scenario.sensing.noise;
-  const bool is_gaussian = distribution == NoiseDistribution::gaussian;
-  const double most = kBoth * (is_gaussian ? truncated.value_or(kUsualTruncation) : 1.0);
-  SensingError error{most * position, most * velocity};
-  if (scenario.clock == Clock::free) {
-    const auto [unseen_way, unseen_speed] = unforeseen(scenario);
-    error.position += unseen_way, error.velocity += unseen_speed;
-  }
-  if (scenario.sensing.delay == 0 && !scenario.sensing.misses()) return error;
-  double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
-  for (const RobotSetup& robot : scenario.robots) {
-    strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
-    swing = std::max(swing, swing_of(robot.model, robot.max_acceleration, robot.max_speed));
-  }
-  error.velocity += swing;
-  if (scenario.sensing.delay == 0) return error;
-  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
-    strongest = std::max(strongest, obstacle.max_deviation);
-  const double time = scenario.sensing.delay * scenario.time_step;
-  error.position += time * error.velocity + 0.5 * strongest * time * time;
-  error.velocity += strongest * time;
-  return error;
-}
-
-std::int64_t last_step(const Scenario& scenario, double time) {
-  // The quotient of two decimal fractions may fall short of the whole number that is meant.
-  return static_cast<std::int64_t>(std::floor(time / scenario.time_step * (1.0 + 1e-12)));
 }
 
 }  // namespace avo

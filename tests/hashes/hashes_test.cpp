@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state hashes of six runs, pinned; scripts/hashes compares them across compilers.
+// The state hashes of whole runs, pinned; scripts/hashes compares them across compilers.
 #include <cstdint>
 #include <gtest/gtest.h>
 

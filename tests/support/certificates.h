@@ -47,7 +47,8 @@ inline Neighbor seen(const Robot& robot) {
           .radius = robot.radius,
           .max_acceleration = robot.max_acceleration,
           .priority = robot.priority,
-          .max_braking = robot.max_braking};
+          .max_braking = robot.max_braking,
+          .loiter = robot.loiter};
 }
 
 inline std::vector<TrajectoryConstraint> all_constraints(const TrajectoryConstraints& constraints) {

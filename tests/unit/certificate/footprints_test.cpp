@@ -13,12 +13,13 @@
 #include "certificate/certificate.h"
 #include "core/elementary.h"
 #include "robots/model.h"
-#include "support/generators.h"
+#include "support/certificates.h"
 
 namespace avo {
 namespace {
 
 using test::Random;
+using test::seen;
 
 StepLaw law;  // held; of the run
 constexpr int kParts = 8;
@@ -53,15 +54,6 @@ Robot any_robot(Random& random, Kind kind) {
   robot.model = airplane;
   robot.loiter = loiter_circle(airplane, robot.position, robot.velocity);
   return robot;
-}
-
-Neighbor seen(const Robot& robot) {
-  return {.position = robot.position,
-          .velocity = robot.velocity,
-          .radius = robot.radius,
-          .max_acceleration = robot.max_acceleration,
-          .priority = robot.priority,
-          .loiter = robot.loiter};
 }
 
 // Where a robot is at the ends and within a step, and what it is then.

@@ -10,17 +10,8 @@
 #include "unit/check/headings.h"
 #include "unit/check/sampled.h"
 
-namespace avo {
+namespace avo::test {
 namespace {
-
-using test::along;
-using test::driven;
-using test::free_robot;
-using test::Held;
-using test::Moment;
-using test::pose;
-using test::report_of;
-using test::Towed;
 
 // Where its disc is at a time of the step.
 using Way = std::function<Vec2(double)>;
@@ -37,7 +28,7 @@ CheckedRobot disc(const CheckedKinematics& kinematics, double radius) {
   return robot;
 }
 
-Course random_car(test::Random& random, double step) {
+Course random_car(Random& random, double step) {
   const double offset = random.below(3) == 0 ? 0.0 : random.uniform(-1.5, 1.5);
   const double speed = random.uniform(0.0, 4.0), next = random.uniform(0.0, 4.0);
   const double sign = random.below(2) == 0 ? 1.0 : -1.0;
@@ -53,7 +44,7 @@ Course random_car(test::Random& random, double step) {
 }
 
 // About its axle, by an angle that grows with the square of the time.
-Course random_turn(test::Random& random, double step) {
+Course random_turn(Random& random, double step) {
   const double offset = random.uniform(-1.5, 1.5), angle = random.uniform(-3, 3);
   const double turn = random.uniform(-2, 2);
   const Vec2 place{random.uniform(-2, 2), random.uniform(-2, 2)};
@@ -62,7 +53,7 @@ Course random_turn(test::Random& random, double step) {
           [=](double t) { return place + offset * along(angle + turn * (t / step) * (t / step)); }};
 }
 
-Course random_drive(test::Random& random, double step) {
+Course random_drive(Random& random, double step) {
   const Towed towed{{random.uniform(-2, 2), random.uniform(-2, 2)},
                     random.uniform(0.1, 2.0) * random.direction(),
                     random.uniform(-2.5, 2.5),
@@ -71,14 +62,14 @@ Course random_drive(test::Random& random, double step) {
   return {robot, towed.row(0.0), towed.row(step), [=](double t) { return towed.axle(t); }};
 }
 
-Course random_holonomic(test::Random& random, double step) {
+Course random_holonomic(Random& random, double step) {
   const Vec2 place{random.uniform(-2, 2), random.uniform(-2, 2)};
   const Vec2 v = test::in_disc(random, 4.0), a = test::in_disc(random, 4.0);
   const auto way = [=](double t) { return place + t * v + (0.5 * t * t) * a; };
   return {disc({}, random.uniform(0.1, 0.6)), {0, place, v}, {0, way(step), v + step * a}, way};
 }
 
-Course random_course(test::Random& random, int kind, double step) {
+Course random_course(Random& random, int kind, double step) {
   switch (kind) {
     case 0:
       return random_car(random, step);
@@ -98,7 +89,7 @@ double least_by_samples(const std::function<double(double)>& distance, double st
 }
 
 TEST(CheckCourses, clearances_of_pairs) {
-  test::Random random(1);
+  Random random(1);
   int overlaps = 0;
   for (int k = 0; k < 800 && !HasFailure(); ++k) {
     const double step = random.log_uniform(0.05, 0.3);
@@ -126,7 +117,7 @@ TEST(CheckCourses, clearances_of_pairs) {
 }
 
 TEST(CheckCourses, clearances_from_walls) {
-  test::Random random(2);
+  Random random(2);
   int contacts = 0;
   for (int k = 0; k < 600 && !HasFailure(); ++k) {
     const double step = random.log_uniform(0.05, 0.3);
@@ -216,4 +207,4 @@ TEST(CheckCourses, a_body_is_ahead_in_single_rows_too) {
 }
 
 }  // namespace
-}  // namespace avo
+}  // namespace avo::test

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings of a few lines for the judge.
 #pragma once
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "avo/check.h"
-#include "avo/error.h"
+#include "support/refusal.h"
 
 namespace avo::test {
 
@@ -31,17 +30,6 @@ inline CheckedRobot free_robot(double radius = 0.5) {
   robot.radius = radius;
   robot.max_acceleration = robot.max_speed = 1.0 / 0.0;
   return robot;
-}
-
-/// What Error says; empty where there is none.
-template <typename Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
 }
 
 }  // namespace avo::test

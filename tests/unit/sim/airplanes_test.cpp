@@ -6,16 +6,17 @@
 #include <string>
 
 #include "avo/assumptions.h"
-#include "avo/error.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "support/generators.h"
+#include "support/refusal.h"
 #include "unit/sim/scenes.h"
 
 namespace avo {
 namespace {
 
 using test::Random;
+using test::refusal;
 
 RobotSetup plane(Vec2 position, double heading, Vec2 goal, AfterGoal after) {
   RobotSetup setup;
@@ -154,15 +155,6 @@ TEST(Airplanes, a_saved_flight_goes_on_bit_by_bit) {
     ASSERT_EQ(resumed.state_hash(), simulation.state_hash()) << k;
     simulation.step(), resumed.step();
   }
-}
-
-std::string refusal(const Scenario& scene) {
-  try {
-    validate(scene);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {

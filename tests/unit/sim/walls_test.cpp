@@ -8,6 +8,7 @@
 #include "avo/assumptions.h"
 #include "avo/error.h"
 #include "avo/simulation.h"
+#include "support/refusal.h"
 #include "unit/sim/scenes.h"
 #include "walls/wall_grid.h"
 
@@ -17,6 +18,7 @@ namespace {
 using test::gap_to;
 using test::gap_to_all;
 using test::Random;
+using test::refusal;
 using test::robot_at;
 
 StaticObstacle piece(const Wall& wall) {
@@ -203,30 +205,21 @@ TEST(WalledFleets, a_larger_and_faster_robot_may_join) {
   EXPECT_LT(least, 0.1);
 }
 
-std::string complaint_about(const Scenario& scene) {
-  try {
-    validate(scene);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(WalledFleets, bad_obstacles_are_refused) {
   Scenario scene;
   scene.robots = {robot_at({0.0, 0.0}, {5.0, 0.0})};
   scene.obstacles = {piece({{3.0, 0.0}, {4.0, 0.0}})};
-  EXPECT_EQ(complaint_about(scene), "");
+  EXPECT_EQ(refusal(scene), "");
   scene.obstacles[0].radius = -1.0;
-  EXPECT_EQ(complaint_about(scene), "obstacles.0.radius: found -1, must be >= 0 m");
+  EXPECT_EQ(refusal(scene), "obstacles.0.radius: found -1, must be >= 0 m");
   scene.obstacles[0] = {{{{}, false}}};
-  EXPECT_EQ(complaint_about(scene),
+  EXPECT_EQ(refusal(scene),
             "obstacles.0.chains: found one without points, must be of a point at least");
   scene.obstacles[0] = piece({{3.0, 0.0}, {4.0, 1e300}});
-  EXPECT_EQ(complaint_about(scene), "obstacles.0.points.1: found 1e+300, must be <= 1e+12 m");
+  EXPECT_EQ(refusal(scene), "obstacles.0.points.1: found 1e+300, must be <= 1e+12 m");
   scene.obstacles[0] = piece({{3.0, 0.0}, {4.0, 0.0}});
   scene.robots[0].radius = 0.002;
-  EXPECT_NE(complaint_about(scene).find("robots.0.radius: found 0.002, must be > 0.0025"),
+  EXPECT_NE(refusal(scene).find("robots.0.radius: found 0.002, must be > 0.0025"),
             std::string::npos);
   Simulation simulation(walled_scene(3, 2, Motion::held), 1);
   EXPECT_THROW(simulation.add_robot(scene.robots[0]), Error);

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check/pair_judge.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "avo/error.h"
+#include "check/counts.h"
+#include "check/kinematics.h"
+
+namespace avo::judge {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A robot is at rest up to this part of max_speed (of 1 m/s where there is none).
+constexpr double kAtRest = 1e-9;
+constexpr std::size_t kMostPairs = 10'000'000;
+
+std::uint64_t key(std::int64_t a, std::int64_t b) {
+  return static_cast<std::uint64_t>(a) << 32U | static_cast<std::uint64_t>(b);
+}
+
+double overlap_distance(const Mover& a, const Mover& b, const Step& step) {
+  return (a.radius + b.radius) * (1.0 - step.relative_tolerance) - a.error - b.error;
+}
+
+// s: the time of a fraction of the step, for this pair.
+double instant(const Mover& a, const Mover& b, const Step& step, double fraction) {
+  return step.from + (end_only(a, b) ? 1.0 : fraction) * step.duration;
+}
+
+}  // namespace
+
+void PairJudge::insert(Pairs& pairs, std::uint64_t pair) {
+  if (pairs.size() >= kMostPairs && !pairs.contains(pair))
+    throw Error("found more than " + std::to_string(kMostPairs) + " overlapping pairs");
+  pairs.insert(pair);
+}
+
+void PairJudge::meet_robots(const Mover& a, const Mover& b, const Step& step) {
+  const auto path = relative_pieces(a, b, step.duration);
+  const double contact = a.radius + b.radius, limit = overlap_distance(a, b, step);
+  const std::uint64_t pair = key(a.index, b.index);
+  const double best = least_clearance_.value_or(kInfinity);
+  // the rows themselves are not interpolated
+  const double at_start = norm(path.piece(0).control.front());
+  const double at_rows = std::min(at_start, norm(a.to - b.to));
+  const double row_limit = contact * (1.0 - step.relative_tolerance);
+  const double known = overlapping_.contains(pair) ? row_limit - overlaps_.worst : row_limit;
+  if (lower_bound(path) > std::max(contact + best, known) * (1.0 + 1e-12)) return;
+  const Instant nearest = nearest_instant(path);
+  least_clearance_ = std::min(best, nearest.distance - contact);
+  const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
+  if (!(depth > 0.0)) return;
+  insert(overlapping_, pair);
+  CheckViolation overlap{step.from, a.index, b.index, depth};
+  overlaps_.worst = std::max(overlaps_.worst, overlap.amount);
+  if (overlaps_.first && overlaps_.first->time < step.from) return;
+  const double first_row = at_start < row_limit ? 0.0 : 1.0;
+  const double instant_seen = at_rows < row_limit ? first_row : nearest.fraction;
+  overlap.time =
+      instant(a, b, step, std::min(first_below(path, limit).value_or(instant_seen), instant_seen));
+  note(overlaps_, overlap);
+}
+
+// A robot that moves at all in a step rests at single instants of it only: it is enough to know
+// the first and the last instant of the contact.
+void PairJudge::meet_mover(const Mover& robot, const Mover& other, const Step& step,
+                           Contacts& contacts) {
+  const auto path = relative_pieces(robot, other, step.duration);
+  const double limit = overlap_distance(robot, other, step);
+  if (lower_bound(path) > limit) return;
+  const double nearest = nearest_instant(path).distance;
+  if (!(nearest < limit)) return;
+  const std::uint64_t pair = key(robot.index, other.index);
+  insert(contacts.all, pair);
+  const double first = first_below(path, limit).value_or(0.0);
+  const double last = last_below(path, limit).value_or(1.0);
+  const double at_rest = kAtRest * speed_scale(step.robots[static_cast<std::size_t>(robot.index)]);
+  if (!(speed_bound(robot, first, last, step.duration) > at_rest)) return;
+  insert(contacts.moving, pair);
+  note(contacts.in_motion,
+       {instant(robot, other, step, first), robot.index, other.index, limit - nearest});
+}
+
+void PairJudge::meet(const Mover& a, const Mover& b, const Step& step) {
+  if (a.obstacle) return;  // then both are
+  if (b.obstacle) return meet_mover(a, b, step, with_obstacles_);
+  switch (duty(step.robots[static_cast<std::size_t>(a.index)],
+               step.robots[static_cast<std::size_t>(b.index)])) {
+    case Duty::nobody:
+      return;
+    case Duty::first:
+      return meet_mover(a, b, step, one_sided_);
+    case Duty::second:
+      return meet_mover(b, a, step, one_sided_);
+    case Duty::both:
+      return meet_robots(a, b, step);
+  }
+}
+
+double PairJudge::reach() const {
+  const double unmet = kinds_.mutual ? kInfinity : 0.0;
+  return std::max(least_clearance_.value_or(unmet), 0.0);
+}
+
+void PairJudge::write(CheckReport& report) const {
+  const auto size = [](const Pairs& pairs) { return static_cast<std::int64_t>(pairs.size()); };
+  const auto moving = [&](const Contacts& contacts) {
+    CheckCount count = contacts.in_motion;
+    count.count = size(contacts.moving);
+    return count;
+  };
+  const auto at_rest = [&](const Contacts& contacts) {
+    return size(contacts.all) - size(contacts.moving);
+  };
+  report.overlaps = overlaps_;
+  report.overlaps.count = size(overlapping_);
+  report.obstacle_contacts_moving = moving(with_obstacles_);
+  report.obstacle_contacts_at_rest = at_rest(with_obstacles_);
+  report.one_sided_contacts_moving = moving(one_sided_);
+  report.one_sided_contacts_at_rest = at_rest(one_sided_);
+  report.least_clearance = least_clearance_;
+}
+
+}  // namespace avo::judge

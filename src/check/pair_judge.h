@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pairs of robots, and of a robot and a moving obstacle: who touched whom, and how near any came.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
+
+#include "avo/check.h"
+#include "check/duty.h"
+#include "check/step.h"
+
+namespace avo::judge {
+
+/// A pair counts once.
+class PairJudge {
+ public:
+  void add_robot(const CheckedRobot& robot) { kinds_.add(robot); }
+  /// Two bodies over the step; robots come first, by number.
+  void meet(const Mover& a, const Mover& b, const Step& step);
+  /// m: no pair farther apart than this tells anything new.
+  [[nodiscard]] double reach() const;
+  /// What there is to say of it all.
+  void write(CheckReport& report) const;
+
+ private:
+  using Pairs = std::unordered_set<std::uint64_t>;
+
+  // Those who ever touched what does not avoid them, and those of them who moved.
+  struct Contacts {
+    Pairs all, moving;
+    CheckCount in_motion;
+  };
+
+  static void insert(Pairs& pairs, std::uint64_t pair);
+  void meet_robots(const Mover& a, const Mover& b, const Step& step);
+  void meet_mover(const Mover& robot, const Mover& other, const Step& step, Contacts& contacts);
+
+  Kinds kinds_;
+  Pairs overlapping_;
+  CheckCount overlaps_;
+  Contacts with_obstacles_, one_sided_;
+  std::optional<double> least_clearance_;
+};
+
+}  // namespace avo::judge

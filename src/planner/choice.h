@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eq. (23): the velocities that robots choose in the half-planes of their neighbors, and again with
+// what walls and their own motion demand.
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "avo/planner.h"
+#include "certificate/braking_path.h"
+#include "planner/scratch.h"
+#include "planner/tile.h"
+
+namespace avo {
+
+/// Eq. (23) of each, in scratch.decisions.
+void solve_programs(const Planner& planner, const RobotColumns& robots,
+                    PlanWorkspace::Scratch& scratch);
+
+/// Whether walls or its own motion demand anything of robot i.
+bool has_demands(const Tile& tile, std::size_t i);
+
+/// The half-planes of robot i: those of its walls and of its own motion, which are scratch.demands,
+/// and those of neighbors.
+std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const Robot& robot,
+                                                 const Tile& tile, std::size_t i,
+                                                 const StepLaw& law,
+                                                 PlanWorkspace::Scratch& scratch);
+
+/// Walls are hard, and so is what a robot cannot do: where a target does not keep to these
+/// half-planes, Eq. (23) is asked again with them, and where that has no solution those of
+/// neighbors yield.
+void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Scratch& scratch);
+
+}  // namespace avo

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/edit_checks.h"
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+#include "avo/assumptions.h"
+#include "avo/error.h"
+#include "core/ranges.h"
+#include "sim/assumptions.h"
+#include "sim/one_sided.h"
+#include "sim/world.h"
+
+namespace avo {
+
+std::string name_of(RobotId robot) {
+  return "robot " + std::to_string(robot.value);
+}
+std::string name_of(ObstacleId obstacle) {
+  return "obstacle " + std::to_string(obstacle.value);
+}
+
+void validate_as(const Scenario& scene, std::string_view place, const std::string& name) {
+  try {
+    validate(scene);
+  } catch (const Error& error) {
+    const std::string_view what = error.what();
+    if (!what.starts_with(place)) throw;
+    throw Error(name + ": " + std::string(what.substr(place.size())));
+  }
+}
+
+void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
+  Scenario scene = world.settings;
+  scene.robots = {setup};
+  if (among_walls) scene.obstacles.emplace_back();  // what a robot needs beside any of them
+  validate_as(scene, "robots.0.", name_of(robot));
+}
+
+RobotSetup standing(const World& world, std::size_t slot) {
+  RobotSetup setup = world.fleet.setup(slot);
+  setup.position = setup.velocity = {};
+  if (setup.parked) setup.position = setup.goal;
+  return setup;
+}
+
+namespace {
+
+std::string rounded(double value, int digits) {
+  char buffer[32];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+  return {buffer, end};
+}
+
+// Throws Error if nobody would see this one in time, or it others.
+void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
+  Scenario scene = world.settings;
+  scene.moving_obstacles = world.obstacles.setup;
+  for (const std::uint32_t slot : world.fleet.slot_of) {
+    scene.robots.push_back(world.fleet.setup(slot));
+  }
+  const auto before = sensing_need(scene);
+  scene.robots.push_back(setup);
+  const auto need = sensing_need(scene);
+  if (!need || need->range <= scene.sensing_radius * (1.0 + 1e-9)) return;
+  if (before && need->range <= before->range) return;  // that was so without it
+  throw Error(name_of(robot) + ": found a max_speed of " + std::to_string(setup.max_speed) +
+              " m/s, has to be seen from " + std::to_string(need->range) +
+              " m, sensing_radius is " + std::to_string(scene.sensing_radius) + " m");
+}
+
+// Throws Error where what all have declared is enough for those who are there, and not for this
+// one.
+void check_declared(const World& world, const RobotSetup& setup, RobotId robot) {
+  const SensingError& declared = world.planner().options().sensing_error;
+  if (world.planner().options().certificate != Certificate::braking_trajectories) return;
+  Scenario scene = world.settings;
+  const auto needed_by = [&scene](const RobotSetup& one) {
+    scene.robots.assign(1, one);
+    return declared_error(scene);
+  };
+  const auto suffices = [&declared](const SensingError& needed) {
+    constexpr double kRounding = 1.0 + 1e-9;
+    return needed.position <= kRounding * declared.position &&
+           needed.velocity <= kRounding * declared.velocity;
+  };
+  const SensingError needed = needed_by(setup);
+  if (suffices(needed) || !suffices(declared_error(world.settings))) return;
+  for (std::size_t slot = 0; slot < world.fleet.size(); ++slot)
+    if (!suffices(needed_by(world.fleet.setup(slot)))) return;
+  const auto text_of = [](const SensingError& error) {
+    return "{position: " + rounded(error.position, 6) +
+           ", velocity: " + rounded(error.velocity, 6) + "}";
+  };
+  refuse(name_of(robot) + ": sensing_error", text_of(needed),
+         "at most " + text_of(declared) + ", what all have declared");
+}
+
+// Where an airplane would come among movers.
+void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
+  if (!world.obstacles.setup.empty())
+    refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
+}
+
+// Where one of them would avoid the other, and nothing could be promised to the two.
+void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  std::vector<RobotSetup> robots;
+  for (const std::uint32_t slot : fleet.slot_of) robots.push_back(fleet.setup(slot));
+  robots.push_back(setup);
+  const auto pair = find_impossible(robots);
+  if (!pair || (pair->avoiding < fleet.size() && pair->avoided < fleet.size())) return;
+  const auto name_at = [&](std::size_t rank) {
+    return name_of(rank < fleet.size() ? fleet.id[fleet.slot_of[rank]] : robot);
+  };
+  refuse(name_at(pair->avoiding) + ": avoids", name_at(pair->avoided) + ", which does not avoid it",
+         "both or neither: " + std::string(pair->reason));
+}
+
+// Throws Error where braking does not keep the margin to it, or its Fill keeps a robot out.
+void check_certificate(const World& world, const StaticObstacle& obstacle,
+                       const std::string& name) {
+  const CertificateLaw law = certificate_law(world.settings);
+  if (law.kind == Certificate::none) return;
+  const Fleet& fleet = world.fleet;
+  Scenario scene = world.settings;
+  scene.obstacles = {obstacle};
+  for (const std::uint32_t slot : fleet.slot_of) scene.robots.push_back(fleet.setup(slot));
+  BrokenAssumptions broken;
+  find_wall_starts(scene, law, broken);
+  const auto robot_at = [&](int rank) {
+    const std::uint32_t slot = fleet.slot_of[static_cast<std::size_t>(rank)];
+    const Vec2 p = fleet.position[slot];
+    return name_of(fleet.id[slot]) + " at [" + rounded(p.x, 9) + ", " + rounded(p.y, 9) + "]";
+  };
+  if (broken.beside_count > 0) {
+    const WallStart& worst = broken.beside.front();
+    const double own = disc_radius(scene.robots[static_cast<std::size_t>(worst.robot)]);
+    refuse(name,
+           robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
+               rounded(worst.kept, 9) + " m once it has braked",
+           ">= " + text(own) + " + " + text(obstacle.radius) + " m and " +
+               rounded(worst.required - own - obstacle.radius, 2) + " m for rounding");
+  }
+  if (broken.misplaced_count > 0) {
+    const bool solid = obstacle.fill == Fill::solid;
+    refuse(name, robot_at(broken.misplaced.front().robot),
+           solid ? "outside of the solid" : "inside of the bounds");
+  }
+}
+
+}  // namespace
+
+void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) {
+  check_sensing(world, setup, robot);
+  check_declared(world, setup, robot);
+  check_flights(world, setup, robot);
+  check_one_sided(world, setup, robot);
+}
+
+void check_newly_static(const World& world, const StaticObstacle& obstacle,
+                        const std::string& name) {
+  // a robot in the midst of a step cannot brake before it ends
+  if (world.fleet.has_clocks && world.all_matter())
+    refuse(name, "what comes while clocks are free",
+           "there from the start where there is a certificate");
+  if (world.statics.walls.empty()) {  // nobody has been asked yet
+    for (const std::uint32_t slot : world.fleet.slot_of)
+      check_values(world, standing(world, slot), world.fleet.id[slot], true);
+  }
+  check_certificate(world, obstacle, name);
+}
+
+}  // namespace avo

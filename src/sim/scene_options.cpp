@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene says to the planners of its robots.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "avo/scenario.h"
+#include "planner/options.h"
+#include "robots/model.h"
+#include "sim/scene_checks.h"
+
+namespace avo {
+
+std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
+  std::vector<Wall> discs;
+  for (const RobotSetup& robot : robots) {
+    if (robot.parked) {
+      const Vec2 center = disc_center(robot);
+      discs.push_back({center, center, disc_radius(robot)});
+    }
+  }
+  return discs;
+}
+
+namespace {
+
+// Of those who decide.
+double longest_step_of(const Scenario& scenario) {
+  if (scenario.longest_step) return *scenario.longest_step;
+  double longest = 0.0;
+  for (const RobotSetup& robot : scenario.robots) {
+    if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
+  }
+  return longest > 0.0 ? longest : scenario.time_step;
+}
+
+}  // namespace
+
+SensingError unforeseen(const Scenario& scenario) {
+  const double longest = longest_step_of(scenario);
+  SensingError most;
+  for (const RobotSetup& robot : scenario.robots) {
+    if (robot.parked) continue;
+    const SensingError own = unforeseen(robot.model, robot.max_acceleration, longest);
+    most.position = std::max(most.position, own.position);
+    most.velocity = std::max(most.velocity, own.velocity);
+  }
+  return most;
+}
+
+PlannerOptions planner_options(const Scenario& scenario) {
+  PlannerOptions options = default_options(scenario.method);
+  options.motion = scenario.motion;
+  options.time_step = scenario.time_step;
+  options.samples = scenario.samples;
+  options.max_neighbors = scenario.max_neighbors;
+  options.arrival_distance = scenario.arrival_distance;
+  options.clock = scenario.clock;
+  if (scenario.clock == Clock::free) options.longest_step = longest_step_of(scenario);
+  if (scenario.control_time) options.control_time = *scenario.control_time;
+  if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
+  if (scenario.certificate) options.certificate = *scenario.certificate;
+  if (scenario.sensing_error) {
+    options.sensing_error = *scenario.sensing_error;
+  } else if (options.certificate == Certificate::braking_trajectories) {
+    options.sensing_error = declared_error(scenario);
+  }
+  const MeasurementNoise& noise = scenario.sensing.noise;
+  if (noise.distribution == NoiseDistribution::gaussian) {
+    const double carried = scenario.sensing.delay * scenario.time_step * noise.velocity;
+    options.sensing_noise.position = norm(Vec2{noise.position, carried});
+    options.sensing_noise.velocity = noise.velocity;
+  }
+  return options;
+}
+
+SensingError declared_error(const Scenario& scenario) {
+  // of both coordinates, and what rounding adds to it
+  constexpr double kBoth = std::numbers::sqrt2 * (1.0 + 0x1p-40);
+  const auto& [position, velocity, distribution, truncated] = scenario.sensing.noise;
+  const bool is_gaussian = distribution == NoiseDistribution::gaussian;
+  const double most = kBoth * (is_gaussian ? truncated.value_or(kUsualTruncation) : 1.0);
+  SensingError error{most * position, most * velocity};
+  if (scenario.clock == Clock::free) {
+    const auto [unseen_way, unseen_speed] = unforeseen(scenario);
+    error.position += unseen_way, error.velocity += unseen_speed;
+  }
+  if (scenario.sensing.delay == 0 && !scenario.sensing.misses()) return error;
+  double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
+  for (const RobotSetup& robot : scenario.robots) {
+    strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
+    swing = std::max(swing, swing_of(robot.model, robot.max_acceleration, robot.max_speed));
+  }
+  error.velocity += swing;
+  if (scenario.sensing.delay == 0) return error;
+  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+    strongest = std::max(strongest, obstacle.max_deviation);
+  const double time = scenario.sensing.delay * scenario.time_step;
+  error.position += time * error.velocity + 0.5 * strongest * time * time;
+  error.velocity += strongest * time;
+  return error;
+}
+
+std::int64_t last_step(const Scenario& scenario, double time) {
+  // The quotient of two decimal fractions may fall short of the whole number that is meant.
+  return static_cast<std::int64_t>(std::floor(time / scenario.time_step * (1.0 + 1e-12)));
+}
+
+}  // namespace avo

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes whose saved states are looked at.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "unit/sim/scenes.h"
+
+namespace avo::test {
+
+using Bytes = std::vector<std::byte>;
+
+/// Each robot decides by a clock of its own, some of them more often.
+inline Scenario with_clocks(Random& random, Scenario scene) {
+  scene.motion = Motion::held;
+  if (scene.certificate == Certificate::stopping_capsules)
+    scene.certificate = Certificate::braking_trajectories;
+  scene.clock = Clock::free;
+  scene.longest_step = 0.2;
+  for (RobotSetup& robot : scene.robots) {
+    if (!robot.parked && random.below(3) == 0) robot.time_step = random.below(2) == 0 ? 0.05 : 0.2;
+  }
+  return scene;
+}
+
+inline Scenario holonomic_scene(int robots) {
+  Scenario scene = dense_scene(robots, Motion::held);
+  for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
+  return scene;
+}
+
+}  // namespace avo::test
