@@ -121,6 +121,11 @@ Vec2 within_steering(const Robot& robot, Vec2 v) {
   return airplane != nullptr ? within_steering(*airplane, robot, v) : v;
 }
 
+Vec2 turning_first(const Robot& robot, Vec2 v) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? turning_first(*car, robot, v) : v;
+}
+
 bool passes_goal(const MotionModel& model) {
   return is_airplane(model);
 }

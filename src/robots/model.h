@@ -59,6 +59,10 @@ Vec2 steered(const Robot& robot, bool at_once);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
 
+/// m/s, of one at rest that turns in place: v, where necessary so far off its heading to the same
+/// side that it turns before it drives.
+Vec2 turning_first(const Robot& robot, Vec2 v);
+
 /// m/s, after a step that a_max changes by u: what the program is given.
 double top_speed_of(const Robot& robot, double u);
 /// m/s: v, or what comes near it of the velocities that the robot can have after `time` s.
