@@ -126,6 +126,16 @@ Vec2 turning_first(const Robot& robot, Vec2 v) {
   return car != nullptr ? turning_first(*car, robot, v) : v;
 }
 
+std::optional<Vec2> maneuver(const Robot& robot, const ClearPlaces& is_clear) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? maneuver(*car, robot, is_clear) : std::nullopt;
+}
+
+double room_for_maneuvers(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr ? room_for_maneuvers(*car) : 0.0;
+}
+
 bool passes_goal(const MotionModel& model) {
   return is_airplane(model);
 }
