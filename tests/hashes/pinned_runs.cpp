@@ -12,7 +12,7 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x808c9f74d53aa99a},
       {"swap_blocks", "swap-blocks", {}, 0, 0x46c0f326c5d1b548},
       {"uniform_1000", "uniform-1000", {}, 100, 0xd7d1486335789abd},
-      {"cars_100", "cars-100", {}, 0, 0xdcbd627ce2453f7f},
+      {"cars_100", "cars-100", {}, 0, 0x48ff230fc03453dd},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
