@@ -53,9 +53,31 @@ struct Decision {
   }
 };
 
-// The nearest admitted to `wanted`, one step towards what Eq. (23) chose.
+bool turns_at_rest(const Robot& robot) {
+  return turns_in_place(robot.model) && robot.velocity == Vec2{};
+}
+
+// One that turns before it drives: what would be admitted once it has turned.
+CertifiedChoice choose_as_turned(const Decision& decision, Vec2 wanted) {
+  Robot turned = decision.robot;
+  turned.model = Holonomic{};
+  return choose_certified(turned, wanted, decision.law, decision.certified);
+}
+
+// The nearest admitted to `wanted`, one step towards what Eq. (23) chose. While a car turns in
+// place it moves nowhere, so anything is admitted: towards what it may not drive in then, it would
+// turn in vain, and back again, for ever.
 CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted) {
-  return choose_certified(decision.robot, wanted, decision.law, decision.certified);
+  if (!turns_at_rest(decision.robot))
+    return choose_certified(decision.robot, wanted, decision.law, decision.certified);
+  const Vec2 later = choose_as_turned(decision, wanted).next_velocity;
+  CertifiedChoice choice =
+      choose_certified(decision.robot, later, decision.law, decision.certified);
+  if (choice.chosen == Chosen::backup && later != Vec2{})
+    choice = choose_certified(decision.robot, turning_first(decision.robot, later), decision.law,
+                              decision.certified);
+  if (later != wanted && choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
+  return choice;
 }
 
 CertifiedChoice choose_by_program(const Decision& decision, std::span<const HalfPlane> half_planes,
@@ -68,15 +90,9 @@ CertifiedChoice choose_by_program(const Decision& decision, std::span<const Half
 // unhindered: as far as one step leads to the wish.
 bool is_way_blocked(const Decision& decision, const CertifiedChoice& choice, Vec2 unhindered,
                     Vec2 wish) {
-  const bool turns = turns_in_place(decision.robot.model) && decision.robot.velocity == Vec2{};
-  Vec2 next_velocity = choice.next_velocity;
-  if (turns) {
-    // it turns before it drives: could it, once it has turned?
-    Robot turned = decision.robot;
-    turned.model = Holonomic{};
-    next_velocity =
-        choose_certified(turned, unhindered, decision.law, decision.certified).next_velocity;
-  }
+  const Vec2 next_velocity = turns_at_rest(decision.robot)
+                                 ? choose_as_turned(decision, unhindered).next_velocity
+                                 : choice.next_velocity;
   return is_blocked(next_velocity, unhindered, wish);
 }
 

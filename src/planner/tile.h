@@ -20,6 +20,7 @@ struct Tile {
   std::vector<Plan*> plan;      ///< filled, but for next_velocity: moving the robot tells that
   std::vector<std::span<const Wall>> walls;  ///< of each robot; none where no robot has any
   std::vector<std::uint32_t> slot;           ///< what whoever fills the tile calls each robot
+  std::vector<std::uint8_t> maneuvers;  ///< by steer(): 1 of a robot that maneuvers beside walls
   bool trusted = true;  ///< the robots and their neighbors are known to be finite and in range
 
   std::span<const Wall> walls_of(std::size_t i) const {
@@ -31,6 +32,7 @@ struct Tile {
     detour.clear();
     plan.clear();
     walls.clear();
+    maneuvers.clear();
     slot.clear();
     trusted = true;
   }
@@ -40,6 +42,7 @@ struct Tile {
     detour.reserve(most_robots);
     plan.reserve(most_robots);
     walls.reserve(most_robots);
+    maneuvers.reserve(most_robots);
     slot.reserve(most_robots);
   }
 };

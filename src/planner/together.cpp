@@ -14,6 +14,7 @@
 #include "planner/flight.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
+#include "planner/steer.h"
 #include "robots/model.h"
 
 namespace avo {
@@ -26,15 +27,6 @@ Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 
   if (walls.empty() || push == Vec2{}) return push;
   const Robot robot = tile.robots.robot(i);
   return !is_near_goal(robot) && is_beside(robot, walls, law) ? Vec2{} : push;
-}
-
-// Robots that cannot go everywhere at once go about it in their own way.
-void steer(const PlannerOptions& options, RobotColumns& robots) {
-  for (std::size_t i = 0; i < robots.count; ++i) {
-    if (robots.model[i] == nullptr || turns_in_place(*robots.model[i])) continue;
-    const Vec2 wish = steered(robots.robot(i), goes_at_once(options));
-    robots.preferred_x[i] = wish.x, robots.preferred_y[i] = wish.y;
-  }
 }
 
 // What each robot wishes for.
@@ -51,6 +43,10 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
   keep_right(robots, decisions);
   const StepLaw law = certificate_law(planner).step;
   for (std::size_t i = 0; i < robots.count; ++i) {
+    if (robots.has_models && tile.maneuvers[i] != 0) {
+      decisions.wish_x[i] = robots.preferred_x[i], decisions.wish_y[i] = robots.preferred_y[i];
+      continue;
+    }
     const Vec2 push = push_among_walls(tile, i, law, {decisions.push_x[i], decisions.push_y[i]});
     Detour& detour = *tile.detour[i];
     if (push == Vec2{} && detour.yielded == 0.0) continue;
@@ -223,6 +219,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
     std::swap(tile.plan[i], tile.plan[last]);
     std::swap(tile.slot[i], tile.slot[last]);
     if (!tile.walls.empty()) std::swap(tile.walls[i], tile.walls[last]);
+    if (!tile.maneuvers.empty()) std::swap(tile.maneuvers[i], tile.maneuvers[last]);
   }
 }
 
@@ -231,7 +228,7 @@ void set_apart(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scrat
 void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch,
                    StageClock& clock) {
   const PlannerOptions& options = planner.options();
-  if (tile.robots.has_models) steer(options, tile.robots);
+  if (tile.robots.has_models) steer(options, certificate_law(planner).step, tile);
   set_apart(planner, tile, scratch);
   if (options.certificate != Certificate::none && !tile.walls.empty())
     leave_out_hidden(options, certificate_law(planner).step, tile);

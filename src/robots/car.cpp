@@ -156,6 +156,14 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
   return turn_in_place(state, driving, std::clamp(turn, -most, most));
 }
 
+Vec2 turning_first(const Car& car, const Robot& robot, Vec2 v) {
+  constexpr double kEnough = 1.01 * kTurnInPlace;
+  const Driving driving = driving_of(car, {robot.position, {}, robot.heading}, v);
+  const double turn = elementary::atan2(cross(driving.heading, v), dot(driving.heading, v));
+  if (std::abs(turn) >= kEnough) return v;
+  return norm(v) * turned(driving.heading, elementary::direction(std::copysign(kEnough, turn)));
+}
+
 // docs/certificate.md, "Robots with wheels"
 Stray stray_of_car(const Car& car, double max_acceleration, double time_step) {
   Stray stray{2.0 * reach_of(car), 0.0};

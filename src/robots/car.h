@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "robots/model.h"
@@ -18,12 +19,19 @@ Stray stray_of_car(const Car& car, double max_acceleration, double time_step);
 SensingError unforeseen_of_car(const Car& car, double max_acceleration, double time_step);
 double top_speed_of(const Car& car, const Robot& robot, double u);
 Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v);
+Vec2 turning_first(const Car& car, const Robot& robot, Vec2 v);
 void append_own_half_planes(const Car& car, const Robot& robot, double time,
                             std::vector<HalfPlane>& half_planes);
 
 /// src/robots/steering.cpp
 Vec2 steered(const Car& car, const Robot& robot);
+/// m/s: along `ahead`, its heading or against it, towards where it goes.
+Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead);
 Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v);
+
+/// src/robots/maneuver.cpp
+std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const ClearPlaces& is_clear);
+double room_for_maneuvers(const Car& car);
 
 inline double offset_of(const Car& car) {
   return car.body ? car.body->offset : 0.0;

@@ -141,6 +141,21 @@ Vec2 within_steering(const Robot& robot, Vec2 v) {
   return airplane != nullptr ? within_steering(*airplane, robot, v) : v;
 }
 
+Vec2 turning_first(const Robot& robot, Vec2 v) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? turning_first(*car, robot, v) : v;
+}
+
+std::optional<Vec2> maneuver(const Robot& robot, const ClearPlaces& is_clear) {
+  const Car* car = std::get_if<Car>(&robot.model);
+  return car != nullptr ? maneuver(*car, robot, is_clear) : std::nullopt;
+}
+
+double room_for_maneuvers(const MotionModel& model) {
+  const Car* car = std::get_if<Car>(&model);
+  return car != nullptr ? room_for_maneuvers(*car) : 0.0;
+}
+
 bool passes_goal(const MotionModel& model) {
   return is_airplane(model);
 }

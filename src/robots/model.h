@@ -8,6 +8,7 @@
 // alone.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -68,6 +69,17 @@ void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPla
 Vec2 steered(const Robot& robot, bool at_once);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
+
+/// m/s, of one at rest that turns in place: v, where necessary so far off its heading to the same
+/// side that it turns before it drives.
+Vec2 turning_first(const Robot& robot, Vec2 v);
+
+/// Whether the disc may be at a place; begun: on a way that it is on already.
+using ClearPlaces = std::function<bool(Vec2 place, bool begun)>;
+/// m/s: beside what is in the way, instead of steered().
+std::optional<Vec2> maneuver(const Robot& robot, const ClearPlaces& is_clear);
+/// m, from its disc, of what may be in the way; 0: it needs none.
+double room_for_maneuvers(const MotionModel& model);
 
 /// m/s, after a step that a_max changes by u: what the program is given.
 double top_speed_of(const Robot& robot, double u);

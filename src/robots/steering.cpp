@@ -50,7 +50,21 @@ double least_radius(const Car& car, const Robot& robot, Vec2 to) {
   return dot(robot.velocity, to) > 0.0 ? 1.0 : kWellOutside;
 }
 
+// m, of the circle of pure pursuit
+double pursuit_radius(double distance, double y) {
+  return y == 0.0 ? std::numeric_limits<double>::infinity() : distance / (2.0 * std::abs(y));
+}
+
 }  // namespace
+
+Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
+  const double speed = norm(robot.preferred_velocity), turning = 1.0 / sharpest(car);
+  const Vec2 to = robot.preferred_velocity / speed;
+  const double x = dot(ahead, to), y = cross(ahead, to);
+  const double radius = std::max(turning, pursuit_radius(robot.distance_to_goal, y));
+  const double wide = x >= 0.0 ? radius : std::min(radius, kWidest * turning);
+  return bent(ahead, x, y, std::min(speed, cornering_speed(robot.max_acceleration, wide)));
+}
 
 Vec2 steered(const Car& car, const Robot& robot) {
   const double speed = norm(robot.preferred_velocity);
@@ -59,15 +73,12 @@ Vec2 steered(const Car& car, const Robot& robot) {
   const double x = dot(ahead, to), y = cross(ahead, to), distance = robot.distance_to_goal;
   const double turning = 1.0 / sharpest(car);
   if (distance <= kNearEnough * turning) return {};
-  // of the circle of pure pursuit
-  const double radius =
-      y == 0.0 ? std::numeric_limits<double>::infinity() : distance / (2.0 * std::abs(y));
+  const double radius = pursuit_radius(distance, y);
   if (radius < least_radius(car, robot, to) * turning) {
     const double away = std::min(cornering_speed(robot.max_acceleration, turning), robot.max_speed);
     return away * (car.reverse && x > 0.0 ? -ahead : ahead);
   }
-  const double wide = x >= 0.0 ? radius : std::min(radius, kWidest * turning);
-  return bent(ahead, x, y, std::min(speed, cornering_speed(robot.max_acceleration, wide)));
+  return steered_along(car, robot, ahead);
 }
 
 Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v) {

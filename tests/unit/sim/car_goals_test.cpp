@@ -2,6 +2,7 @@
 // Cars that cannot turn in place come to goals wherever these are, and stay there.
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 #include "avo/simulation.h"
@@ -78,6 +79,65 @@ TEST(CarGoals, reverse_saves_a_way_round) {
   EXPECT_LT(time_of(true), 6.0);
   EXPECT_GT(time_of(false), 6.0);
   EXPECT_LT(time_of(false), 20.0);
+}
+
+// How many of the robots of a scene arrive.
+int arrived_within(const Scenario& scene, double time) {
+  Simulation simulation(scene, 1);
+  while (simulation.time() < time && !simulation.all_at_goal()) simulation.step();
+  int arrived = 0;
+  for (std::size_t k = 0; k < scene.robots.size(); ++k) arrived += simulation.is_at_goal(k) ? 1 : 0;
+  return arrived;
+}
+
+// Six of them on a circle, who stop each other in its middle.
+Scenario jam(Random& random, AccelerationSet set) {
+  constexpr int kCars = 6;
+  Scenario scene;
+  for (int k = 0; k < kCars; ++k) {
+    const double angle = (k + random.uniform(-0.2, 0.2)) * (2.0 * std::numbers::pi / kCars);
+    RobotSetup robot;
+    robot.radius = 1.0;
+    robot.position = 6.0 * Vec2{std::cos(angle), std::sin(angle)};
+    robot.goal = -random.uniform(0.8, 1.2) * robot.position;
+    robot.heading = random.uniform(-3.0, 3.0);
+    robot.model = Car{.wheelbase = 0.8, .acceleration_set = set};
+    scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
+// A car that turned in place towards what it may not drive in then turned back again, for ever.
+TEST(CarGoals, cars_that_turn_in_place_get_out_of_jams) {
+  for (const AccelerationSet set : {AccelerationSet::incircle, AccelerationSet::exact}) {
+    Random random(3);
+    int missing = 0;
+    for (int k = 0; k < 200; ++k) missing += 6 - arrived_within(jam(random, set), 120.0);
+    EXPECT_EQ(missing, 0) << to_string(set);
+  }
+}
+
+RobotSetup car_at(Vec2 position, double heading, Vec2 goal, bool reverse) {
+  RobotSetup robot;
+  robot.position = position, robot.heading = heading, robot.goal = goal;
+  robot.model = Car{1.0, 0.8, CarBody{0.5, 0.9}, reverse};
+  return robot;
+}
+
+// Its disc touches the wall, towards which it would back along its way: it has to drive off first.
+TEST(CarGoals, a_car_beside_a_wall_drives_off_it_and_then_back) {
+  Scenario scene;
+  scene.obstacles = {{{Chain{{{-13, -7}, {-5, -7}, {-5, -2}, {-13, -2}}, true}}}};
+  scene.robots = {car_at({-6.2995, -1.1675}, 3.0049, {-2.9, -6.75}, true)};
+  EXPECT_EQ(arrived_within(scene, 60.0), 1);
+}
+
+// They start a meter apart. Nose to nose in contact, neither could ever leave.
+TEST(CarGoals, cars_without_reverse_do_not_end_nose_to_nose) {
+  Scenario scene;
+  scene.robots = {car_at({-37.46, -6.55}, -0.63, {-6.23, 16.14}, false),
+                  car_at({-34.6, -7.4}, -2.93, {27.92, 17.3}, false)};
+  EXPECT_EQ(arrived_within(scene, 60.0), 2);
 }
 
 }  // namespace
