@@ -28,8 +28,7 @@ double speed_before(double gap, double max_braking, const StepLaw& law) {
 
 void append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                          std::vector<HalfPlane>& half_planes) {
-  const double reach =
-      wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
+  const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
   for (const Wall& wall : walls) {
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
     const double distance = norm(away), gap = distance - robot.radius - wall.radius;
