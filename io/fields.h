@@ -148,7 +148,7 @@ struct HeadingField {
   avo::Range range;
 };
 inline constexpr HeadingField kHeadingField{"heading", "rad", "counter-clockwise from +x",
-                                            avo::kAnyValue};
+                                            avo::kAngle};
 
 /// RobotSetup's fields without position and goal, for groups.
 const std::vector<Field<avo::RobotSetup>>& group_robot_fields();

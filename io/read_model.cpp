@@ -53,9 +53,10 @@ void read_car(const Reader& reader, const YamlNode& node, const std::string& pat
   reader.read(node, path, fields<avo::Car>(), car, true);
   const YamlNode* body = node.find("body");
   if (body == nullptr) return;
-  if (!car.body) car.body.emplace();
+  const bool is_whole = car.body.has_value();  // of a group's robot some keys may be given anew
+  if (!is_whole) car.body.emplace();
   reader.check_keys(*body, path_to(path, "body"), keys_of(fields<avo::CarBody>()));
-  reader.read(*body, path_to(path, "body"), fields<avo::CarBody>(), *car.body, true);
+  reader.read(*body, path_to(path, "body"), fields<avo::CarBody>(), *car.body, is_whole);
 }
 
 }  // namespace

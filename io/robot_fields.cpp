@@ -93,7 +93,7 @@ const std::vector<Field<CarBody>>& fields() {
   static const std::vector<Field<CarBody>> table{
       {"offset", &CarBody::offset, kOptional, kAnyValue, "m",
        "of its center, ahead of the rear axle"},
-      {"radius", &CarBody::radius, kOptional, kPositive, "m", "of the disc, instead of radius"},
+      {"radius", &CarBody::radius, kRequired, kPositive, "m", "of the disc, instead of radius"},
   };
   return table;
 }

@@ -101,7 +101,8 @@ inline bool is_airplane(const MotionModel& model) {
   return std::holds_alternative<Airplane>(model);
 }
 
-/// m/s²: what |a| of one whose setup says `max_acceleration` never exceeds.
+/// m/s²: what FleetView::applied_acceleration of one whose setup says `max_acceleration` never
+/// exceeds.
 AVO_API double acceleration_limit(const MotionModel& model, double max_acceleration);
 
 /// Whether the velocity of its disc is along its heading or against it, as that of a car is. Others

@@ -37,7 +37,9 @@ struct FleetView {
   std::span<const RobotSetup> setup;  ///< the constant part (radius, limits, car)
   std::span<const Detour> detour;     ///< what each remembers; method avo only
   std::span<const Plan> plan;         ///< of its last decision; value-initialized before the first
-  std::span<const double> applied_acceleration;  ///< m/s^2, the largest |a| within the last step
+  /// m/s^2, the largest |a| within the last step; of a car with the exact set the larger part of
+  /// it, along the heading or across.
+  std::span<const double> applied_acceleration;
 };
 
 struct ObstacleView {

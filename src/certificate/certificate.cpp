@@ -68,7 +68,7 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
   constexpr double kRounding = 1.0 + 0x1p-46;
   const double u = braking_decrement(robot.max_acceleration, law), speed = norm(robot.velocity);
   const double expected = law.lag * speed + (law.time_step - law.lag) * (speed + u) +
-                          stopping_length(speed + u, u, law);
+                          stopping_length(speed + u, decrement_of(robot, law), law);
   return path.way + stopping_length(path.braking, law) <= kRounding * expected;
 }
 

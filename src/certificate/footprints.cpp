@@ -89,7 +89,7 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
     if (!neighbor.loiter || neighbor.behavior != Behavior::decides) continue;
     const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
     invariant.slack = std::min(invariant.slack, line.gap);
-    if (line.gap < 0.0) invariant.broken = static_cast<int>(k);
+    if (line.gap < 0.0) invariant.broken = static_cast<int>(k), invariant.doubtful = true;
     // A's begins at n . x = min(0, n . way)
     const double begin = std::min(0.0, dot(line.normal, own.way));
     constraints.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});

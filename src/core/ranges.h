@@ -13,14 +13,17 @@
 
 namespace avo {
 
-/// A finite interval; open_min excludes its lower end.
+/// Lengths and limits whose squares, and those of what is made of them, do not underflow.
+inline constexpr double kSmallest = 1e-60;
+
+/// A finite interval; open_min excludes its lower end, and what is nearer to it than kSmallest.
 struct Range {
   double min = 0.0;
   double max = 0.0;
   bool open_min = false;
 
   [[nodiscard]] constexpr bool below(double value) const {
-    return open_min ? !(value > min) : !(value >= min);
+    return open_min ? !(value > min && value >= min + kSmallest) : !(value >= min);
   }
   [[nodiscard]] bool contains(double value) const {
     return std::isfinite(value) && !below(value) && value <= max;
@@ -36,6 +39,8 @@ inline std::string text(double value) {
 /// Far beyond any use, small enough that squares and products stay finite.
 inline constexpr double kLargest = 1e12;
 inline constexpr Range kAnyValue{-kLargest, kLargest, false};
+/// rad: of more turns too little would be left of an angle.
+inline constexpr Range kAngle{-1e6, 1e6, false};
 inline constexpr Range kPositive{0.0, kLargest, true};
 inline constexpr Range kNotNegative{0.0, kLargest, false};
 inline constexpr Range kAtLeastOne{1.0, std::numeric_limits<std::int32_t>::max(), false};
@@ -71,8 +76,11 @@ template <typename Name>
 void require(const Name& name, double value, const Range& range, std::string_view unit) {
   if (range.contains(value)) return;
   if (!std::isfinite(value)) refuse(std::string(name), text(value), "a finite number");
-  std::string allowed = range.below(value) ? (range.open_min ? "> " : ">= ") + text(range.min)
-                                           : "<= " + text(range.max);
+  std::string allowed = "<= " + text(range.max);
+  if (range.below(value))
+    allowed = range.open_min && !(value > range.min) ? "> " + text(range.min)
+              : range.open_min                       ? ">= " + text(range.min + kSmallest)
+                                                     : ">= " + text(range.min);
   if (!unit.empty()) allowed.append(" ").append(unit);
   refuse(std::string(name), text(value), allowed);
 }

@@ -112,13 +112,25 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   return loiter_on(planner, robot, told(PlanStatus::braking), course.violation);
 }
 
-bool can_fly(const Robot& robot) {
+bool is_on_circle(const Neighbor& neighbor) {
+  const auto& [center, radius] = *neighbor.loiter;
+  const Vec2 out = neighbor.position - center;
+  const double off = kCircleOff * radius;
+  // it turns to the right
+  return std::abs(norm(out) - radius) <= off &&
+         std::abs(dot(out, neighbor.velocity)) <= off * norm(neighbor.velocity) &&
+         cross(out, neighbor.velocity) < 0.0;
+}
+
+bool can_fly(const Robot& robot, double time_step) {
+  const Airplane& airplane = airplane_of(robot);
   if (robot.max_braking) return false;
-  const double speed = norm(robot.velocity), least = airplane_of(robot).min_speed;
+  if (airplane.lateral_acceleration * time_step > kMostTurn * airplane.min_speed) return false;
+  const double speed = norm(robot.velocity), least = airplane.min_speed;
   if (!(speed >= least * (1.0 - kSpeedOff) && speed <= robot.max_speed * (1.0 + kSpeedOff)))
     return false;
   if (!robot.loiter) return true;
-  const LoiterCircle own = loiter_circle(airplane_of(robot), robot.position, robot.velocity);
+  const LoiterCircle own = loiter_circle(airplane, robot.position, robot.velocity);
   const double off = kCircleOff * own.radius;
   return std::abs(own.radius - robot.loiter->radius) <= off &&
          norm(own.center - robot.loiter->center) <= off;

@@ -24,9 +24,12 @@ Plan fly_towards(const Planner& planner, const Robot& robot, const Neighbors& ne
 /// It holds its speed and turns right.
 Plan loiter_on(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
 
-/// Whether it flies as fast as it may, not slower than it must, and on its circle; it has no
-/// max_braking, because it does not brake.
-bool can_fly(const Robot& robot);
+/// Whether it flies as fast as it may, not slower than it must, turns by kMostTurn at most in a
+/// step, and is on its circle; it has no max_braking, because it does not brake.
+bool can_fly(const Robot& robot, double time_step);
+
+/// Whether the circle of one that loiters is that of its position and velocity.
+bool is_on_circle(const Neighbor& neighbor);
 
 /// Whether the planner's options are such that it, or one beside one that loiters, keeps what
 /// docs/certificate.md promises.

@@ -45,9 +45,9 @@ std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot&
 }
 
 // What the circle of an airplane keeps from each.
-void list_walls_of_flight(const Robot& robot, std::span<const Wall> walls,
+void list_walls_of_flight(const Robot& robot, double time_step, std::span<const Wall> walls,
                           std::vector<WallConstraint>& constraints) {
-  if (!can_fly(robot)) return;
+  if (!can_fly(robot, time_step)) return;
   const LoiterCircle circle = *with_circle(robot).loiter;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!is_valid(walls[k])) continue;
@@ -112,7 +112,8 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
                                   std::vector<WallConstraint>& constraints) const {
   constraints.clear();
   if (options_.certificate == Certificate::none || !is_valid(robot)) return;
-  if (is_airplane(robot.model)) return list_walls_of_flight(robot, walls, constraints);
+  if (is_airplane(robot.model))
+    return list_walls_of_flight(robot, options_.time_step, walls, constraints);
   WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!is_valid(walls[k])) continue;

@@ -26,8 +26,6 @@
 namespace avo {
 namespace {
 
-// Radii and limits whose squares, and those of what is made of them, neither over- nor underflow.
-constexpr double kSmallest = 1e-60;
 constexpr std::size_t kMostConstraints = 8192;  // for more, memory grows when it is needed
 
 // 1 or 0, to be joined without a branch: nearly all are.
@@ -125,13 +123,17 @@ namespace {
 template <typename Neighbors>
 bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
                       const PlannerOptions& options) {
-  bool loiters = is_airplane(robot.model), others = false;
+  const bool flies = is_airplane(robot.model);
+  bool loiters = flies;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
-    loiters = loiters || neighbor.loiter.has_value();
-    others = others || neighbor.age > 0 || neighbor.behavior != Behavior::decides;
+    const bool is_plain = neighbor.age == 0 && neighbor.behavior == Behavior::decides;
+    if (flies && !is_plain) return false;
+    if (!neighbor.loiter) continue;
+    loiters = true;
+    if (!is_plain || !is_on_circle(neighbor)) return false;
   }
-  if (is_airplane(robot.model) && (others || !can_fly(robot))) return false;
+  if (flies && !can_fly(robot, options.time_step)) return false;
   if (loiters && !allows_loiterers(options)) return false;
   return is_holonomic(robot.model) || options.certificate == Certificate::none ||
          options.motion == Motion::held;
@@ -214,7 +216,8 @@ Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double
   if (!can_brake(robot)) return {.status = PlanStatus::invalid_input};
   const PlannerOptions& options = planner.options();
   if (is_airplane(robot.model)) {
-    if (!can_drive(robot) || !can_fly(robot)) return {.status = PlanStatus::invalid_input};
+    if (!can_drive(robot) || !can_fly(robot, options.time_step))
+      return {.status = PlanStatus::invalid_input};
     return loiter_on(planner, robot, status, violation);
   }
   if (adopts_at_once(options.method))
@@ -295,10 +298,10 @@ namespace {
 // Moved as a simulation moves it.
 Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   if (!can_brake(robot)) return plan;
-  if (!is_holonomic(robot.model) && can_drive(robot)) {
+  if (!is_holonomic(robot.model) && can_drive(robot) && follows_heading(robot)) {
     MotionState state{{}, robot.velocity, robot.heading};
     if (is_airplane(robot.model)) {
-      if (!can_fly(robot)) return plan;
+      if (!can_fly(robot, planner.options().time_step)) return plan;
       state.position = robot.position, state.circle = *with_circle(robot).loiter;
     }
     const MotionLimits limits{braking_limit(robot), robot.max_speed};

@@ -56,10 +56,11 @@ SafetyReport Planner::state(const Robot& robot, std::span<const Neighbor> neighb
                             PlanWorkspace& workspace, std::span<const Wall> walls) const {
   const bool walls_valid =
       std::all_of(walls.begin(), walls.end(), [](const Wall& wall) { return is_valid(wall); });
-  if (!all_valid(robot, neighbors) || !walls_valid || !follows_heading(robot)) return {};
+  if (!all_valid(robot, neighbors) || !walls_valid || !follows_heading(robot) ||
+      !can_follow(robot, neighbors, options_))
+    return {};
   const CertificateLaw law = law_of_state(*this);
   if (is_airplane(robot.model)) {
-    if (!can_follow(robot, neighbors, options_)) return {};
     PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
     collect_flight(with_circle(robot), in_columns(neighbors, scratch.alone.neighbors), walls,
                    law.step, scratch.flight);

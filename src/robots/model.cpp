@@ -3,6 +3,7 @@
 #include "robots/model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/elementary.h"
@@ -24,7 +25,7 @@ bool moves_along_heading(const MotionModel& model) {
 double acceleration_limit(const MotionModel& model, double max_acceleration) {
   const Airplane* airplane = std::get_if<Airplane>(&model);
   if (airplane != nullptr) return norm(Vec2{max_acceleration, airplane->lateral_acceleration});
-  return reach_of(model) * max_acceleration;
+  return max_acceleration;
 }
 
 double disc_radius(const MotionModel& model, double radius) {
@@ -67,15 +68,27 @@ SensingError unforeseen(const MotionModel& model, double max_acceleration, doubl
   return car != nullptr ? unforeseen_of_car(*car, max_acceleration, time_step) : SensingError{};
 }
 
+double swing_of(const MotionModel& model, double max_acceleration, double max_speed) {
+  const Car* car = std::get_if<Car>(&model);
+  if (car == nullptr || offset_of(*car) == 0.0) return 0.0;
+  const double turning = std::min(max_speed * sharpest(*car),
+                                  std::sqrt(max_acceleration * sharpest(*car)));  // [v κ] rad/s
+  return std::abs(offset_of(*car)) * turning;
+}
+
 double fastest_of(const MotionModel& model, double max_speed) {
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr || offset_of(*car) == 0.0) return max_speed;
   return max_speed * (1.0 + std::abs(offset_of(*car)) * sharpest(*car));
 }
 
-bool may_exceed_reach(const MotionModel& model) {
+bool swings(const MotionModel& model) {
   const Car* car = std::get_if<Car>(&model);
-  return car != nullptr && (offset_of(*car) != 0.0 || reach_of(model) > 1.0);
+  return car != nullptr && offset_of(*car) != 0.0;
+}
+
+bool may_exceed_reach(const MotionModel& model) {
+  return swings(model) || reach_of(model) > 1.0;
 }
 
 double reach_of(const MotionModel& model) {

@@ -42,8 +42,14 @@ Stray stray_of(const MotionModel& model, double max_acceleration, double time_st
 /// to the velocity of its disc, may be off by in place and velocity.
 SensingError unforeseen(const MotionModel& model, double max_acceleration, double time_step);
 
+/// m/s: how much the velocity of its disc may differ from that of its axle.
+double swing_of(const MotionModel& model, double max_acceleration, double max_speed);
+
 /// m/s: that its disc never exceeds, where the robot itself keeps to max_speed.
 double fastest_of(const MotionModel& model, double max_speed);
+
+/// Whether its disc moves otherwise than its axle.
+bool swings(const MotionModel& model);
 
 /// Whether a decision could lead it farther than others expect of its acceleration: it has to keep
 /// to that.

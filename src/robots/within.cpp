@@ -32,21 +32,13 @@ MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool
                             double time, double duration) {
   const double speed = signed_speed(from), next_speed = signed_speed(to);
   const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
-  double length = 0.5 * (speed + next_speed) * duration;
+  const double length = 0.5 * (speed + next_speed) * duration;
   MotionState state = from;
   if (length == 0.0) {  // in place, or not at all
     const double part = time / duration;
     state.heading =
         std::remainder(from.heading + turn * (swings ? part * part : part), 2.0 * std::numbers::pi);
     return state;
-  }
-  if (next_speed == 0.0) {  // it may have come to rest before the end
-    const double whole = norm(to.position - from.position) / sine_ratio(0.5 * turn);
-    if (whole < (1.0 - 1e-9) * std::abs(length)) {
-      length = std::copysign(whole, length);
-      duration = 2.0 * length / speed;
-      if (!(time < duration)) return to;
-    }
   }
   const double change = (next_speed - speed) / duration;
   const double covered = time * (speed + 0.5 * time * change);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "avo/scenario.h"
+#include "robots/model.h"
 
 namespace avo {
 namespace {
@@ -141,6 +142,14 @@ void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
     lines.push_back("preferred_speed " + text(scenario.robots[wish.robot].preferred_speed) +
                     " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
                     text(scenario.robots[wish.robot].max_speed) + " m/s");
+  const Worst slow = worst(scenario.robots, [](const RobotSetup& r) {
+    return r.preferred_speed > 0.0 ? least_speed(r.model) / r.preferred_speed : 0.0;
+  });
+  if (slow.value > 1.0)
+    lines.push_back("preferred_speed " + text(scenario.robots[slow.robot].preferred_speed) +
+                    " m/s of " + robot_name(slow.robot) + " is less than its min_speed = " +
+                    text(least_speed(scenario.robots[slow.robot].model)) +
+                    " m/s, with which it flies");
   if (is_certified(scenario)) return;
   const Worst start =
       worst(scenario.robots, [](const RobotSetup& r) { return norm(r.velocity) / r.max_speed; });

@@ -29,7 +29,8 @@ struct Starter {
 // Certificate, scene and scratch memory.
 struct Starts {
   const Scenario& scenario;
-  CertificateLaw law;
+  CertificateLaw law;  // by which all brake at once, also where clocks are free: see late_phase()
+  double longest_step = 0.0;  // s, where they are
   bool layered = false;
   std::vector<Starter> starters = {};
   CertificateConstraints constraints = {};
@@ -56,7 +57,7 @@ void collect_starters(Starts& starts) {
     starts.starters.push_back({disc_center(robots[i]), static_cast<int>(i), way,
                                disc_radius(robots[i]) +
                                    (circle ? 2.0 * circle->radius : norm(way)) +
-                                   late_phase(starts.scenario, robots[i], starts.law),
+                                   late_phase(robots[i], starts.longest_step),
                                circle.has_value()});
   }
   for (std::size_t i = 0; i < robots.size() && starts.layered; ++i)  // as movers
@@ -93,7 +94,7 @@ bool avoids(const Starter& a, const Starter& b, const Scenario& scenario) {
 }
 
 void examine(const Starter& a, const Starter& b, Starts& starts) {
-  const auto& [scenario, law, layered, starters, constraints, broken] = starts;
+  const auto& [scenario, law, longest_step, layered, starters, constraints, broken] = starts;
   const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
   Neighbor neighbor;
   double margin = 0.0;
@@ -110,7 +111,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .max_deviation = reach_of(other.model) * other.max_acceleration,
                 .max_speed = top_speed(other),
                 .loiter = circle_of(other.model, other.position, start_velocity(other))};
-    margin = late_phase(scenario, own, law) + late_phase(scenario, other, law);
+    margin = late_phase(own, longest_step) + late_phase(other, longest_step);
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
@@ -121,7 +122,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .behavior = Behavior::moves_on,
                 .max_deviation = other.max_deviation,
                 .max_speed = other.max_speed.value_or(std::numeric_limits<double>::infinity())};
-    margin = parabola_error(other.acceleration, law.step) + late_phase(scenario, own, law);
+    margin = parabola_error(other.acceleration, law.step) + late_phase(own, longest_step);
   }
   const double contact = disc_radius(own) + neighbor.radius;
   if (are_apart(a, b, neighbor.behavior, contact + margin)) return;
@@ -182,7 +183,8 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
 
 void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
                         BrokenAssumptions& result) {
-  Starts starts{scenario, law, is_layered(scenario)};
+  Starts starts{scenario, law, longest_first_step(law), is_layered(scenario)};
+  starts.law.step.longest_step = 0.0;
   collect_starters(starts);
   std::vector<Starter>& starters = starts.starters;
   std::stable_sort(starters.begin(), starters.end(), [](const Starter& a, const Starter& b) {
@@ -236,10 +238,15 @@ StepLaw step_law(const Scenario& scenario, const RobotSetup& robot, const Certif
   return own;
 }
 
+double longest_first_step(const CertificateLaw& law) {
+  if (!law.step.has_free_clocks()) return 0.0;
+  return std::max(law.step.longest_step, law.step.time_step);
+}
+
 // Braking in steps of any lengths up to L is ahead of continuous braking by 0 to a L²/8.
-double late_phase(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
-  if (scenario.clock == Clock::common || robot.velocity == Vec2{}) return 0.0;
-  return 0.125 * robot.max_acceleration * law.step.longest_step * law.step.longest_step;
+double late_phase(const RobotSetup& robot, double longest_step) {
+  if (robot.velocity == Vec2{}) return 0.0;
+  return 0.125 * robot.max_acceleration * longest_step * longest_step;
 }
 
 bool is_layered(const Scenario& scenario) {

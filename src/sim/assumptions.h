@@ -12,9 +12,12 @@ CertificateLaw certificate_law(const Scenario& scenario);
 /// That of a robot, which may have a time step of its own.
 StepLaw step_law(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law);
 
-/// m: where clocks are free the first step of a robot that starts in motion may be a short one,
-/// with which it stops at most so much farther.
-double late_phase(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law);
+/// s: where clocks are free, the longest step of anybody's braking; else 0.
+double longest_first_step(const CertificateLaw& law);
+
+/// m: the first step of a robot that starts in motion may then be a short one, with which it stops
+/// at most so much farther.
+double late_phase(const RobotSetup& robot, double longest_step);
 
 /// m, from where the robot starts to where it would stop.
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);

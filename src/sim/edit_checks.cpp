@@ -9,6 +9,7 @@
 #include "avo/error.h"
 #include "core/ranges.h"
 #include "sim/assumptions.h"
+#include "sim/one_sided.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -97,20 +98,27 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
          "at most " + text_of(declared) + ", what all have declared");
 }
 
-// Throws Error where an airplane, or one among airplanes, could not be kept apart from all others.
+// Where an airplane would come among movers.
 void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
   if (setup.parked || (fleet.flights.empty() && !is_airplane(setup.model))) return;
   if (!world.obstacles.setup.empty())
     refuse(name_of(robot) + ": model", "airplane", "another one among moving obstacles");
-  for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    const RobotSetup other = fleet.setup(slot);
-    const bool flies = is_airplane(setup.model) || is_airplane(other.model);
-    if (!flies || other.parked || avoids(setup, other) == avoids(other, setup)) continue;
-    refuse(name_of(robot) + ": avoids",
-           "one side only avoiding the other, " + name_of(fleet.id[slot]),
-           "both or neither beside airplanes");
-  }
+}
+
+// Where one of them would avoid the other, and nothing could be promised to the two.
+void check_one_sided(const World& world, const RobotSetup& setup, RobotId robot) {
+  const Fleet& fleet = world.fleet;
+  std::vector<RobotSetup> robots;
+  for (const std::uint32_t slot : fleet.slot_of) robots.push_back(fleet.setup(slot));
+  robots.push_back(setup);
+  const auto pair = find_impossible(robots);
+  if (!pair || (pair->avoiding < fleet.size() && pair->avoided < fleet.size())) return;
+  const auto name_at = [&](std::size_t rank) {
+    return name_of(rank < fleet.size() ? fleet.id[fleet.slot_of[rank]] : robot);
+  };
+  refuse(name_at(pair->avoiding) + ": avoids", name_at(pair->avoided) + ", which does not avoid it",
+         "both or neither: " + std::string(pair->reason));
 }
 
 // Throws Error where braking does not keep the margin to it, or its Fill keeps a robot out.
@@ -151,6 +159,7 @@ void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) 
   check_sensing(world, setup, robot);
   check_declared(world, setup, robot);
   check_flights(world, setup, robot);
+  check_one_sided(world, setup, robot);
 }
 
 void check_newly_static(const World& world, const StaticObstacle& obstacle,

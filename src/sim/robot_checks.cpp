@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "robots/airplane.h"
 #include "robots/model.h"
 #include "sim/scene_checks.h"
 
@@ -38,7 +39,7 @@ void check_parked(std::size_t i, const RobotSetup& robot) {
   require_usual("avoids", robot.avoids, usual.avoids);
 }
 
-void check_car(std::size_t i, const RobotSetup& robot, const Car& car) {
+void check_car(std::size_t i, const Car& car) {
   const std::string_view list = "robots";
   require(Place{list, i, "car.wheelbase"}, car.wheelbase, kPositive, "m");
   if (car.max_curvature)
@@ -46,10 +47,6 @@ void check_car(std::size_t i, const RobotSetup& robot, const Car& car) {
   if (!car.body) return;
   require(Place{list, i, "car.body.offset"}, car.body->offset, kAnyValue, "m");
   require(Place{list, i, "car.body.radius"}, car.body->radius, kPositive, "m");
-  // whom it does not avoid counts on its acceleration, and knows nothing of how its disc swings
-  if (car.body->offset != 0.0 && !robot.parked && !(robot.avoids == RobotSetup{}.avoids))
-    refuse(std::string(Place{list, i, "avoids"}), list_of(robot.avoids),
-           "left out: its body is not over its axle");
 }
 
 void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive& drive) {
@@ -73,8 +70,7 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
 // Of those that others are promised something of, see docs/certificate.md, "Airplanes".
 void check_airplane(std::size_t i, const RobotSetup& robot, const Airplane& airplane,
                     double time_step) {
-  constexpr double kMostTurn = 3.0;  // rad, in a step
-  constexpr double kOff = 1e-9;      // of a speed: the length of a vector of that speed
+  constexpr double kOff = 1e-9;  // of a speed: the length of a vector of that speed
   const std::string_view list = "robots";
   const auto at = [&](std::string_view field) { return std::string(Place{list, i, field}); };
   require(Place{list, i, "airplane.min_speed"}, airplane.min_speed, kPositive, "m/s");
@@ -118,8 +114,8 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
              "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
   }
   if (robot.parked) check_parked(i, robot);
-  require(Place{list, i, "heading"}, robot.heading, kAnyValue, "rad");
-  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, robot, *car);
+  require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
+  if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
     check_drive(i, robot, *drive);
   if (const Airplane* airplane = std::get_if<Airplane>(&robot.model))

@@ -13,6 +13,7 @@
 #include "planner/options.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
+#include "sim/one_sided.h"
 #include "sim/scene_checks.h"
 
 namespace avo {
@@ -197,15 +198,13 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   if (!scenario.sensing.is_exact()) refuse("sensing", "one that is not exact", "left out" + among);
   if (options.sensing_error != SensingError{})
     refuse("sensing_error", "one that is not 0", "left out" + among);
-  for (auto a = first; a != robots.end(); ++a) {
-    if (!is_airplane(a->model)) continue;
-    for (const RobotSetup& b : robots) {
-      if (b.parked || avoids(*a, b) == avoids(b, *a)) continue;
-      refuse("robots." + std::to_string(a - robots.begin()) + ".avoids",
-             "one side only avoiding the other, robot " + std::to_string(&b - robots.data()),
-             "both or neither: it is an airplane");
-    }
-  }
+}
+
+void check_one_sided(const Scenario& scenario) {
+  if (const auto pair = find_impossible(scenario.robots))
+    refuse(std::string(Place{"robots", pair->avoiding, "avoids"}),
+           "robot " + std::to_string(pair->avoided) + ", which does not avoid it",
+           "both or neither: " + std::string(pair->reason));
 }
 
 void check_certificate(const Scenario& scenario, const PlannerOptions& options) {
@@ -217,6 +216,19 @@ void check_certificate(const Scenario& scenario, const PlannerOptions& options) 
   }
   check_braking(scenario, options);
   check_beside_walls(scenario);
+  if (!scenario.sensing_error || scenario.clock == Clock::common) return;
+  constexpr double kRounding = 1.0 + 1e-9;
+  const SensingError least = unforeseen(scenario);
+  const auto& [position, velocity] = *scenario.sensing_error;
+  const auto require_least = [](const char* key, double found, double least_of_all,
+                                const char* unit) {
+    if (least_of_all > kRounding * found)
+      refuse(std::string("sensing_error.") + key, text(found),
+             ">= " + text(least_of_all) + unit +
+                 ", what the rest of a step of a car may add where clock is free");
+  };
+  require_least("position", position, least.position, " m");
+  require_least("velocity", velocity, least.velocity, " m/s");
 }
 
 }  // namespace
@@ -239,6 +251,7 @@ void validate(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k)
     check_static_obstacle(k, scenario.obstacles[k]);
   check_flights(scenario, options);
+  check_one_sided(scenario);
   check_certificate(scenario, options);
 }
 

@@ -29,4 +29,9 @@ inline std::string text(Vec2 p) {
 /// Refuses what no robot of its model can be, number i of the scene.
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step);
 
+/// What the rest of a step adds to a state that is seen in the midst of it, beyond what
+/// max_acceleration does to the velocity of the disc; of free clocks (docs/certificate.md, "Clocks
+/// of their own").
+SensingError unforeseen(const Scenario& scenario);
+
 }  // namespace avo

@@ -7,7 +7,7 @@
 #include "avo/scenario.h"
 #include "planner/options.h"
 #include "robots/model.h"
-#include "sim/clocks.h"
+#include "sim/scene_checks.h"
 
 namespace avo {
 
@@ -34,9 +34,8 @@ double longest_step_of(const Scenario& scenario) {
   return longest > 0.0 ? longest : scenario.time_step;
 }
 
-// What the rest of a step adds to a state that is seen in the midst of it, beyond what
-// max_acceleration does to the velocity of the disc: see docs/certificate.md, "Clocks of their
-// own".
+}  // namespace
+
 SensingError unforeseen(const Scenario& scenario) {
   const double longest = longest_step_of(scenario);
   SensingError most;
@@ -48,8 +47,6 @@ SensingError unforeseen(const Scenario& scenario) {
   }
   return most;
 }
-
-}  // namespace
 
 PlannerOptions planner_options(const Scenario& scenario) {
   PlannerOptions options = default_options(scenario.method);
@@ -88,11 +85,11 @@ SensingError declared_error(const Scenario& scenario) {
     const auto [unseen_way, unseen_speed] = unforeseen(scenario);
     error.position += unseen_way, error.velocity += unseen_speed;
   }
-  if (scenario.sensing.delay == 0 && scenario.sensing.dropped == 0.0) return error;
+  if (scenario.sensing.delay == 0 && !scenario.sensing.misses()) return error;
   double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
   for (const RobotSetup& robot : scenario.robots) {
     strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
-    swing = std::max(swing, fastest_of(robot.model, robot.max_speed) - robot.max_speed);
+    swing = std::max(swing, swing_of(robot.model, robot.max_acceleration, robot.max_speed));
   }
   error.velocity += swing;
   if (scenario.sensing.delay == 0) return error;

@@ -49,7 +49,7 @@ std::optional<WallStart> start_beside(const Scenario& scenario, int number,
   const double radius = disc_radius(robot);
   const WallRounding rounding =
       wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
-  const double late = late_phase(scenario, robot, law);
+  const double late = late_phase(robot, longest_first_step(law));
   const Vec2 way = way_to_rest(robot, law);
   const auto circle = circle_of(robot.model, center, start_velocity(robot));
   const auto start_at = [&](const Wall& wall) {
