@@ -13,10 +13,6 @@ using avo::MovingObstacle;
 using avo::Scenario;
 using avo::SensingError;
 using avo::SensingModel;
-constexpr Need kRequired = Need::required;
-constexpr Need kOptional = Need::optional;
-constexpr std::monostate kNested;
-constexpr avo::Range kNoNumber{};
 constexpr avo::Range kSeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kDelay{0.0, avo::kMostDelay, false};
 constexpr avo::Range kName{1.0, 200.0, false};  // bytes

@@ -119,6 +119,8 @@ template <class T>
 using Member = typename MembersOf<T>::type;
 
 enum class Need : std::uint8_t { required, optional };
+inline constexpr Need kRequired = Need::required;
+inline constexpr Need kOptional = Need::optional;
 
 template <class T>
 struct Field {
@@ -130,6 +132,11 @@ struct Field {
   std::string_view doc;   ///< one line
   std::string_view default_text = "";  ///< where the default is not the struct's value
 };
+
+/// A member with keys of its own; the range of what is no number; how many robots.
+inline constexpr std::monostate kNested;
+inline constexpr avo::Range kNoNumber{};
+inline constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 
 /// The fields of T, in the order of the documentation.
 template <class T>

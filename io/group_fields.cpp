@@ -7,11 +7,6 @@ namespace avo_io {
 using avo::kAnyValue;
 using avo::kNotNegative;
 using avo::kPositive;
-constexpr Need kRequired = Need::required;
-constexpr Need kOptional = Need::optional;
-constexpr std::monostate kNested;
-constexpr avo::Range kNoNumber{};
-constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 
 template <>
 const std::vector<Field<Group>>& fields() {

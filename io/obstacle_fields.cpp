@@ -7,11 +7,6 @@ namespace avo_io {
 using avo::kAnyValue;
 using avo::kNotNegative;
 using avo::kPositive;
-constexpr Need kRequired = Need::required;
-constexpr Need kOptional = Need::optional;
-constexpr std::monostate kNested;
-constexpr avo::Range kNoNumber{};
-constexpr avo::Range kNumber{1.0, static_cast<double>(avo::kMostRobots), false};
 constexpr avo::Range kFile{1.0, 4096.0, false};  // bytes
 constexpr avo::Range kShare{0.0, 1.0, false};
 

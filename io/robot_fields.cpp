@@ -12,10 +12,6 @@ using avo::kAnyValue;
 using avo::kNotNegative;
 using avo::kPositive;
 using avo::RobotSetup;
-constexpr Need kRequired = Need::required;
-constexpr Need kOptional = Need::optional;
-constexpr std::monostate kNested;
-constexpr avo::Range kNoNumber{};
 constexpr avo::Range kLayer{0.0, 31.0, false};
 
 template <>

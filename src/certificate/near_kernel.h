@@ -18,9 +18,9 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const auto store = [i](Real value, std::vector<double>& column) { value.store(&column[i]); };
-    const PackBraking<Real> a = braking_of({load(robots.v_x), load(robots.v_y)},
-                                           load(robots.max_acceleration), load(robots.max_braking),
-                                           law);
+    const PackBraking<Real> a =
+        braking_of({load(robots.v_x), load(robots.v_y)}, load(robots.max_acceleration),
+                   load(robots.max_braking), law);
     store(a.profile.speed, own.speed), store(a.profile.decrement, own.decrement);
     store(a.increment, own.increment);
     store(a.profile.full_steps, own.full_steps);
@@ -37,8 +37,8 @@ void fill(const RobotColumns& robots, const StepLaw& law, BrakingColumns& own) {
     store(slow.speed, own.slow_speed), store(slow.full_steps, own.slow_steps);
     store(most_ahead, own.most_ahead), store(most_aside, own.most_aside);
 
-    const PackBound<Real> bound = bound_of({load(robots.x), load(robots.y)}, load(robots.radius),
-                                           a, deviation, load(robots.max_speed), law);
+    const PackBound<Real> bound = bound_of({load(robots.x), load(robots.y)}, load(robots.radius), a,
+                                           deviation, load(robots.max_speed), law);
     store(bound.far_distance, own.far_distance), store(bound.speed_squared, own.far_speed_squared);
     for (std::size_t k = 0; k < 3; ++k) store(bound.reach[k], own.far_reach[k]);
     store(bound.clear_distance, own.clear_distance);
@@ -198,8 +198,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, Whom whom, c
     }
     if (any(near)) {
       push<kUnlike>(robots, own, i, other, Real::numbers_from(k), near, pairs.queue);
-      if (pairs.queue.count >= NearQueue::kSize)
-        judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
+      if (pairs.queue.count >= NearQueue::kSize) judge<Real, kUnlike>(law, pairs.queue, pairs.kept);
     }
     const Vec<Real> p = self.position - other.position;
     if (any(dot(p, p) > range_squared)) break;

@@ -11,9 +11,9 @@ namespace avo {
 
 /// What is known of all robots that one may meet, itself among them.
 struct Peers {
-  double radius = 0.0;     ///< m, the largest
-  double reach = 0.0;      ///< m, the largest of radius and the way of any path that brakes
-  double intervals = 0.0;  ///< the most in which one may move until rest
+  double radius = 0.0;         ///< m, the largest
+  double reach = 0.0;          ///< m, the largest of radius and the way of any path that brakes
+  double intervals = 0.0;      ///< the most in which one may move until rest
   double most_weakness = 1.0;  ///< max_acceleration by max_braking
   double least_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
   double most_acceleration = 0.0;                                       ///< m/s^2
