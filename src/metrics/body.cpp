@@ -1,10 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/body.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace avo {
+
+namespace {
+
+// A cubic of so small a part of a step is off an arc by a 65536th of what that of the step is.
+constexpr int kParts = 16;
+
+// m: at least what the cubic of the whole step may be off the arc.
+double off_arc(const Body& body) {
+  return body.arc ? body.arc->path.length * std::abs(body.arc->path.turn) : 0.0;
+}
+
+StepPath part_of(const Body& body, int part, double step) {
+  constexpr double kShare = 1.0 / kParts;
+  const double from = part * kShare, to = (part + 1) * kShare;
+  if (body.arc) return hermite_path(part_of(*body.arc, from, to), kShare * step);
+  return part_of(body.path, from, to);
+}
+
+}  // namespace
+
+Separation separation_of(const Body& a, const Body& b, double step, double cutoff) {
+  const double off = off_arc(a) + off_arc(b);
+  const Separation roughly = separation(a.path, b.path, cutoff + off);
+  if (off == 0.0 || roughly.distance > cutoff + off) return roughly;
+  Separation least{std::numeric_limits<double>::infinity(), 0.0};
+  for (int part = 0; part < kParts; ++part) {
+    const Separation own = separation(part_of(a, part, step), part_of(b, part, step),
+                                      std::min(cutoff, least.distance));
+    if (own.distance < least.distance) least = {own.distance, (part + own.fraction) / kParts};
+  }
+  return least;
+}
 
 // Ids ascend in both.
 void collect_robots(const FleetView& fleet, const BodyStep& step, std::vector<Body>& robots) {
@@ -32,9 +66,10 @@ void collect_robots(const FleetView& fleet, const BodyStep& step, std::vector<Bo
     } else {
       const double turn =
           std::remainder(fleet.heading[i] - last.robots[j].heading, 2.0 * std::numbers::pi);
-      body.arc = arc_path(body.position, next, turn);
-      body.path =
-          hermite_path(*body.arc, norm(body.velocity), norm(fleet.velocity[i]), step.duration);
+      const double speed = norm(body.velocity), next_speed = norm(fleet.velocity[i]);
+      const bool in_place = speed == 0.0 && next_speed == 0.0;  // its disc leaves at rest
+      body.arc = {arc_path(body.position, next, turn), speed, in_place ? 1.0 : next_speed};
+      body.path = hermite_path(*body.arc, step.duration);
     }
     robots.push_back(body);
   }

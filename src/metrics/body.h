@@ -21,7 +21,7 @@ struct Body {
   bool exact = true;  // Eqs. (8), (9) hold, not only their interpolation
   StepPath path;
   const RobotSetup* setup = nullptr;  // of a robot
-  std::optional<ArcPath> arc = {};    // of one that turns, which `path` interpolates
+  std::optional<ArcMotion> arc = {};  // of one that turns, which `path` interpolates
 };
 
 /// Between what was seen last and now.
@@ -35,6 +35,10 @@ struct BodyStep {
 /// The robots that were there before the step and are there after it.
 void collect_robots(const FleetView& fleet, const BodyStep& step, std::vector<Body>& robots);
 void collect_obstacles(const ObstacleView& now, const BodyStep& step, std::vector<Body>& obstacles);
+
+/// Least distance of the centers over the step; exact for held accelerations and straight lines,
+/// and of arcs to 1e-8 m. A distance beyond the cutoff may be any that is beyond it as well.
+Separation separation_of(const Body& a, const Body& b, double step, double cutoff);
 
 /// Bounds how far the body goes in the step, m.
 inline double way_of(const Body& body) {

@@ -88,11 +88,9 @@ void Metrics::State::collect_walls(const Simulation& simulation) {
   walls.search = WallSearch(walls_of(now.setup));
 }
 
-// Smallest distance of the centers over the step. A cubic is exact for held accelerations (also
-// of moving obstacles) and straight lines. For the arc of a car at the paper's limits it is within
-// 7e-8 m at 2 m/s, 1e-4 m at 0.1 m/s; from walls the arc itself is measured.
+// Smallest distance of the centers over the step.
 double Metrics::State::distance(const Body& a, const Body& b, double cutoff) const {
-  if (!response || !a.exact || !b.exact) return separation(a.path, b.path, cutoff).distance;
+  if (!response || !a.exact || !b.exact) return separation_of(a, b, duration, cutoff).distance;
   const Pair pair{a.position - b.position, a.velocity - b.velocity, a.radius + b.radius};
   const Obstacle obstacle{pair, *response, duration};
   return closest_approach(obstacle, pair.velocity + (a.w - b.w)).distance;
@@ -113,8 +111,10 @@ void Metrics::State::meet(const Body& a, const Body& b) {
   const double overlapping = contact * (1.0 - kContact);
   if (!(d < overlapping)) return;
   collided.insert(std::minmax(a.name, b.name));
-  const Separation closest = separation(a.path, b.path, overlapping);
-  const double fraction = first_below(a.path, b.path, overlapping, closest.fraction);
+  const Separation closest = separation_of(a, b, duration, overlapping);
+  const bool turns = a.arc || b.arc;  // some time at which they overlap will do
+  const double fraction =
+      turns ? closest.fraction : first_below(a.path, b.path, overlapping, closest.fraction);
   const double time = last_time + fraction * duration;
   summary.first_collision_time = std::min(summary.first_collision_time.value_or(time), time);
 }

@@ -175,15 +175,41 @@ ArcPath arc_path(Vec2 position, Vec2 next_position, double turn) {
   return {position, heading, turn, norm(way) / chord_of_arc(0.5 * turn)};
 }
 
-StepPath hermite_path(const ArcPath& arc, double speed, double next_speed, double time_step) {
-  const double half_turn = 0.5 * arc.turn, chord = arc.length * chord_of_arc(half_turn);
-  const Vec2 next = arc.position + chord * elementary::direction(arc.heading + half_turn);
+StepPath hermite_path(const ArcMotion& arc, double time_step) {
+  const auto& [path, speed, next_speed] = arc;
+  const double half_turn = 0.5 * path.turn, chord = path.length * chord_of_arc(half_turn);
+  const Vec2 next = path.position + chord * elementary::direction(path.heading + half_turn);
   // in proportion to the robot's speed all along
-  const double covered = 0.5 * (speed + next_speed) * time_step;
-  const double lever = covered > 0.0 ? arc.length / covered : 0.0;
-  return hermite_path(arc.position, lever * speed * elementary::direction(arc.heading), next,
-                      lever * next_speed * elementary::direction(arc.heading + arc.turn),
+  const double lever = path.length / (0.5 * (speed + next_speed) * time_step);
+  return hermite_path(path.position, lever * speed * elementary::direction(path.heading), next,
+                      lever * next_speed * elementary::direction(path.heading + path.turn),
                       time_step);
+}
+
+StepPath part_of(const StepPath& path, double from, double to) {
+  const Vec2 first = point_at({path.control, 0.0, 1.0}, from),
+             last = point_at({path.control, 0.0, 1.0}, to);
+  const auto velocity_at = [&](double u) {
+    const double q = 1.0 - u;
+    const auto& b = path.control;
+    return 3.0 *
+           ((q * q) * (b[1] - b[0]) + (2.0 * q * u) * (b[2] - b[1]) + (u * u) * (b[3] - b[2]));
+  };
+  return hermite_path(first, velocity_at(from), last, velocity_at(to), to - from);
+}
+
+ArcMotion part_of(const ArcMotion& arc, double from, double to) {
+  const double speed = arc.speed, next_speed = arc.next_speed;
+  const ArcPath& path = arc.path;
+  const auto speed_at = [&](double u) { return speed + u * (next_speed - speed); };
+  const auto covered_at = [&](double u) {  // of the way
+    return u * (speed + speed_at(u)) / (speed + next_speed);
+  };
+  const double first = covered_at(from), part = covered_at(to) - first;
+  return {{point_at(path, first), path.heading + first * path.turn, part * path.turn,
+           part * path.length},
+          speed_at(from),
+          speed_at(to)};
 }
 
 Separation separation(const StepPath& a, const StepPath& b, double cutoff) {

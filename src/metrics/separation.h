@@ -32,10 +32,21 @@ struct ArcPath {
   double length;         // m
 };
 
+/// How a disc moves along it, by a robot that has those speeds along its heading and changes its
+/// speed evenly; m/s, not both 0. Only their ratio matters.
+struct ArcMotion {
+  ArcPath path;
+  double speed, next_speed;
+};
+
 /// That from one place to the next one, turning by less than half a turn.
 ArcPath arc_path(Vec2 position, Vec2 next_position, double turn);
-/// As a cubic, by a disc whose robot has those speeds along its heading; m/s.
-StepPath hermite_path(const ArcPath& arc, double speed, double next_speed, double time_step);
+/// As a cubic, of which a part of the step is off by the fourth power of that part.
+StepPath hermite_path(const ArcMotion& arc, double time_step);
+
+/// The same motion within a part of the step, as a path of that part alone; 0 <= from < to <= 1.
+StepPath part_of(const StepPath& path, double from, double to);
+ArcMotion part_of(const ArcMotion& arc, double from, double to);
 
 struct Separation {
   double distance = 0.0;  // m, smallest

@@ -23,7 +23,7 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
   }
   search.prepare(reach + thickest + std::max(least, 0.0));
   const auto separation_from = [&](const Body& robot, const Segment& segment, double cutoff) {
-    if (robot.arc) return separation(*robot.arc, segment, cutoff);
+    if (robot.arc) return separation(robot.arc->path, segment, cutoff);
     if (!response || !robot.exact) return separation(robot.path, segment, cutoff);
     const ResponsePath path{robot.position, robot.velocity, robot.w, *response, time_step};
     return separation(path, segment, cutoff);

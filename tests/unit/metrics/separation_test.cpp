@@ -194,6 +194,40 @@ TEST(Separation, from_a_segment_of_a_cars_arc) {
   }
 }
 
+// Parts of a motion on an arc are where it is, and so are their cubics, the better the smaller they
+// are.
+TEST(Separation, parts_of_an_arc_are_where_it_is_at_their_times) {
+  Random random(12);
+  for (int k = 0; k < 1'000 && !HasFailure(); ++k) {
+    const double step = random.log_uniform(0.02, 0.5);
+    const double speed = random.uniform(0.0, 2.0), next_speed = random.uniform(0.01, 2.0);
+    const double length = 0.5 * (speed + next_speed) * step, turn = random.uniform(-2.0, 2.0);
+    const double heading = random.uniform(-3.0, 3.0);
+    const ArcMotion arc{{{1, 2}, heading, turn, length}, speed, next_speed};
+    const auto at = [&](double u) {
+      const double covered = u * step * (speed + 0.5 * u * (next_speed - speed));
+      const double half = 0.5 * turn * covered / length;
+      const double chord = covered * (half == 0.0 ? 1.0 : std::sin(half) / half);
+      return Vec2{1, 2} + chord * Vec2{std::cos(heading + half), std::sin(heading + half)};
+    };
+    const double from = random.uniform(0.0, 0.9), to = from + random.uniform(0.01, 0.1);
+    const StepPath cubic = hermite_path(part_of(arc, from, to), (to - from) * step);
+    const auto between = [&](double u) {
+      const double q = 1.0 - u;
+      const auto& b = cubic.control;
+      return (q * q * q) * b[0] + (3.0 * q * q * u) * b[1] + (3.0 * q * u * u) * b[2] +
+             (u * u * u) * b[3];
+    };
+    for (const double u : {0.0, 0.3, 0.5, 0.8, 1.0})
+      EXPECT_LT(norm(between(u) - at(from + u * (to - from))), 1e-4 * length) << k;
+    const StepPath whole = random_path(random, 1.0), part = part_of(whole, from, to);
+    const StepPath again = part_of(part, 0.25, 0.75);
+    const StepPath middle = part_of(whole, from + 0.25 * (to - from), from + 0.75 * (to - from));
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_LT(norm(again.control[i] - middle.control[i]), 1e-12) << k;
+  }
+}
+
 TEST(Separation, from_a_segment_of_a_car_that_turns_in_place) {
   const ArcPath path = arc_path({1, 2}, {1, 2}, 3.0);
   EXPECT_EQ(separation(path, {{-5, 0}, {5, 0}}, kNoCutoff), 2.0);
