@@ -89,7 +89,9 @@ double Reader::number(const YamlNode& node, const std::string& path, const avo::
   if (!value) fail(node, path, shown(node), "must be within the range of a double");
   if (range.below(*value))
     fail(node, path, shown(node),
-         with_unit(fmt::format("must be {} {:g}", range.open_min ? ">" : ">=", range.min), unit));
+         with_unit(fmt::format("must be {} {:g}",
+                               range.is_open_to(*value) ? ">" : ">=", range.least(*value)),
+                   unit));
   if (*value > range.max)
     fail(node, path, shown(node), with_unit(fmt::format("must be <= {:g}", range.max), unit));
   return *value;

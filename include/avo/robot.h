@@ -69,8 +69,8 @@ struct Neighbor {
   double max_deviation = 0.0;
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
-  /// What B falls back on, where it decides: to turn right on this circle for ever. Unset: to
-  /// brake.
+  /// What B falls back on, where it decides: to turn right on this circle for ever, which its
+  /// position and velocity lie on. Its age is 0. Unset: to brake.
   std::optional<LoiterCircle> loiter = {};
 };
 

@@ -25,6 +25,11 @@ struct Range {
   [[nodiscard]] constexpr bool below(double value) const {
     return open_min ? !(value > min && value >= min + kSmallest) : !(value >= min);
   }
+  /// What a value below it is told: that it must be > or >= the least one.
+  [[nodiscard]] constexpr bool is_open_to(double value) const { return open_min && value <= min; }
+  [[nodiscard]] constexpr double least(double value) const {
+    return open_min && value > min ? min + kSmallest : min;
+  }
   [[nodiscard]] bool contains(double value) const {
     return std::isfinite(value) && !below(value) && value <= max;
   }
@@ -78,9 +83,7 @@ void require(const Name& name, double value, const Range& range, std::string_vie
   if (!std::isfinite(value)) refuse(std::string(name), text(value), "a finite number");
   std::string allowed = "<= " + text(range.max);
   if (range.below(value))
-    allowed = range.open_min && !(value > range.min) ? "> " + text(range.min)
-              : range.open_min                       ? ">= " + text(range.min + kSmallest)
-                                                     : ">= " + text(range.min);
+    allowed = (range.is_open_to(value) ? "> " : ">= ") + text(range.least(value));
   if (!unit.empty()) allowed.append(" ").append(unit);
   refuse(std::string(name), text(value), allowed);
 }

@@ -89,8 +89,10 @@ bool follows_heading(const Robot& robot) {
 
 bool is_valid(const Neighbor& neighbor) {
   const auto& [p, v, r, a_max, a, behavior, age, priority, b, deviation, top, loiter] = neighbor;
-  if (loiter && (is_known(loiter->center) & is_size(loiter->radius)) == 0) return false;
   const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
+  if (loiter &&
+      ((is_known(loiter->center) & is_size(loiter->radius)) == 0 || moves_on != 0 || age != 0))
+    return false;
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
                    is_size(priority) & (b ? is_braking(*b, a_max) : 1);
   const int dated = static_cast<int>(age >= 0) & static_cast<int>(age <= kMostAge);
@@ -127,11 +129,10 @@ bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
   bool loiters = flies;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
-    const bool is_plain = neighbor.age == 0 && neighbor.behavior == Behavior::decides;
-    if (flies && !is_plain) return false;
+    if (flies && (neighbor.age != 0 || neighbor.behavior != Behavior::decides)) return false;
     if (!neighbor.loiter) continue;
     loiters = true;
-    if (!is_plain || !is_on_circle(neighbor)) return false;
+    if (!is_on_circle(neighbor)) return false;
   }
   if (flies && !can_fly(robot, options.time_step)) return false;
   if (loiters && !allows_loiterers(options)) return false;

@@ -32,9 +32,9 @@ RobotTraits traits_of(const RobotSetup& setup) {
           .max_speed = setup.max_speed,
           .max_acceleration = setup.max_acceleration,
           .max_braking = braking_limit(setup),
-          .max_deviation = reach_of(setup.model) * setup.max_acceleration,
           .preferred_speed = setup.preferred_speed,
-          .has_model = !is_holonomic(setup.model)};
+          .has_model = !is_holonomic(setup.model),
+          .exceeds = reach_of(setup.model) > 1.0};
 }
 
 Conduct conduct_of(const RobotSetup& setup) {
@@ -162,9 +162,8 @@ Neighbor sensed(const RobotTraits& traits, const Conduct& conduct, Behavior beha
                     .behavior = behavior,
                     .priority = conduct.priority,
                     .max_braking = max_braking_of(traits)};
-  if (behavior == Behavior::decides && traits.max_deviation <= traits.max_acceleration)
-    return neighbor;
-  neighbor.max_deviation = traits.max_deviation;
+  if (behavior == Behavior::decides && !traits.exceeds) return neighbor;
+  neighbor.max_deviation = top_acceleration(traits);
   if (behavior == Behavior::decides) return neighbor;
   neighbor.max_speed = std::max(traits.max_speed, norm(velocity));
   return neighbor;

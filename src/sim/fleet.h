@@ -2,6 +2,7 @@
 // The state of a simulation in columns, one entry a robot.
 #pragma once
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,9 +22,9 @@ struct RobotTraits {
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double max_braking = 0.0;       // m/s^2
-  double max_deviation = 0.0;     // m/s^2: its velocity may change by so much a second
   double preferred_speed = 0.0;   // m/s
   bool has_model = false;         // it is not holonomic
+  bool exceeds = false;           // its velocity may change by more than max_acceleration a second
 };
 RobotTraits traits_of(const RobotSetup& setup);
 inline Ability ability_of(const RobotTraits& traits) {
@@ -33,6 +34,11 @@ inline Ability ability_of(const RobotTraits& traits) {
 inline std::optional<double> max_braking_of(const RobotTraits& traits) {
   if (traits.max_braking == traits.max_acceleration) return std::nullopt;
   return traits.max_braking;
+}
+
+/// m/s²: by which its velocity may change.
+inline double top_acceleration(const RobotTraits& traits) {
+  return traits.exceeds ? std::numbers::sqrt2 * traits.max_acceleration : traits.max_acceleration;
 }
 
 /// How a robot and the others give way to each other. Nearly all are alike.

@@ -60,7 +60,7 @@ void find_ranges(World& world) {
       std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
                   [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
       std::none_of(fleet.traits.begin(), fleet.traits.end(), [](const RobotTraits& traits) {
-        return max_braking_of(traits) || traits.max_deviation > traits.max_acceleration;
+        return max_braking_of(traits) || traits.exceeds;
       });
   for (const std::uint32_t slot : fleet.slot_of) {
     const Pace& pace = world.pace(slot);

@@ -76,6 +76,46 @@ TEST(StateQuery, one_that_may_do_something_else_dooms_more_rarely) {
   EXPECT_EQ(state_of(driving(), {exact}).state, SafetyState::unknown);
 }
 
+Neighbor loitering_about(Vec2 center) {
+  Neighbor airplane;
+  airplane.position = center + Vec2{0.0, 1.0}, airplane.velocity = {1.0, 0.0};
+  airplane.loiter = LoiterCircle{center, 1.0};
+  return airplane;
+}
+
+TEST(StateQuery, nobody_is_safe_within_the_circle_of_an_airplane) {
+  Robot robot;
+  EXPECT_EQ(state_of(robot, {loitering_about({5.0, 0.0})}).state, SafetyState::safe);
+  EXPECT_EQ(state_of(robot, {loitering_about({1.0, 0.0})}).state, SafetyState::unknown);
+  PlannerOptions free;
+  free.clock = Clock::free;  // which it cannot have among airplanes
+  EXPECT_EQ(state_of(robot, {loitering_about({5.0, 0.0})}, {}, free).state, SafetyState::unknown);
+}
+
+// What no proof speaks of: one that is seen late, does as it likes, or is not on its circle.
+TEST(StateQuery, an_airplane_that_cannot_be_one_is_invalid) {
+  const Planner planner{PlannerOptions{}};
+  PlanWorkspace workspace;
+  const auto status = [&](auto change) {
+    std::vector<Neighbor> seen{loitering_about({5.0, 0.0})};
+    change(seen[0]);
+    return planner.plan(Robot{}, seen, workspace).status;
+  };
+  EXPECT_NE(status([](Neighbor&) {}), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& n) { n.age = 1; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& n) { n.behavior = Behavior::moves_on; }),
+            PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& n) { n.loiter->center.x += 0.1; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& n) { n.velocity = -1.0 * n.velocity; }),
+            PlanStatus::invalid_input);  // it turns left
+  Robot airplane;
+  airplane.model = Airplane{.min_speed = 1.0, .lateral_acceleration = 29.0};
+  airplane.velocity = {1.0, 0.0}, airplane.max_speed = 2.0;
+  EXPECT_NE(planner.plan(airplane, {}, workspace).status, PlanStatus::invalid_input);
+  airplane.model = Airplane{.min_speed = 1.0, .lateral_acceleration = 60.0};  // 6 rad in a step
+  EXPECT_EQ(planner.plan(airplane, {}, workspace).status, PlanStatus::invalid_input);
+}
+
 TEST(StateQuery, one_at_rest_is_doomed_where_it_cannot_get_away) {
   Robot slow;
   slow.max_speed = 0.3;

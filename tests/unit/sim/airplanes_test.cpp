@@ -194,12 +194,13 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
   EXPECT_EQ(with([&](Scenario& s) { airplane(s).lateral_acceleration = 40.0; }),
             "robots.0.airplane.lateral_acceleration: found 40, must be <= 30 m/s^2, 3 rad in a "
             "step at min_speed");
-  EXPECT_EQ(with([](Scenario& s) {
-              s.robots.push_back(s.robots[0]);
-              s.robots[1].avoids = {};
-            }),
-            "robots.0.avoids: found one side only avoiding the other, robot 1, must be both or "
-            "neither: it is an airplane");
+  EXPECT_EQ(
+      with([](Scenario& s) {
+        s.robots.push_back(s.robots[0]);
+        s.robots[1].avoids = {};
+      }),
+      "robots.0.avoids: found robot 1, which does not avoid it, must be both or neither: one of "
+      "them is an airplane");
 }
 
 }  // namespace

@@ -108,6 +108,21 @@ Scenario jam(Random& random, AccelerationSet set) {
 }
 
 // A car that turned in place towards what it may not drive in then turned back again, for ever.
+// Others count on its own limit of braking, so it may drive as fast as any.
+TEST(CarGoals, a_weak_brake_makes_no_car_crawl) {
+  for (const Car& car : {Car{.max_curvature = 0.8, .body = CarBody{0.5, 0.9}},
+                         Car{.acceleration_set = AccelerationSet::exact}}) {
+    Scenario scene;
+    RobotSetup robot;
+    robot.goal = {20.0, 0.0};
+    robot.model = car, robot.max_braking = 0.4;
+    scene.robots = {robot};
+    Simulation simulation(scene, 1);
+    while (simulation.time() < 15.0) simulation.step();
+    EXPECT_TRUE(simulation.is_at_goal(0)) << simulation.fleet().position[0].x;
+  }
+}
+
 TEST(CarGoals, cars_that_turn_in_place_get_out_of_jams) {
   for (const AccelerationSet set : {AccelerationSet::incircle, AccelerationSet::exact}) {
     Random random(3);

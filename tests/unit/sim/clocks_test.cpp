@@ -210,6 +210,40 @@ TEST(Clocks, a_start_has_to_allow_for_a_short_first_step) {
   EXPECT_TRUE(apart(0.006));
 }
 
+// The one ahead brakes at once: nobody may count on the step for which it would hold its velocity.
+TEST(Clocks, a_start_behind_one_that_drives_ahead_is_that_of_joint_braking) {
+  Scenario scene;
+  scene.time_step = 0.5;
+  scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({2.3, 0}, {2.3, 0})};
+  scene.robots[0].velocity = {2, 0}, scene.robots[1].velocity = {1, 0};
+  EXPECT_FALSE(broken_assumptions(scene).none());
+  scene.clock = Clock::free;
+  EXPECT_FALSE(broken_assumptions(scene).none());
+  scene.robots[1].position.x = 2.9;
+  ASSERT_TRUE(broken_assumptions(scene).none());
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    scene.seed = seed;
+    EXPECT_TRUE(judged(scene, 4.0).safe()) << seed;
+  }
+}
+
+TEST(Clocks, what_cars_may_add_within_a_step_has_to_be_declared) {
+  Scenario scene = crossing(4);
+  scene.robots[1].model = Car{.max_curvature = 0.8, .body = CarBody{0.5, 0.9}};
+  scene.sensing_error = SensingError{};
+  EXPECT_EQ(refusal(scene).rfind("sensing_error.position: found 0, must be >= 0.0", 0), 0u)
+      << refusal(scene);
+  scene.sensing_error = planner_options(crossing(4)).sensing_error;
+  scene.sensing_error->position = 0.1;
+  EXPECT_EQ(refusal(scene), "");
+  scene.robots[1].model = Car{.acceleration_set = AccelerationSet::exact};
+  EXPECT_EQ(refusal(scene).rfind("sensing_error.velocity: found 0, must be >= 0.0", 0), 0u)
+      << refusal(scene);
+  scene.clock = Clock::common;
+  for (RobotSetup& robot : scene.robots) robot.time_step.reset();
+  EXPECT_EQ(refusal(scene), "");
+}
+
 TEST(Clocks, every_number_of_threads_gives_the_same_bits) {
   const Scenario scene = crossing(300);
   Simulation one(scene, 1), two(scene, 2), three(scene, 3);

@@ -227,7 +227,17 @@ TEST(Layers, to_the_one_that_avoids_a_car_it_accelerates_as_its_set_allows) {
   EXPECT_DOUBLE_EQ(seen.max_deviation, std::sqrt(2.0));
   scene.robots[1].model = Car{.body = CarBody{0.4, 0.6}};
   EXPECT_EQ(refusal(scene),
-            "robots.1.avoids: found [1], must be left out: its body is not over its axle");
+            "robots.0.avoids: found robot 1, which does not avoid it, must be both or neither: its "
+            "body is not over its axle");
+  scene.robots[1].avoids.bits = 3;
+  EXPECT_EQ(refusal(scene), "");
+  scene.robots[0].layers = {};  // nobody avoids it
+  EXPECT_NE(refusal(scene), "");
+  scene.robots[1].model = Holonomic{};
+  Simulation simulation(scene, 1);
+  RobotSetup late = robot_at({5, 5}, {5, 5});
+  late.model = Car{.body = CarBody{0.4, 0.6}};
+  EXPECT_THROW(simulation.add_robot(late), Error);
 }
 
 // What the next step decides is what plan() makes of a mover, and the mover decides as if alone.

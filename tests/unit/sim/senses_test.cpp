@@ -332,6 +332,19 @@ TEST(Senses, robots_declare_what_covers_noise_and_delay) {
   EXPECT_EQ(planner_options(scene).sensing_error, SensingError{});
 }
 
+TEST(Senses, whoever_may_be_missed_declares_how_its_disc_swings) {
+  Scenario scene = crossing(3, {});
+  scene.robots[1].model = Car{.max_curvature = 0.8, .body = CarBody{0.5, 0.6}};
+  EXPECT_EQ(planner_options(scene).sensing_error, SensingError{});
+  scene.sensing.occlusion = true;
+  const double swing = 0.5 * std::sqrt(0.8);  // |e| √(a κ): it may not turn faster at speed
+  EXPECT_NEAR(planner_options(scene).sensing_error.velocity, swing, 1e-12);
+  scene.sensing = {}, scene.sensing.dropped = 0.1;
+  EXPECT_NEAR(planner_options(scene).sensing_error.velocity, swing, 1e-12);
+  scene.robots[1].max_speed = scene.robots[1].preferred_speed = 0.5;
+  EXPECT_NEAR(planner_options(scene).sensing_error.velocity, 0.5 * 0.8 * 0.5, 1e-12);
+}
+
 TEST(Senses, what_comes_late_has_to_be_seen_from_farther_away) {
   Scenario scene = crossing(3, {});
   const double need = sensing_need(scene)->range;
