@@ -63,6 +63,10 @@ void add_walls(std::vector<Family>& all, double robot_steps) {
                  true, [of_each](std::uint64_t seed) {
                    return with_clocks(walls_and_cars(of_each, seed), true, seed);
                  }});
+  all.push_back({"clocks-mixed", "mixed-crush with free clocks, half of them twice as fast", 4,
+                 true, [of_each](std::uint64_t seed) {
+                   return with_clocks(mixed_crush(0.5 * of_each, seed), true, seed);
+                 }});
   all.push_back({"clocks-movers", "movers with free clocks, half of them twice as fast", kScenes,
                  true,
                  [](std::uint64_t seed) { return with_clocks(among_movers(seed), true, seed); }});

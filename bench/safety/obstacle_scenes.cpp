@@ -62,9 +62,21 @@ RobotSetup any_robot(Vec2 position, double radius, Random& random) {
   robot.max_acceleration = random.between(0.5, 2.0);
   robot.max_braking = random.between(0.5, 1.0) * robot.max_acceleration;
   robot.priority = std::ldexp(1.0, static_cast<int>(random.below(21)) - 10);
+  robot.heading = random.between(-3.0, 3.0);
   const std::size_t kind = random.below(6);
-  if (kind == 0) robot.model = Car{0.3}, robot.heading = random.between(-3.0, 3.0);
+  if (kind == 0) robot.model = Car{0.3};
   if (kind == 1) robot.layers.bits = robot.avoids.bits = 2;
+  if (kind == 2) {
+    const DifferentialDrive drive{0.2, 0.1, robot.max_speed, 4.0 * robot.max_acceleration};
+    robot.model = drive, robot.radius = radius - drive.offset;
+  }
+  if (kind == 3) {
+    const CarBody body{random.between(-0.4, 0.4), radius};
+    robot.model =
+        Car{0.4, random.between(0.5, 3.0), body, random.below(2) == 0, AccelerationSet::exact};
+  }
+  robot.position = position - disc_center(robot.model, {}, robot.heading);  // where its disc is
+  robot.goal = robot.position;
   return robot;
 }
 

@@ -21,7 +21,8 @@ constexpr double kExtent = 14.0;  // m
 
 bool is_clear(const RobotSetup& robot, const std::vector<RobotSetup>& others) {
   return std::all_of(others.begin(), others.end(), [&](const RobotSetup& other) {
-    return norm(other.position - robot.position) > other.radius + robot.radius + 0.02;
+    return norm(disc_center(other) - disc_center(robot)) >
+           disc_radius(other) + disc_radius(robot) + 0.02;
   });
 }
 
@@ -30,7 +31,8 @@ Vec2 in_square(Random& random, double extent) {
   return extent * Vec2{x, random.uniform(-0.5, 0.5)};
 }
 
-// One in six a car, one in six in a layer that the rest avoids and that avoids nobody of the rest.
+// One in six a car, a drive, a car with the exact set and a body ahead of its axle or behind it;
+// one in six in a layer that the rest avoids and that avoids nobody of the rest.
 RobotSetup any_robot(Random& random) {
   RobotSetup robot;
   robot.radius = random.uniform(0.2, 0.4);
@@ -39,9 +41,19 @@ RobotSetup any_robot(Random& random) {
   robot.max_braking = random.uniform(0.5, 1.0) * robot.max_acceleration;
   robot.max_speed = robot.preferred_speed = 1.5;
   robot.priority = random.log_uniform(1e-3, 1e3);
+  robot.heading = random.uniform(-3.0, 3.0);
   const int kind = random.below(6);
-  if (kind == 0) robot.model = Car{0.3}, robot.heading = random.uniform(-3.0, 3.0);
+  if (kind == 0) robot.model = Car{0.3};
   if (kind == 1) robot.layers.bits = robot.avoids.bits = 2;
+  if (kind == 2) {
+    robot.model = DifferentialDrive{0.2, 0.1, 1.5, 4.0 * robot.max_acceleration};
+    robot.radius -= 0.1;
+  }
+  if (kind == 3) {
+    const CarBody body{random.uniform(-0.4, 0.4), robot.radius};
+    robot.model =
+        Car{0.4, random.uniform(0.5, 3.0), body, random.below(2) == 0, AccelerationSet::exact};
+  }
   return robot;
 }
 
