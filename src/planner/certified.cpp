@@ -99,6 +99,8 @@ void append_cuts(const Proposals& proposals) {
 // their tangents there. At last, the admitted point between the backup and what is wanted that
 // bisection finds.
 CertifiedChoice choose_by_cuts(const Proposals& proposals) {
+  const bool rests = proposals.wanted == Vec2{} && proposals.robot.velocity == Vec2{};
+  if (rests && is_admitted(proposals, {})) return {{}, Chosen::wanted};
   proposals.begin();
   const bool has_own_planes = !proposals.workspace.hard.empty();
   for (int round = 0; round < kRounds; ++round) {

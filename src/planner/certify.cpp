@@ -68,7 +68,7 @@ CertifiedChoice choose_as_turned(const Decision& decision, Vec2 wanted) {
 // place it moves nowhere, so anything is admitted: towards what it may not drive in then, it would
 // turn in vain, and back again, for ever.
 CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted) {
-  if (!turns_at_rest(decision.robot))
+  if (!turns_at_rest(decision.robot) || wanted == Vec2{})
     return choose_certified(decision.robot, wanted, decision.law, decision.certified);
   const Vec2 later = choose_as_turned(decision, wanted).next_velocity;
   CertifiedChoice choice =

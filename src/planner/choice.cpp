@@ -54,9 +54,14 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   }
 }
 
-bool has_demands(const Tile& tile, std::size_t i) {
+bool has_demands(const Tile& tile, std::size_t i, const DecisionColumns& decisions) {
+  if (!tile.walls_of(i).empty()) return true;
   const MotionModel* model = tile.robots.model[i];
-  return !tile.walls_of(i).empty() || (model != nullptr && has_own_half_planes(*model));
+  if (model == nullptr || !has_own_half_planes(*model)) return false;
+  const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
+  const bool rests = target == Vec2{} && decisions.wish(i) == target &&
+                     tile.robots.velocity(i) == target && tile.detour[i]->angle == 0.0;
+  return !rests;  // which anybody can
 }
 
 std::span<const HalfPlane> collect_hard_and_soft(const Planner& planner, const Robot& robot,
@@ -76,7 +81,8 @@ void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Sc
   const StepLaw law = certificate_law(planner).step;
   DecisionColumns& decisions = scratch.decisions;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
-    if (!has_demands(tile, i) || decisions.state[i] == ProgramState::discs_disjoint) continue;
+    if (!has_demands(tile, i, decisions) || decisions.state[i] == ProgramState::discs_disjoint)
+      continue;
     const Robot robot = tile.robots.robot(i);
     const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
     const auto planes = collect_hard_and_soft(planner, robot, tile, i, law, scratch);

@@ -16,8 +16,8 @@ namespace avo {
 void solve_programs(const Planner& planner, const RobotColumns& robots,
                     PlanWorkspace::Scratch& scratch);
 
-/// Whether walls or its own motion demand anything of robot i.
-bool has_demands(const Tile& tile, std::size_t i);
+/// Whether walls or its own motion demand anything of robot i, for whom Eq. (23) is solved.
+bool has_demands(const Tile& tile, std::size_t i, const DecisionColumns& decisions);
 
 /// The half-planes of robot i: those of its walls and of its own motion, which are scratch.demands,
 /// and those of neighbors.

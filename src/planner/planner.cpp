@@ -143,6 +143,8 @@ bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
 }  // namespace
 
 bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options) {
+  if (!is_airplane(robot.model) && !neighbors.columns->has_loiterers)  // nearly always
+    return can_follow_among(robot, std::span<const Neighbor>{}, options);
   return can_follow_among(robot, neighbors, options);
 }
 bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,

@@ -134,7 +134,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       continue;
     }
     std::span<const HalfPlane> planes = soft.of(i), hard;
-    if (has_demands(tile, i)) {
+    if (has_demands(tile, i, decisions)) {
       planes = collect_hard_and_soft(planner, robots.robot(i), tile, i, law.step, scratch);
       hard = scratch.demands.planes;
     }

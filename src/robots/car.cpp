@@ -211,6 +211,7 @@ OwnLimits own_limits(const Car& car, const Robot& robot) {
 }  // namespace
 
 Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v) {
+  if (v == Vec2{} && robot.velocity == v) return v;
   const Vec2 h = elementary::direction(robot.heading), change = v - robot.velocity;
   const auto [along, across] = own_limits(car, robot);
   const Vec2 result =

@@ -54,6 +54,18 @@ void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& se
   }
 }
 
+// What those just appended are told of besides, where some accelerate by more than others expect.
+void append_deviations(const World& world, const Found& hits, const SearchScratch& search,
+                       NeighborColumns& to) {
+  to.has_deviations = true;
+  const std::size_t before = to.count - hits.count;
+  for (std::size_t k = 0; k < hits.count; ++k) {
+    const RobotTraits& other =
+        world.fleet.traits[world.snapshot.grid.order()[search.order[hits.first + k]]];
+    to.motion[before + k].max_deviation = other.exceeds ? top_acceleration(other) : 0.0;
+  }
+}
+
 // The robot at a place of the snapshot; nothing where the one that looks does not mind it.
 std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const Conduct& own) {
   const std::uint32_t slot = world.snapshot.grid.order()[place];
@@ -140,6 +152,8 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
       append_sighted(world, slots[i], i, worker);
     } else if (world.alike && world.obstacles.setup.empty()) {
       append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
+      if (world.exceeding)
+        append_deviations(world, worker.search.results[i], worker.search, worker.tile.neighbors);
     } else {
       append_one_by_one(world, slots[i], i, worker);
     }

@@ -55,13 +55,13 @@ void find_ranges(World& world) {
         return !(conduct.layers == usual.layers && conduct.avoids == usual.avoids);
       });
   world.selective = world.parked > 0 || layered || !fleet.flights.empty();
-  world.alike =
-      fleet.flights.empty() &&
-      std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
-                  [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
-      std::none_of(fleet.traits.begin(), fleet.traits.end(), [](const RobotTraits& traits) {
-        return max_braking_of(traits) || traits.exceeds;
-      });
+  world.alike = fleet.flights.empty() &&
+                std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
+                            [](const Conduct& conduct) { return conduct == Conduct{}; }) &&
+                std::none_of(fleet.traits.begin(), fleet.traits.end(),
+                             [](const RobotTraits& traits) { return max_braking_of(traits); });
+  world.exceeding = std::any_of(fleet.traits.begin(), fleet.traits.end(),
+                                [](const RobotTraits& traits) { return traits.exceeds; });
   for (const std::uint32_t slot : fleet.slot_of) {
     const Pace& pace = world.pace(slot);
     const auto k = static_cast<std::size_t>(&pace - world.paces.data());

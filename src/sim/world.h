@@ -75,11 +75,12 @@ struct World {
   bool torn = false;               // a step ended while some had moved and others not
   bool changed = true;             // robots came or went
   bool fast = false;               // some robot exceeds its max_speed
-  bool alike = true;               // all robots are as others expect who know nothing more
-  bool selective = false;          // not everybody minds everybody, or some loiter
-  std::size_t parked = 0;          // robots
-  bool valid = false;              // all robots were, when they came, and there is nobody else
-  double near = 0.0;               // m, typical of Fleet::range
+  bool alike = true;       // all robots are of the usual Conduct, and brake as hard as they can
+  bool exceeding = false;  // some accelerate by more than their max_acceleration
+  bool selective = false;  // not everybody minds everybody, or some loiter
+  std::size_t parked = 0;  // robots
+  bool valid = false;      // all robots were, when they came, and there is nobody else
+  double near = 0.0;       // m, typical of Fleet::range
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
   std::int64_t robot_steps = 0;  // measured
 
