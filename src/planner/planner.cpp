@@ -87,19 +87,34 @@ bool follows_heading(const Robot& robot) {
          kHeadingTolerance * kHeadingTolerance * norm_squared(v);
 }
 
+namespace {
+
+// What nearly all of them have is asked of all in is_valid().
+bool is_valid_mover(const Neighbor& mover) {
+  return mover.max_deviation >= 0.0 && is_known(mover.max_deviation) != 0 &&
+         mover.max_speed >= kSmallest && !mover.loiter;
+}
+
+bool is_valid_loiterer(const Neighbor& neighbor) {
+  const LoiterCircle& circle = *neighbor.loiter;
+  return (is_known(circle.center) & is_size(circle.radius)) != 0 && neighbor.age == 0;
+}
+
+}  // namespace
+
 bool is_valid(const Neighbor& neighbor) {
-  const auto& [p, v, r, a_max, a, behavior, age, priority, b, deviation, top, loiter] = neighbor;
-  const int moves_on = static_cast<int>(behavior == Behavior::moves_on);
-  if (loiter &&
-      ((is_known(loiter->center) & is_size(loiter->radius)) == 0 || moves_on != 0 || age != 0))
+  const int dated =
+      static_cast<int>(neighbor.age >= 0) & static_cast<int>(neighbor.age <= kMostAge);
+  if ((is_known(neighbor.position) & is_known(neighbor.velocity) & is_known(neighbor.acceleration) &
+       is_size(neighbor.radius) & dated) == 0)
     return false;
+  if (neighbor.behavior == Behavior::moves_on) return is_valid_mover(neighbor);
+  const double a_max = neighbor.max_acceleration;
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
-                   is_size(priority) & (b ? is_braking(*b, a_max) : 1);
-  const int dated = static_cast<int>(age >= 0) & static_cast<int>(age <= kMostAge);
-  const int bounded =
-      static_cast<int>(deviation >= 0.0) & is_known(deviation) & static_cast<int>(top >= kSmallest);
-  return (is_known(p) & is_known(v) & is_known(a) & is_size(r) & (moves_on ? bounded : able) &
-          dated) != 0;
+                   is_size(neighbor.priority);
+  if (able == 0) return false;
+  if (neighbor.max_braking && is_braking(*neighbor.max_braking, a_max) == 0) return false;
+  return !neighbor.loiter || is_valid_loiterer(neighbor);
 }
 
 bool is_valid(const Wall& wall) {
