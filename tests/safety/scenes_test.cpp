@@ -45,15 +45,17 @@ TEST(Families, have_names_of_their_own_and_start_clear_and_at_rest) {
       // airplanes cannot be at rest
       EXPECT_EQ(robots[i].velocity == Vec2{}, !is_airplane(robots[i].model)) << family.name;
       for (std::size_t j = 0; j < i; ++j) {
-        const double gap =
-            norm(robots[i].position - robots[j].position) - robots[i].radius - robots[j].radius;
+        const double gap = norm(disc_center(robots[i]) - disc_center(robots[j])) -
+                           disc_radius(robots[i]) - disc_radius(robots[j]);
         EXPECT_GT(gap, 0.09) << family.name << " " << i << " " << j;
       }
       for (const MovingObstacle& obstacle : scenario.moving_obstacles) {
-        EXPECT_GT(norm(robots[i].position - obstacle.position), robots[i].radius + obstacle.radius);
+        EXPECT_GT(norm(disc_center(robots[i]) - obstacle.position),
+                  disc_radius(robots[i]) + obstacle.radius);
       }
       for (const Wall& wall : walls_of(scenario.obstacles)) {
-        EXPECT_GT(wall_clearance(robots[i].position, wall), robots[i].radius + 0.04) << family.name;
+        EXPECT_GT(wall_clearance(disc_center(robots[i]), wall), disc_radius(robots[i]) + 0.04)
+            << family.name;
       }
     }
   }
