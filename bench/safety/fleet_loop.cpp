@@ -57,8 +57,8 @@ FleetLoop::FleetLoop(const Scene& scene, std::uint64_t seed, const PlannerOption
     obstacles_.push_back({.position = obstacle.position,
                           .velocity = obstacle.velocity,
                           .radius = obstacle.radius,
-                          .acceleration = obstacle.acceleration,
-                          .behavior = Behavior::moves_on});
+                          .behavior = Behavior::moves_on,
+                          .acceleration = obstacle.acceleration});
   }
   before_ = robots_;
   commands_.resize(robots_.size());

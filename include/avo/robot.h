@@ -27,7 +27,7 @@ struct Robot {
   /// on the last of it.
   double distance_to_goal = std::numeric_limits<double>::infinity();
   /// A certificate judges what the model makes of a decision, Eqs. (24), (25).
-  MotionModel model = {};
+  MotionModel model = Holonomic{};  // {} would fill the variant with zeros
   double heading = 0.0;  ///< [θ] rad, counter-clockwise from +x; read where it is not holonomic
   /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
   /// reciprocal_share(). Others have to know it.
@@ -46,13 +46,12 @@ enum class Behavior : std::uint8_t {
   moves_on,  ///< reacts to nobody; keeps its acceleration, as far as max_deviation says: A does all
 };
 
-/// Another robot B as A senses it, or a moving obstacle.
+/// Another robot B as A senses it, or a moving obstacle. What is read of most comes first.
 struct Neighbor {
   Vec2 position = {};             ///< [p_B] m
   Vec2 velocity = {};             ///< [v_B] m/s
   double radius = 0.5;            ///< [r_B] m, > 0
   double max_acceleration = 1.0;  ///< [a_B^max] m/s^2, > 0; read only where B decides
-  Vec2 acceleration = {};         ///< [a_B] m/s^2, observed; read only where B moves on
   Behavior behavior = Behavior::decides;
   /// [d] whole steps, 0 to kMostAge: how long ago it was last sensed. It has been carried on since:
   /// at constant velocity, or at its acceleration where it moves on. braking_trajectories then
@@ -62,16 +61,17 @@ struct Neighbor {
   double priority = 1.0;  ///< [p_B] > 0, see Robot::priority; read only where B decides
   /// [b_B] m/s^2, see Robot::max_braking; likewise
   std::optional<double> max_braking = {};
+  /// What B falls back on, where it decides: to turn right on this circle for ever, which its
+  /// position and velocity lie on. Its age is 0. Unset: to brake.
+  std::optional<LoiterCircle> loiter = {};
   /// [η] m/s^2, >= 0. Of one that moves on: its acceleration may at any time be that far from the
   /// one given. A certificate keeps A clear of wherever it may then be while A moves. Of one that
   /// decides, and has an age: its acceleration, where that may be more than max_acceleration, as
   /// that of a car with the exact set, which is up to √2 times as much.
   double max_deviation = 0.0;
+  Vec2 acceleration = {};  ///< [a_B] m/s^2, observed; read only where B moves on
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
-  /// What B falls back on, where it decides: to turn right on this circle for ever, which its
-  /// position and velocity lie on. Its age is 0. Unset: to brake.
-  std::optional<LoiterCircle> loiter = {};
 };
 
 /// [b] m/s^2, with which a robot brakes.

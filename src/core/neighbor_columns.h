@@ -61,7 +61,11 @@ struct NeighborColumns {
     age[count] = neighbor.age;
     priority[count] = neighbor.priority;
     max_braking[count] = braking_limit(neighbor);
-    motion[count++] = {neighbor.acceleration, neighbor.max_deviation, neighbor.max_speed};
+    motion[count].max_deviation = neighbor.max_deviation;
+    if (moves_on)
+      motion[count].acceleration = neighbor.acceleration,
+      motion[count].max_speed = neighbor.max_speed;
+    ++count;
     has_movers = has_movers || moves_on;
     has_deviations = has_deviations || neighbor.max_deviation > 0.0;
     has_aged = has_aged || aged;

@@ -47,13 +47,14 @@ void RobotColumns::add(const Robot& robot, const Neighbors& sensed) {
 }
 
 Robot RobotColumns::robot(std::size_t i) const {
-  Robot robot;
-  robot.position = position(i), robot.velocity = velocity(i);
-  robot.preferred_velocity = {preferred_x[i], preferred_y[i]};
-  robot.radius = radius[i];
-  robot.max_acceleration = max_acceleration[i], robot.max_speed = max_speed[i];
-  robot.distance_to_goal = distance_to_goal[i];
-  robot.priority = priority[i];
+  Robot robot{.position = position(i),
+              .velocity = velocity(i),
+              .preferred_velocity = {preferred_x[i], preferred_y[i]},
+              .radius = radius[i],
+              .max_acceleration = max_acceleration[i],
+              .max_speed = max_speed[i],
+              .distance_to_goal = distance_to_goal[i],
+              .priority = priority[i]};
   if (max_braking[i] != max_acceleration[i]) robot.max_braking = max_braking[i];
   if (model[i] != nullptr) robot.model = *model[i], robot.heading = heading[i];
   if (i < loiter.size() && loiter[i] != nullptr) robot.loiter = *loiter[i];

@@ -57,7 +57,7 @@ bool is_within_limits(const Proposals& proposals) {
 // What the robot can follow of a proposal.
 Vec2 followed(const Proposals& proposals, Vec2 next_velocity) {
   const Robot& robot = proposals.robot;
-  if (!has_limits_within_steps(robot.model)) return next_velocity;
+  if (is_holonomic(robot.model) || !has_limits_within_steps(robot.model)) return next_velocity;
   return within_own_limits(robot, proposals.law.step.braking_time, next_velocity);
 }
 

@@ -108,9 +108,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                                 ? Behavior::decides
                                 : Behavior::moves_on,
                 .max_braking = other.max_braking,
+                .loiter = circle_of(other.model, other.position, start_velocity(other)),
                 .max_deviation = reach_of(other.model) * other.max_acceleration,
-                .max_speed = top_speed(other),
-                .loiter = circle_of(other.model, other.position, start_velocity(other))};
+                .max_speed = top_speed(other)};
     margin = late_phase(own, longest_step) + late_phase(other, longest_step);
   } else {
     const MovingObstacle& other =
@@ -118,9 +118,9 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
     neighbor = {.position = other.position,
                 .velocity = other.velocity,
                 .radius = other.radius,
-                .acceleration = other.acceleration,
                 .behavior = Behavior::moves_on,
                 .max_deviation = other.max_deviation,
+                .acceleration = other.acceleration,
                 .max_speed = other.max_speed.value_or(std::numeric_limits<double>::infinity())};
     margin = parabola_error(other.acceleration, law.step) + late_phase(own, longest_step);
   }

@@ -238,9 +238,9 @@ Neighbor ObstacleColumns::sensed(std::size_t index) const {
   return {.position = position[index],
           .velocity = velocity[index],
           .radius = setup[index].radius,
-          .acceleration = setup[index].acceleration,
           .behavior = Behavior::moves_on,
           .max_deviation = setup[index].max_deviation,
+          .acceleration = setup[index].acceleration,
           .max_speed = setup[index].max_speed.value_or(std::numeric_limits<double>::infinity())};
 }
 

@@ -83,10 +83,13 @@ inline std::vector<Neighbor> sensed(const std::vector<Body>& bodies, std::size_t
     const Vec2 v = other.velocity + error.velocity * error_of(of_velocity, along, random);
     const double time = age * StepLaw{}.time_step;
     const Vec2 a = bodies[k].acceleration;
-    neighbors.push_back({p + time * v + (0.5 * time * time) * a, v + time * a, other.radius,
-                         other.max_acceleration, a,
-                         bodies[k].decides ? Behavior::decides : Behavior::moves_on,
-                         senses.tells_age ? age : 0});
+    neighbors.push_back({.position = p + time * v + (0.5 * time * time) * a,
+                         .velocity = v + time * a,
+                         .radius = other.radius,
+                         .max_acceleration = other.max_acceleration,
+                         .behavior = bodies[k].decides ? Behavior::decides : Behavior::moves_on,
+                         .age = senses.tells_age ? age : 0,
+                         .acceleration = a});
   }
   return neighbors;
 }

@@ -60,6 +60,7 @@ std::vector<Field> all_fields() {
       {"B.max_braking", [](Robot&, Neighbor& B, double x) { B.max_braking = x; }, true},
       {"B.acceleration.x", [](Robot&, Neighbor& B, double x) { B.acceleration.x = x; }},
       {"B.acceleration.y", [](Robot&, Neighbor& B, double x) { B.acceleration.y = x; }},
+      {"B.max_deviation", [](Robot&, Neighbor& B, double x) { B.age = 1, B.max_deviation = x; }},
   };
 }
 
@@ -169,11 +170,9 @@ TEST(Status, extreme_numbers_never_make_a_NaN) {
                    positive(),
                    positive()};
     for (int j = random.below(4); j > 0; --j) {
-      Neighbor other{{extreme(), extreme()},
-                     {extreme(), extreme()},
-                     positive(),
-                     std::abs(extreme()),
-                     {extreme(), extreme()}};
+      Neighbor other{
+          {extreme(), extreme()}, {extreme(), extreme()}, positive(), std::abs(extreme())};
+      other.acceleration = {extreme(), extreme()};
       if (other.max_acceleration == 0.0) other.behavior = Behavior::moves_on;
       crowd.neighbors.push_back(other);
     }

@@ -13,8 +13,8 @@ using test::Random;
 Neighbor mover(Vec2 position, Vec2 velocity, Vec2 acceleration) {
   return {.position = position,
           .velocity = velocity,
-          .acceleration = acceleration,
-          .behavior = Behavior::moves_on};
+          .behavior = Behavior::moves_on,
+          .acceleration = acceleration};
 }
 
 // Distance over (0, τ] if A heads for v_new_A and B for v_B + δ a_B, both by Eqs. (8), (9).

@@ -205,8 +205,8 @@ std::int64_t counted_one_by_one(const Scenario& scene) {
       const Neighbor other{.position = b.position,
                            .velocity = b.velocity,
                            .radius = b.radius,
-                           .acceleration = b.acceleration,
-                           .behavior = Behavior::moves_on};
+                           .behavior = Behavior::moves_on,
+                           .acceleration = b.acceleration};
       if (is_broken(scene.robots[i], other, parabola_error(b.acceleration, law.step))) ++count;
     }
   }
