@@ -20,7 +20,7 @@ using avo::Vec2;
 using Json = nlohmann::ordered_json;
 
 /// Robot I, or moving obstacle K as "moving_obstacles.K".
-Json name_of(int source) {
+Json name_of(std::int64_t source) {
   if (source >= 0) return source;
   return fmt::format("moving_obstacles.{}", -1 - source);
 }
@@ -93,7 +93,7 @@ std::string text(Vec2 v) {
   return fmt::format("({:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0);  // no -0
 }
 
-std::string text_of(int source) {
+std::string text_of(std::int64_t source) {
   return source >= 0 ? fmt::format("robot {}", source)
                      : fmt::format("moving obstacle {}", -1 - source);
 }
