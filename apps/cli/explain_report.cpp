@@ -116,7 +116,9 @@ Json doomed_by(const Decision& decision) {
 
 std::string state_text(const Decision& decision) {
   const avo::SafetyReport& state = decision.state;
-  if (state.state == avo::SafetyState::safe) return "safe: braking avoids contact";
+  if (state.state == avo::SafetyState::safe)
+    return is_airplane(decision.seen.robot.model) ? "safe: its circle keeps clear of all others"
+                                                  : "safe: braking avoids contact";
   if (state.state == avo::SafetyState::unknown) return "unknown: neither safe nor doomed is proved";
   const std::string whom =
       state.neighbor >= 0 ? text_of(decision.seen.source[static_cast<std::size_t>(state.neighbor)])

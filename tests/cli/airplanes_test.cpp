@@ -66,5 +66,69 @@ TEST(Airplanes, explain_refuses_one_that_has_left) {
   EXPECT_EQ(explained_at("10"), "avo: --time: found 10 s, must be < 1.3 s, when robot 0 left\n");
 }
 
+TEST(Airplanes, explain_says_that_a_circle_keeps_clear) {
+  const std::string scene = leaving();
+  const auto said = [&](const Strings& more) {
+    Strings words{"explain", scene, "--robot", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_avo(words).out;
+  };
+  EXPECT_NE(said({}).find("  state               safe: its circle keeps clear of all others\n"),
+            std::string::npos);
+  // a robot that brakes, beside airplanes
+  const std::string standing = "robots.1={position: [0, 20], goal: [60, 20]}";
+  EXPECT_NE(said({"--set", standing}).find("safe: braking avoids contact\n"), std::string::npos)
+      << said({"--set", standing});
+}
+
+/// What is said of two airplanes in a refused scene, the second one at that place.
+std::string refusal(const std::string& place, const Strings& options = {}) {
+  const std::string path = path_of("near.yaml");
+  write_file(path, "version: 1\nname: near\nsensing_radius: 60\nrobots:\n" +
+                       plane("[0, 0]", "goal: [50, 0], " + kLeaves) +
+                       plane(place, "goal: [50, 9], " + kLeaves));
+  Strings words{"validate", path};
+  words.insert(words.end(), options.begin(), options.end());
+  const ProcessResult result = run_avo(words);
+  EXPECT_EQ(result.exit_code, 3);
+  const std::string said = lines_of(result.err).back();
+  EXPECT_TRUE(said.starts_with(path + ": ")) << said;
+  return said.substr(std::min(path.size() + 2, said.size()));
+}
+
+TEST(Airplanes, starts_that_circles_do_not_keep_apart) {
+  // 2 m/s make circles of 4 m, 1 m/s those of 1 m
+  EXPECT_EQ(refusal("[0, 8.5]"),
+            "robot 0 and robot 1 start too fast for their distance: found 0.5 m of overlap when "
+            "both circle at once, must be none; slow down, move apart, or --start-at-rest");
+  EXPECT_EQ(run_avo({"validate", path_of("near.yaml"), "--start-at-rest"}).exit_code, 0);
+  EXPECT_EQ(refusal("[0, 2.5]", {"--start-at-rest"}),
+            "robot 0 and robot 1 start too near each other: found 0.5 m of overlap when both "
+            "circle at once, must be none; move apart");
+  EXPECT_EQ(refusal("[0, -8]", {"--set", "robots.1={position: [2, -4], goal: [9, 9]}"}),
+            "robot 0 and robot 1 start too fast for their distance: found 1 m of overlap when "
+            "robot 0 circles and robot 1 brakes at once, must be none; slow down, move apart, or "
+            "--start-at-rest");
+}
+
+TEST(Airplanes, start_at_rest_and_limit_speed_keep_the_least_speed) {
+  const std::string scene = leaving();
+  const ProcessResult rest = run_avo(
+      {"run", scene, "--start-at-rest", "--set", "duration=0.1", "--record", path_of("rest.csv")});
+  EXPECT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_EQ(rest.err,
+            "--start-at-rest: 3 of 3 robots start at rest, or at their min_speed, instead "
+            "of moving faster\n");
+  EXPECT_EQ(lines_of(read_file(path_of("rest.csv")))[1], "0,0,0,0,1,0,0,1");
+  const ProcessResult slow =
+      run_avo({"validate", scene, "--limit-speed", "--set", "sensing_radius=5"});
+  EXPECT_EQ(slow.exit_code, 3);
+  EXPECT_NE(slow.err.find("must be >= 17.4001 m for robot 0 and robot 1 to see each other in time, "
+                          "8.70001 + 8.70001 m with one step and braking or circling at their "
+                          "highest speeds; sense farther, no max_speed is low enough\n"),
+            std::string::npos)
+      << slow.err;
+}
+
 }  // namespace
 }  // namespace avo_test
