@@ -66,6 +66,30 @@ TEST(Airplanes, explain_refuses_one_that_has_left) {
   EXPECT_EQ(explained_at("10"), "avo: --time: found 10 s, must be < 1.3 s, when robot 0 left\n");
 }
 
+// 1.5 m a step, between two of which it passes its goal.
+TEST(Airplanes, check_sees_arrivals_between_rows) {
+  for (const char* after : {"loiter", "leave"}) {
+    const std::string scene = path_of("passing.yaml");
+    write_file(scene,
+               std::string("version: 1\nname: passing\nduration: 30\nsensing_radius: 200\n") +
+                   "arrival_distance: 0.3\nrobots:\n  - {position: [0, 9], goal: [99.75, 9], " +
+                   "heading: 0, radius: 3, max_speed: 15, max_acceleration: 2, airplane: " +
+                   "{min_speed: 15, lateral_acceleration: 5, after_goal: " + after + "}}\n");
+    const Recorded run = record({scene});
+    ASSERT_EQ(run.summary["arrived"], 1);
+    const ProcessResult result =
+        run_avo({"check", run.csv, "--scene", scene, "--require-arrival", "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["arrived"], 1);
+    EXPECT_EQ(json["last_arrival"], run.summary["last_arrival"]);
+    EXPECT_EQ(json["at_goal_at_end"], 0);
+    const ProcessResult off = run_avo({"check", run.csv, "--scene", scene, "--require-arrival",
+                                       "--set", "robots.0.goal=[99.75, 9.31]"});
+    EXPECT_EQ(off.exit_code, 1) << off.out;
+  }
+}
+
 TEST(Airplanes, explain_says_that_a_circle_keeps_clear) {
   const std::string scene = leaving();
   const auto said = [&](const Strings& more) {
