@@ -61,6 +61,8 @@ TEST(CheckPassing, only_of_airplanes_and_over_steps) {
       {{0.0, {from, {1, {9, 9}, {}}}}, {0.2, {{1, {9, 9}, {}}}}, {0.5, {to, {1, {9, 9}, {}}}}}, {},
       {.arrival_distance = 0.2});
   EXPECT_EQ(gone.arrived, 0);
+  // at its goal from the start it arrives in its first step, as in a simulation
+  EXPECT_EQ(report_of({flying({0, 0})}, {{0.0, {from}}, {0.5, {to}}}).last_arrival, 0.5);
   // by velocities alone
   CheckedState bare_from = from, bare_to = to;
   bare_from.heading.reset(), bare_to.heading.reset();
