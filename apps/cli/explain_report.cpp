@@ -34,6 +34,10 @@ Json to_json(const avo::Disc& disc) {
   return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
 }
 
+Json to_json(const avo::LoiterCircle& circle) {
+  return to_json(avo::Disc{circle.center, circle.radius});
+}
+
 /// That some neighbor's half-plane is broken: at most the sum.
 double risk_of(const Decision& decision) {
   return std::min(1.0, std::accumulate(decision.risks.begin(), decision.risks.end(), 0.0));
@@ -199,6 +203,7 @@ Json obstacles_of(const Decision& decision) {
                          {"share", share_of(seen.robot, neighbor)}});
     if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
     if (decides) obstacles.back()["max_braking"] = braking_limit(neighbor);
+    if (neighbor.loiter) obstacles.back()["loiter"] = to_json(*neighbor.loiter);
     if (!decides && neighbor.max_deviation > 0.0) {
       obstacles.back()["max_deviation"] = neighbor.max_deviation;
       obstacles.back()["max_speed"] =
@@ -248,6 +253,7 @@ std::string to_json(const Decision& decision) {
        decision.state.state == avo::SafetyState::doomed ? Json(decision.state.time) : Json()},
       {"status", avo::to_string(decision.plan.status)},
       {"violation", decision.plan.violation}};
+  if (self.loiter) json["loiter"] = to_json(*self.loiter);
   if (!decision.risks.empty()) json["risk"] = risk_of(decision);
   json.update(rest);
   // the scene may be called like its file, whose name need not be UTF-8
@@ -263,6 +269,9 @@ std::string readable(const Decision& decision) {
   };
   line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
   line("velocity", text(self.velocity) + " m/s");
+  if (self.loiter)
+    line("may circle",
+         fmt::format("about {} m, {:.6g} m away", text(self.loiter->center), self.loiter->radius));
   if (self.priority != 1.0) line("priority", fmt::format("{:.6g}", self.priority));
   const avo::Disc& reach = decision.acceleration_disc;
   line("may choose", (std::isfinite(reach.radius) ? fmt::format("|v' - {}| <= {:.6g} m/s, ",

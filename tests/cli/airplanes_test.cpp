@@ -43,6 +43,9 @@ TEST(Airplanes, explain_finds_a_robot_after_others_have_left) {
   EXPECT_EQ(json["goal"], (Json{60.0, 20.0}));
   ASSERT_EQ(json["obstacles"].size(), 1U);
   EXPECT_EQ(json["obstacles"][0]["neighbor"], 2);
+  const avo::LoiterCircle circle = simulation.perceive(index).robot.loiter.value();
+  EXPECT_EQ(json["loiter"]["center"], (Json{circle.center.x, circle.center.y}));
+  EXPECT_EQ(json["obstacles"][0]["loiter"]["radius"], circle.radius);  // it is as fast
   simulation.step();
   EXPECT_EQ(json["new_velocity"][0], simulation.fleet().plan[index].new_velocity.x);
   // the last one of the scene is beyond the end of the fleet
