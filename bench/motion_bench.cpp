@@ -136,8 +136,8 @@ void wish_among_ten(benchmark::State& state) {
     look_around(robots, columns);
     keep_right(robots, columns);
     Detour detour;
-    return wish_of(scene.robot, {columns.wish_x[0], columns.wish_y[0]},
-                   {columns.push_x[0], columns.push_y[0]}, planner.options(), detour);
+    return wish_of(scene.robot, {columns.wish_x[0], columns.wish_y[0]}, columns.traffic(0),
+                   planner.options(), detour);
   });
 }
 BENCHMARK(wish_among_ten);

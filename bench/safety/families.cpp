@@ -2,6 +2,7 @@
 // The rows of the table.
 #include "families.h"
 
+#include "arrival_scenes.h"
 #include "passage_scenes.h"
 #include "wall_scenes.h"
 
@@ -27,6 +28,28 @@ void add_circles(std::vector<Family>& all) {
       circle_family("circle-100-d4t10", "control_time 4, time_horizon 10", {100, 90.0, 4.0, 10.0}));
   all.push_back(circle_family("circle-100-jitter", "starts and goals up to 0.2 m off",
                               {100, 46.0, {}, {}, 0.2}));
+}
+
+void add_arrivals(std::vector<Family>& all) {
+  constexpr int kScenes = 20;
+  const auto add = [&](const std::string& name, const char* what, auto make) {
+    all.push_back({name, what, kScenes, true, make});
+  };
+  add("ring", "a goal inside a closed ring of 8 at their goals", closed_ring);
+  add("deep", "a goal in the middle of 36 at their goals", deep_among);
+  add("large", "one of 3 m across 200 of 0.3 m at their goals", large_among);
+  for (const int n : {36, 64}) {
+    for (const bool hexagonal : {false, true}) {
+      add("touching-" + std::to_string(n) + (hexagonal ? "-hex" : ""),
+          hexagonal ? "the same in the densest packing" : "goals that touch, in a square",
+          [n, hexagonal](std::uint64_t seed) { return touching_goals(n, hexagonal, seed); });
+    }
+  }
+  add("block-swap", "8 x 8 robots 1.2 m apart, neighbors exchange places", neighbors_swap);
+  for (const int n : {100, 300}) {
+    add("clump-" + std::to_string(n), "from and to anywhere, a quarter of the area covered",
+        [n](std::uint64_t seed) { return clump(n, seed); });
+  }
 }
 
 void add_passages(std::vector<Family>& all) {
@@ -97,6 +120,7 @@ std::vector<Family> families(double soak_steps) {
       {"movers", "robots among obstacles that keep their velocity", 20, true, among_movers});
   all.push_back({"people", "the same among people who walk about and may turn at any time", 100,
                  true, among_people});
+  add_arrivals(all);
   add_passages(all);
   constexpr int kCrushes = 4;
   for (const bool packed : {false, true}) {

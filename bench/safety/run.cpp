@@ -79,6 +79,12 @@ bool at_rest(const Simulation& simulation) {
                      [](Vec2 v) { return norm(v) < kSlow; });
 }
 
+bool moves(const Simulation& simulation) {
+  const FleetView fleet = simulation.fleet();
+  return std::any_of(fleet.velocity.begin(), fleet.velocity.end(),
+                     [](Vec2 v) { return v != Vec2{}; });
+}
+
 // Times steps and remembers the worst second.
 class StepClock {
  public:
@@ -129,7 +135,9 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
   Random random(outcome.seed, 7);
   StepClock clock;
   Span span{-scenario.time_step, 0.0};
-  std::int64_t before = 0;  // decisions
+  constexpr double kAwhile = 20.0;  // s
+  double last_motion = 0.0;         // s
+  std::int64_t before = 0;          // decisions
   // once all are at rest at their goals nothing more happens, unless something comes by
   const bool may_end =
       scene.rallies.empty() && scene.errands.empty() && scenario.moving_obstacles.empty();
@@ -145,8 +153,12 @@ void run_simulation(const Scene& scene, const std::string& record, Outcome& outc
       if (!scene.rallies.empty())
         outcome.density = std::max(outcome.density, densest_disc(simulation.fleet()));
     }
-    if (may_end && simulation.all_at_goal() && at_rest(simulation)) break;
+    if (moves(simulation)) last_motion = simulation.time();
+    const bool rests = scene.until_rest ? simulation.time() - last_motion > kAwhile
+                                        : simulation.all_at_goal() && at_rest(simulation);
+    if (may_end && rests) break;
   }
+  if (scene.until_rest) outcome.rest = simulation.time() > last_motion ? last_motion : kNever;
   outcome.seconds = clock.total();
   outcome.worst_second = clock.worst();
   outcome.verdict = judge.verdict();

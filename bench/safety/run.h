@@ -31,6 +31,9 @@ struct Outcome {
   double seconds = 0.0;                                    ///< CPU time in Simulation::step
   double worst_second = 0.0;  ///< CPU s a robot-step over the worst second simulated
   double density = 0.0;       ///< see densest_disc, the most
+  /// s, of scenes with Scene::until_rest: since when nobody has moved; kNever where somebody has
+  /// till the end
+  std::optional<double> rest = {};
 };
 
 /// On one thread. Ends early where all are at rest at their goals for good. `record`: path of a CSV

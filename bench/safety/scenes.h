@@ -13,9 +13,10 @@ namespace avo::safety {
 
 struct Scene {
   Scenario scenario = {};
-  double unit = 0.0;   ///< s, the time that arrivals are measured in; 0: nobody is to arrive
-  double limit = 1.0;  ///< units, within which robots are to arrive
-  double share = 1.0;  ///< of the robots that have to
+  double unit = 0.0;        ///< s, the time that arrivals are measured in; 0: nobody is to arrive
+  double limit = 1.0;       ///< units, within which robots are to arrive
+  double share = 1.0;       ///< of the robots that have to
+  bool until_rest = false;  ///< lasts until nobody has moved for a while, bit for bit
   std::vector<Vec2> rallies = {};  ///< all robots are sent to one of them, then to another
   double rally_period = 5.0;       ///< s
   /// Robot i goes to one of errands[i % size], and to another one when it is there or has tried for

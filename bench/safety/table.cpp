@@ -25,10 +25,10 @@ double percent(std::int64_t part, std::int64_t all) {
   return all > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(all) : 0.0;
 }
 
-// Smallest value that at least 99 % are not above.
-double late_quantile(std::vector<double> values) {
+// Smallest value that at least this part is not above.
+double quantile(std::vector<double> values, double part) {
   if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(values.size())));
+  const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(values.size())));
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
   std::nth_element(values.begin(), at, values.end());
   return *at;
@@ -71,14 +71,20 @@ double median(std::vector<double> values) {
 
 void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
   row.fewest_arrived = row.robots;
-  std::vector<double> lasts;
+  std::vector<double> lasts, last_ratios, rests;
   for (const Outcome& outcome : outcomes) {
     const auto never = std::count(outcome.arrival.begin(), outcome.arrival.end(), kNever);
     const std::int64_t arrived = static_cast<std::int64_t>(outcome.arrival.size()) - never;
     row.full_scenes += never == 0 ? 1 : 0;
     row.fewest_arrived = std::min(row.fewest_arrived, arrived);
     lasts.push_back(std::min(last_arrival(outcome), outcome.duration));
+    if (outcome.unit > 0.0) last_ratios.push_back(last_arrival(outcome) / outcome.unit);
+    if (!outcome.rest) continue;
+    row.resting_scenes += std::isfinite(*outcome.rest) ? 1 : 0;
+    rests.push_back(std::min(*outcome.rest, outcome.duration));
   }
+  row.median_ratio = quantile(last_ratios, 0.5), row.high_ratio = quantile(last_ratios, 0.95);
+  if (!rests.empty()) row.median_rest = median(rests), row.last_rest = quantile(rests, 1.0);
   row.median_last = median(std::move(lasts));
 }
 
@@ -145,8 +151,8 @@ RowResult summarize(const std::string& name, const std::vector<Outcome>& outcome
   }
   row.mean /= static_cast<double>(std::max<std::int64_t>(row.arrived, 1));
   compare_scenes(outcomes, row);
-  row.late = late_quantile(std::move(arrivals));
-  row.late_ratio = late_quantile(std::move(ratios));
+  row.late = quantile(std::move(arrivals), 0.99);
+  row.late_ratio = quantile(std::move(ratios), 0.99);
   row.microseconds =
       1e6 * seconds / static_cast<double>(std::max<std::int64_t>(row.robot_steps, 1));
   return row;
@@ -181,9 +187,17 @@ std::string table_lines(const RowResult& row) {
   if (row.has_goals && row.scenes > 1) {
     line += format(
         "  scenes: all arrive in %lld of %lld, the fewest in one are %lld; median of the last "
-        "arrivals %.1f s, mean of all %.2f s\n",
+        "arrivals %.1f s (in units %s, 95 %% %s), mean of all %.2f s\n",
         static_cast<long long>(row.full_scenes), static_cast<long long>(row.scenes),
-        static_cast<long long>(row.fewest_arrived), row.median_last, row.mean);
+        static_cast<long long>(row.fewest_arrived), row.median_last,
+        ratio_text(row.median_ratio, 0).c_str(), ratio_text(row.high_ratio, 0).c_str(), row.mean);
+  }
+  if (row.median_rest) {
+    line += format(
+        "  rest: nobody moves any more in %lld of %lld scenes, since %.1f s in the median, "
+        "%.1f s at last\n",
+        static_cast<long long>(row.resting_scenes), static_cast<long long>(row.scenes),
+        *row.median_rest, *row.last_rest);
   }
   if (row.least_static_clearance) {
     line += format("  walls: touched by %lld robots, least clearance %.4g mm",

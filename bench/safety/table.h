@@ -29,10 +29,13 @@ struct RowResult {
   std::int64_t fewest_arrived = 0;               ///< of the scenes, robots
   double median_last = 0.0;  ///< s, of the scenes' last arrivals; never counts as their duration
   double mean = 0.0;         ///< s, of the robots that arrive
-  double last = 0.0, late = 0.0;              ///< s: the last arrival, and the 99 % quantile
-  double last_ratio = 0.0, late_ratio = 0.0;  ///< the same in the scenes' units
-  double limit = 0.0;                         ///< units
-  std::int64_t late_scenes = 0;               ///< where too few arrived within the limit
+  double last = 0.0, late = 0.0;                 ///< s: the last arrival, and the 99 % quantile
+  double last_ratio = 0.0, late_ratio = 0.0;     ///< the same in the scenes' units
+  double limit = 0.0;                            ///< units
+  double median_ratio = 0.0, high_ratio = 0.0;   ///< of the last arrivals, and the 95 % quantile
+  std::int64_t resting_scenes = 0;               ///< in which nobody moves at the end
+  std::optional<double> median_rest, last_rest;  ///< s, since when; never counts as the duration
+  std::int64_t late_scenes = 0;                  ///< where too few arrived within the limit
   std::array<std::int64_t, kMostStatuses> decisions = {};
   double microseconds = 0.0, worst_microseconds = 0.0;  ///< CPU, a robot-step
   double density = 0.0;

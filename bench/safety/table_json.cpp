@@ -116,7 +116,14 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
         .add("last_ratio", row.last_ratio)
         .add("ratio_99", row.late_ratio)
         .add("limit_ratio", row.limit)
-        .add("late_scenes", row.late_scenes);
+        .add("late_scenes", row.late_scenes)
+        .add("median_last_ratio", row.median_ratio)
+        .add("last_ratio_95", row.high_ratio);
+    if (row.median_rest) {
+      object.add("resting_scenes", row.resting_scenes)
+          .add("median_rest", *row.median_rest)
+          .add("last_rest", *row.last_rest);
+    }
   }
   object.add_raw("decisions", decisions_json(row))
       .add("microseconds", row.microseconds)

@@ -49,17 +49,16 @@ def give_way():
     figure.arrow((0, 0), (-1.7 * b[0] / math.hypot(*b), -1.7 * b[1] / math.hypot(*b)), BLUE)
     figure.length((1, 0), (1 + 2 * OPEN.kRoom, 0), f"{OPEN.kRoom:g} (r_A + r_B)", "start", 18, 5)
     figure.text((-2.3, -2.1), "away from B, added to the wish:", BLUE)
-    figure.text((-2.3, -2.1), f"{OPEN.kPush:g} v_max · nearness · weight · (1 − yielded)", BLUE, dy=21)
+    figure.text((-2.3, -2.1), f"{OPEN.kPush:g} v_max · nearness · weight · min(r_B / r_A, 1)", BLUE, dy=21)
     figure.text((-2.3, -2.1), "nearness: 1 in contact, 0 on the dashed ring", dy=46)
-    bend, last = (1 - OPEN.kLeastWeight) * OPEN.kLeash, OPEN.kSettled * OPEN.kYields
+    bend = (1 - OPEN.kLeastWeight) * OPEN.kLeash
     graph(figure, (430, 112), 290, ((0, "0"), (bend, f"{bend:g}"), (6, "6")),
           ((0, 1), (bend, OPEN.kLeastWeight), (6, OPEN.kLeastWeight)), "distance to the goal / (r_A + r_B)",
           f"weight: 1 at the goal, {OPEN.kLeastWeight:g} on the way")
-    graph(figure, (430, 272), 290, ((0, "0"), (OPEN.kYields, f"{OPEN.kYields:g} T"), (last, f"{last:g} T")),
-          ((0, 1), (OPEN.kYields, 0), (last, 0)), "time beside others",
-          f"1 − yielded, within {2 * OPEN.kLeash:g} r_A of the goal")
-    figure.dot((290, 0), BLUE, 4.5)
-    figure.text((290, 0), "it has settled", BLUE, "end", 0, -12)
+    graph(figure, (430, 272), 290, ((0, "0"), (OPEN.kInMotion, f"{OPEN.kInMotion:g}"),
+                                    (0.3, "0.3")),
+          ((0, 0), (OPEN.kAtRest, 0), (OPEN.kInMotion, 1), (0.3, 1)), "speed of B / v_max",
+          f"and within {2 * OPEN.kLeash:g} r_A of the goal, of neighbors not larger")
     return figure
 
 

@@ -163,7 +163,7 @@ struct WallPlanes {
 /// Method avo only.
 struct Detour {
   double angle = 0.0;    ///< rad, how far it has turned off its way, to the right
-  double yielded = 0.0;  ///< near its goal: 0 gives way, 1 no longer, 2 stays where it is
+  double settled = 0.0;  ///< near its goal, 0 to 1: by how long others have been beside it
 };
 
 /// What a neighbor's certificate demands of A on one interval between steps:

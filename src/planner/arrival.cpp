@@ -16,10 +16,11 @@ using Real = scalar::Pack<double>;
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
 constexpr double kLeastWeight = 0.3;     // of giving way on the way
 constexpr double kPush = 2.0;            // v_max, in contact
-constexpr double kSettled = 2.0;         // times kYields until it stays where it is
-constexpr double kSettleDistance = 0.5;  // of the arrival distance, from the goal
-constexpr double kYields = 5.0;          // T for which it gives way near its goal
-constexpr double kRecovers = 1.25;       // T after which it would again
+constexpr double kAtRest = 0.01;         // of v_max: so slow, nobody pushes who is near its goal
+constexpr double kInMotion = 0.2;        // of v_max: so fast, in full
+constexpr double kSettles = 4.0;         // T beside others, until it stays where it is
+constexpr double kRecovers = 10.0;       // T without, until it would go to its very goal again
+constexpr double kSettleDistance = 0.9;  // of the arrival distance, from the goal
 constexpr double kMostDetour = 2.4;      // almost back
 constexpr double kTurnOff = 1.0;         // per T
 constexpr double kTurnBack = 2.0;        // per T
@@ -34,14 +35,14 @@ scalar::Vec<Real> pack(Vec2 a) {
 
 // Whether it has been beside others for so long, and so near its goal, that it stays there.
 bool has_settled(const Robot& robot, const Detour& detour, double arrival_distance) {
-  return detour.yielded >= kSettled && robot.distance_to_goal < kSettleDistance * arrival_distance;
+  return detour.settled >= 1.0 && robot.distance_to_goal < kSettleDistance * arrival_distance;
 }
 
 }  // namespace
 
 bool is_sound(const Detour& detour) {
-  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.yielded >= 0.0 &&
-         detour.yielded <= kSettled;
+  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.settled >= 0.0 &&
+         detour.settled <= 1.0;
 }
 
 double arrival_range(const Robot& robot, double largest_radius) {
@@ -58,24 +59,37 @@ Vec2 approach(Vec2 velocity, Vec2 target, double decrement) {
   return plain(scalar::approach(pack(velocity), pack(target), Real(decrement)));
 }
 
+namespace {
+
+// Near its goal a robot gives way to those that move, and to larger ones: who rests beside it has
+// come to its own goal.
+double urgency(const Robot& robot, const Neighbor& neighbor) {
+  if (!is_near_goal(robot) || neighbor.radius > robot.radius) return 1.0;
+  const double part = norm(neighbor.velocity) / robot.max_speed;
+  return std::clamp((part - kAtRest) / (kInMotion - kAtRest), 0.0, 1.0);
+}
+
+}  // namespace
+
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   const Vec2 away = robot.position - neighbor.position;
   const double contact = robot.radius + neighbor.radius, room = kRoom * contact;
   const double distance = norm(away);
   const double nearness = std::min((contact + room - distance) / room, 1.0);
-  const double weight = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
+  const double nearing = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
+  const double size = std::min(neighbor.radius / robot.radius, 1.0);
+  const double weight = nearing * size * urgency(robot, neighbor);
   return (weight * nearness / distance) * away;
 }
 
-Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOptions& options,
-             Detour& detour) {
-  if (push == Vec2{} && detour.yielded == 0.0) return kept_right;
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
+             const PlannerOptions& options, Detour& detour) {
   const double elapsed = options.time_step / time_to_speed(robot);
-  detour.yielded = is_near_goal(robot) && push != Vec2{}
-                       ? std::min(detour.yielded + elapsed / kYields, kSettled)
-                       : std::max(detour.yielded - elapsed / kRecovers, 0.0);
-  if (has_settled(robot, detour, options.arrival_distance)) return {};
-  return kept_right + (kPush * robot.max_speed * std::max(1.0 - detour.yielded, 0.0)) * push;
+  detour.settled = is_near_goal(robot) && traffic.is_beside
+                       ? std::min(detour.settled + elapsed / kSettles, 1.0)
+                       : std::max(detour.settled - elapsed / kRecovers, 0.0);
+  const Vec2 own = has_settled(robot, detour, options.arrival_distance) ? Vec2{} : kept_right;
+  return own + (kPush * robot.max_speed) * traffic.push;
 }
 
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {

@@ -20,23 +20,24 @@ struct Traffic {
   /// Robots ahead within the range that close in or are nearly at rest, weighted by how near they
   /// are.
   double ahead = 0.0;
-  /// Away from those that are nearly in contact.
-  Vec2 push;
+  bool is_beside = false;  ///< some are nearly in contact
+  Vec2 push;               ///< away from them, see push_of()
 };
 
 /// m, as far as the two rules below look at any neighbor of at most that radius.
 double arrival_range(const Robot& robot, double largest_radius);
 
-/// Away from a neighbor that is nearly in contact, most of all where the robot has all but arrived.
+/// Away from a neighbor that is nearly in contact: less from a smaller one; on the last of the way
+/// the more, and there from one at rest not at all.
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 
 /// Whether it is something that a robot can remember.
 bool is_sound(const Detour& detour);
 
-/// [m/s] which way a robot wishes to go: as it keeps right, giving way for a while (who stays
-/// beside it has come to rest as well), or at rest where it has settled.
-Vec2 wish_of(const Robot& robot, Vec2 kept_right, Vec2 push, const PlannerOptions& options,
-             Detour& detour);
+/// [m/s] which way a robot wishes to go: as it keeps right, or nowhere where it has settled, and in
+/// both cases out of the way of those that push.
+Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
+             const PlannerOptions& options, Detour& detour);
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);

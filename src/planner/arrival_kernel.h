@@ -78,6 +78,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const auto beside = counted & (squared < reach * reach) & (squared > zero);
     for (std::uint32_t lanes = bits(beside); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      traffic.is_beside = true;
       traffic.push = traffic.push + push_of(robots.robot(i), neighbors[k + lane]);
     }
     if (last) break;
@@ -95,6 +96,7 @@ void look_around(const RobotColumns& robots, DecisionColumns& columns) {
   for (std::size_t i = 0; i < robots.count; ++i) {
     const Traffic traffic = look_around<Real>(robots, i, columns.range[i]);
     columns.ahead[i] = traffic.ahead;
+    columns.is_beside[i] = traffic.is_beside ? 1.0 : 0.0;
     columns.push_x[i] = traffic.push.x, columns.push_y[i] = traffic.push.y;
   }
 }

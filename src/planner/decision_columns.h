@@ -8,14 +8,16 @@
 #include "certificate/braking_path.h"
 #include "core/robot_columns.h"
 #include "lp/linear_program.h"
+#include "planner/arrival.h"
 
 namespace avo {
 
 /// One entry a robot. Scratch memory; allocates only while it grows.
 struct DecisionColumns {
   using Column = std::vector<double>;
-  Column range, ahead, push_x, push_y;  // m; by look_around(), see Traffic
-  Column wish_x, wish_y;                // m/s, by keep_right(), and then by wish_of()
+  Column range;                             // m, by look_around()
+  Column ahead, is_beside, push_x, push_y;  // likewise, see Traffic
+  Column wish_x, wish_y;                    // m/s, by keep_right(), and then by wish_of()
   // [v'], m/s: what Eq. (23) made of the wish, by how much it misses CA_A, and how
   Column target_x, target_y, violation;
   std::vector<ProgramState> state;
@@ -28,6 +30,9 @@ struct DecisionColumns {
   void take(std::size_t i, const ProgramResult& result) {
     target_x[i] = result.point.x, target_y[i] = result.point.y;
     violation[i] = result.violation, state[i] = result.state;
+  }
+  [[nodiscard]] Traffic traffic(std::size_t i) const {
+    return {ahead[i], is_beside[i] != 0.0, {push_x[i], push_y[i]}};
   }
   [[nodiscard]] Vec2 wish(std::size_t i) const { return {wish_x[i], wish_y[i]}; }
 };

@@ -47,10 +47,11 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
       decisions.wish_x[i] = robots.preferred_x[i], decisions.wish_y[i] = robots.preferred_y[i];
       continue;
     }
-    const Vec2 push = push_among_walls(tile, i, law, {decisions.push_x[i], decisions.push_y[i]});
+    Traffic traffic = decisions.traffic(i);
     Detour& detour = *tile.detour[i];
-    if (push == Vec2{} && detour.yielded == 0.0) continue;
-    const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), push, options, detour);
+    if (!traffic.is_beside && detour.settled == 0.0) continue;
+    traffic.push = push_among_walls(tile, i, law, traffic.push);
+    const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), traffic, options, detour);
     decisions.wish_x[i] = wish.x, decisions.wish_y[i] = wish.y;
   }
 }

@@ -280,7 +280,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(hash, fleet.id[i].value);
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
-    hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].yielded);
+    hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].settled);
     if (fleet.has_clocks) hash = mixed(hash, fleet.clock_of(i));
     if (const Flight* own = fleet.flight(i)) {
       hash = mixed(mixed(hash, own->circle.center), own->circle.radius);

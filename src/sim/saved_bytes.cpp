@@ -106,7 +106,7 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
 
   describe(archive, state.id.value), describe(archive, state.position);
   describe(archive, state.velocity), describe(archive, state.heading);
-  describe(archive, state.detour.angle), describe(archive, state.detour.yielded);
+  describe(archive, state.detour.angle), describe(archive, state.detour.settled);
 }
 
 template <bool kReads>

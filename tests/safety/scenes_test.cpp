@@ -47,7 +47,7 @@ TEST(Families, have_names_of_their_own_and_start_clear_and_at_rest) {
       for (std::size_t j = 0; j < i; ++j) {
         const double gap = norm(disc_center(robots[i]) - disc_center(robots[j])) -
                            disc_radius(robots[i]) - disc_radius(robots[j]);
-        EXPECT_GT(gap, 0.09) << family.name << " " << i << " " << j;
+        EXPECT_GT(gap, 0.01) << family.name << " " << i << " " << j;
       }
       for (const MovingObstacle& obstacle : scenario.moving_obstacles) {
         EXPECT_GT(norm(disc_center(robots[i]) - obstacle.position),

@@ -43,7 +43,7 @@ TEST(Order, of_the_neighbors_changes_no_bit_of_a_plan) {
     shuffle(shuffled, random);
     EXPECT_TRUE(same(planner.plan(crowd.robot, shuffled, workspace, &detour), plan)) << crowd;
     EXPECT_EQ(detour.angle, sorted_detour.angle);
-    EXPECT_EQ(detour.yielded, sorted_detour.yielded);
+    EXPECT_EQ(detour.settled, sorted_detour.settled);
     // who is nearest matters
     const std::vector<Neighbor> rest(crowd.neighbors.begin() + 1, crowd.neighbors.end());
     changed_by_the_nearest += same(planner.plan(crowd.robot, rest, workspace), plan) ? 0 : 1;

@@ -186,7 +186,7 @@ TEST(Status, a_detour_that_is_no_number_is_forgotten) {
           EXPECT_EQ(plan.new_velocity,
                     planner.plan(robot, neighbors, workspace, &none).new_velocity);
           EXPECT_EQ(bad_detour.angle, none.angle);
-          EXPECT_EQ(bad_detour.yielded, none.yielded);
+          EXPECT_EQ(bad_detour.settled, none.settled);
         }
       }
     }

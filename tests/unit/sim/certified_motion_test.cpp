@@ -178,7 +178,7 @@ TEST(CertifiedMotion, what_is_no_number_is_not_admitted) {
     const Plan plan = planner.plan(sound, {}, workspace, &detour);
     EXPECT_TRUE(is_finite(plan.acceleration));
     EXPECT_EQ(detour.angle, 0.0);
-    EXPECT_EQ(detour.yielded, 0.0);
+    EXPECT_EQ(detour.settled, 0.0);
   }
   Robot robot = sound;
   robot.distance_to_goal = nan;
