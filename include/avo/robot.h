@@ -69,6 +69,9 @@ struct Neighbor {
   /// decides, and has an age: its acceleration, where that may be more than max_acceleration, as
   /// that of a car with the exact set, which is up to √2 times as much.
   double max_deviation = 0.0;
+  /// m/s, >= 0, of one that decides, and has an age: how fast its place may have moved besides
+  /// `velocity`, as that of a car does whose body is off its axle.
+  double swing = 0.0;
   Vec2 acceleration = {};  ///< [a_B] m/s^2, observed; read only where B moves on
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();

@@ -20,6 +20,7 @@ struct MoverMotion {
   Vec2 acceleration;           // m/s²
   double max_deviation = 0.0;  // m/s²
   double max_speed = 0.0;      // m/s
+  double swing = 0.0;          // m/s
 };
 
 /// Neighbors of one robot or of several; allocates only while it grows.
@@ -29,14 +30,14 @@ struct NeighborColumns {
   bool has_aged = false;                         // the age of some is not 0
   bool has_priorities = false;                   // some have another one than 1
   bool has_max_braking = false;                  // some have one
-  bool has_deviations = false;                   // likewise a max_deviation
+  bool has_deviations = false;                   // likewise a max_deviation or swing
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
   std::vector<double> decides;      // see below; kPrompt unless add() was told otherwise
   std::vector<double> priority;     // likewise 1
   std::vector<double> max_braking;  // m/s², read where some have one
   std::vector<int> age;             // steps, of all that are not kPrompt
-  std::vector<MoverMotion> motion;  // of those that do not decide; else its max_deviation
+  std::vector<MoverMotion> motion;  // of those that do not decide; else max_deviation and swing
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
@@ -61,13 +62,13 @@ struct NeighborColumns {
     age[count] = neighbor.age;
     priority[count] = neighbor.priority;
     max_braking[count] = braking_limit(neighbor);
-    motion[count].max_deviation = neighbor.max_deviation;
+    motion[count].max_deviation = neighbor.max_deviation, motion[count].swing = neighbor.swing;
     if (moves_on)
       motion[count].acceleration = neighbor.acceleration,
       motion[count].max_speed = neighbor.max_speed;
     ++count;
     has_movers = has_movers || moves_on;
-    has_deviations = has_deviations || neighbor.max_deviation > 0.0;
+    has_deviations = has_deviations || neighbor.max_deviation > 0.0 || neighbor.swing > 0.0;
     has_aged = has_aged || aged;
     has_priorities = has_priorities || neighbor.priority != 1.0;
     has_max_braking = has_max_braking || neighbor.max_braking;
@@ -97,7 +98,8 @@ struct NeighborColumns {
                       .priority = priority[i]};
     if (has_max_braking) neighbor.max_braking = max_braking[i];
     if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
-    if (has_deviations) neighbor.max_deviation = motion[i].max_deviation;
+    if (has_deviations)
+      neighbor.max_deviation = motion[i].max_deviation, neighbor.swing = motion[i].swing;
     if (decides[i] != kMover) return neighbor;
     neighbor.behavior = Behavior::moves_on;
     neighbor.acceleration = motion[i].acceleration;

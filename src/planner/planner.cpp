@@ -117,7 +117,8 @@ bool is_valid(const Neighbor& neighbor) {
                    is_size(neighbor.priority);
   if (able == 0) return false;
   if (neighbor.max_braking && is_braking(*neighbor.max_braking, a_max) == 0) return false;
-  if (neighbor.age > 0 && !is_deviation(neighbor.max_deviation)) return false;
+  if (neighbor.age > 0 && !(is_deviation(neighbor.max_deviation) && is_deviation(neighbor.swing)))
+    return false;
   return !neighbor.loiter || is_valid_loiterer(neighbor);
 }
 
@@ -396,7 +397,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {
   Robot steering = robot;
-  if (is_valid(robot)) steering.preferred_velocity = steered(robot, goes_at_once(options_));
+  if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
   const Plan plan =
       decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
   return with_next_velocity(*this, robot, as_followed(*this, robot, plan));

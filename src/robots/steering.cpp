@@ -17,8 +17,7 @@ constexpr double kEnough = 0.8;       // of a_max, that turning asks for
 constexpr double kWiderCircle = 1.1;  // times the turning circle: goals outside are steered to
 // likewise, of one that may drive backwards and is not on its way to the goal
 constexpr double kWellOutside = 1.3;
-constexpr double kWidest = 4.0;       // times that circle: turned round on at most
-constexpr double kNearEnough = 0.05;  // times its radius: nobody turns round for that
+constexpr double kWidest = 4.0;  // times that circle: turned round on at most
 // It drives on in its direction until it had to turn by 90 degrees and more, by this cosine.
 constexpr double kKeepDirection = 0.5;
 
@@ -58,7 +57,7 @@ double pursuit_radius(double distance, double y) {
 }  // namespace
 
 Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
-  const double speed = norm(robot.preferred_velocity), turning = 1.0 / sharpest(car);
+  const double speed = norm(robot.preferred_velocity), turning = turning_radius(car);
   const Vec2 to = robot.preferred_velocity / speed;
   const double x = dot(ahead, to), y = cross(ahead, to);
   const double radius = std::max(turning, pursuit_radius(robot.distance_to_goal, y));
@@ -66,13 +65,13 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
   return bent(ahead, x, y, std::min(speed, cornering_speed(robot.max_acceleration, wide)));
 }
 
-Vec2 steered(const Car& car, const Robot& robot) {
+Vec2 steered(const Car& car, const Robot& robot, const Approach& approach) {
   const double speed = norm(robot.preferred_velocity);
   if (turns_in_place(car) || !(speed > 0.0)) return robot.preferred_velocity;
   const Vec2 to = robot.preferred_velocity / speed, ahead = direction_of(car, robot, to);
   const double x = dot(ahead, to), y = cross(ahead, to), distance = robot.distance_to_goal;
-  const double turning = 1.0 / sharpest(car);
-  if (distance <= kNearEnough * turning) return {};
+  const double turning = turning_radius(car);
+  if (is_there(car, robot, approach)) return {};
   const double radius = pursuit_radius(distance, y);
   if (radius < least_radius(car, robot, to) * turning) {
     const double away = std::min(cornering_speed(robot.max_acceleration, turning), robot.max_speed);

@@ -85,18 +85,17 @@ SensingError declared_error(const Scenario& scenario) {
     const auto [unseen_way, unseen_speed] = unforeseen(scenario);
     error.position += unseen_way, error.velocity += unseen_speed;
   }
-  if (scenario.sensing.delay == 0 && !scenario.sensing.misses()) return error;
+  if (scenario.sensing.delay == 0) return error;
   double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
   for (const RobotSetup& robot : scenario.robots) {
     strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
-    swing = std::max(swing, swing_of(robot.model, robot.max_acceleration, robot.max_speed));
+    swing = std::max(
+        swing, swing_of(robot.model, robot.max_acceleration, robot.max_speed, scenario.time_step));
   }
-  error.velocity += swing;
-  if (scenario.sensing.delay == 0) return error;
   for (const MovingObstacle& obstacle : scenario.moving_obstacles)
     strongest = std::max(strongest, obstacle.max_deviation);
   const double time = scenario.sensing.delay * scenario.time_step;
-  error.position += time * error.velocity + 0.5 * strongest * time * time;
+  error.position += time * (error.velocity + swing) + 0.5 * strongest * time * time;
   error.velocity += strongest * time;
   return error;
 }

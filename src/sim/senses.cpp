@@ -9,6 +9,7 @@
 
 #include "core/elementary.h"
 #include "core/hash.h"
+#include "robots/model.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -114,6 +115,11 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   Neighbor neighbor = world.fleet.sensed(slot, *behavior);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
+  if (const MotionModel* model = world.fleet.own_model(slot)) {
+    const RobotTraits& traits = world.fleet.traits[slot];
+    neighbor.swing =
+        swing_of(*model, traits.max_acceleration, traits.max_speed, world.settings.time_step);
+  }
   return encounter.sighting(neighbor, *generation, static_cast<int>(rank));
 }
 

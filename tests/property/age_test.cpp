@@ -118,10 +118,14 @@ TEST(Age, counts_the_acceleration_that_it_may_have_had) {
   late.max_deviation = 1.4;
   EXPECT_DOUBLE_EQ(error_against(late, law).velocity, 0.42);
   EXPECT_DOUBLE_EQ(error_against(late, law).position, 0.5 * 1.4 * 0.09);
+  late.swing = 0.5;  // of a disc off its axle: its place alone
+  EXPECT_DOUBLE_EQ(error_against(late, law).velocity, 0.42);
+  EXPECT_DOUBLE_EQ(error_against(late, law).position, 0.3 * 0.5 + 0.5 * 1.4 * 0.09);
   NeighborColumns columns;
   columns.reserve(1);
   columns.add(late);
   EXPECT_EQ(columns[0].max_deviation, 1.4);
+  EXPECT_EQ(columns[0].swing, 0.5);
 }
 
 TEST(Age, out_of_range_is_invalid) {

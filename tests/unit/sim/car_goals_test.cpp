@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "avo/simulation.h"
@@ -58,6 +59,38 @@ TEST(CarGoals, inside_the_turning_circle_are_reached) {
       }
     }
   }
+}
+
+// At constant speed it cannot stay on its turning circle: its disc would come farther than others
+// expect.
+TEST(CarGoals, are_reached_with_a_body_farther_off_the_axle_than_the_turning_circle) {
+  for (const bool reverse : {false, true}) {
+    for (const auto& [curvature, offset] :
+         {std::pair{2.0, 0.8}, std::pair{1.0, 1.5}, std::pair{1.0, -1.5}, std::pair{0.8, 3.0}}) {
+      SCOPED_TRACE(testing::Message() << reverse << ' ' << curvature << ' ' << offset);
+      const Car car{1.0, curvature, CarBody{offset, std::abs(offset) + 0.3}, reverse};
+      const Reached reached = reached_by(car, 0.3);
+      EXPECT_EQ(reached.missing, 0);
+      EXPECT_LT(reached.speed, 1e-3);
+    }
+  }
+}
+
+// A twentieth of its turning circle's radius is twice the arrival distance.
+TEST(CarGoals, one_with_a_wide_turning_circle_does_not_stop_short_of_them) {
+  Scenario scene;
+  for (const bool reverse : {false, true}) {
+    RobotSetup robot;
+    robot.position = {0.0, reverse ? 200.0 : 0.0};
+    robot.goal = robot.position + Vec2{0.1, 0.7};
+    robot.model = Car{.max_curvature = 0.05, .reverse = reverse};
+    scene.robots.push_back(robot);
+  }
+  Simulation simulation(scene, 1);
+  while (simulation.time() < 300.0) simulation.step();
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
+  EXPECT_EQ(simulation.fleet().velocity[1], Vec2{});
 }
 
 TEST(CarGoals, a_car_that_turns_in_place_reaches_them_with_its_disc_ahead) {

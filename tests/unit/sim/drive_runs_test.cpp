@@ -101,6 +101,30 @@ TEST(DriveRuns, come_to_goals_all_around_and_rest_there) {
   }
 }
 
+// Beside the axle, a velocity across the heading of now led round the goal for ever.
+TEST(DriveRuns, come_to_goals_beside_their_axles_and_rest_there) {
+  for (const double far : {0.02, 0.1, 0.2, 0.35}) {
+    Scenario scene;
+    scene.arrival_distance = 0.02;
+    for (int k = 0; k < 32; ++k) {
+      const double angle = k * std::numbers::pi / 16.0;
+      RobotSetup setup;
+      setup.position = {10.0 * k, 0.0};
+      setup.goal = setup.position + far * Vec2{std::cos(angle), std::sin(angle)};
+      setup.radius = 0.3, setup.model = DifferentialDrive{};
+      setup.max_acceleration = 0.5 * most_acceleration(DifferentialDrive{});
+      scene.robots.push_back(setup);
+    }
+    Simulation simulation(scene, 1);
+    while (simulation.time() < 20.0) simulation.step();
+    const FleetView fleet = simulation.fleet();
+    for (std::size_t k = 0; k < fleet.position.size(); ++k) {
+      EXPECT_LE(norm(fleet.position[k] - fleet.goal[k]), 0.01) << far << ' ' << k;
+      EXPECT_EQ(fleet.velocity[k], Vec2{}) << far << ' ' << k;
+    }
+  }
+}
+
 // The goal is behind it: it turns about its axle first.
 TEST(DriveRuns, turn_before_they_drive_a_long_way) {
   Scenario scene;
