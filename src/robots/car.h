@@ -43,23 +43,18 @@ inline double offset_of(const Car& car) {
 inline bool turns_in_place(const Car& car) {
   return !car.max_curvature;
 }
-/// 1/m, while it drives. A disc ahead of the axle would sweep aside faster than others expect where
-/// the curvature has no bound; on such a curve it adds a quarter to its speed at most.
+/// 1/m, while it drives. Others expect a disc to come about as far as two steps of its axle's speed
+/// lead (keeps_reach() in src/certificate), so that one ahead of the axle may sweep aside as fast
+/// as the car drives, and no car could stay on a sharper curve. Where the curvature has no bound,
+/// it adds a quarter to its speed at most.
 inline double sharpest(const Car& car) {
-  if (car.max_curvature) return *car.max_curvature;
-  const double offset = offset_of(car);
-  return offset == 0.0 ? std::numeric_limits<double>::infinity() : 0.25 / std::abs(offset);
-}
-/// m, of its axle's smallest circle at constant speed. There others expect a disc to come as far as
-/// two steps of that speed lead (keeps_reach() in src/certificate): what is farther off the axle
-/// than the turning circle's radius takes a wider one.
-inline double turning_radius(const Car& car) {
-  return std::max(1.0 / sharpest(car), std::abs(offset_of(car)));
+  const double offset = std::abs(offset_of(car));
+  if (offset == 0.0) return car.max_curvature.value_or(std::numeric_limits<double>::infinity());
+  return car.max_curvature ? std::min(*car.max_curvature, 1.0 / offset) : 0.25 / offset;
 }
 /// So near its goal that it does not turn round for what is left.
 inline bool is_there(const Car& car, const Robot& robot, const Approach& approach) {
   constexpr double kNearEnough = 0.05;  // times the turning circle's radius
-  return robot.distance_to_goal <=
-         std::min(kNearEnough * turning_radius(car), approach.near_enough);
+  return robot.distance_to_goal <= std::min(kNearEnough / sharpest(car), approach.near_enough);
 }
 }  // namespace avo

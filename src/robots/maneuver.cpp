@@ -184,12 +184,12 @@ struct Search {
 }  // namespace
 
 double room_for_maneuvers(const Car& car) {
-  return turns_in_place(car) ? 0.0 : kMostRoom * turning_radius(car);
+  return turns_in_place(car) ? 0.0 : kMostRoom / sharpest(car);
 }
 
 std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach& approach,
                              const ClearPlaces& is_clear) {
-  const double speed = norm(robot.preferred_velocity), turning = turning_radius(car);
+  const double speed = norm(robot.preferred_velocity), turning = 1.0 / sharpest(car);
   if (!(speed > 0.0) || is_there(car, robot, approach)) return std::nullopt;
   const Vec2 h = elementary::direction(robot.heading);
   const double distance = std::min(robot.distance_to_goal, kFarGoal * turning);

@@ -68,11 +68,11 @@ SensingError unforeseen(const MotionModel& model, double max_acceleration, doubl
   return car != nullptr ? unforeseen_of_car(*car, max_acceleration, time_step) : SensingError{};
 }
 
-double swing_of(const MotionModel& model, double max_acceleration, double max_speed,
+double swing_of(const MotionModel& model, double max_acceleration, double top_speed,
                 double time_step) {
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr || offset_of(*car) == 0.0) return 0.0;
-  const double turning = std::min(max_speed * sharpest(*car),
+  const double turning = std::min(top_speed * sharpest(*car),
                                   std::sqrt(max_acceleration * sharpest(*car)));  // [v κ] rad/s
   const double driving = std::abs(offset_of(*car)) * turning;
   if (!turns_in_place(*car)) return driving;

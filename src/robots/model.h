@@ -43,8 +43,9 @@ Stray stray_of(const MotionModel& model, double max_acceleration, double time_st
 /// to the velocity of its disc, may be off by in place and velocity.
 SensingError unforeseen(const MotionModel& model, double max_acceleration, double time_step);
 
-/// m/s, over whole steps: how much the velocity of its disc may differ from that of its axle.
-double swing_of(const MotionModel& model, double max_acceleration, double max_speed,
+/// m/s, over whole steps: by how much the velocity of its disc may differ from that of its axle,
+/// which is not faster than top_speed.
+double swing_of(const MotionModel& model, double max_acceleration, double top_speed,
                 double time_step);
 
 /// m/s: that its disc never exceeds, where the robot itself keeps to max_speed.
