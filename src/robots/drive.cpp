@@ -210,7 +210,7 @@ namespace {
 // Where the goal is nearer to the axle than L, that would circle round it: with β the angle of the
 // goal off the heading and d its distance, V cos β ahead and V sin β across make
 // β' = V sin β (cos β/d - 1/L). With as much across as kNear L/d times that, β shrinks at any
-// distance. It may shrink no faster than it can be stopped, and then V is less as well. A goal
+// distance. It may shrink no faster than it can be stopped, and then less of V is ahead. A goal
 // behind it is there driven to backwards. A velocity that is across the heading of now has a part
 // along that of the step's end, σ² Δt/L, on which the drive would circle beside its goal for ever:
 // it steers by the heading that it will have.
@@ -221,11 +221,12 @@ Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Appr
   const double turned = approach.time_step * cross(now, robot.velocity) / drive.offset;
   const Vec2 h = elementary::direction(robot.heading + turned);
   const double speed = norm(wish), along = dot(h, wish) / speed, across = cross(h, wish) / speed;
-  const double turn = kNear * drive.offset / distance * speed * std::abs(across);
-  const double most = std::sqrt(robot.max_acceleration * drive.offset * std::abs(across));
-  const double part = turn > most ? most / turn : 1.0;
+  const double needed = kNear * drive.offset / distance * std::abs(across);
+  const double turn =
+      std::min(needed * speed, std::sqrt(robot.max_acceleration * drive.offset * std::abs(across)));
+  const double ahead = needed > 0.0 ? std::min(speed * std::abs(along), turn / needed) : speed;
   const Vec2 side = across * along < 0.0 ? -perpendicular(h) : perpendicular(h);
-  return within_steering(drive, robot, part * ((speed * along) * h + turn * side));
+  return within_steering(drive, robot, std::copysign(ahead, along) * h + turn * side);
 }
 
 }  // namespace

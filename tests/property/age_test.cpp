@@ -110,7 +110,7 @@ TEST(Age, is_an_error_of_that_neighbor) {
 
 // Without an age too.
 TEST(Age, is_not_asked_of_one_whose_position_alone_is_less_sure) {
-  Neighbor neighbor{.position = {2.4, 0.1}, .velocity = {-0.7, 0.0}};
+  Neighbor neighbor{.position = {1.9, 0.1}, .velocity = {-0.7, 0.0}};
   const auto farther_off = demanded({0.02 + 0.03, 0.1}, neighbor);
   neighbor.position_error = 0.03;
   const auto less_sure = demanded({0.02, 0.1}, neighbor);
