@@ -76,6 +76,22 @@ TEST(CarGoals, are_reached_with_a_body_farther_off_the_axle_than_the_turning_cir
   }
 }
 
+// It came round too fast to stop, passed its goal and drove the same way again, for ever.
+TEST(CarGoals, a_car_that_comes_to_its_goal_out_of_a_turn_stops_there) {
+  Scenario scene;
+  scene.arrival_distance = 0.1;
+  RobotSetup robot;
+  robot.goal = {0.2558, -2.016};
+  robot.heading = 0.5649;
+  robot.max_acceleration = 1.08, robot.max_speed = robot.preferred_speed = 2.7;
+  robot.model = Car{.max_curvature = 0.3305, .body = CarBody{2.43, 2.73}};
+  scene.robots = {robot};
+  Simulation simulation(scene, 1);
+  while (simulation.time() < 60.0) simulation.step();
+  EXPECT_LT(norm(simulation.fleet().position[0] - robot.goal), 0.05);
+  EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
+}
+
 // A twentieth of its turning circle's radius is twice the arrival distance.
 TEST(CarGoals, one_with_a_wide_turning_circle_does_not_stop_short_of_them) {
   Scenario scene;
