@@ -63,6 +63,14 @@ constexpr double reciprocal_share(double max_acceleration_A, double max_accelera
   return std::clamp(a / (a + b), kLeastShare, 1.0 - kLeastShare);
 }
 
+/// Share of A in the room that is left between both: of a gap, or of a change of velocity that
+/// leads to no collision. Whoever has to do less to avoid the other may use more of it; with equal
+/// priorities it is reciprocal_share(). Requirements and (1) to (3) as there.
+constexpr double room_share(double max_acceleration_A, double max_acceleration_B,
+                            double priority_A = 1.0, double priority_B = 1.0) {
+  return reciprocal_share(max_acceleration_A, max_acceleration_B, priority_B, priority_A);
+}
+
 /// A's half-plane in v'_A, Eq. (17): the relative one scaled by the share about v_AB, Eq. (2), and
 /// moved to v_A, Eq. (3).
 constexpr HalfPlane apportion(const HalfPlane& relative, Vec2 v_A, double alpha_AB) {

@@ -224,7 +224,7 @@ AVO_KERNEL PackPair<Real> pair_of(const PackSelf<Real>& self, const PackNeighbor
   pair.contact = self.radius + other.radius;
   const Real a_A = self.max_acceleration, a_B = other.max_acceleration;
   pair.share = law.has_free_clocks() ? one
-               : kUnlike             ? share_of(a_A, a_B, self.priority, other.priority)
+               : kUnlike             ? room_share(a_A, a_B, self.priority, other.priority)
                                      : a_A / (a_A + a_B);
   pair.b.intervals =
       pair.b.intervals + later_intervals(pair.b.increment, pair.b.profile.decrement, law);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// reciprocal_share() of avo/half_plane.h, as many pairs at once as Pack has lanes.
+// room_share() of avo/half_plane.h, as many pairs at once as Pack has lanes.
 #ifndef AVO_CORE_SHARE_KERNEL_H
 #define AVO_CORE_SHARE_KERNEL_H
 
@@ -9,9 +9,9 @@
 AVO_BEGIN_KERNELS
 
 template <typename Real>
-AVO_KERNEL Real share_of(Real a_A, Real a_B, Real priority_A, Real priority_B) {
+AVO_KERNEL Real room_share(Real a_A, Real a_B, Real priority_A, Real priority_B) {
   const auto alike = (priority_A <= priority_B) & (priority_A >= priority_B);
-  const Real a = select(alike, a_A, a_A * priority_B), b = select(alike, a_B, a_B * priority_A);
+  const Real a = select(alike, a_A, a_A * priority_A), b = select(alike, a_B, a_B * priority_B);
   const Real share = a / (a + b);
   return select(alike, share, min(max(share, Real(kLeastShare)), Real(1.0 - kLeastShare)));
 }

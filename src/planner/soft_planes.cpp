@@ -43,15 +43,24 @@ void add_movers(const PlannerOptions& options, const Tile& tile, SoftPlanes& sof
   }
 }
 
-// What priorities make of the shares.
+// A's share of H = {w | n . w >= h}, Eq. (20): of the change that H asks for, h > 0, or of that
+// which it leaves.
+double share_of_plane(double h, double a_A, double a_B, double priority_A, double priority_B) {
+  return h > 0.0 ? reciprocal_share(a_A, a_B, priority_A, priority_B)
+                 : room_share(a_A, a_B, priority_A, priority_B);
+}
+
+// What priorities make of the shares of half-planes.
 void weigh(const Tile& tile, SoftPlanes& soft) {
   const RobotColumns& robots = tile.robots;
   const NeighborColumns& neighbors = tile.neighbors;
   std::size_t i = 0;
   for (std::size_t r = 0; r < robots.count; ++r) {
     for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
-      soft.share[i] = reciprocal_share(robots.max_acceleration[r], neighbors.max_acceleration[k],
-                                       robots.priority[r], neighbors.priority[k]);
+      if (neighbors.decides[k] == NeighborColumns::kMover) continue;
+      soft.share[i] =
+          share_of_plane(soft.relative.h[i], robots.max_acceleration[r],
+                         neighbors.max_acceleration[k], robots.priority[r], neighbors.priority[k]);
     }
   }
 }
@@ -137,10 +146,10 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   if (robots.count == 0) return;
   reserve(count_pairs(options, robots, soft), soft);
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
-  if (has_priorities(tile)) weigh(tile, soft);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
   if (has_noise(options.sensing_noise)) add_reserves(options, soft.pairs);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
+  if (has_priorities(tile)) weigh(tile, soft);
   share_out(robots, soft.pair_end, soft.raise, options.control_time, soft.share, soft.relative,
             soft.shared);
   mark_overlaps(soft);
@@ -171,10 +180,11 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
 // A's half-plane in v' of the relative one.
 NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
                        int index, const RelativeHalfPlane& relative) {
-  const double alpha = neighbor.behavior == Behavior::decides
-                           ? reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
-                                              robot.priority, neighbor.priority)
-                           : 1.0;
+  const double alpha =
+      neighbor.behavior == Behavior::decides
+          ? share_of_plane(relative.plane.offset, robot.max_acceleration, neighbor.max_acceleration,
+                           robot.priority, neighbor.priority)
+          : 1.0;
   HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
   if (!adopts_at_once(options.method)) {
     plane.offset += mover_offset(options, neighbor, plane.normal);

@@ -71,7 +71,7 @@ double plain_coefficient(const PairSituation& s, Vec2 next) {
   const auto y_A = stepped_path(s.a, next, law, count);
   const double contact = s.a.radius + s.b.radius;
   const double share =
-      reciprocal_share(s.a.max_acceleration, s.b.max_acceleration, s.a.priority, s.b.priority);
+      room_share(s.a.max_acceleration, s.b.max_acceleration, s.a.priority, s.b.priority);
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < x_A.size(); ++m) {
     const Points q{x_A[m][0] - x_B[m][0], x_A[m][1] - x_B[m][1], x_A[m][2] - x_B[m][2]};

@@ -176,6 +176,10 @@ TEST(Reciprocity, shares_follow_ability) {
   EXPECT_EQ(reciprocal_share(1.0, 1.0, 64.0, 1.0), 1.0 / 64.0);
   EXPECT_EQ(reciprocal_share(1.0, 1.0, 1.0, 1e12), 63.0 / 64.0);
   EXPECT_EQ(reciprocal_share(2.0, 0.0), 1.0);  // a mover that does not decide
+  EXPECT_EQ(room_share(3.0, 1.0, 0.1, 0.1), 0.75);
+  EXPECT_EQ(room_share(1.0, 1.0, 3.0, 1.0), 0.75);
+  EXPECT_EQ(room_share(3.0, 1.0, 1.0, 3.0), 0.5);
+  EXPECT_EQ(room_share(1.0, 1.0, 1e12, 1.0), 63.0 / 64.0);
 }
 
 // Eq. (17): scaled about v_AB, moved to v_A.

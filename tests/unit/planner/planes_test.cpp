@@ -163,6 +163,16 @@ TEST(Planes, P9_shares_of_unequal_priorities) {
     EXPECT_NEAR(demand(options, first, second), half / 32.0, 1e-12);
     EXPECT_NEAR(demand(options, second, first), 63.0 * half / 32.0, 1e-12);
   }
+  // of what is left to both, the other way round
+  second.velocity = {1, 0.3};
+  for (const PlannerOptions& options : {exact, sampled, orca}) {
+    first.priority = second.priority = 1.0;
+    const double half = demand(options, first, second);
+    EXPECT_LT(half, -0.1);
+    first.priority = 3.0;
+    EXPECT_NEAR(demand(options, first, second), 1.5 * half, 1e-12);
+    EXPECT_NEAR(demand(options, second, first), 0.5 * half, 1e-12);
+  }
 }
 
 // P9, Eqs. (19), (21): A's part of every relative change lies in D(v_A, δ a_A), and the parts of
