@@ -17,7 +17,7 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
       {"person", "person", {}, 0, 0xaaf0260f1015569a},
       {"reversing_cars", "reversing-cars", {}, 0, 0xc46d90b379fedad2},
-      {"mixed_yard", "mixed-yard", {}, 0, 0xcb4dafe71693f14a},
+      {"mixed_yard", "mixed-yard", {}, 0, 0x521b82478c6c426d},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
