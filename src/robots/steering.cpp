@@ -46,8 +46,9 @@ double cornering_speed(double max_acceleration, double radius) {
 }
 
 // m/s: it stops at its goal although it first turns, by a sine y. That takes v y/a, in which it
-// does not brake.
-double stopping_speed(const Robot& robot, double y) {
+// does not brake. One that may drive backwards comes back where it could not stop.
+double stopping_speed(const Car& car, const Robot& robot, double y) {
+  if (car.reverse) return std::numeric_limits<double>::infinity();
   return std::sqrt(2.0 * braking_limit(robot) * robot.distance_to_goal / (1.0 + 2.0 * std::abs(y)));
 }
 
@@ -72,7 +73,7 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
   const double radius = std::max(turning, pursuit_radius(robot.distance_to_goal, y));
   const double wide = x >= 0.0 ? radius : std::min(radius, kWidest * turning);
   const double top =
-      std::min(cornering_speed(robot.max_acceleration, wide), stopping_speed(robot, y));
+      std::min(cornering_speed(robot.max_acceleration, wide), stopping_speed(car, robot, y));
   return bent(ahead, x, y, std::min(speed, top));
 }
 
