@@ -45,6 +45,7 @@ StateGrid judged(const Simulation::Perception& perception, const Planner& planne
   grid.cell = {size.x / static_cast<double>(grid.columns), size.y / static_cast<double>(grid.rows)};
   PlanWorkspace workspace;
   Robot robot = perception.robot;
+  robot.loiter.reset();  // the circle of an airplane is beside the place where it would be
   for (std::size_t row = 0; row < grid.rows; ++row) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       robot.position = grid.lower + Vec2{(static_cast<double>(column) + 0.5) * grid.cell.x,

@@ -14,7 +14,7 @@ constexpr Color kPreferred{0.00, 0.36, 0.66, 1.0};
 constexpr Color kChosen{0.80, 0.20, 0.00, 1.0};
 constexpr int kContourCells = 240;
 
-std::string source_label(int source) {
+std::string source_label(std::int64_t source) {
   return source >= 0 ? std::to_string(source) : std::string("o") + std::to_string(-1 - source);
 }
 

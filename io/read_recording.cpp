@@ -256,8 +256,11 @@ bool RecordingReader::next(RecordedTime& moment) {
   return true;
 }
 
-std::string RecordingReader::place() const {
-  return fmt::format("{}:{}", state_->lines.name(), state_->last_line);
+std::string RecordingReader::place(std::optional<std::int64_t> robot) const {
+  const auto row = std::find_if(state_->group.begin(), state_->group.end(),
+                                [&](const Row& own) { return own.state.robot == robot; });
+  const std::int64_t line = row == state_->group.end() ? state_->last_line : row->line;
+  return fmt::format("{}:{}", state_->lines.name(), line);
 }
 
 }  // namespace avo_io

@@ -2,6 +2,7 @@
 // Words for what a certificate assumes.
 #include "assumptions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
@@ -41,11 +42,34 @@ std::string further(std::int64_t count, std::size_t named, const char* what) {
                      rest, what);
 }
 
+bool flies(const avo::Scenario& scenario, int source) {
+  return source >= 0 && is_airplane(setup_of(scenario, source).model);
+}
+
+// What keeps the two apart, "both brake at once" or the like.
+std::string fallback_of(const avo::BrokenStart& start, const avo::Scenario& scenario) {
+  const auto alone = [&](int robot) {
+    return name_of(robot) + (flies(scenario, robot) ? " circles" : " brakes");
+  };
+  if (start.other < 0) return alone(start.robot) + " at once";
+  const bool flight = flies(scenario, start.robot);
+  if (flight != flies(scenario, start.other))
+    return alone(start.robot) + " and " + alone(start.other) + " at once";
+  return flight ? "both circle at once" : "both brake at once";
+}
+
+// Whether --start-at-rest would change how it starts.
+bool can_slow_down(const avo::Scenario& scenario, int source) {
+  avo::Scenario alone;
+  if (source >= 0) alone.robots.push_back(setup_of(scenario, source));
+  return avo::start_at_rest(alone) > 0;
+}
+
 std::string complaint(const avo::BrokenStart& start, const avo::Scenario& scenario) {
-  const double own = setup_of(scenario, start.robot).radius;
+  const double own = disc_radius(setup_of(scenario, start.robot));
   const double other =
       start.other >= 0
-          ? setup_of(scenario, start.other).radius
+          ? disc_radius(setup_of(scenario, start.other))
           : scenario.moving_obstacles[static_cast<std::size_t>(-1 - start.other)].radius;
   const std::string pair = name_of(start.robot) + " and " + name_of(start.other);
   if (start.distance < (1.0 - 1e-9) * (own + other))
@@ -53,14 +77,16 @@ std::string complaint(const avo::BrokenStart& start, const avo::Scenario& scenar
         "{} overlap at the start: found {:.6g} m between the centers, must be >= {:.6g} + "
         "{:.6g} = {:.6g} m; move them apart",
         pair, start.distance, own, other, own + other);
-  return fmt::format(
-      "{} start too fast for their distance: found {:.3g} m of overlap when {} at once, "
-      "must be none; slow down, move apart, or --start-at-rest",
-      pair, start.depth, start.other >= 0 ? "both brake" : name_of(start.robot) + " brakes");
+  const bool are_fast =
+      can_slow_down(scenario, start.robot) || can_slow_down(scenario, start.other);
+  return fmt::format("{} start too {}: found {:.3g} m of overlap when {}, must be none; {}", pair,
+                     are_fast ? "fast for their distance" : "near each other", start.depth,
+                     fallback_of(start, scenario),
+                     are_fast ? "slow down, move apart, or --start-at-rest" : "move apart");
 }
 
 std::string complaint(const avo::WallStart& start, const avo::Scenario& scenario) {
-  const double own = setup_of(scenario, start.robot).radius;
+  const double own = disc_radius(setup_of(scenario, start.robot));
   const double wall = scenario.obstacles[static_cast<std::size_t>(start.obstacle)].radius;
   const double margin = start.required - own - wall;
   const avo::Vec2 p = setup_of(scenario, start.robot).position;
@@ -69,10 +95,14 @@ std::string complaint(const avo::WallStart& start, const avo::Scenario& scenario
         "{} starts too near obstacles.{}: found [{}, {}], {:.9g} m from it, must be >= {:.6g} + "
         "{:.6g} m and {:.2g} m for rounding; move it away",
         name_of(start.robot), start.obstacle, p.x, p.y, start.distance, own, wall, margin);
+  const bool is_fast = can_slow_down(scenario, start.robot);
   return fmt::format(
-      "{} starts too fast for obstacles.{}: found {:.6g} m left when it brakes, must be >= "
-      "{:.6g} + {:.6g} m; slow down, move it away, or --start-at-rest",
-      name_of(start.robot), start.obstacle, start.kept, own, wall);
+      "{} starts too {} obstacles.{}: found {:.6g} m left when it {}, must be >= {:.6g} + {:.6g} "
+      "m; "
+      "{}",
+      name_of(start.robot), is_fast ? "fast for" : "near", start.obstacle, start.kept,
+      flies(scenario, start.robot) ? "circles" : "brakes", own, wall,
+      is_fast ? "slow down, move it away, or --start-at-rest" : "move it away");
 }
 
 std::string complaint(const avo::MisplacedStart& start, const avo::Scenario& scenario) {
@@ -95,9 +125,11 @@ std::string complaint(const avo::SensingNeed& need, const avo::Scenario& scenari
   const double speed = avo::admissible_speed(scenario);
   return fmt::format(
       "sensing_radius: found {} m, must be >= {} m for {} and {} to see each other in "
-      "time, {:.6g} + {:.6g} m with one step and braking from their highest speeds; {}",
+      "time, {:.6g} + {:.6g} m with one step and {} their highest speeds; {}",
       scenario.sensing_radius, at_least(need.range), name_of(need.robot), name_of(need.other),
       need.robot_part, need.other_part,
+      flies(scenario, need.robot) || flies(scenario, need.other) ? "braking or circling at"
+                                                                 : "braking from",
       speed > 0.0 ? fmt::format("sense farther, or lower max_speed to {} m/s "
                                 "(--limit-speed)",
                                 at_most(speed))
@@ -133,8 +165,13 @@ std::vector<std::string> complaints(const avo::Scenario& scenario) {
 void apply_remedies(const SceneArguments& arguments, avo::Scenario& scenario) {
   if (arguments.start_at_rest) {
     const std::int64_t count = avo::start_at_rest(scenario);
-    say(fmt::format("--start-at-rest: {} of {} robots start at rest instead of moving", count,
-                    scenario.robots.size()));
+    const bool any_flies =
+        std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                    [](const avo::RobotSetup& robot) { return is_airplane(robot.model); });
+    say(fmt::format("--start-at-rest: {} of {} robots start {} instead of moving{}", count,
+                    scenario.robots.size(),
+                    any_flies ? "at rest, or at their min_speed," : "at rest",
+                    any_flies ? " faster" : ""));
   }
   if (!arguments.limit_speed) return;
   const avo::LimitedSpeeds limited = avo::limit_speed(scenario);

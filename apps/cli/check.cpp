@@ -69,13 +69,12 @@ struct Judge {
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
-  std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles that have a path
-  std::int64_t steps = 0;            // that these have gone
+  std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles, where they have a path
 
   explicit Judge(const CheckArguments& arguments);
   void number_densely(std::vector<avo::CheckedState>& rows);
   void add(avo_io::RecordedTime& moment);
-  void place_obstacles(double time);
+  void place_obstacles(std::optional<double> before, double time);
 };
 
 std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
@@ -161,32 +160,61 @@ bool is_uneven(const avo::Scenario& scenario, double duration) {
   return duration > (1.0 + kEven) * step;
 }
 
-// Those with a path: nothing that robots do changes it.
-void Judge::place_obstacles(double time) {
-  const double h = scenario->time_step;
-  const std::int64_t first = steps;
-  const auto last = static_cast<std::int64_t>(std::floor(time / h + 1e-6));
-  steps = std::max(steps, last);
+// What moving obstacles go between two rows: whole steps, and a part of one more.
+struct Walked {
+  std::int64_t steps = 0;
+  double step = 0.0, part = 0.0;  // s
+};
+
+// By the scene's steps; where clocks are free by those from row to row, in whole nanoseconds.
+Walked walked_between(const avo::Scenario& scenario, std::optional<double> before, double time) {
+  if (scenario.clock == avo::Clock::common) {
+    const double h = scenario.time_step;
+    const auto steps_by = [h](double t) {
+      return static_cast<std::int64_t>(std::floor(t / h + 1e-6));
+    };
+    const std::int64_t first = before ? std::max(steps_by(*before), std::int64_t{0}) : 0;
+    const std::int64_t last = std::max(steps_by(time), first);
+    return {last - first, h, std::max(time - h * static_cast<double>(last), 0.0)};
+  }
+  if (!before) return {};
+  const double whole = (std::round(time * 1e9) - std::round(*before * 1e9)) / 1e9;
+  return {1, whole > 0.0 ? whole : time - *before, 0.0};
+}
+
+// Those with a path: nothing that robots do changes it, but the times at which they decide.
+void Judge::place_obstacles(std::optional<double> before, double time) {
+  const Walked walked = walked_between(*scenario, before, time);
   for (std::size_t k = 0; k < walks.size(); ++k) {
     const avo::MovingObstacle& obstacle = scenario->moving_obstacles[k];
     if (obstacle.path.empty()) continue;
+    if (!before && time != 0.0 && scenario->clock == avo::Clock::free)
+      throw avo::Error(
+          fmt::format("time: found {} s, must be 0 s in the first row: with free clocks nobody "
+                      "knows how far moving_obstacles.{} is on its path by then",
+                      time, k));
     avo::PathWalk& walk = walks[k];
-    for (std::int64_t step = first; step < steps; ++step) walk = next_on_path(obstacle, walk, h);
-    const double t = std::max(time - h * static_cast<double>(steps), 0.0);
-    const avo::Vec2 a = (next_on_path(obstacle, walk, h).velocity - walk.velocity) / h;
-    check.place_obstacle(static_cast<std::int64_t>(k),
-                         walk.position + t * walk.velocity + (0.5 * t * t) * a,
-                         walk.velocity + t * a);
+    for (std::int64_t n = 0; n < walked.steps; ++n)
+      walk = next_on_path(obstacle, walk, walked.step);
+    avo::PathWalk now = walk;
+    if (const double t = walked.part; t > 0.0) {
+      const avo::PathWalk next = next_on_path(obstacle, walk, walked.step);
+      const avo::Vec2 a = (next.velocity - walk.velocity) / walked.step;
+      now.position = walk.position + t * walk.velocity + (0.5 * t * t) * a;
+      now.velocity = walk.velocity + t * a;
+    }
+    check.place_obstacle(static_cast<std::int64_t>(k), now.position, now.velocity);
   }
 }
 
 void Judge::add(avo_io::RecordedTime& moment) {
-  if (!scenario)
+  const std::optional<double> before = std::exchange(last_time, moment.time);
+  if (!scenario) {
     number_densely(moment.rows);
-  else if (last_time && is_uneven(*scenario, moment.time - *last_time))
-    ++judgement.uneven_steps;
-  last_time = moment.time;
-  if (scenario) place_obstacles(moment.time);
+  } else {
+    if (before && is_uneven(*scenario, moment.time - *before)) ++judgement.uneven_steps;
+    place_obstacles(before, moment.time);
+  }
   check.add(moment.time, moment.rows);
 }
 
@@ -203,6 +231,9 @@ int check(const CheckArguments& arguments) {
   while (reader.next(moment)) {
     try {
       judge.add(moment);
+    } catch (
+        const avo::RowError& error) {  // of a scene's robot: others need no more than rows have
+      throw avo_io::RecordingError(reader.place(error.robot) + ": " + error.what());
     } catch (const avo::Error& error) {
       throw avo_io::RecordingError(reader.place() + ": " + error.what());
     }

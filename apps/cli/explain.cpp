@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <variant>
 
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
@@ -21,12 +22,11 @@ namespace {
 constexpr double kFigureWidth = 340.0;  // pt
 
 Decision decide(const avo::Simulation& simulation, const avo::Scenario& scenario,
-                std::int64_t robot) {
-  const auto index = static_cast<std::size_t>(robot);
+                std::size_t index) {
   const avo::Planner& planner = simulation.planner(index);
   Decision decision;
   decision.scene = scenario.name;
-  decision.robot = robot;
+  decision.robot = static_cast<std::int64_t>(simulation.fleet().id[index].value);
   decision.time = simulation.time();
   decision.goal = simulation.fleet().goal[index];
   decision.method = scenario.method;
@@ -61,6 +61,57 @@ std::string title_of(const Decision& decision) {
                      avo::to_string(decision.state.state));
 }
 
+void require_robot(const ExplainArguments& arguments, const avo::Scenario& scenario) {
+  const auto robots = static_cast<std::int64_t>(scenario.robots.size());
+  if (arguments.robot < 0 || arguments.robot >= robots)
+    throw UsageError(
+        fmt::format("--robot: found {}, must be 0 to {}", arguments.robot, robots - 1));
+  if (scenario.robots[static_cast<std::size_t>(arguments.robot)].parked)
+    throw UsageError(fmt::format("--robot: found {}, which is parked, must be one that decides",
+                                 arguments.robot));
+}
+
+bool leaves_at_goal(const avo::RobotSetup& robot) {
+  const auto* airplane = std::get_if<avo::Airplane>(&robot.model);
+  return airplane != nullptr && airplane->after_goal == avo::AfterGoal::leave;
+}
+
+/// Of the robot, into the fleet, where others may be missing. One that is to leave decides no more.
+std::size_t index_of(const ExplainArguments& arguments, const avo::Scenario& scenario,
+                     const avo::Simulation& simulation) {
+  const auto number = static_cast<std::size_t>(arguments.robot);
+  const auto index = simulation.index_of({number});
+  if (index && !(leaves_at_goal(scenario.robots[number]) && simulation.is_at_goal(*index)))
+    return *index;
+  throw UsageError(fmt::format("--time: found {} s, must be < {:.9g} s, when robot {} left",
+                               arguments.time, simulation.time(), arguments.robot));
+}
+
+/// To the robot's last decision by that time. False where a signal came first.
+bool approach(const ExplainArguments& arguments, const avo::Scenario& scenario,
+              avo::Simulation& simulation) {
+  const double step =
+      time_step_of(scenario, scenario.robots[static_cast<std::size_t>(arguments.robot)]);
+  const auto next = [&] {
+    return simulation.next_decision(index_of(arguments, scenario, simulation));
+  };
+  const bool is_free = scenario.clock == avo::Clock::free;
+  if (is_free && next() > arguments.time)
+    throw UsageError(fmt::format("--time: found {} s, must be >= {} s, when robot {} first decides",
+                                 arguments.time, next(), arguments.robot));
+  const auto is_there = [&] {
+    const double time = next();
+    return is_free && time == simulation.time() && time + step > arguments.time * (1.0 + 1e-12);
+  };
+  Progress progress(arguments.time);
+  while (!is_there() && simulation.can_step_by(arguments.time)) {
+    if (signal_caught() != 0) return false;
+    simulation.step();
+    progress.show(simulation.time());
+  }
+  return true;
+}
+
 }  // namespace
 
 int explain(const ExplainArguments& arguments) {
@@ -71,13 +122,7 @@ int explain(const ExplainArguments& arguments) {
     throw UsageError(fmt::format("--time: found {}, must be finite and >= 0 s", arguments.time));
   catch_signals();
   const avo::Scenario scenario = load(arguments.scene, {velocities, places});
-  const auto robots = static_cast<std::int64_t>(scenario.robots.size());
-  if (arguments.robot < 0 || arguments.robot >= robots)
-    throw UsageError(
-        fmt::format("--robot: found {}, must be 0 to {}", arguments.robot, robots - 1));
-  if (scenario.robots[static_cast<std::size_t>(arguments.robot)].parked)
-    throw UsageError(fmt::format("--robot: found {}, which is parked, must be one that decides",
-                                 arguments.robot));
+  require_robot(arguments, scenario);
   if (arguments.time > scenario.duration * (1.0 + 1e-12))
     throw UsageError(fmt::format("--time: found {} s, must be <= duration = {} s", arguments.time,
                                  scenario.duration));
@@ -86,23 +131,9 @@ int explain(const ExplainArguments& arguments) {
   if (!arguments.states.empty()) states.emplace(arguments.states);
 
   avo::Simulation simulation(scenario);
-  const auto index = static_cast<std::size_t>(arguments.robot);
-  const double step = time_step_of(scenario, scenario.robots[index]);
-  const bool is_free = scenario.clock == avo::Clock::free;
-  if (is_free && simulation.next_decision(index) > arguments.time)
-    throw UsageError(fmt::format("--time: found {} s, must be >= {} s, when robot {} first decides",
-                                 arguments.time, simulation.next_decision(index), arguments.robot));
-  const auto is_there = [&] {  // at the last decision by that time
-    const double next = simulation.next_decision(index);
-    return is_free && next == simulation.time() && next + step > arguments.time * (1.0 + 1e-12);
-  };
-  Progress progress(arguments.time);
-  while (!is_there() && simulation.can_step_by(arguments.time)) {
-    if (signal_caught() != 0) return kSignal + signal_caught();
-    simulation.step();
-    progress.show(simulation.time());
-  }
-  const Decision decision = decide(simulation, scenario, arguments.robot);
+  if (!approach(arguments, scenario, simulation)) return kSignal + signal_caught();
+  const std::size_t index = index_of(arguments, scenario, simulation);
+  const Decision decision = decide(simulation, scenario, index);
   const avo::figures::FigureOptions options{.width = kFigureWidth, .title = title_of(decision)};
   if (figure) {
     figure->write(drawn([&] {

@@ -20,7 +20,7 @@ using avo::Vec2;
 using Json = nlohmann::ordered_json;
 
 /// Robot I, or moving obstacle K as "moving_obstacles.K".
-Json name_of(int source) {
+Json name_of(std::int64_t source) {
   if (source >= 0) return source;
   return fmt::format("moving_obstacles.{}", -1 - source);
 }
@@ -32,6 +32,10 @@ Json to_json(Vec2 v) {
 Json to_json(const avo::Disc& disc) {
   if (!std::isfinite(disc.radius)) return nullptr;  // no limit
   return {{"center", to_json(disc.center)}, {"radius", disc.radius}};
+}
+
+Json to_json(const avo::LoiterCircle& circle) {
+  return to_json(avo::Disc{circle.center, circle.radius});
 }
 
 /// That some neighbor's half-plane is broken: at most the sum.
@@ -93,7 +97,7 @@ std::string text(Vec2 v) {
   return fmt::format("({:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0);  // no -0
 }
 
-std::string text_of(int source) {
+std::string text_of(std::int64_t source) {
   return source >= 0 ? fmt::format("robot {}", source)
                      : fmt::format("moving obstacle {}", -1 - source);
 }
@@ -116,7 +120,9 @@ Json doomed_by(const Decision& decision) {
 
 std::string state_text(const Decision& decision) {
   const avo::SafetyReport& state = decision.state;
-  if (state.state == avo::SafetyState::safe) return "safe: braking avoids contact";
+  if (state.state == avo::SafetyState::safe)
+    return is_airplane(decision.seen.robot.model) ? "safe: its circle keeps clear of all others"
+                                                  : "safe: braking avoids contact";
   if (state.state == avo::SafetyState::unknown) return "unknown: neither safe nor doomed is proved";
   const std::string whom =
       state.neighbor >= 0 ? text_of(decision.seen.source[static_cast<std::size_t>(state.neighbor)])
@@ -197,6 +203,7 @@ Json obstacles_of(const Decision& decision) {
                          {"share", share_of(seen.robot, neighbor)}});
     if (neighbor.age > 0) obstacles.back()["age"] = neighbor.age;
     if (decides) obstacles.back()["max_braking"] = braking_limit(neighbor);
+    if (neighbor.loiter) obstacles.back()["loiter"] = to_json(*neighbor.loiter);
     if (!decides && neighbor.max_deviation > 0.0) {
       obstacles.back()["max_deviation"] = neighbor.max_deviation;
       obstacles.back()["max_speed"] =
@@ -246,6 +253,7 @@ std::string to_json(const Decision& decision) {
        decision.state.state == avo::SafetyState::doomed ? Json(decision.state.time) : Json()},
       {"status", avo::to_string(decision.plan.status)},
       {"violation", decision.plan.violation}};
+  if (self.loiter) json["loiter"] = to_json(*self.loiter);
   if (!decision.risks.empty()) json["risk"] = risk_of(decision);
   json.update(rest);
   // the scene may be called like its file, whose name need not be UTF-8
@@ -261,6 +269,9 @@ std::string readable(const Decision& decision) {
   };
   line("position", text(self.position) + " m, goal " + text(decision.goal) + " m");
   line("velocity", text(self.velocity) + " m/s");
+  if (self.loiter)
+    line("may circle",
+         fmt::format("about {} m, {:.6g} m away", text(self.loiter->center), self.loiter->radius));
   if (self.priority != 1.0) line("priority", fmt::format("{:.6g}", self.priority));
   const avo::Disc& reach = decision.acceleration_disc;
   line("may choose", (std::isfinite(reach.radius) ? fmt::format("|v' - {}| <= {:.6g} m/s, ",

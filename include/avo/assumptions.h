@@ -17,8 +17,8 @@ struct BrokenStart {
   int robot = 0;          ///< number of a robot
   int other = 0;          ///< of another one, greater; or -1 - k for moving obstacle k
   double distance = 0.0;  ///< m, between their centers
-  /// m, <= the sum of radii: how far they overlap at worst if both brake at once as the certificate
-  /// says, or how far the areas do in which they would stop (stopping_capsules).
+  /// m, <= the sum of radii: how far they overlap at worst if both brake, or circle, at once as the
+  /// certificate says, or how far the areas do in which they would stop (stopping_capsules).
   double depth = 0.0;
 };
 
@@ -84,10 +84,11 @@ AVO_API BrokenAssumptions broken_assumptions(const Scenario& scenario);
 AVO_API std::optional<SensingNeed> sensing_need(const Scenario& scenario);
 
 /// m/s: the highest speed such that the sensing radius suffices if no robot may exceed it; to the
-/// last bit, rounded down. Infinite where it suffices as it is, 0 where no speed is low enough.
+/// last bit, rounded down. Airplanes keep their min_speed. Infinite where the radius suffices as it
+/// is, 0 where no speed is low enough.
 AVO_API double admissible_speed(const Scenario& scenario);
 
-/// All robots start at rest. Returns how many did not.
+/// All robots start at rest, airplanes at their min_speed. Returns how many did not.
 AVO_API std::int64_t start_at_rest(Scenario& scenario);
 
 struct LimitedSpeeds {

@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
+#include "avo/error.h"
 #include "avo/export.h"
 #include "avo/vec.h"
 
@@ -103,6 +105,13 @@ struct CheckedHeading {
   double speed = 0.0;  ///< m/s along it, < 0: backwards
 };
 
+/// A row that cannot be judged.
+class AVO_API RowError : public Error {
+ public:
+  RowError(std::int64_t number, const std::string& message) : Error(message), robot(number) {}
+  std::int64_t robot;  ///< whose row it is: its index
+};
+
 /// One row of a recording.
 struct CheckedState {
   std::int64_t robot = 0;  ///< index into the robots given
@@ -171,9 +180,11 @@ struct CheckReport {
   double largest_acceleration = 0.0;             ///< m/s^2
   double largest_speed = 0.0;                    ///< m/s
   std::int64_t with_goal = 0;                    ///< of the robots given
-  std::int64_t arrived = 0;            ///< in a row within arrival_distance of the goal, in sight
-  std::int64_t at_goal_at_end = 0;     ///< in their last row
-  std::optional<double> last_arrival;  ///< s; none unless all arrived
+  /// In a row within arrival_distance of the goal, in sight; airplanes, which fly through it, at
+  /// any time of a step, whatever is in between.
+  std::int64_t arrived = 0;
+  std::int64_t at_goal_at_end = 0;        ///< in their last row
+  std::optional<double> last_arrival;     ///< s; none unless all arrived
   std::vector<std::int64_t> not_arrived;  ///< ascending
 
   /// No overlap, no contact with walls or in motion, no limit exceeded.
@@ -207,7 +218,8 @@ class AVO_API Check {
   void place_obstacle(std::int64_t obstacle, Vec2 position, Vec2 velocity);
 
   /// All rows of one time, by ascending robot; times ascend, by 1e-12 s or more. Throws Error on
-  /// anything else, and on values that are not finite or beyond 1e12; nothing has changed then. A
+  /// anything else, and RowError on values that are not finite or beyond 1e12, and on headings that
+  /// are missing; nothing has changed then. A
   /// robot may be missing: it is judged over the steps at both ends of which it is there. Throws
   /// Error where more pairs overlap than anyone wants to know (10 million); of no further use then.
   void add(double time, std::span<const CheckedState> rows);

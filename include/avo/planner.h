@@ -110,7 +110,7 @@ AVO_API const char* to_string(PlanStatus status);
 /// by itself (docs/states.md).
 enum class SafetyState : std::uint8_t {
   unknown,  ///< neither is proved, or nobody has asked
-  safe,     ///< braking avoids contact in motion: it does what the certificate's invariant says
+  safe,     ///< its fallback avoids contact in motion: what the certificate's invariant says
   doomed,   ///< contact is inevitable, whatever A does within its limits
 };
 AVO_API const char* to_string(SafetyState state);

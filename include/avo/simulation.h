@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -126,6 +127,9 @@ class AVO_API Simulation {
   void restore(std::span<const std::byte> saved);
 
   [[nodiscard]] FleetView fleet() const;
+  /// Index of the robot into fleet(), which is not its number once another one has been removed or
+  /// has left; none where it is gone itself.
+  [[nodiscard]] std::optional<std::size_t> index_of(RobotId robot) const;
   [[nodiscard]] ObstacleView obstacles() const;
   [[nodiscard]] StaticObstacleView static_obstacles() const;
   [[nodiscard]] double time() const;  ///< s: steps() * time_step, or the instant of free clocks
@@ -152,9 +156,9 @@ class AVO_API Simulation {
   /// velocity, and its neighbors as sensed, in the order in which they are planned with.
   struct Perception {
     Robot robot;
-    std::vector<Neighbor> neighbors;  ///< none of one that is parked
-    std::vector<int> source;          ///< index into fleet(), or -1 - k for moving obstacle k
-    Detour detour = {};               ///< what it remembers
+    std::vector<Neighbor> neighbors;   ///< none of one that is parked
+    std::vector<std::int64_t> source;  ///< value of the RobotId, or -1 - k for moving obstacle k
+    Detour detour = {};                ///< what it remembers
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
     std::vector<Wall> walls = {};  ///< all that matter to it, and more
   };

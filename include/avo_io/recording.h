@@ -57,8 +57,8 @@ class AVO_API RecordingReader {
   /// The next time; false where there is none. Throws FileError or RecordingError, also where the
   /// recording ends with less than two times.
   bool next(RecordedTime& moment);
-  /// "file:line" of the last row of the last time.
-  [[nodiscard]] std::string place() const;
+  /// "file:line" of the last row of the last time, or of that of a robot.
+  [[nodiscard]] std::string place(std::optional<std::int64_t> robot = {}) const;
 
  private:
   struct AVO_LOCAL State;

@@ -63,7 +63,8 @@ struct Check::State {
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
   void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
-  void judge_arrival(double time, const CheckedState& row);
+  [[nodiscard]] bool passes(const Mover& mover, Vec2 goal) const;
+  void judge_arrival(double time, const CheckedState& row, const Mover& mover);
 };
 
 void Check::State::require_sound(double time, std::span<const CheckedState> rows) const {
@@ -76,7 +77,11 @@ void Check::State::require_sound(double time, std::span<const CheckedState> rows
              std::to_string(lowest) + " to " + std::to_string(count - 1) +
                  ", each once and ascending");
     lowest = row.robot + 1;
-    judge::require_sound(robots[static_cast<std::size_t>(row.robot)], row);
+    try {
+      judge::require_sound(robots[static_cast<std::size_t>(row.robot)], row);
+    } catch (const Error& error) {
+      throw RowError(row.robot, error.what());
+    }
   }
 }
 
@@ -126,14 +131,23 @@ void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& 
   note(report.changes, {last_time, now.robot, {}, *amount});
 }
 
-void Check::State::judge_arrival(double time, const CheckedState& row) {
+// Within the step, which it may begin and end elsewhere.
+bool Check::State::passes(const Mover& mover, Vec2 goal) const {
+  if (mover.newcomer) return false;
+  const double limit = options.arrival_distance * (1.0 + options.relative_tolerance) + mover.error;
+  const auto path = judge::pieces_of(mover, duration, goal);
+  return lower_bound(path) <= limit && nearest_instant(path).distance <= limit;
+}
+
+void Check::State::judge_arrival(double time, const CheckedState& row, const Mover& mover) {
   const auto index = static_cast<std::size_t>(row.robot);
   const std::optional<Vec2>& goal = robots[index].goal;
   if (!goal) return;
   Seen& mine = seen[index];
   mine.at_goal =
       norm(*goal - row.position) <= options.arrival_distance && !walls.hides(row.position, *goal);
-  if (!mine.at_goal || mine.arrived) return;
+  const bool flies = std::holds_alternative<CheckedAirplane>(robots[index].kinematics);
+  if (mine.arrived || !(flies ? passes(mover, *goal) : mine.at_goal)) return;
   mine.arrived = true;
   last_arrival = time;
 }
@@ -150,7 +164,6 @@ void Check::State::judge_row(double time, const CheckedState& row) {
   }
   if (row.heading && !is_holonomic(robot.kinematics))
     judge::judge_heading(robot, row, time, options.relative_tolerance, report);
-  judge_arrival(time, row);
   if (mine.at >= 0 && mine.at == times - 1) {
     ++report.robot_steps;
     judge_step(robot, mine.row, row, time);
@@ -162,6 +175,7 @@ void Check::State::judge_row(double time, const CheckedState& row) {
     mine.clock.before.reset();
     movers.push_back(judge::newcomer(robot, row));
   }
+  judge_arrival(time, row, movers.back());
   mine.row = row;
   mine.at = times;
 }

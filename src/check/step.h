@@ -56,6 +56,14 @@ inline bool end_only(const Mover& a, const Mover& b) {
 /// m.
 RelativePath path_of(const Mover& mover, double duration, Vec2 origin = {}, std::size_t k = 0,
                      std::size_t parts = 1);
+/// All of it.
+inline auto pieces_of(const Mover& mover, double duration, Vec2 origin) {
+  const std::size_t parts = mover.newcomer ? 1 : mover.parts();
+  const auto piece = [&mover, duration, origin, parts](std::size_t k) {
+    return path_of(mover, duration, origin, k, parts);
+  };
+  return Pieces<decltype(piece)>{parts, piece};
+}
 /// Of two. Where it is end_only, all the path is there.
 RelativePath relative_path(const Mover& a, const Mover& b, double duration, std::size_t k,
                            std::size_t parts);

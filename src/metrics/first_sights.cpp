@@ -19,10 +19,6 @@ FirstSights::FirstSights(const Scenario& scenario)
 void FirstSights::observe(const Simulation& simulation) {
   if (!may_be_late_) return;
   const FleetView fleet = simulation.fleet();
-  const auto name = [&](int source) -> std::int64_t {
-    return source < 0 ? source
-                      : static_cast<std::int64_t>(fleet.id[static_cast<std::size_t>(source)].value);
-  };
   std::map<std::int64_t, Names> in_sight;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     const auto self = static_cast<std::int64_t>(fleet.id[i].value);
@@ -30,7 +26,7 @@ void FirstSights::observe(const Simulation& simulation) {
     const auto before = in_sight_.find(self);
     Names& now = in_sight[self];
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
-      const std::int64_t other = name(seen.source[k]);
+      const std::int64_t other = seen.source[k];
       now.insert(other);
       const bool is_known = other < 0 || in_sight_.contains(other);
       const bool is_new = before != in_sight_.end() && is_known && !before->second.contains(other);

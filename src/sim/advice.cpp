@@ -37,6 +37,10 @@ Worst worst(const std::vector<RobotSetup>& robots, Measure measure) {
   return result;
 }
 
+bool cannot_stop(const RobotSetup& robot) {
+  return least_speed(robot.model) > 0.0;
+}
+
 /// What a robot's braking is limited by.
 std::string braking_key(const RobotSetup& robot) {
   return robot.max_braking ? "max_braking" : "max_acceleration";
@@ -93,8 +97,9 @@ void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines)
 }
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
-  const Worst slowest =
-      worst(scenario.robots, [](const RobotSetup& r) { return r.max_speed / braking_limit(r); });
+  const Worst slowest = worst(scenario.robots, [](const RobotSetup& r) {
+    return cannot_stop(r) ? 0.0 : r.max_speed / braking_limit(r);
+  });
   const double tau = planner_options(scenario).time_horizon;
   if (tau >= slowest.value) return;
   const RobotSetup& robot = scenario.robots[slowest.robot];
@@ -109,18 +114,24 @@ bool is_certified(const Scenario& scenario) {
   return planner_options(scenario).certificate != Certificate::none;
 }
 
-/// How far a robot's edge gets from where its center is now, if it decides to brake only a step
-/// later: r + v_max Δt + v_max² / (2 b), m.
-double braking_reach(const RobotSetup& robot, double time_step) {
+/// How far a robot's edge gets from where its center is now, if it decides to brake, or to circle,
+/// only a step later: r + v_max Δt + v_max² / (2 b), m.
+double fallback_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
-  return disc_radius(robot) + v * time_step + 0.5 * v * v / braking_limit(robot);
+  return disc_radius(robot) + v * time_step +
+         (cannot_stop(robot) ? room_to_turn(robot.model, v) : 0.5 * v * v / braking_limit(robot));
+}
+
+std::string fallback_term(const RobotSetup& robot) {
+  if (cannot_stop(robot)) return "2 max_speed^2 / lateral_acceleration";
+  return "max_speed^2 / (2 " + braking_key(robot) + ")";
 }
 
 void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& lines) {
   std::vector<RobotSetup> robots = scenario.robots;
   if (robots.size() < 2 || is_certified(scenario)) return;
   const auto reach = [&](const RobotSetup& r) {
-    return braking_reach(r, time_step_of(scenario, r));
+    return fallback_reach(r, time_step_of(scenario, r));
   };
   const Worst first = worst(robots, reach);
   robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
@@ -130,9 +141,26 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
   const std::size_t other = second.robot + (second.robot >= first.robot ? 1 : 0);
   lines.push_back("sensing_radius " + text(scenario.sensing_radius) + " m is less than " +
                   robot_name(first.robot) + " and " + robot_name(other) +
-                  " need to stop short of each other, radius + max_speed * time_step + " +
-                  "max_speed^2 / (2 " + braking_key(scenario.robots[first.robot]) + ") = " +
-                  text(first.value) + " + " + text(second.value) + " = " + text(needed) + " m");
+                  " need to keep clear of each other, radius + max_speed * time_step + " +
+                  fallback_term(scenario.robots[first.robot]) + " = " + text(first.value) + " + " +
+                  text(second.value) + " = " + text(needed) + " m");
+}
+
+void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {
+  const auto advise = [&](const Worst& slow, const char* then) {
+    const RobotSetup& robot = scenario.robots[slow.robot];
+    lines.push_back(
+        "preferred_speed " + text(robot.preferred_speed) + " m/s of " + robot_name(slow.robot) +
+        " is less than its min_speed = " + text(least_speed(robot.model)) + " m/s" + then);
+  };
+  const Worst circling = worst(scenario.robots, [](const RobotSetup& r) {
+    return r.preferred_speed > 0.0 ? 0.0 : least_speed(r.model);
+  });
+  if (circling.value > 0.0) advise(circling, ": it circles where it starts, for ever");
+  const Worst slow = worst(scenario.robots, [](const RobotSetup& r) {
+    return r.preferred_speed > 0.0 ? least_speed(r.model) / r.preferred_speed : 0.0;
+  });
+  if (slow.value > 1.0) advise(slow, ", with which it flies");
 }
 
 void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -142,14 +170,7 @@ void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
     lines.push_back("preferred_speed " + text(scenario.robots[wish.robot].preferred_speed) +
                     " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
                     text(scenario.robots[wish.robot].max_speed) + " m/s");
-  const Worst slow = worst(scenario.robots, [](const RobotSetup& r) {
-    return r.preferred_speed > 0.0 ? least_speed(r.model) / r.preferred_speed : 0.0;
-  });
-  if (slow.value > 1.0)
-    lines.push_back("preferred_speed " + text(scenario.robots[slow.robot].preferred_speed) +
-                    " m/s of " + robot_name(slow.robot) + " is less than its min_speed = " +
-                    text(least_speed(scenario.robots[slow.robot].model)) +
-                    " m/s, with which it flies");
+  advise_slow_flights(scenario, lines);
   if (is_certified(scenario)) return;
   const Worst start =
       worst(scenario.robots, [](const RobotSetup& r) { return norm(r.velocity) / r.max_speed; });

@@ -118,14 +118,17 @@ std::vector<Wall> Fleet::parked_discs() const {
   return discs;
 }
 
-std::size_t Fleet::find(RobotId robot) const {
+std::optional<std::size_t> Fleet::slot(RobotId robot) const {
   const auto place =
       std::lower_bound(slot_of.begin(), slot_of.end(), robot,
-                       [&](std::uint32_t slot, RobotId b) { return id[slot].value < b.value; });
-  if (place == slot_of.end() || !(id[*place] == robot)) {
-    throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
-  }
+                       [&](std::uint32_t own, RobotId b) { return id[own].value < b.value; });
+  if (place == slot_of.end() || !(id[*place] == robot)) return std::nullopt;
   return *place;
+}
+
+std::size_t Fleet::find(RobotId robot) const {
+  if (const auto own = slot(robot)) return *own;
+  throw Error("robot " + std::to_string(robot.value) + ": found none of that id");
 }
 
 RobotSetup Fleet::setup(std::size_t slot) const {

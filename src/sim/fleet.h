@@ -117,7 +117,9 @@ struct Fleet {
   void remove(std::size_t slot);
   /// Of those that are parked, in the order of their ids.
   std::vector<Wall> parked_discs() const;
-  /// Slot of the robot; throws Error if there is none.
+  /// Slot of the robot.
+  std::optional<std::size_t> slot(RobotId robot) const;
+  /// Throws Error if there is none.
   std::size_t find(RobotId robot) const;
   OwnClock& clock_of(std::size_t slot) { return clock[static_cast<std::size_t>(rank[slot])]; }
   const OwnClock& clock_of(std::size_t slot) const {

@@ -12,9 +12,11 @@
 
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
+#include "core/elementary.h"
 #include "planner/certify.h"
 #include "robots/model.h"
 #include "sim/assumptions.h"
+#include "sim/fleet.h"
 #include "sim/senses.h"
 
 namespace avo {
@@ -144,6 +146,11 @@ std::optional<SensingNeed> need(const Scenario& scenario, const CertificateLaw& 
   return worst;
 }
 
+// m/s: an airplane cannot be slower than it flies.
+double limited_speed(const RobotSetup& robot, double limit) {
+  return std::min(robot.max_speed, std::max(limit, least_speed(robot.model)));
+}
+
 double scene_top_speed(const Scenario& scenario) {
   double top = 0.0;
   for (const RobotSetup& robot : scenario.robots) {
@@ -174,7 +181,7 @@ double admissible_speed(const Scenario& scenario) {
   Scenario limited = scenario;
   const auto is_seen = [&](double limit) {  // with no robot faster than the limit
     for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-      limited.robots[i].max_speed = std::min(scenario.robots[i].max_speed, limit);
+      limited.robots[i].max_speed = limited_speed(scenario.robots[i], limit);
     }
     return suffices(scenario.sensing_radius, need(limited, law));
   };
@@ -194,8 +201,9 @@ double admissible_speed(const Scenario& scenario) {
 std::int64_t start_at_rest(Scenario& scenario) {
   std::int64_t moved = 0;
   for (RobotSetup& robot : scenario.robots) {
-    if (!(robot.velocity == Vec2{})) ++moved;
-    robot.velocity = {};
+    const double least = least_speed(robot.model);
+    if (exceeds(norm(start_velocity(robot)), least)) ++moved;
+    robot.velocity = least > 0.0 ? least * elementary::direction(robot.heading) : Vec2{};
   }
   return moved;
 }
@@ -205,9 +213,10 @@ LimitedSpeeds limit_speed(Scenario& scenario) {
   if (planner_options(scenario).certificate == Certificate::none) return result;
   for (RobotSetup& robot : scenario.robots) {
     if (robot.parked) continue;
-    if (result.limit > 0.0 && robot.max_speed > result.limit) {
-      robot.max_speed = result.limit;
-      robot.preferred_speed = std::min(robot.preferred_speed, result.limit);
+    const double limited = limited_speed(robot, result.limit);
+    if (result.limit > 0.0 && robot.max_speed > limited) {
+      robot.max_speed = limited;
+      robot.preferred_speed = std::min(robot.preferred_speed, limited);
       ++result.robots;
     }
     const double speed = norm(robot.velocity);

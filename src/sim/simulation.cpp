@@ -45,6 +45,11 @@ void append_all(const World& world, std::size_t slot, std::vector<Sighting>& rob
     add(world.obstacles.sensed(k), -1 - static_cast<int>(k), movers);
 }
 
+// The value of the id at that index into fleet().
+std::int64_t number_at(const Fleet& fleet, int index) {
+  return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(index)]].value);
+}
+
 // Those that it senses, in the order in which they are planned with.
 std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
   std::vector<Sighting> robots, movers;
@@ -159,6 +164,12 @@ FleetView Simulation::fleet() const {
   return state.mirror.view();
 }
 
+std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
+  const Fleet& fleet = state_->fleet;
+  const auto slot = fleet.slot(robot);
+  return slot ? std::optional(static_cast<std::size_t>(fleet.rank[*slot])) : std::nullopt;
+}
+
 ObstacleView Simulation::obstacles() const {
   const ObstacleColumns& o = state_->obstacles;
   return {o.position, o.velocity, o.setup};
@@ -243,7 +254,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}};
   for (const Sighting& sighting : sightings) {
     seen.neighbors.push_back(sighting.neighbor);
-    seen.source.push_back(sighting.source);
+    const int source = sighting.source;
+    seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
   }
   const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
   seen.walls.assign(walls.begin(), walls.end());

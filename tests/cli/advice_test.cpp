@@ -100,7 +100,7 @@ TEST(Advice, sensing_radius_shorter_than_two_stopping_distances) {
   EXPECT_EQ(avo::advice(scenario), Lines{});
   scenario.sensing_radius = 5.0;
   EXPECT_EQ(avo::advice(scenario),
-            Lines{"sensing_radius 5 m is less than robot 0 and robot 1 need to stop short of each "
+            Lines{"sensing_radius 5 m is less than robot 0 and robot 1 need to keep clear of each "
                   "other, radius + max_speed * time_step + max_speed^2 / (2 max_acceleration) = "
                   "2.7 + 2.7 = 5.4 m"});
 }
@@ -113,6 +113,47 @@ TEST(Advice, speeds_beyond_max_speed) {
             (Lines{"preferred_speed 3 m/s of robot 0 is more than its max_speed = 2 m/s",
                    "velocity of robot 1 is 2.5 m/s at the start, more than its max_speed = 2 m/s: "
                    "it brakes first"}));
+}
+
+/// Two that fly at 1 m/s to 2 m/s, with less acceleration than they would need to stop in time.
+Scenario flight() {
+  Scenario scenario = paper();
+  scenario.method = avo::Method::avo;
+  scenario.sensing_radius = 40.0;
+  for (auto& robot : scenario.robots)
+    robot.model = avo::Airplane{.min_speed = 1.0}, robot.max_acceleration = 0.1;
+  return scenario;
+}
+
+TEST(Advice, airplanes_need_no_time_to_stop) {
+  Scenario scenario = flight();
+  EXPECT_EQ(avo::advice(scenario), Lines{});
+  scenario.robots[1].model = avo::Holonomic{};
+  ASSERT_EQ(avo::advice(scenario).size(), 1U);
+  EXPECT_TRUE(
+      avo::advice(scenario)[0].starts_with("time_horizon 3 s is shorter than robot 1 needs"));
+  // but room to circle, by two diameters
+  scenario = flight();
+  scenario.certificate = avo::Certificate::none;
+  scenario.sensing_radius = 17.4001;
+  EXPECT_EQ(avo::advice(scenario), Lines{});
+  scenario.sensing_radius = 17.0;
+  EXPECT_EQ(avo::advice(scenario),
+            Lines{"sensing_radius 17 m is less than robot 0 and robot 1 need to keep clear of each "
+                  "other, radius + max_speed * time_step + 2 max_speed^2 / lateral_acceleration = "
+                  "8.70001 + 8.70001 = 17.4 m"});
+}
+
+TEST(Advice, airplanes_that_are_told_to_fly_slower_than_they_can) {
+  Scenario scenario = flight();
+  scenario.robots[0].preferred_speed = 0.5;
+  scenario.robots[1].preferred_speed = 0.0;
+  EXPECT_EQ(
+      avo::advice(scenario),
+      (Lines{"preferred_speed 0 m/s of robot 1 is less than its min_speed = 1 m/s: it circles "
+             "where it starts, for ever",
+             "preferred_speed 0.5 m/s of robot 0 is less than its min_speed = 1 m/s, with "
+             "which it flies"}));
 }
 
 TEST(Advice, overlaps_at_the_start_by_name) {

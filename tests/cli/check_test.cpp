@@ -103,7 +103,7 @@ TEST(Check, recordings_of_cars_without_headings_are_judged_by_their_velocities) 
       check(without_headings(cars.csv), {"--scene", "cars-100", "--set", body});
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_EQ(unknown.err, path_of("in.csv") +
-                             ":101: robot 0: heading: found none, must be there: its disc, or what "
+                             ":2: robot 0: heading: found none, must be there: its disc, or what "
                              "its velocity is of, is ahead of its position\n");
 }
 

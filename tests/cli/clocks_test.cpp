@@ -58,6 +58,36 @@ TEST(FreeClocks, who_decides_at_other_times_breaks_a_rule) {
     EXPECT_EQ(json[rule]["count"], 0) << rule;
 }
 
+// Who follows a path takes the steps that lead from one decision to the next.
+TEST(FreeClocks, a_person_on_a_path_is_walked_by_the_times_of_the_recording) {
+  const Strings person{"person", "--set", "clock=free"};
+  const std::string csv = path_of("person.csv");
+  ASSERT_EQ(run_avo(with({"run"}, with(person, {"--record", csv, "--summary", path_of("s.json")})))
+                .exit_code,
+            0);
+  const Json summary = Json::parse(read_file(path_of("s.json")));
+  const auto judged = [&](const std::string& recording) {
+    return run_avo(with({"check", recording, "--json", "--scene"}, person));
+  };
+  const ProcessResult result = judged(csv);
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["obstacle_contacts_moving"]["count"], summary["obstacle_collisions_in_motion"]);
+  EXPECT_EQ(json["obstacle_contacts_at_rest"], summary["obstacle_collisions"]);
+  EXPECT_GT(json["obstacle_contacts_at_rest"], 0);
+  // from later on nobody knows
+  const std::string text = read_file(csv);
+  std::size_t end = 0;
+  for (int k = 0; k < 25; ++k) end = text.find('\n', end) + 1;
+  const std::size_t first = text.find('\n') + 1;
+  const ProcessResult late = judged(recording(text.substr(0, first) + text.substr(end)));
+  EXPECT_EQ(late.exit_code, 3);
+  EXPECT_NE(late.err.find("s, must be 0 s in the first row: with free clocks nobody knows how far "
+                          "moving_obstacles.0 is on its path by then\n"),
+            std::string::npos)
+      << late.err;
+}
+
 TEST(FreeClocks, explain_tells_the_robots_own_last_decision) {
   const Json json =
       Json::parse(run_avo(with({"explain", "--json", "--robot", "2", "--time", "7"}, kFree)).out);

@@ -26,12 +26,12 @@ Simulation::Perception some_perception() {
   return seen;
 }
 
-TEST_F(StateMapFile, colors_are_the_states_of_the_robot_at_each_place) {
-  const Simulation::Perception seen = some_perception();
+// How many places have which state, drawn as the planner answers it.
+std::array<int, 3> drawn_states(const Simulation::Perception& seen, const std::string& file) {
   const Planner planner({});
   constexpr int kCells = 80;
   const Box view{{-4.0, -4.0}, {4.0, 4.0}};
-  Canvas canvas(path("a.png"), kPage, kPage);
+  Canvas canvas(file, kPage, kPage);
   draw_state_map(canvas, {{0.0, 0.0}, {kPage, kPage}}, seen, planner, view, kCells,
                  {.axes = false});
   std::array<int, 3> counts{};
@@ -44,12 +44,12 @@ TEST_F(StateMapFile, colors_are_the_states_of_the_robot_at_each_place) {
   }
   std::vector<Vec2> page;
   for (const Vec2 place : places) page.push_back(canvas.to_page(place));
-  write_bytes(path("a.png"), canvas.finish());
-  const Picture picture = read_png(path("a.png"));
+  write_bytes(file, canvas.finish());
+  const Picture picture = read_png(file);
   PlanWorkspace workspace;
   for (std::size_t k = 0; k < places.size(); ++k) {
     Robot robot = seen.robot;
-    robot.position = places[k];
+    robot.position = places[k], robot.loiter.reset();
     const SafetyState state = planner.state(robot, seen.neighbors, workspace, seen.walls).state;
     const png_byte* pixel = picture.at(page[k].x, page[k].y);
     const SafetyState drawn = pixel[1] < 100   ? SafetyState::doomed
@@ -58,7 +58,24 @@ TEST_F(StateMapFile, colors_are_the_states_of_the_robot_at_each_place) {
     EXPECT_EQ(drawn, state) << places[k].x << ", " << places[k].y;
     ++counts[static_cast<std::size_t>(state)];
   }
-  for (const int count : counts) EXPECT_GT(count, 100);
+  return counts;
+}
+
+TEST_F(StateMapFile, colors_are_the_states_of_the_robot_at_each_place) {
+  for (const int count : drawn_states(some_perception(), path("a.png"))) EXPECT_GT(count, 100);
+}
+
+// Its circle goes with it.
+TEST_F(StateMapFile, an_airplane_is_safe_where_its_circle_would_be_clear) {
+  Simulation::Perception seen = some_perception();
+  const Airplane airplane;
+  seen.robot.model = airplane;
+  seen.robot.velocity = {1.0, 0.0};
+  seen.robot.loiter = loiter_circle(airplane, seen.robot.position, seen.robot.velocity);
+  const auto [unknown, safe, doomed] = drawn_states(seen, path("a.png"));
+  EXPECT_GT(unknown, 100);
+  EXPECT_GT(safe, 100);
+  EXPECT_EQ(doomed, 0);
 }
 
 TEST_F(StateMapFile, a_figure_of_its_own_shows_the_robot_and_what_it_may_touch) {

@@ -92,6 +92,17 @@ TEST(StateQuery, nobody_is_safe_within_the_circle_of_an_airplane) {
   EXPECT_EQ(state_of(robot, {loitering_about({5.0, 0.0})}, {}, free).state, SafetyState::unknown);
 }
 
+// It turns faster than its acceleration says.
+TEST(StateQuery, an_airplane_dooms_nobody_and_is_never_doomed) {
+  EXPECT_EQ(state_of(Robot{}, {oncoming(-0.5, 0.0)}).state, SafetyState::doomed);
+  EXPECT_EQ(state_of(Robot{}, {loitering_about({0.5, -1.0})}).state, SafetyState::unknown);
+  Robot airplane = driving();
+  airplane.model = Airplane{.min_speed = 1.0};
+  EXPECT_EQ(state_of(airplane, {}).state, SafetyState::safe);
+  EXPECT_EQ(state_of(airplane, {oncoming(-0.5, 0.0)}).state, SafetyState::unknown);
+  EXPECT_EQ(state_of(airplane, {}, {across(0.1, 90.0)}).state, SafetyState::unknown);
+}
+
 // What no proof speaks of: one that is seen late, does as it likes, or is not on its circle.
 TEST(StateQuery, an_airplane_that_cannot_be_one_is_invalid) {
   const Planner planner{PlannerOptions{}};

@@ -52,6 +52,8 @@ TEST(Airplanes, one_arrives_between_two_steps_and_is_gone_in_the_next) {
   metrics.observe(simulation);
   ASSERT_EQ(simulation.fleet().id.size(), 1U);
   EXPECT_EQ(simulation.fleet().id[0], RobotId{1});
+  EXPECT_EQ(simulation.index_of({0}), std::nullopt);
+  EXPECT_EQ(simulation.index_of({1}), 0U);
   EXPECT_EQ(metrics.summary().arrived, 1);
   EXPECT_EQ(metrics.summary().acceleration_excess, 0.0);
 }

@@ -114,7 +114,7 @@ void expect_perception_is_planned_with(const Scenario& scene, int steps) {
     for (std::size_t i = 0; i < simulation.fleet().id.size(); ++i) {
       const Simulation::Perception seen = simulation.perceive(i);
       const bool nobody_decides =
-          std::ranges::all_of(seen.source, [](int source) { return source < 0; });
+          std::ranges::all_of(seen.source, [](std::int64_t source) { return source < 0; });
       EXPECT_EQ(seen.among_movers, nobody_decides && !seen.neighbors.empty());
       ASSERT_EQ(seen.source.size(), seen.neighbors.size());
       if (scene.method != Method::avo) {  // a certificate needs all of them

@@ -133,7 +133,7 @@ TEST(Senses, states_come_as_many_steps_late_as_the_scene_says) {
         EXPECT_EQ(neighbor.position, simulation.obstacles().position[0]);
         continue;
       }
-      const std::size_t other = fleet.id[static_cast<std::size_t>(seen.source[k])].value;
+      const auto other = static_cast<std::size_t>(seen.source[k]);
       EXPECT_EQ(neighbor.velocity, velocity[then][other]);
       EXPECT_EQ(neighbor.position, position[then][other] + 0.1 * late * velocity[then][other]);
     }
