@@ -69,10 +69,18 @@ struct Neighbor {
   /// decides, and has an age: its acceleration, where that may be more than max_acceleration, as
   /// that of a car with the exact set, which is up to √2 times as much.
   double max_deviation = 0.0;
+  /// m, >= 0: by how much more its position may be off than the declared SensingError and its age
+  /// say, as that of a car whose body is off its axle, and which has been carried on.
+  double position_error = 0.0;
   Vec2 acceleration = {};  ///< [a_B] m/s^2, observed; read only where B moves on
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
 };
+
+/// Whether other errors are allowed for than the declared ones.
+inline bool has_errors_of_its_own(const Neighbor& neighbor) {
+  return neighbor.age > 0 || neighbor.position_error > 0.0;
+}
 
 /// [b] m/s^2, with which a robot brakes.
 template <typename Robot>

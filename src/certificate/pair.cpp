@@ -81,11 +81,12 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
 
 SensingError error_against(const Neighbor& neighbor, const StepLaw& law) {
   const auto& [position, velocity] = law.sensing_error;
+  const bool decides = neighbor.behavior == Behavior::decides;
   const double time = neighbor.age * law.time_step;
-  const double a = neighbor.behavior == Behavior::decides
-                       ? std::max(neighbor.max_acceleration, neighbor.max_deviation)
-                       : neighbor.max_deviation;
-  return {position + (time * velocity + 0.5 * a * time * time), velocity + a * time};
+  const double a = decides ? std::max(neighbor.max_acceleration, neighbor.max_deviation)
+                           : neighbor.max_deviation;
+  return {position + neighbor.position_error + (time * velocity + 0.5 * a * time * time),
+          velocity + a * time};
 }
 
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law) {

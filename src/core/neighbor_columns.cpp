@@ -11,7 +11,7 @@ void NeighborColumns::grow(std::size_t size) {
        {&x, &y, &v_x, &v_y, &radius, &max_acceleration, &max_braking, &decides, &priority}) {
     column->resize(size, 1.0);
   }
-  age.resize(size);
+  age.resize(size), position_error.resize(size);
   loiter.resize(size);
   motion.resize(size);
 }

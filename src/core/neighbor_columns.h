@@ -26,22 +26,23 @@ struct MoverMotion {
 struct NeighborColumns {
   std::size_t count = 0;
   bool has_movers = false;                       // some do not decide
-  bool has_aged = false;                         // the age of some is not 0
+  bool has_aged = false;                         // some have errors of their own
   bool has_priorities = false;                   // some have another one than 1
   bool has_max_braking = false;                  // some have one
   bool has_deviations = false;                   // likewise a max_deviation
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
-  std::vector<double> decides;      // see below; kPrompt unless add() was told otherwise
-  std::vector<double> priority;     // likewise 1
-  std::vector<double> max_braking;  // m/s², read where some have one
-  std::vector<int> age;             // steps, of all that are not kPrompt
-  std::vector<MoverMotion> motion;  // of those that do not decide; else its max_deviation
+  std::vector<double> decides;         // see below; kPrompt unless add() was told otherwise
+  std::vector<double> priority;        // likewise 1
+  std::vector<double> max_braking;     // m/s², read where some have one
+  std::vector<int> age;                // steps, of all that are not kPrompt
+  std::vector<double> position_error;  // m, likewise
+  std::vector<MoverMotion> motion;     // of those that do not decide; else its max_deviation
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of those of kLoiterer
 
-  // It decides and is of age 0; it decides and is older; it moves on; it decides and does not
-  // brake.
+  // It decides and has the declared errors; it decides and has its own; it moves on; it decides and
+  // does not brake.
   static constexpr double kPrompt = 1.0, kAged = -1.0, kMover = 0.0, kLoiterer = -2.0;
 
   /// Room for so many.
@@ -53,12 +54,13 @@ struct NeighborColumns {
     x[count] = neighbor.position.x, y[count] = neighbor.position.y;
     v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;
     radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
-    const bool moves_on = neighbor.behavior == Behavior::moves_on, aged = neighbor.age > 0;
+    const bool moves_on = neighbor.behavior == Behavior::moves_on;
+    const bool aged = has_errors_of_its_own(neighbor);
     const bool loiters = !moves_on && neighbor.loiter.has_value();
     decides[count] = moves_on ? kMover : loiters ? kLoiterer : aged ? kAged : kPrompt;
     if (loiters) loiter[count] = *neighbor.loiter;
     has_loiterers = has_loiterers || loiters;
-    age[count] = neighbor.age;
+    age[count] = neighbor.age, position_error[count] = neighbor.position_error;
     priority[count] = neighbor.priority;
     max_braking[count] = braking_limit(neighbor);
     motion[count].max_deviation = neighbor.max_deviation;
@@ -78,6 +80,7 @@ struct NeighborColumns {
     v_x[place] = v_x[other], v_y[place] = v_y[other];
     radius[place] = radius[other], max_acceleration[place] = max_acceleration[other];
     decides[place] = decides[other], age[place] = age[other];
+    position_error[place] = position_error[other];
     motion[place] = motion[other], loiter[place] = loiter[other];
     priority[place] = priority[other], max_braking[place] = max_braking[other];
   }
@@ -95,6 +98,7 @@ struct NeighborColumns {
                       .max_acceleration = max_acceleration[i],
                       .age = decides[i] == kPrompt ? 0 : age[i],
                       .priority = priority[i]};
+    if (decides[i] != kPrompt) neighbor.position_error = position_error[i];
     if (has_max_braking) neighbor.max_braking = max_braking[i];
     if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
     if (has_deviations) neighbor.max_deviation = motion[i].max_deviation;

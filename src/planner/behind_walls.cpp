@@ -71,7 +71,9 @@ struct HidingWalls {
   }
 
   bool hide(Vec2 p, const Neighbor& neighbor, const StepLaw& law) const {
-    if (neighbor.behavior != Behavior::decides || neighbor.age > 0 || neighbor.loiter) return false;
+    if (neighbor.behavior != Behavior::decides || has_errors_of_its_own(neighbor) ||
+        neighbor.loiter)
+      return false;
     const Vec2 q = neighbor.position;
     return std::any_of(walls.begin(), walls.begin() + count, [&](const Wall* wall) {
       if (!crosses(p, q, *wall)) return false;

@@ -8,6 +8,7 @@
 #include "avo/wall.h"
 #include "core/neighbor_columns.h"
 #include "lp/linear_program.h"
+#include "robots/model.h"
 
 namespace avo {
 
@@ -93,9 +94,9 @@ inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_veloc
           .violation = violation};
 }
 
-/// Whether a robot goes for what Eq. (23) chose as fast as it can, and does not approach it with δ.
-inline bool goes_at_once(const PlannerOptions& options) {
-  return options.method == Method::avo || adopts_at_once(options.method);
+inline Approach approach_of(const PlannerOptions& options) {
+  const bool at_once = options.method == Method::avo || adopts_at_once(options.method);
+  return {at_once, options.time_step, 0.5 * options.arrival_distance};
 }
 
 /// Without a certificate: what the robot's own motion can follow of the plan.

@@ -100,14 +100,16 @@ bool is_valid_mover(const Neighbor& mover) {
 
 bool is_valid_loiterer(const Neighbor& neighbor) {
   const LoiterCircle& circle = *neighbor.loiter;
-  return (is_known(circle.center) & is_size(circle.radius)) != 0 && neighbor.age == 0;
+  return (is_known(circle.center) & is_size(circle.radius)) != 0 &&
+         !has_errors_of_its_own(neighbor);
 }
 
 }  // namespace
 
 bool is_valid(const Neighbor& neighbor) {
-  const int dated =
-      static_cast<int>(neighbor.age >= 0) & static_cast<int>(neighbor.age <= kMostAge);
+  const int dated = static_cast<int>(neighbor.age >= 0) &
+                    static_cast<int>(neighbor.age <= kMostAge) &
+                    static_cast<int>(is_deviation(neighbor.position_error));
   if ((is_known(neighbor.position) & is_known(neighbor.velocity) & is_known(neighbor.acceleration) &
        is_size(neighbor.radius) & dated) == 0)
     return false;
@@ -148,7 +150,8 @@ bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
   bool loiters = flies;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& neighbor = neighbors[k];
-    if (flies && (neighbor.age != 0 || neighbor.behavior != Behavior::decides)) return false;
+    if (flies && (has_errors_of_its_own(neighbor) || neighbor.behavior != Behavior::decides))
+      return false;
     if (!neighbor.loiter) continue;
     loiters = true;
     if (!is_on_circle(neighbor)) return false;
@@ -396,7 +399,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {
   Robot steering = robot;
-  if (is_valid(robot)) steering.preferred_velocity = steered(robot, goes_at_once(options_));
+  if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
   const Plan plan =
       decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
   return with_next_velocity(*this, robot, as_followed(*this, robot, plan));

@@ -66,7 +66,8 @@ void add_slow_neighbors(const Robot& robot, const Neighbors& neighbors, double r
   }
 }
 
-std::optional<Vec2> maneuver_of(const StepLaw& law, Tile& tile, std::size_t i) {
+std::optional<Vec2> maneuver_of(const PlannerOptions& options, const StepLaw& law, Tile& tile,
+                                std::size_t i) {
   const double room = room_for_maneuvers(*tile.robots.model[i]);
   if (room == 0.0) return std::nullopt;
   const Robot robot = tile.robots.robot(i);
@@ -75,7 +76,7 @@ std::optional<Vec2> maneuver_of(const StepLaw& law, Tile& tile, std::size_t i) {
   const bool beside_walls = surroundings.count > 0;
   add_slow_neighbors(robot, tile.robots.neighbors[i], room, surroundings);
   if (surroundings.count == 0) return std::nullopt;
-  const auto wish = maneuver(robot, [&surroundings](Vec2 place, bool begun) {
+  const auto wish = maneuver(robot, approach_of(options), [&surroundings](Vec2 place, bool begun) {
     return surroundings.are_clear(place, begun);
   });
   tile.maneuvers[i] = wish && beside_walls ? 1 : 0;
@@ -90,8 +91,8 @@ void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile) {
   for (std::size_t i = 0; i < robots.count; ++i) {
     if (robots.model[i] == nullptr || turns_in_place(*robots.model[i])) continue;
     std::optional<Vec2> wish;
-    if (options.method == Method::avo) wish = maneuver_of(law, tile, i);
-    if (!wish) wish = steered(robots.robot(i), goes_at_once(options));
+    if (options.method == Method::avo) wish = maneuver_of(options, law, tile, i);
+    if (!wish) wish = steered(robots.robot(i), approach_of(options));
     robots.preferred_x[i] = wish->x, robots.preferred_y[i] = wish->y;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Car-like robots (paper §V).
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -24,13 +25,14 @@ void append_own_half_planes(const Car& car, const Robot& robot, double time,
                             std::vector<HalfPlane>& half_planes);
 
 /// src/robots/steering.cpp
-Vec2 steered(const Car& car, const Robot& robot);
+Vec2 steered(const Car& car, const Robot& robot, const Approach& approach);
 /// m/s: along `ahead`, its heading or against it, towards where it goes.
 Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead);
 Vec2 within_steering(const Car& car, const Robot& robot, Vec2 v);
 
 /// src/robots/maneuver.cpp
-std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const ClearPlaces& is_clear);
+std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach& approach,
+                             const ClearPlaces& is_clear);
 double room_for_maneuvers(const Car& car);
 
 inline double offset_of(const Car& car) {
@@ -41,11 +43,18 @@ inline double offset_of(const Car& car) {
 inline bool turns_in_place(const Car& car) {
   return !car.max_curvature;
 }
-/// 1/m, while it drives. A disc ahead of the axle would sweep aside faster than others expect where
-/// the curvature has no bound; on such a curve it adds a quarter to its speed at most.
+/// 1/m, while it drives. Others expect a disc to come about as far as two steps of its axle's speed
+/// lead (keeps_reach() in src/certificate), so that one ahead of the axle may sweep aside as fast
+/// as the car drives, and no car could stay on a sharper curve. Where the curvature has no bound,
+/// it adds a quarter to its speed at most.
 inline double sharpest(const Car& car) {
-  if (car.max_curvature) return *car.max_curvature;
-  const double offset = offset_of(car);
-  return offset == 0.0 ? std::numeric_limits<double>::infinity() : 0.25 / std::abs(offset);
+  const double offset = std::abs(offset_of(car));
+  if (offset == 0.0) return car.max_curvature.value_or(std::numeric_limits<double>::infinity());
+  return car.max_curvature ? std::min(*car.max_curvature, 1.0 / offset) : 0.25 / offset;
+}
+/// So near its goal that it does not turn round for what is left.
+inline bool is_there(const Car& car, const Robot& robot, const Approach& approach) {
+  constexpr double kNearEnough = 0.05;  // times the turning circle's radius
+  return robot.distance_to_goal <= std::min(kNearEnough / sharpest(car), approach.near_enough);
 }
 }  // namespace avo

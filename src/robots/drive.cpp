@@ -205,30 +205,44 @@ Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, doubl
   return backup + possible * (v - backup);
 }
 
-// Far from its goal it heads for it at once, and turns as q does. One that has its goal behind it
-// first turns on the spot, by q going round the axle; to the right where both ways are as long.
-//
+namespace {
+
 // Where the goal is nearer to the axle than L, that would circle round it: with β the angle of the
 // goal off the heading and d its distance, V cos β ahead and V sin β across make
 // β' = V sin β (cos β/d - 1/L). With as much across as kNear L/d times that, β shrinks at any
-// distance, not faster than it can be stopped. A goal
-// behind it is there driven to backwards.
-Vec2 steered(const DifferentialDrive& drive, const Robot& robot, bool at_once) {
+// distance. It may shrink no faster than it can be stopped, and then less of V is ahead. A goal
+// behind it is there driven to backwards. A velocity that is across the heading of now has a part
+// along that of the step's end, σ² Δt/L, on which the drive would circle beside its goal for ever:
+// it steers by the heading that it will have.
+Vec2 steered_near(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
+  const double distance = robot.distance_to_goal;
+  if (distance <= std::min(kNearEnough * drive.offset, approach.near_enough)) return {};
+  const Vec2 wish = robot.preferred_velocity, now = elementary::direction(robot.heading);
+  const double turned = approach.time_step * cross(now, robot.velocity) / drive.offset;
+  const Vec2 h = elementary::direction(robot.heading + turned);
+  const double speed = norm(wish), along = dot(h, wish) / speed, across = cross(h, wish) / speed;
+  const double needed = kNear * drive.offset / distance * std::abs(across);
+  const double turn =
+      std::min(needed * speed, std::sqrt(robot.max_acceleration * drive.offset * std::abs(across)));
+  const double ahead = needed > 0.0 ? std::min(speed * std::abs(along), turn / needed) : speed;
+  const Vec2 side = across * along < 0.0 ? -perpendicular(h) : perpendicular(h);
+  return within_steering(drive, robot, std::copysign(ahead, along) * h + turn * side);
+}
+
+}  // namespace
+
+// Far from its goal it heads for it at once, and turns as q does. One that has its goal behind it
+// first turns on the spot, by q going round the axle; to the right where both ways are as long.
+Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach& approach) {
   const Vec2 wish = robot.preferred_velocity, h = elementary::direction(robot.heading);
-  const Vec2 left = perpendicular(h);
-  const double speed = norm(wish), distance = robot.distance_to_goal;
+  const double speed = norm(wish);
   if (!(speed > 0.0)) return wish;
   const double along = dot(h, wish) / speed, across = cross(h, wish) / speed;
-  if (distance >= kNear * drive.offset) {
-    const Vec2 turning = across > 0.0 ? left : -left;
-    return within_steering(drive, robot, along < 0.0 ? speed * turning : wish);
-  }
-  if (!at_once) return within_steering(drive, robot, wish);
-  if (distance <= kNearEnough * drive.offset) return {};
-  const double turn = std::min(kNear * drive.offset / distance * speed * std::abs(across),
-                               std::sqrt(robot.max_acceleration * drive.offset * std::abs(across)));
-  const Vec2 side = across * along < 0.0 ? -left : left;
-  return within_steering(drive, robot, (speed * along) * h + turn * side);
+  if (robot.distance_to_goal < kNear * drive.offset)
+    return approach.at_once ? steered_near(drive, robot, approach)
+                            : within_steering(drive, robot, wish);
+  const Vec2 turning = across > 0.0 ? perpendicular(h) : -perpendicular(h);
+  return within_steering(drive, robot, along < 0.0 ? speed * turning : wish);
 }
 
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v) {

@@ -25,7 +25,7 @@ double most_speed(const DifferentialDrive& drive, double max_acceleration, doubl
 
 /// See robots/model.h.
 Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v);
-Vec2 steered(const DifferentialDrive& drive, const Robot& robot, bool at_once);
+Vec2 steered(const DifferentialDrive& drive, const Robot& robot, const Approach& approach);
 Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v);
 
 }  // namespace avo

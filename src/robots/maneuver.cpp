@@ -26,7 +26,6 @@ constexpr double kSample = 1.0 / 8.0;
 constexpr double kWider = 1.25;     // the circle of what is not begun yet: it starts straight
 constexpr double kFarGoal = 100.0;  // goals are not farther than that
 constexpr double kMostRoom = 5.0;
-constexpr double kThere = 0.05;
 constexpr double kSharpTurn = 1.5;         // longer ones are driven at full lock
 constexpr double kTurnAcceleration = 0.8;  // of a_max, that turning asks for
 
@@ -188,9 +187,10 @@ double room_for_maneuvers(const Car& car) {
   return turns_in_place(car) ? 0.0 : kMostRoom / sharpest(car);
 }
 
-std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const ClearPlaces& is_clear) {
+std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach& approach,
+                             const ClearPlaces& is_clear) {
   const double speed = norm(robot.preferred_velocity), turning = 1.0 / sharpest(car);
-  if (!(speed > 0.0) || robot.distance_to_goal <= kThere * turning) return std::nullopt;
+  if (!(speed > 0.0) || is_there(car, robot, approach)) return std::nullopt;
   const Vec2 h = elementary::direction(robot.heading);
   const double distance = std::min(robot.distance_to_goal, kFarGoal * turning);
   Search search{car,

@@ -68,12 +68,15 @@ SensingError unforeseen(const MotionModel& model, double max_acceleration, doubl
   return car != nullptr ? unforeseen_of_car(*car, max_acceleration, time_step) : SensingError{};
 }
 
-double swing_of(const MotionModel& model, double max_acceleration, double max_speed) {
+double swing_of(const MotionModel& model, double max_acceleration, double top_speed,
+                double time_step) {
   const Car* car = std::get_if<Car>(&model);
   if (car == nullptr || offset_of(*car) == 0.0) return 0.0;
-  const double turning = std::min(max_speed * sharpest(*car),
+  const double turning = std::min(top_speed * sharpest(*car),
                                   std::sqrt(max_acceleration * sharpest(*car)));  // [v κ] rad/s
-  return std::abs(offset_of(*car)) * turning;
+  const double driving = std::abs(offset_of(*car)) * turning;
+  if (!turns_in_place(*car)) return driving;
+  return std::max(driving, 0.5 * max_acceleration * time_step);
 }
 
 double fastest_of(const MotionModel& model, double max_speed) {
@@ -125,10 +128,10 @@ void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPla
     append_own_half_planes(*airplane, robot, time, half_planes);
 }
 
-Vec2 steered(const Robot& robot, bool at_once) {
+Vec2 steered(const Robot& robot, const Approach& approach) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot.model))
-    return steered(*drive, robot, at_once);
-  if (const Car* car = std::get_if<Car>(&robot.model)) return steered(*car, robot);
+    return steered(*drive, robot, approach);
+  if (const Car* car = std::get_if<Car>(&robot.model)) return steered(*car, robot, approach);
   const Airplane* airplane = std::get_if<Airplane>(&robot.model);
   return airplane != nullptr ? steered(*airplane, robot) : robot.preferred_velocity;
 }
@@ -146,9 +149,10 @@ Vec2 turning_first(const Robot& robot, Vec2 v) {
   return car != nullptr ? turning_first(*car, robot, v) : v;
 }
 
-std::optional<Vec2> maneuver(const Robot& robot, const ClearPlaces& is_clear) {
+std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach,
+                             const ClearPlaces& is_clear) {
   const Car* car = std::get_if<Car>(&robot.model);
-  return car != nullptr ? maneuver(*car, robot, is_clear) : std::nullopt;
+  return car != nullptr ? maneuver(*car, robot, approach, is_clear) : std::nullopt;
 }
 
 double room_for_maneuvers(const MotionModel& model) {

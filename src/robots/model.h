@@ -43,8 +43,10 @@ Stray stray_of(const MotionModel& model, double max_acceleration, double time_st
 /// to the velocity of its disc, may be off by in place and velocity.
 SensingError unforeseen(const MotionModel& model, double max_acceleration, double time_step);
 
-/// m/s: how much the velocity of its disc may differ from that of its axle.
-double swing_of(const MotionModel& model, double max_acceleration, double max_speed);
+/// m/s, over whole steps: by how much the velocity of its disc may differ from that of its axle,
+/// which is not faster than top_speed.
+double swing_of(const MotionModel& model, double max_acceleration, double top_speed,
+                double time_step);
 
 /// m/s: that its disc never exceeds, where the robot itself keeps to max_speed.
 double fastest_of(const MotionModel& model, double max_speed);
@@ -63,10 +65,16 @@ double reach_of(const MotionModel& model);
 /// Fig. 6(b). Velocities that are reached after `time` s.
 void append_own_half_planes(const Robot& robot, double time, std::vector<HalfPlane>& half_planes);
 
+/// How a goal is come to.
+struct Approach {
+  bool at_once;        // a wish is gone for as fast as the limits allow, and not approached with δ
+  double time_step;    // s
+  double near_enough;  // m, from the goal, to stay there
+};
+
 /// m/s: the preferred velocity as the model can go about it. One that can turn in place, or that is
-/// holonomic, heads for it at once. at_once: a wish is gone for as fast as the limits allow, and
-/// not approached with δ.
-Vec2 steered(const Robot& robot, bool at_once);
+/// holonomic, heads for it at once.
+Vec2 steered(const Robot& robot, const Approach& approach);
 /// m/s: v, or what comes near it of the directions that the robot can turn to while it drives.
 Vec2 within_steering(const Robot& robot, Vec2 v);
 
@@ -77,7 +85,8 @@ Vec2 turning_first(const Robot& robot, Vec2 v);
 /// Whether the disc may be at a place; begun: on a way that it is on already.
 using ClearPlaces = std::function<bool(Vec2 place, bool begun)>;
 /// m/s: beside what is in the way, instead of steered().
-std::optional<Vec2> maneuver(const Robot& robot, const ClearPlaces& is_clear);
+std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach,
+                             const ClearPlaces& is_clear);
 /// m, from its disc, of what may be in the way; 0: it needs none.
 double room_for_maneuvers(const MotionModel& model);
 

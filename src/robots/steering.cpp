@@ -17,8 +17,9 @@ constexpr double kEnough = 0.8;       // of a_max, that turning asks for
 constexpr double kWiderCircle = 1.1;  // times the turning circle: goals outside are steered to
 // likewise, of one that may drive backwards and is not on its way to the goal
 constexpr double kWellOutside = 1.3;
-constexpr double kWidest = 4.0;       // times that circle: turned round on at most
-constexpr double kNearEnough = 0.05;  // times its radius: nobody turns round for that
+// While it speeds up, less is left of what others expect for its disc to sweep aside: per offset.
+constexpr double kWhileStarting = 0.6;
+constexpr double kWidest = 4.0;  // times that circle: turned round on at most
 // It drives on in its direction until it had to turn by 90 degrees and more, by this cosine.
 constexpr double kKeepDirection = 0.5;
 
@@ -44,10 +45,18 @@ double cornering_speed(double max_acceleration, double radius) {
   return std::sqrt(kEnough * max_acceleration * radius);
 }
 
+// m/s: it stops at its goal although it first turns, by a sine y. That takes v y/a, in which it
+// does not brake. One that may drive backwards comes back where it could not stop.
+double stopping_speed(const Car& car, const Robot& robot, double y) {
+  if (car.reverse) return std::numeric_limits<double>::infinity();
+  return std::sqrt(2.0 * braking_limit(robot) * robot.distance_to_goal / (1.0 + 2.0 * std::abs(y)));
+}
+
 // Of the circle to the goal, times the turning circle's.
 double least_radius(const Car& car, const Robot& robot, Vec2 to) {
   if (!car.reverse) return kWiderCircle;
-  return dot(robot.velocity, to) > 0.0 ? 1.0 : kWellOutside;
+  if (dot(robot.velocity, to) > 0.0) return 1.0;
+  return std::max(kWellOutside, 1.0 + kWhileStarting * std::abs(offset_of(car)) * sharpest(car));
 }
 
 // m, of the circle of pure pursuit
@@ -63,16 +72,18 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
   const double x = dot(ahead, to), y = cross(ahead, to);
   const double radius = std::max(turning, pursuit_radius(robot.distance_to_goal, y));
   const double wide = x >= 0.0 ? radius : std::min(radius, kWidest * turning);
-  return bent(ahead, x, y, std::min(speed, cornering_speed(robot.max_acceleration, wide)));
+  const double top =
+      std::min(cornering_speed(robot.max_acceleration, wide), stopping_speed(car, robot, y));
+  return bent(ahead, x, y, std::min(speed, top));
 }
 
-Vec2 steered(const Car& car, const Robot& robot) {
+Vec2 steered(const Car& car, const Robot& robot, const Approach& approach) {
   const double speed = norm(robot.preferred_velocity);
   if (turns_in_place(car) || !(speed > 0.0)) return robot.preferred_velocity;
   const Vec2 to = robot.preferred_velocity / speed, ahead = direction_of(car, robot, to);
   const double x = dot(ahead, to), y = cross(ahead, to), distance = robot.distance_to_goal;
   const double turning = 1.0 / sharpest(car);
-  if (distance <= kNearEnough * turning) return {};
+  if (is_there(car, robot, approach)) return {};
   const double radius = pursuit_radius(distance, y);
   if (radius < least_radius(car, robot, to) * turning) {
     const double away = std::min(cornering_speed(robot.max_acceleration, turning), robot.max_speed);

@@ -2,12 +2,12 @@
 // What a scene says to the planners of its robots.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "avo/scenario.h"
 #include "planner/options.h"
 #include "robots/model.h"
 #include "sim/scene_checks.h"
+#include "sim/senses.h"
 
 namespace avo {
 
@@ -75,24 +75,15 @@ PlannerOptions planner_options(const Scenario& scenario) {
 }
 
 SensingError declared_error(const Scenario& scenario) {
-  // of both coordinates, and what rounding adds to it
-  constexpr double kBoth = std::numbers::sqrt2 * (1.0 + 0x1p-40);
-  const auto& [position, velocity, distribution, truncated] = scenario.sensing.noise;
-  const bool is_gaussian = distribution == NoiseDistribution::gaussian;
-  const double most = kBoth * (is_gaussian ? truncated.value_or(kUsualTruncation) : 1.0);
-  SensingError error{most * position, most * velocity};
+  SensingError error = most_noise(scenario.sensing.noise);
   if (scenario.clock == Clock::free) {
     const auto [unseen_way, unseen_speed] = unforeseen(scenario);
     error.position += unseen_way, error.velocity += unseen_speed;
   }
-  if (scenario.sensing.delay == 0 && !scenario.sensing.misses()) return error;
-  double strongest = 0.0, swing = 0.0;  // m/s², m/s: of a disc ahead of its axle
-  for (const RobotSetup& robot : scenario.robots) {
-    strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
-    swing = std::max(swing, swing_of(robot.model, robot.max_acceleration, robot.max_speed));
-  }
-  error.velocity += swing;
   if (scenario.sensing.delay == 0) return error;
+  double strongest = 0.0;  // m/s²
+  for (const RobotSetup& robot : scenario.robots)
+    strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
   for (const MovingObstacle& obstacle : scenario.moving_obstacles)
     strongest = std::max(strongest, obstacle.max_deviation);
   const double time = scenario.sensing.delay * scenario.time_step;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "core/elementary.h"
 #include "core/hash.h"
+#include "robots/model.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -30,14 +32,21 @@ class Draws {
   std::uint64_t key_, count_ = 0;
 };
 
+bool is_gaussian(const MeasurementNoise& model) {
+  return model.distribution == NoiseDistribution::gaussian;
+}
+
+double most_of_coordinate(const MeasurementNoise& model) {
+  return is_gaussian(model) ? model.truncated.value_or(kUsualTruncation) : 1.0;
+}
+
 // Of a coordinate, in units of what the scene gives. Gaussian noise by rejection: exactly of that
 // density where it is not cut off, and by the library's own exponential function alone.
 double noise(const MeasurementNoise& model, Draws& draws) {
-  const bool is_gaussian = model.distribution == NoiseDistribution::gaussian;
-  const double most = is_gaussian ? model.truncated.value_or(kUsualTruncation) : 1.0;
+  const double most = most_of_coordinate(model);
   for (;;) {
     const double x = most * (2.0 * draws.uniform() - 1.0);
-    if (!is_gaussian || draws.uniform() < 1.0 + elementary::expm1(-0.5 * x * x)) return x;
+    if (!is_gaussian(model) || draws.uniform() < 1.0 + elementary::expm1(-0.5 * x * x)) return x;
   }
 }
 
@@ -98,6 +107,15 @@ struct Encounter {
   }
 };
 
+// m: how far the disc of one that had that speed so long ago, as measured, may have swung off the
+// way on which it is carried on.
+double swung(const World& world, const MotionModel& model, const RobotTraits& traits, double speed,
+             double time) {
+  const double off = most_noise(world.settings.sensing.noise).velocity;
+  const double top = std::min(speed + off + traits.max_acceleration * time, traits.max_speed);
+  return time * swing_of(model, traits.max_acceleration, top, world.settings.time_step);
+}
+
 std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   const World& world = encounter.world;
   const Senses& senses = world.senses;
@@ -114,7 +132,11 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   Neighbor neighbor = world.fleet.sensed(slot, *behavior);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
-  return encounter.sighting(neighbor, *generation, static_cast<int>(rank));
+  Sighting sighting = encounter.sighting(neighbor, *generation, static_cast<int>(rank));
+  if (const MotionModel* model = world.fleet.own_model(slot))
+    sighting.neighbor.position_error =
+        swung(world, *model, world.fleet.traits[slot], norm(sighting.neighbor.velocity), time);
+  return sighting;
 }
 
 // It keeps its acceleration: the true state carried on is the present one.
@@ -132,6 +154,12 @@ std::optional<Sighting> look_at_mover(Encounter encounter, std::size_t k) {
 }
 
 }  // namespace
+
+SensingError most_noise(const MeasurementNoise& model) {
+  constexpr double kBoth = std::numbers::sqrt2 * (1.0 + 0x1p-40);
+  const double most = kBoth * most_of_coordinate(model);
+  return {most * model.position, most * model.velocity};
+}
 
 std::size_t generations_needed(const SensingModel& model) {
   if (model.is_exact()) return 0;

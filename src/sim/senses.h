@@ -56,6 +56,9 @@ std::size_t generations_needed(const SensingModel& model);
 /// dropped^(kMostCarried + 1).
 double time_unseen(const Scenario& scenario);
 
+/// Bounds of what noise adds to a measurement, of both coordinates, and what rounding adds to it.
+SensingError most_noise(const MeasurementNoise& model);
+
 /// Of the robots and movers within the sensing radius those that the robot in this slot senses,
 /// nearest first where they look to be, robots before movers and by id where that is equal.
 void look(const World& world, std::size_t slot, std::span<const NeighborHit> robots,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The certificate's promise where neighbors were last sensed some steps ago, each of another age,
 // and were carried on since; and that it is the age that keeps it.
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "property/sensing_adversary.h"
@@ -107,6 +108,18 @@ TEST(Age, is_an_error_of_that_neighbor) {
   }
 }
 
+// Without an age too.
+TEST(Age, is_not_asked_of_one_whose_position_alone_is_less_sure) {
+  Neighbor neighbor{.position = {1.9, 0.1}, .velocity = {-0.7, 0.0}};
+  const auto farther_off = demanded({0.02 + 0.03, 0.1}, neighbor);
+  neighbor.position_error = 0.03;
+  const auto less_sure = demanded({0.02, 0.1}, neighbor);
+  ASSERT_EQ(less_sure.size(), farther_off.size());
+  ASSERT_GT(less_sure.size(), 3);
+  for (std::size_t k = 0; k < less_sure.size(); ++k)
+    EXPECT_NEAR(less_sure[k].offset, farther_off[k].offset, 1e-12) << k;
+}
+
 // As a car with the exact set, whose velocity changes by more than its a_max.
 TEST(Age, counts_the_acceleration_that_it_may_have_had) {
   StepLaw law;
@@ -118,10 +131,14 @@ TEST(Age, counts_the_acceleration_that_it_may_have_had) {
   late.max_deviation = 1.4;
   EXPECT_DOUBLE_EQ(error_against(late, law).velocity, 0.42);
   EXPECT_DOUBLE_EQ(error_against(late, law).position, 0.5 * 1.4 * 0.09);
+  late.position_error = 0.05;
+  EXPECT_DOUBLE_EQ(error_against(late, law).velocity, 0.42);
+  EXPECT_DOUBLE_EQ(error_against(late, law).position, 0.05 + 0.5 * 1.4 * 0.09);
   NeighborColumns columns;
   columns.reserve(1);
   columns.add(late);
   EXPECT_EQ(columns[0].max_deviation, 1.4);
+  EXPECT_EQ(columns[0].position_error, 0.05);
 }
 
 TEST(Age, out_of_range_is_invalid) {
@@ -135,6 +152,12 @@ TEST(Age, out_of_range_is_invalid) {
   }
   for (const int age : {-1, kMostAge + 1}) {
     neighbor.age = age;
+    EXPECT_EQ(planner.plan({}, std::span(&neighbor, 1), workspace).status,
+              PlanStatus::invalid_input);
+  }
+  neighbor.age = 0;
+  for (const double error : {-0.1, std::nan("")}) {
+    neighbor.position_error = error;
     EXPECT_EQ(planner.plan({}, std::span(&neighbor, 1), workspace).status,
               PlanStatus::invalid_input);
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "avo/simulation.h"
@@ -45,6 +46,15 @@ Reached reached_by(const Car& car, double radius) {
   return reached;
 }
 
+// How many of the robots of a scene arrive.
+int arrived_within(const Scenario& scene, double time) {
+  Simulation simulation(scene, 1);
+  while (simulation.time() < time && !simulation.all_at_goal()) simulation.step();
+  int arrived = 0;
+  for (std::size_t k = 0; k < scene.robots.size(); ++k) arrived += simulation.is_at_goal(k) ? 1 : 0;
+  return arrived;
+}
+
 TEST(CarGoals, inside_the_turning_circle_are_reached) {
   for (const bool reverse : {false, true}) {
     for (const double offset : {0.0, 0.5, -0.4}) {
@@ -58,6 +68,67 @@ TEST(CarGoals, inside_the_turning_circle_are_reached) {
       }
     }
   }
+}
+
+// At constant speed it cannot stay on its turning circle: its disc would come farther than others
+// expect.
+TEST(CarGoals, are_reached_with_a_body_farther_off_the_axle_than_the_turning_circle) {
+  for (const bool reverse : {false, true}) {
+    for (const auto& [curvature, offset] :
+         {std::pair{2.0, 0.8}, std::pair{1.0, 1.5}, std::pair{1.0, -1.5}, std::pair{0.8, 3.0}}) {
+      SCOPED_TRACE(testing::Message() << reverse << ' ' << curvature << ' ' << offset);
+      const Car car{1.0, curvature, CarBody{offset, std::abs(offset) + 0.3}, reverse};
+      const Reached reached = reached_by(car, 0.3);
+      EXPECT_EQ(reached.missing, 0);
+      EXPECT_LT(reached.speed, 1e-3);
+    }
+  }
+}
+
+// It came round too fast to stop, passed its goal and drove the same way again, for ever.
+TEST(CarGoals, a_car_that_comes_to_its_goal_out_of_a_turn_stops_there) {
+  Scenario scene;
+  scene.arrival_distance = 0.1;
+  RobotSetup robot;
+  robot.goal = {0.2558, -2.016};
+  robot.heading = 0.5649;
+  robot.max_acceleration = 1.08, robot.max_speed = robot.preferred_speed = 2.7;
+  robot.model = Car{.max_curvature = 0.3305, .body = CarBody{2.43, 2.73}};
+  scene.robots = {robot};
+  Simulation simulation(scene, 1);
+  while (simulation.time() < 60.0) simulation.step();
+  EXPECT_LT(norm(simulation.fleet().position[0] - robot.goal), 0.05);
+  EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
+}
+
+// While it speeds up it turns on a wider circle: from too near it shuttled to and fro for ever.
+TEST(CarGoals, a_car_whose_body_is_far_behind_backs_off_far_enough) {
+  Scenario scene;
+  RobotSetup robot;
+  robot.goal = {0.2662, 0.5308};
+  robot.heading = 2.911;
+  robot.max_acceleration = 0.88;
+  robot.model = Car{1.0, 0.3377, CarBody{-3.407, 3.707}, /*reverse=*/true, AccelerationSet::exact};
+  scene.robots = {robot};
+  scene.arrival_distance = 0.1;
+  EXPECT_EQ(arrived_within(scene, 60.0), 1);
+}
+
+// A twentieth of its turning circle's radius is twice the arrival distance.
+TEST(CarGoals, one_with_a_wide_turning_circle_does_not_stop_short_of_them) {
+  Scenario scene;
+  for (const bool reverse : {false, true}) {
+    RobotSetup robot;
+    robot.position = {0.0, reverse ? 200.0 : 0.0};
+    robot.goal = robot.position + Vec2{0.1, 0.7};
+    robot.model = Car{.max_curvature = 0.05, .reverse = reverse};
+    scene.robots.push_back(robot);
+  }
+  Simulation simulation(scene, 1);
+  while (simulation.time() < 300.0) simulation.step();
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
+  EXPECT_EQ(simulation.fleet().velocity[1], Vec2{});
 }
 
 TEST(CarGoals, a_car_that_turns_in_place_reaches_them_with_its_disc_ahead) {
@@ -79,15 +150,6 @@ TEST(CarGoals, reverse_saves_a_way_round) {
   EXPECT_LT(time_of(true), 6.0);
   EXPECT_GT(time_of(false), 6.0);
   EXPECT_LT(time_of(false), 20.0);
-}
-
-// How many of the robots of a scene arrive.
-int arrived_within(const Scenario& scene, double time) {
-  Simulation simulation(scene, 1);
-  while (simulation.time() < time && !simulation.all_at_goal()) simulation.step();
-  int arrived = 0;
-  for (std::size_t k = 0; k < scene.robots.size(); ++k) arrived += simulation.is_at_goal(k) ? 1 : 0;
-  return arrived;
 }
 
 // Six of them on a circle, who stop each other in its middle.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "avo/metrics.h"
@@ -97,6 +98,32 @@ TEST(DriveRuns, come_to_goals_all_around_and_rest_there) {
             << to_string(method) << ' ' << k << ' ' << far;
         run.expect_limits();
       }
+    }
+  }
+}
+
+// Beside the axle, a velocity across the heading of now led round the goal for ever.
+TEST(DriveRuns, come_to_goals_beside_their_axles_and_rest_there) {
+  for (const auto& [offset, far] : {std::pair{0.2, 0.02}, std::pair{0.2, 0.1}, std::pair{0.2, 0.35},
+                                    std::pair{0.6, 0.1}, std::pair{0.6, 0.9}}) {
+    Scenario scene;
+    scene.arrival_distance = 0.02;
+    for (int k = 0; k < 32; ++k) {
+      const double angle = k * std::numbers::pi / 16.0;
+      RobotSetup setup;
+      setup.position = {10.0 * k, 0.0};
+      setup.goal = setup.position + far * Vec2{std::cos(angle), std::sin(angle)};
+      const DifferentialDrive drive{.offset = offset};
+      setup.radius = 0.3, setup.model = drive;
+      setup.max_acceleration = 0.5 * most_acceleration(drive);
+      scene.robots.push_back(setup);
+    }
+    Simulation simulation(scene, 1);
+    while (simulation.time() < 20.0) simulation.step();
+    const FleetView fleet = simulation.fleet();
+    for (std::size_t k = 0; k < fleet.position.size(); ++k) {
+      EXPECT_LE(norm(fleet.position[k] - fleet.goal[k]), 0.01) << offset << far << ' ' << k;
+      EXPECT_EQ(fleet.velocity[k], Vec2{}) << offset << far << ' ' << k;
     }
   }
 }
