@@ -94,15 +94,15 @@ TEST(SpeedPlanes, the_half_planes_of_neighbors_yield_first) {
   EXPECT_LE(plan.new_velocity.x * planner.step_rate(), speed + 1e-9);
 }
 
-// Nearly in contact with one at rest behind it, it is pushed on in the open, and where it has all
-// but arrived, but not beside a wall on its way.
+// Nearly in contact with one behind it, it is pushed on in the open, and where it has all but
+// arrived, but not beside a wall on its way.
 TEST(PushAmongWalls, who_is_on_its_way_beside_a_wall_is_not_pushed) {
   const Planner planner(options_with(Certificate::braking_trajectories));
   Robot robot;
   robot.position = {0.0, 0.6};
   robot.preferred_velocity = {0.05, 0.0};
   robot.distance_to_goal = 50.0;
-  const Neighbor behind{{-1.05, 0.6}, {}};
+  const Neighbor behind{{-1.05, 0.6}, {-0.5, 0.0}};
   const auto speed = [&](const std::vector<Wall>& walls) {
     PlanWorkspace workspace;
     Detour detour;
