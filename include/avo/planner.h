@@ -87,7 +87,7 @@ struct PlannerOptions {
   /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this
   /// one.
   double longest_step = 0.0;
-  /// m, > 0: of its goal; beside others that stay, a robot of method avo rests within half of it.
+  /// m, > 0: of its goal; beside others, a robot of method avo rests within nine tenths of it.
   double arrival_distance = 0.5;
 };
 
