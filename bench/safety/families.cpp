@@ -3,6 +3,7 @@
 #include "families.h"
 
 #include "arrival_scenes.h"
+#include "flow.h"
 #include "passage_scenes.h"
 #include "wall_scenes.h"
 
@@ -50,6 +51,10 @@ void add_arrivals(std::vector<Family>& all) {
     add("clump-" + std::to_string(n), "from and to anywhere, a quarter of the area covered",
         [n](std::uint64_t seed) { return clump(n, seed); });
   }
+  add("torus", "100 robots in four directions, on a torus of 30 m: the flow",
+      [](std::uint64_t seed) { return flow_scene(Flow::torus, seed); });
+  add("to-and-fro", "100 robots between the middles of a square's sides: the flow",
+      [](std::uint64_t seed) { return flow_scene(Flow::to_and_fro, seed); });
 }
 
 void add_passages(std::vector<Family>& all) {

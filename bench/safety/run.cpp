@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "density.h"
+#include "flow.h"
 #include "output.h"
 #include "placement.h"
 
@@ -175,7 +176,9 @@ Outcome run_scene(const Scene& scene, std::uint64_t seed, const std::string& rec
   outcome.limit = scene.limit;
   outcome.share = scene.share;
   outcome.duration = scene.scenario.duration;
-  if (scene.sensing) {
+  if (scene.flow) {
+    run_flow(scene, record, outcome);
+  } else if (scene.sensing) {
     run_sensing(scene, record, outcome);
   } else {
     run_simulation(scene, record, outcome);

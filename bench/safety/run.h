@@ -34,6 +34,8 @@ struct Outcome {
   /// s, of scenes with Scene::until_rest: since when nobody has moved; kNever where somebody has
   /// till the end
   std::optional<double> rest = {};
+  /// Of scenes with Scene::flow: mean velocity towards where robots want to go, over the preferred.
+  std::optional<double> flow = {};
 };
 
 /// On one thread. Ends early where all are at rest at their goals for good. `record`: path of a CSV

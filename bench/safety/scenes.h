@@ -11,6 +11,12 @@
 
 namespace avo::safety {
 
+/// Nobody ever arrives for good, in a square of 30 m.
+enum class Flow : std::uint8_t {
+  torus,       ///< whoever leaves comes in again on the other side; four directions
+  to_and_fro,  ///< between the middles of opposite sides, reached within 1 m
+};
+
 struct Scene {
   Scenario scenario = {};
   double unit = 0.0;        ///< s, the time that arrivals are measured in; 0: nobody is to arrive
@@ -24,7 +30,8 @@ struct Scene {
   std::vector<std::vector<Vec2>> errands = {};
   /// Unset: all know each other as the scenario says and do as they decide, as Simulation has it.
   std::optional<Sensing> sensing = {};
-  Acting acting = {};  ///< read only where `sensing` is set
+  std::optional<Flow> flow = {};  ///< set: goes its own way, see run_flow
+  Acting acting = {};             ///< read only where `sensing` is set
 };
 
 inline constexpr double kSpeed = 1.5;  ///< m/s, preferred, of all robots but those of circles

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <numeric>
 
 #include "density.h"
 
@@ -71,7 +72,7 @@ double median(std::vector<double> values) {
 
 void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
   row.fewest_arrived = row.robots;
-  std::vector<double> lasts, last_ratios, rests;
+  std::vector<double> lasts, last_ratios, rests, flows;
   for (const Outcome& outcome : outcomes) {
     const auto never = std::count(outcome.arrival.begin(), outcome.arrival.end(), kNever);
     const std::int64_t arrived = static_cast<std::int64_t>(outcome.arrival.size()) - never;
@@ -79,11 +80,17 @@ void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
     row.fewest_arrived = std::min(row.fewest_arrived, arrived);
     lasts.push_back(std::min(last_arrival(outcome), outcome.duration));
     if (outcome.unit > 0.0) last_ratios.push_back(last_arrival(outcome) / outcome.unit);
+    if (outcome.flow) flows.push_back(*outcome.flow);
     if (!outcome.rest) continue;
     row.resting_scenes += std::isfinite(*outcome.rest) ? 1 : 0;
     rests.push_back(std::min(*outcome.rest, outcome.duration));
   }
   row.median_ratio = quantile(last_ratios, 0.5), row.high_ratio = quantile(last_ratios, 0.95);
+  if (!flows.empty()) {
+    row.least_flow = *std::min_element(flows.begin(), flows.end());
+    row.mean_flow =
+        std::accumulate(flows.begin(), flows.end(), 0.0) / static_cast<double>(flows.size());
+  }
   if (!rests.empty()) row.median_rest = median(rests), row.last_rest = quantile(rests, 1.0);
   row.median_last = median(std::move(lasts));
 }
@@ -198,6 +205,10 @@ std::string table_lines(const RowResult& row) {
         "%.1f s at last\n",
         static_cast<long long>(row.resting_scenes), static_cast<long long>(row.scenes),
         *row.median_rest, *row.last_rest);
+  }
+  if (row.mean_flow) {
+    line += format("  flow: %.3f of the preferred speed in the mean of the scenes, %.3f in one\n",
+                   *row.mean_flow, *row.least_flow);
   }
   if (row.least_static_clearance) {
     line += format("  walls: touched by %lld robots, least clearance %.4g mm",

@@ -125,6 +125,7 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
           .add("last_rest", *row.last_rest);
     }
   }
+  if (row.mean_flow) object.add("flow", *row.mean_flow).add("least_flow", *row.least_flow);
   object.add_raw("decisions", decisions_json(row))
       .add("microseconds", row.microseconds)
       .add("worst_second_microseconds", row.worst_microseconds)
