@@ -16,11 +16,18 @@ using Real = scalar::Pack<double>;
 constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
 constexpr double kLeastWeight = 0.3;     // of giving way on the way
 constexpr double kPush = 2.0;            // v_max, in contact
+constexpr double kPushAtRest = 4.0;      // v_max, of one at rest
 constexpr double kAtRest = 0.01;         // of v_max: so slow, nobody pushes who is near its goal
 constexpr double kInMotion = 0.2;        // of v_max: so fast, in full
+constexpr double kTry = 10.0;            // T: of that long, on the last of the way,
+constexpr double kYields = 0.9;          // it gives way for this part to those at rest as well
 constexpr double kSettles = 4.0;         // T beside others, until it stays where it is
-constexpr double kRecovers = 10.0;       // T alone, until it has forgotten all of them
 constexpr double kSettleDistance = 0.9;  // of the arrival distance, from the goal
+constexpr double kPatience = 10.0;       // T beside others: from then on that grows
+constexpr double kGrowth = 0.1;          // arrival distances per T
+constexpr double kMostGrowth = 3.0;      // arrival distances
+constexpr double kLongest = 200.0;       // T beside others that it remembers
+constexpr double kRecovers = 10.0;       // T alone, until it has forgotten all of them
 constexpr double kMostDetour = 2.4;      // almost back
 constexpr double kTurnOff = 1.0;         // per T
 constexpr double kTurnBack = 2.0;        // per T
@@ -33,16 +40,39 @@ scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
 
-// Whether it has been beside others for so long, and so near its goal, that it stays there.
-bool has_settled(const Robot& robot, const Detour& detour, double arrival_distance) {
-  return detour.settled >= 1.0 && robot.distance_to_goal < kSettleDistance * arrival_distance;
+// m, of its goal: there it stays where it is, once it has been beside others for a while. Whoever
+// has been at its goal and finds no way back settles farther and farther away.
+double settling_distance(const Detour& detour, double arrival_distance) {
+  if (detour.beside < kSettles) return 0.0;
+  const double growth = std::clamp(kGrowth * (detour.beside - kPatience), 0.0, kMostGrowth);
+  return (kSettleDistance + (detour.has_arrived ? growth : 0.0)) * arrival_distance;
+}
+
+// Whether it gives way to those at rest as well: for most of each try, on the last of the way.
+bool yields_to_all(const Robot& robot, const Detour& detour, double arrival_distance) {
+  if (!is_near_goal(robot) || robot.distance_to_goal < kSettleDistance * arrival_distance)
+    return false;
+  const double tries = detour.beside / kTry;
+  return tries - std::floor(tries) < kYields;
+}
+
+void remember(const Robot& robot, bool is_beside, const PlannerOptions& options, Detour& detour) {
+  const double elapsed = options.time_step / time_to_speed(robot);
+  const bool is_near = is_near_goal(robot);
+  const double beside = detour.beside;
+  const double next = is_near && is_beside
+                          ? std::min(beside + elapsed, kLongest)
+                          : beside - std::max(beside, kSettles) * elapsed / kRecovers;
+  detour.beside = static_cast<float>(std::max(next, 0.0));
+  detour.has_arrived = is_near && detour.beside > 0.0F &&
+                       (detour.has_arrived || robot.distance_to_goal <= options.arrival_distance);
 }
 
 }  // namespace
 
 bool is_sound(const Detour& detour) {
-  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.settled >= 0.0 &&
-         detour.settled <= 1.0;
+  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.beside >= 0.0F &&
+         detour.beside <= kLongest;
 }
 
 double arrival_range(const Robot& robot, double largest_radius) {
@@ -59,17 +89,11 @@ Vec2 approach(Vec2 velocity, Vec2 target, double decrement) {
   return plain(scalar::approach(pack(velocity), pack(target), Real(decrement)));
 }
 
-namespace {
-
-// Near its goal a robot gives way to those that move, and to larger ones: who rests beside it has
-// come to its own goal.
-double urgency(const Robot& robot, const Neighbor& neighbor) {
+double motion_of(const Robot& robot, const Neighbor& neighbor) {
   if (!is_near_goal(robot) || neighbor.radius > robot.radius) return 1.0;
   const double part = norm(neighbor.velocity) / robot.max_speed;
   return std::clamp((part - kAtRest) / (kInMotion - kAtRest), 0.0, 1.0);
 }
-
-}  // namespace
 
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   const Vec2 away = robot.position - neighbor.position;
@@ -78,18 +102,17 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   const double nearness = std::min((contact + room - distance) / room, 1.0);
   const double nearing = std::max(kLeastWeight, 1.0 - robot.distance_to_goal / (kLeash * contact));
   const double size = std::min(neighbor.radius / robot.radius, 1.0);
-  const double weight = nearing * size * urgency(robot, neighbor);
-  return (weight * nearness / distance) * away;
+  return (nearing * size * nearness / distance) * away;
 }
 
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
              const PlannerOptions& options, Detour& detour) {
-  const double elapsed = options.time_step / time_to_speed(robot);
-  detour.settled = is_near_goal(robot) && traffic.is_beside
-                       ? std::min(detour.settled + elapsed / kSettles, 1.0)
-                       : std::max(detour.settled - elapsed / kRecovers, 0.0);
-  const Vec2 own = has_settled(robot, detour, options.arrival_distance) ? Vec2{} : kept_right;
-  return own + (kPush * robot.max_speed) * traffic.push;
+  remember(robot, traffic.is_beside, options, detour);
+  const double arrival_distance = options.arrival_distance;
+  if (robot.distance_to_goal < settling_distance(detour, arrival_distance))
+    return (kPush * robot.max_speed) * traffic.push;
+  const double at_rest = yields_to_all(robot, detour, arrival_distance) ? kPushAtRest : 0.0;
+  return kept_right + robot.max_speed * (kPush * traffic.push + at_rest * traffic.push_at_rest);
 }
 
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {

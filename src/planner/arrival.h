@@ -11,7 +11,7 @@ namespace avo {
 inline constexpr double kMostKeepRight = 30.0 * (3.14159265358979323846 / 180.0);  // rad
 inline constexpr double kCongestion = 2.8;  // robots right ahead that make the way fully congested
 inline constexpr double kSlow = 0.05;       // of v_max: nearly at rest
-inline constexpr double kBlocked = 0.5;     // of the velocity that the limits alone allow
+inline constexpr double kBlocked = 0.7;     // of the velocity that the limits alone allow
 /// The clearance that is nearly contact, of r_A + r_B.
 inline constexpr double kRoom = 0.25;
 
@@ -21,14 +21,19 @@ struct Traffic {
   /// are.
   double ahead = 0.0;
   bool is_beside = false;  ///< some are nearly in contact
-  Vec2 push;               ///< away from them, see push_of()
+  Vec2 push;               ///< away from them as far as they move, see push_of()
+  Vec2 push_at_rest;       ///< and as far as they rest
 };
 
 /// m, as far as the two rules below look at any neighbor of at most that radius.
 double arrival_range(const Robot& robot, double largest_radius);
 
-/// Away from a neighbor that is nearly in contact: less from a smaller one; on the last of the way
-/// the more, and there from one at rest not at all.
+/// 0 to 1: what counts of its push to one that gives way to those that move, near its goal; who
+/// rests beside it has come to its own goal. 1 of a larger one, and on the way of all.
+double motion_of(const Robot& robot, const Neighbor& neighbor);
+
+/// Away from a neighbor that is nearly in contact: less from a smaller one, and on the last of the
+/// way the more.
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 
 /// Whether it is something that a robot can remember.

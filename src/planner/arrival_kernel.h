@@ -79,7 +79,11 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     for (std::uint32_t lanes = bits(beside); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
       traffic.is_beside = true;
-      traffic.push = traffic.push + push_of(robots.robot(i), neighbors[k + lane]);
+      const Robot robot = robots.robot(i);
+      const Vec2 push = push_of(robot, neighbors[k + lane]);
+      const double motion = motion_of(robot, neighbors[k + lane]);
+      traffic.push = traffic.push + motion * push;
+      traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
     }
     if (last) break;
   }
@@ -98,6 +102,8 @@ void look_around(const RobotColumns& robots, DecisionColumns& columns) {
     columns.ahead[i] = traffic.ahead;
     columns.is_beside[i] = traffic.is_beside ? 1.0 : 0.0;
     columns.push_x[i] = traffic.push.x, columns.push_y[i] = traffic.push.y;
+    columns.push_at_rest_x[i] = traffic.push_at_rest.x;
+    columns.push_at_rest_y[i] = traffic.push_at_rest.y;
   }
 }
 

@@ -17,6 +17,7 @@ struct DecisionColumns {
   using Column = std::vector<double>;
   Column range;                             // m, by look_around()
   Column ahead, is_beside, push_x, push_y;  // likewise, see Traffic
+  Column push_at_rest_x, push_at_rest_y;    // likewise
   Column wish_x, wish_y;                    // m/s, by keep_right(), and then by wish_of()
   // [v'], m/s: what Eq. (23) made of the wish, by how much it misses CA_A, and how
   Column target_x, target_y, violation;
@@ -32,7 +33,10 @@ struct DecisionColumns {
     violation[i] = result.violation, state[i] = result.state;
   }
   [[nodiscard]] Traffic traffic(std::size_t i) const {
-    return {ahead[i], is_beside[i] != 0.0, {push_x[i], push_y[i]}};
+    return {ahead[i],
+            is_beside[i] != 0.0,
+            {push_x[i], push_y[i]},
+            {push_at_rest_x[i], push_at_rest_y[i]}};
   }
   [[nodiscard]] Vec2 wish(std::size_t i) const { return {wish_x[i], wish_y[i]}; }
 };

@@ -49,7 +49,7 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
     }
     Traffic traffic = decisions.traffic(i);
     Detour& detour = *tile.detour[i];
-    if (!traffic.is_beside && detour.settled == 0.0) continue;
+    if (!traffic.is_beside && detour.beside == 0.0F) continue;
     traffic.push = push_among_walls(tile, i, law, traffic.push);
     const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), traffic, options, detour);
     decisions.wish_x[i] = wish.x, decisions.wish_y[i] = wish.y;

@@ -136,6 +136,7 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
         ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }
   world.fleet.goal[slot] = goal;
+  world.fleet.detour[slot].has_arrived = false;
   if (Flight* flight = world.fleet.flight(slot)) flight->has_arrived = false;
 }
 

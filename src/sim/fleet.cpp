@@ -280,7 +280,9 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(hash, fleet.id[i].value);
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
-    hash = mixed(mixed(hash, fleet.detour[i].angle), fleet.detour[i].settled);
+    const Detour& detour = fleet.detour[i];
+    hash = mixed(mixed(hash, detour.angle), static_cast<double>(detour.beside));
+    hash = mixed(hash, detour.has_arrived ? 1.0 : 0.0);
     if (fleet.has_clocks) hash = mixed(hash, fleet.clock_of(i));
     if (const Flight* own = fleet.flight(i)) {
       hash = mixed(mixed(hash, own->circle.center), own->circle.radius);

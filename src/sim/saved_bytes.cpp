@@ -89,6 +89,17 @@ void describe(Archive<kReads>& archive, SavedFlight& flight) {
 }
 
 template <bool kReads>
+void describe(Archive<kReads>& archive, Detour& detour) {
+  describe(archive, detour.angle);
+  std::uint64_t word = std::uint64_t{detour.has_arrived} << 32 |
+                       std::uint64_t{std::bit_cast<std::uint32_t>(detour.beside)};
+  archive.word(word);
+  detour.beside = std::bit_cast<float>(static_cast<std::uint32_t>(word));
+  detour.has_arrived = (word >> 32 & 1) != 0;
+  if (word >> 33 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
+}
+
+template <bool kReads>
 void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
   describe(archive, setup.goal), describe(archive, setup.radius);
   describe(archive, setup.max_speed), describe(archive, setup.max_acceleration);
@@ -106,7 +117,7 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, RobotState& state) {
 
   describe(archive, state.id.value), describe(archive, state.position);
   describe(archive, state.velocity), describe(archive, state.heading);
-  describe(archive, state.detour.angle), describe(archive, state.detour.settled);
+  describe(archive, state.detour);
 }
 
 template <bool kReads>

@@ -20,8 +20,9 @@ Neighbor beside(Vec2 velocity, double radius = 0.5) {
   return {.position = {0.5 + radius + 0.05, 0.0}, .velocity = velocity, .radius = radius};
 }
 
+// As far as it moves.
 double push(const Robot& robot, const Neighbor& neighbor) {
-  const Vec2 push = push_of(robot, neighbor);
+  const Vec2 push = motion_of(robot, neighbor) * push_of(robot, neighbor);
   EXPECT_LE(push.x, 0.0);
   EXPECT_EQ(push.y, 0.0);
   return -push.x;
@@ -56,32 +57,77 @@ TEST(GiveWay, to_smaller_ones_less) {
   EXPECT_NEAR(push(robot, small), 0.25 * equal, 1e-12);
 }
 
+// What one that stays beside the same others wishes for, step by step; times in v_max/a_max.
+struct Waiting {
+  Robot robot;
+  PlannerOptions options = {.method = Method::avo, .arrival_distance = 0.5};
+  Vec2 home = {0.3, 0.0};
+  Detour detour = {};
+
+  Vec2 wish_after(double time, const Traffic& traffic) {
+    const double step = options.time_step * robot.max_acceleration / robot.max_speed;
+    Vec2 wish;
+    for (double t = 0.5 * step; t < time; t += step)
+      wish = wish_of(robot, home, traffic, options, detour);
+    return wish;
+  }
+};
+
+const Traffic kAlone, kBesideOne{0.0, true, {}, {}}, kPushed{0.0, true, {-0.5, 0.0}, {}};
+const Traffic kBesideOneAtRest{0.0, true, {}, {-0.5, 0.0}};
+
 // Beside others for four times the time in which it reaches its speed; it then gives way, but does
 // not go back, until it is alone.
 TEST(GiveWay, who_has_settled_stays_where_it_is_pushed_to) {
-  PlannerOptions options;
-  options.method = Method::avo;
-  options.arrival_distance = 0.5;
-  const Robot robot = at_distance(0.4);
-  const Vec2 home{0.3, 0.0};
-  const Traffic alone, resting{0.0, true, {}}, pushed{0.0, true, {-0.5, 0.0}};
-  Detour detour;
-  const double time = robot.max_speed / robot.max_acceleration;
-  const auto wish_after = [&](double seconds, const Traffic& traffic) {
-    Vec2 wish;
-    for (double t = 0.0; t < seconds; t += options.time_step)
-      wish = wish_of(robot, home, traffic, options, detour);
-    return wish;
-  };
-  EXPECT_EQ(wish_after(3.9 * time, resting), home);
-  EXPECT_EQ(wish_after(0.2 * time, resting), Vec2{});
-  EXPECT_LT(wish_after(0.1, pushed).x, -1.0);
-  EXPECT_EQ(wish_after(0.1, resting), Vec2{});
-  EXPECT_EQ(wish_of(at_distance(0.46), home, resting, options, detour), home);
-  EXPECT_EQ(wish_after(0.5 * time, alone), home);  // nobody is in its way
-  EXPECT_GT(detour.settled, 0.9);
-  EXPECT_EQ(wish_after(9.8 * time, alone), home);
-  EXPECT_EQ(detour.settled, 0.0);
+  Waiting waiting{at_distance(0.4)};
+  EXPECT_EQ(waiting.wish_after(3.9, kBesideOne), waiting.home);
+  EXPECT_EQ(waiting.wish_after(0.2, kBesideOne), Vec2{});
+  EXPECT_LT(waiting.wish_after(0.05, kPushed).x, -1.0);
+  EXPECT_EQ(waiting.wish_after(0.05, kBesideOneAtRest), Vec2{});
+  EXPECT_EQ(waiting.wish_after(1.5, kAlone), waiting.home);  // nobody is in its way
+  EXPECT_GT(waiting.detour.beside, 3.0F);
+  EXPECT_EQ(waiting.wish_after(9.0, kAlone), waiting.home);
+  EXPECT_EQ(waiting.detour.beside, 0.0F);
+}
+
+// It loosens the crowd around it, and then tries to get in.
+TEST(GiveWay, on_the_last_of_its_way_to_those_at_rest_by_turns) {
+  Waiting waiting{at_distance(0.6)};
+  EXPECT_NEAR(waiting.wish_after(8.9, kBesideOneAtRest).x,
+              waiting.home.x - 4.0 * 0.5 * waiting.robot.max_speed, 1e-12);
+  EXPECT_EQ(waiting.wish_after(0.2, kBesideOneAtRest), waiting.home);
+  EXPECT_EQ(waiting.wish_after(0.8, kBesideOneAtRest), waiting.home);
+  EXPECT_LT(waiting.wish_after(0.2, kBesideOneAtRest).x, 0.0);
+  Waiting at_goal{at_distance(0.44)};
+  EXPECT_EQ(at_goal.wish_after(3.0, kBesideOneAtRest), at_goal.home);
+}
+
+// Whoever cannot get back to where it has been comes to rest farther and farther away.
+TEST(GiveWay, who_has_been_at_its_goal_settles_beside_it_in_the_end) {
+  for (const bool has_arrived : {true, false}) {
+    Waiting waiting{at_distance(0.9)};
+    waiting.detour.has_arrived = has_arrived;
+    EXPECT_NE(waiting.wish_after(18.8, kBesideOne), Vec2{});
+    EXPECT_EQ(waiting.wish_after(0.4, kBesideOne) == Vec2{}, has_arrived);
+    waiting.robot.distance_to_goal = 1.96;
+    EXPECT_NE(waiting.wish_after(170.0, kBesideOne), Vec2{}) << "no farther than that";
+    waiting.robot.distance_to_goal = 4.1;  // it is sent elsewhere
+    waiting.wish_after(0.05, kBesideOne);
+    EXPECT_FALSE(waiting.detour.has_arrived);
+  }
+}
+
+TEST(GiveWay, whoever_is_at_its_goal_remembers_that_it_has_been_there) {
+  Waiting waiting{at_distance(0.51)};
+  waiting.wish_after(1.0, kBesideOne);
+  EXPECT_FALSE(waiting.detour.has_arrived);
+  waiting.robot.distance_to_goal = 0.5;
+  waiting.wish_after(0.05, kBesideOne);
+  waiting.robot.distance_to_goal = 3.9;
+  waiting.wish_after(0.05, kBesideOne);
+  EXPECT_TRUE(waiting.detour.has_arrived);
+  waiting.wish_after(10.0, kAlone);
+  EXPECT_FALSE(waiting.detour.has_arrived) << "nobody was in its way for long";
 }
 
 }  // namespace

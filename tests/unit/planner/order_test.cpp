@@ -32,7 +32,7 @@ TEST(Order, of_the_neighbors_changes_no_bit_of_a_plan) {
     if (crowd.neighbors.size() < 2) continue;
     const Planner planner(crowd.options);
     PlanWorkspace workspace;
-    Detour detour{0.3, 0.5}, sorted_detour = detour;
+    Detour detour{0.3, 0.5F}, sorted_detour = detour;
     std::stable_sort(crowd.neighbors.begin(), crowd.neighbors.end(),
                      [&](const Neighbor& a, const Neighbor& b) {
                        return norm_squared(a.position - crowd.robot.position) <
@@ -43,7 +43,7 @@ TEST(Order, of_the_neighbors_changes_no_bit_of_a_plan) {
     shuffle(shuffled, random);
     EXPECT_TRUE(same(planner.plan(crowd.robot, shuffled, workspace, &detour), plan)) << crowd;
     EXPECT_EQ(detour.angle, sorted_detour.angle);
-    EXPECT_EQ(detour.settled, sorted_detour.settled);
+    EXPECT_EQ(detour.beside, sorted_detour.beside);
     // who is nearest matters
     const std::vector<Neighbor> rest(crowd.neighbors.begin() + 1, crowd.neighbors.end());
     changed_by_the_nearest += same(planner.plan(crowd.robot, rest, workspace), plan) ? 0 : 1;

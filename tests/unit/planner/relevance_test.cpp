@@ -124,7 +124,8 @@ struct Decision {
            a.plan.acceleration == b.plan.acceleration && a.plan.status == b.plan.status &&
            bits(a.plan.violation) == bits(b.plan.violation) &&
            bits(a.detour.angle) == bits(b.detour.angle) &&
-           bits(a.detour.settled) == bits(b.detour.settled);
+           bits(a.detour.beside) == bits(b.detour.beside) &&
+           a.detour.has_arrived == b.detour.has_arrived;
   }
 };
 
@@ -169,7 +170,8 @@ Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
     const Planner planner(crowd.options);
     const double range = relevant_range(planner, crowd.robot, peers_of(crowd, planner))
                              .at(norm(crowd.robot.velocity));
-    const Detour detour{random.uniform(0.0, 1.0), random.uniform(0.0, 1.0)};
+    const Detour detour{random.uniform(0.0, 1.0), static_cast<float>(random.uniform(0.0, 60.0)),
+                        random.below(2) == 0};
     const Decision all = decide(planner, crowd.robot, crowd.neighbors, detour);
     const std::vector<Neighbor> kept = relevant(crowd, range);
     EXPECT_EQ(decide(planner, crowd.robot, kept, detour), all) << crowd << "\nrange " << range;
@@ -210,8 +212,9 @@ TEST(Relevance, a_mover_far_away_changes_no_bit) {
     if (random.below(2) == 0) crowd.neighbors.resize((crowd.neighbors.size() + 1) / 2);
     if (random.below(8) == 0) crowd.robot.velocity = 1.2 * crowd.robot.velocity;
     const Planner planner(crowd.options);
-    const Detour detour{random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0),
-                        random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0)};
+    const Detour detour{
+        random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0),
+        random.below(2) == 0 ? 0.0F : static_cast<float>(random.uniform(0.0, 60.0))};
     const Decision alone = decide(planner, crowd.robot, crowd.neighbors, detour);
     Neighbor mover;
     mover.position = {1e5, 0.0};
@@ -220,7 +223,7 @@ TEST(Relevance, a_mover_far_away_changes_no_bit) {
     EXPECT_EQ(decide(planner, crowd.robot, crowd.neighbors, detour), alone) << crowd;
     free += alone.plan.status == PlanStatus::optimal && detour.angle == 0.0 ? 1 : 0;
     turning += detour.angle > 0.0 ? 1 : 0;
-    yielding += alone.detour.settled > 0.0 ? 1 : 0;
+    yielding += alone.detour.beside > 0.0F ? 1 : 0;
   }
   EXPECT_GT(free, 1000);
   EXPECT_GT(turning, 1000);

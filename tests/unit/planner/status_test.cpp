@@ -178,7 +178,8 @@ TEST(Status, a_detour_that_is_no_number_is_forgotten) {
     PlanWorkspace workspace;
     const Robot robot{.velocity = {1.0, 0.0}, .preferred_velocity = {2.0, 0.0}};
     for (const double bad : {kNaN, kInfinity, -1.0, 1e9}) {
-      for (const Detour& detour : {Detour{bad, 0.0}, Detour{0.0, bad}, Detour{bad, bad}}) {
+      for (const Detour& detour : {Detour{bad, 0.0F}, Detour{0.0, static_cast<float>(bad)},
+                                   Detour{bad, static_cast<float>(bad)}}) {
         for (const std::vector<Neighbor>& neighbors :
              {std::vector<Neighbor>{}, {near}, {mover}, {near, invalid}}) {
           Detour bad_detour = detour, none;
@@ -186,7 +187,7 @@ TEST(Status, a_detour_that_is_no_number_is_forgotten) {
           EXPECT_EQ(plan.new_velocity,
                     planner.plan(robot, neighbors, workspace, &none).new_velocity);
           EXPECT_EQ(bad_detour.angle, none.angle);
-          EXPECT_EQ(bad_detour.settled, none.settled);
+          EXPECT_EQ(bad_detour.beside, none.beside);
         }
       }
     }

@@ -174,11 +174,12 @@ TEST(CertifiedMotion, what_is_no_number_is_not_admitted) {
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;
   const Robot sound{.velocity = {1, 0}, .preferred_velocity = {2, 0}};
-  for (Detour detour : {Detour{nan, 0.0}, Detour{0.0, nan}, Detour{-1.0, 7.0}}) {
+  for (Detour detour :
+       {Detour{nan, 0.0F}, Detour{0.0, static_cast<float>(nan)}, Detour{-1.0, 7.0F}}) {
     const Plan plan = planner.plan(sound, {}, workspace, &detour);
     EXPECT_TRUE(is_finite(plan.acceleration));
     EXPECT_EQ(detour.angle, 0.0);
-    EXPECT_EQ(detour.settled, 0.0);
+    EXPECT_EQ(detour.beside, 0.0F);
   }
   Robot robot = sound;
   robot.distance_to_goal = nan;
