@@ -162,10 +162,11 @@ struct WallPlanes {
 /// What a robot remembers from one decision to the next, to get around a jam and to come to rest.
 /// Method avo only.
 struct Detour {
-  double angle = 0.0;  ///< rad, how far it has turned off its way, to the right
+  float angle = 0.0F;  ///< rad, how far it has turned off its way, to the right
   /// v_max/a_max, 0 to 200: for how long others have been beside it near its goal; less as it is
   /// alone.
   float beside = 0.0F;
+  float congestion = 0.0F;   ///< robots ahead that it is used to, 0 to 2.8
   bool has_arrived = false;  ///< and been within arrival_distance of its goal since then
 };
 

@@ -28,7 +28,9 @@ constexpr double kGrowth = 0.1;          // arrival distances per T
 constexpr double kMostGrowth = 3.0;      // arrival distances
 constexpr double kLongest = 200.0;       // T beside others that it remembers
 constexpr double kRecovers = 10.0;       // T alone, until it has forgotten all of them
-constexpr double kMostDetour = 2.4;      // almost back
+constexpr double kGetsUsed = 100.0;      // T, to the congestion ahead
+constexpr double kUsual = 2.0;           // times what it is used to does not make it keep right
+constexpr float kMostDetour = 2.4F;      // rad, almost back
 constexpr double kTurnOff = 1.0;         // per T
 constexpr double kTurnBack = 2.0;        // per T
 
@@ -71,8 +73,8 @@ void remember(const Robot& robot, bool is_beside, const PlannerOptions& options,
 }  // namespace
 
 bool is_sound(const Detour& detour) {
-  return detour.angle >= 0.0 && detour.angle <= kMostDetour && detour.beside >= 0.0F &&
-         detour.beside <= kLongest;
+  return detour.angle >= 0.0F && detour.angle <= kMostDetour && detour.beside >= 0.0F &&
+         detour.beside <= kLongest && detour.congestion >= 0.0F && detour.congestion <= kCongestion;
 }
 
 double arrival_range(const Robot& robot, double largest_radius) {
@@ -105,6 +107,15 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   return (nearing * size * nearness / distance) * away;
 }
 
+double unusual_congestion(double ahead, double max_speed, double max_acceleration, double time_step,
+                          Detour& detour) {
+  const double elapsed = time_step * max_acceleration / max_speed;
+  const double usual = detour.congestion;
+  const double part = std::min(elapsed / kGetsUsed, 1.0);
+  detour.congestion = static_cast<float>(usual + part * (std::min(ahead, kCongestion) - usual));
+  return std::max(ahead - kUsual * detour.congestion, 0.0);
+}
+
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
              const PlannerOptions& options, Detour& detour) {
   remember(robot, traffic.is_beside, options, detour);
@@ -129,14 +140,16 @@ bool may_detour(const Robot& robot) {
 
 void turn_off(Detour& detour, const Robot& robot, double time_step, bool among_walls) {
   if (among_walls && detour.angle == kMostDetour) {
-    detour.angle = 0.0;
+    detour.angle = 0.0F;
     return;
   }
-  detour.angle = std::min(detour.angle + kTurnOff * time_step / time_to_speed(robot), kMostDetour);
+  const double turn = kTurnOff * time_step / time_to_speed(robot);
+  detour.angle = std::min(static_cast<float>(detour.angle + turn), kMostDetour);
 }
 
 void turn_back(Detour& detour, const Robot& robot, double time_step) {
-  detour.angle = std::max(detour.angle - kTurnBack * time_step / time_to_speed(robot), 0.0);
+  const double turn = kTurnBack * time_step / time_to_speed(robot);
+  detour.angle = std::max(static_cast<float>(detour.angle - turn), 0.0F);
 }
 
 }  // namespace avo

@@ -39,6 +39,11 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 /// Whether it is something that a robot can remember.
 bool is_sound(const Detour& detour);
 
+/// By how much the way ahead is more congested than what the robot is used to, which it remembers:
+/// to keep right for ever gets nobody anywhere.
+double unusual_congestion(double ahead, double max_speed, double max_acceleration, double time_step,
+                          Detour& detour);
+
 /// [m/s] which way a robot wishes to go: as it keeps right, or nowhere where it has settled, and in
 /// both cases out of the way of those that push.
 Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,

@@ -103,7 +103,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   const Vec2 wish = wished.wish;
   CertifiedChoice choice = choose_admitted(decision, wished.next);
   if (!may_detour(robot)) {
-    detour.angle = 0.0;
+    detour.angle = 0.0F;
     return choice;
   }
   if (is_way_blocked(decision, choice, wished.unhindered, wish)) {

@@ -40,6 +40,11 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
     return;
   }
   look_around(robots, decisions);
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    decisions.ahead[i] =
+        unusual_congestion(decisions.ahead[i], robots.max_speed[i], robots.max_acceleration[i],
+                           options.time_step, *tile.detour[i]);
+  }
   keep_right(robots, decisions);
   const StepLaw law = certificate_law(planner).step;
   for (std::size_t i = 0; i < robots.count; ++i) {

@@ -281,8 +281,8 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
     hash = mixed(hash, fleet.heading[i]);
     const Detour& detour = fleet.detour[i];
-    hash = mixed(mixed(hash, detour.angle), static_cast<double>(detour.beside));
-    hash = mixed(hash, detour.has_arrived ? 1.0 : 0.0);
+    hash = mixed(mixed(hash, detour.angle), detour.beside);
+    hash = mixed(mixed(hash, detour.congestion), detour.has_arrived ? 1.0 : 0.0);
     if (fleet.has_clocks) hash = mixed(hash, fleet.clock_of(i));
     if (const Flight* own = fleet.flight(i)) {
       hash = mixed(mixed(hash, own->circle.center), own->circle.radius);

@@ -90,13 +90,17 @@ void describe(Archive<kReads>& archive, SavedFlight& flight) {
 
 template <bool kReads>
 void describe(Archive<kReads>& archive, Detour& detour) {
-  describe(archive, detour.angle);
-  std::uint64_t word = std::uint64_t{detour.has_arrived} << 32 |
-                       std::uint64_t{std::bit_cast<std::uint32_t>(detour.beside)};
-  archive.word(word);
-  detour.beside = std::bit_cast<float>(static_cast<std::uint32_t>(word));
-  detour.has_arrived = (word >> 32 & 1) != 0;
-  if (word >> 33 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
+  const auto packed = [](float low, std::uint64_t high) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(low)} | high << 32;
+  };
+  const auto number = [](std::uint64_t word) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(word));
+  };
+  std::uint64_t first = packed(detour.angle, std::bit_cast<std::uint32_t>(detour.beside));
+  std::uint64_t second = packed(detour.congestion, detour.has_arrived ? 1 : 0);
+  archive.word(first), archive.word(second);
+  if (second >> 33 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
+  detour = {number(first), number(first >> 32), number(second), second >> 32 != 0};
 }
 
 template <bool kReads>
