@@ -19,10 +19,11 @@ def subscript(match):
 
 
 def constants(*sources):
-    """All `constexpr double` of sources below src/, by name."""
+    """All `constexpr double` and `float` of sources below src/, by name."""
     values = {}
     for source in sources:
-        for name, value in re.findall(r"constexpr double (k\w+) = ([^;]+);", (ROOT / "src" / source).read_text()):
+        for name, value in re.findall(r"constexpr (?:double|float) (k\w+) = ([^;]+?)F?;",
+                                      (ROOT / "src" / source).read_text()):
             if re.fullmatch(r"[-+*/().e\d\s]+", value):
                 values[name] = eval(value)
     return types.SimpleNamespace(**values)

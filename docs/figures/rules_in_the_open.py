@@ -33,7 +33,8 @@ def keep_right():
     for k, line in enumerate(("range", "1.5 L", "or 6 r")):
         figure.text((reach, 0), line, GRAY, dx=8, dy=18 * k - 13)
     figure.text((-2, -3.7), f"angle = {math.degrees(OPEN.kMostKeepRight):.0f}° · min(Σ / {OPEN.kCongestion}, 1); "
-                f"Σ = sum of the weights 1 − d / range: here {congestion:.2f}, so {-math.degrees(angle):.0f}°")
+                f"Σ = sum of the weights 1 − d / range, less {OPEN.kUsual:g} · usual: here {congestion:.2f} − 0, "
+                f"so {-math.degrees(angle):.0f}°")
     figure.text((-2, -3.7), "red: ahead, and closing in or nearly at rest; gray: going away, or behind", dy=22)
     return figure
 
@@ -59,6 +60,37 @@ def give_way():
                                     (0.3, "0.3")),
           ((0, 0), (OPEN.kAtRest, 0), (OPEN.kInMotion, 1), (0.3, 1)), "speed of B / v_max",
           f"and within {2 * OPEN.kLeash:g} r_A of the goal, of neighbors not larger")
+    return figure
+
+
+def settle():
+    figure = Figure("settle", "Near its goal a robot makes room by turns, and settles in the end", 760, 285)
+    last, first, most = 45.0, OPEN.kSettleDistance, OPEN.kSettleDistance + OPEN.kMostGrowth
+    figure.view((110, 200), 1.0)
+    x, y = 580 / last, 36.0
+    tries = round(last / OPEN.kTry)
+    for k in range(tries + 1):
+        begin, end = k * OPEN.kTry, min((k + OPEN.kYields) * OPEN.kTry, last)
+        if begin < last:
+            figure.area([(x * begin, y * first), (x * end, y * first), (x * end, 4.2 * y), (x * begin, 4.2 * y)],
+                        BLUE, 0.8)
+    figure.line([(0, 0), (x * last + 14, 0)], BLACK, 1, False, "end")
+    figure.line([(0, 0), (0, 4.4 * y)], BLACK, 1, False, "end")
+    for time in range(0, 50, 10):
+        figure.line([(x * time, 0), (x * time, -4)], BLACK, 1)
+        figure.text((x * time, 0), f"{time}" if time < 40 else "40 T", BLACK, "middle", 0, 18)
+    for distance in range(1, 5):
+        figure.line([(0, y * distance), (-4, y * distance)], BLACK, 1)
+        figure.text((0, y * distance), f"{distance}", BLACK, "end", -8, 5)
+    grown = OPEN.kPatience + OPEN.kMostGrowth / OPEN.kGrowth
+    figure.line([(x * OPEN.kSettles, 0), (x * OPEN.kSettles, y * first), (x * OPEN.kPatience, y * first),
+                 (x * grown, y * most), (x * last, y * most)], RED, 2.5)
+    figure.line([(x * OPEN.kPatience, y * first), (x * last, y * first)], RED, 1.5, dashed=True)
+    figure.text((x * last, y * 1.45), "below red it settles, if it has been at its goal", RED, "end", -4, 0)
+    figure.text((x * last, y * first), "if not", RED, "end", -4, 18)
+    figure.text((x * last, 0), "time beside others", BLACK, "end", 0, 38)
+    figure.text((0, 4.4 * y), "distance to the goal / arrival distance", BLACK, dx=10, dy=-8)
+    figure.text((0, 0), "on blue, as long as it has not settled, it gives way to those at rest as well", BLUE, dy=62)
     return figure
 
 
@@ -96,10 +128,10 @@ def detour():
     figure.text((3.3, 0), "wish", GRAY, "middle", 0, -8)
     figure.text(chosen, "next", BLUE, "end", -8, 10)
     figure.text((1.15, 1.1), "not admitted", RED, dx=-4)
-    figure.text((OPEN.kBlocked * reach, 2.4), "half of unhindered", BLUE, "middle", 0, -6)
+    figure.text((OPEN.kBlocked * reach, 2.4), f"{OPEN.kBlocked:g} of unhindered", BLUE, "middle", 0, -6)
     figure.text((-1.1, 0.9), "admitted", BLACK, "middle")
     figure.text((-2.6, 0), "(b) velocities after a step: it is blocked, as", dy=180)
-    figure.text((-2.6, 0), "next lies before half of unhindered", dx=24, dy=200)
+    figure.text((-2.6, 0), f"next lies before {OPEN.kBlocked:g} of unhindered", dx=24, dy=200)
     return figure
 
 

@@ -2,6 +2,7 @@
 // Giving way (docs/arrival.md, rule 2): whom a robot makes room for, and where it stays.
 #include "planner/arrival.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "avo/planner.h"
@@ -26,6 +27,26 @@ double push(const Robot& robot, const Neighbor& neighbor) {
   EXPECT_LE(push.x, 0.0);
   EXPECT_EQ(push.y, 0.0);
   return -push.x;
+}
+
+// Step by step; the mean of the last hundred v_max/a_max.
+TEST(KeepRight, as_far_as_the_way_is_more_congested_than_usual) {
+  Detour detour;
+  const auto after = [&](double time, double ahead) {
+    double unusual = 0.0;
+    for (double t = 0.0; t < time; t += 0.1)
+      unusual = unusual_congestion(ahead, 2.0, 1.0, 0.1, detour);
+    return unusual;
+  };
+  EXPECT_NEAR(after(0.1, 1.0), 1.0, 2e-3);
+  EXPECT_NEAR(after(100.0, 1.0), 1.0 - 2.0 * (1.0 - std::exp(-0.5)), 1e-2);
+  EXPECT_EQ(after(100.0, 1.0), 0.0) << "it does not turn to the left";
+  EXPECT_NEAR(detour.congestion, 1.0 - std::exp(-1.0), 1e-2);
+  EXPECT_NEAR(after(0.1, 2.0), 2.0 - 2.0 * (1.0 - std::exp(-1.0)), 1e-2);
+  after(5000.0, 50.0);
+  EXPECT_TRUE(is_sound(detour)) << detour.congestion;
+  after(2000.0, 0.0);
+  EXPECT_NEAR(detour.congestion, 0.0, 1e-3);
 }
 
 TEST(GiveWay, near_its_goal_to_those_that_move) {

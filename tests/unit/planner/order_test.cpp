@@ -32,7 +32,7 @@ TEST(Order, of_the_neighbors_changes_no_bit_of_a_plan) {
     if (crowd.neighbors.size() < 2) continue;
     const Planner planner(crowd.options);
     PlanWorkspace workspace;
-    Detour detour{0.3, 0.5F}, sorted_detour = detour;
+    Detour detour{0.3F, 0.5F}, sorted_detour = detour;
     std::stable_sort(crowd.neighbors.begin(), crowd.neighbors.end(),
                      [&](const Neighbor& a, const Neighbor& b) {
                        return norm_squared(a.position - crowd.robot.position) <

@@ -115,6 +115,11 @@ std::vector<Neighbor> relevant(const Crowd& crowd, double range) {
   return kept;
 }
 
+Detour any_detour(Random& random) {
+  const auto below = [&](double most) { return static_cast<float>(random.uniform(0.0, most)); };
+  return {below(1.0), below(60.0), below(2.8), random.below(2) == 0};
+}
+
 struct Decision {
   Plan plan;
   Detour detour;
@@ -125,6 +130,7 @@ struct Decision {
            bits(a.plan.violation) == bits(b.plan.violation) &&
            bits(a.detour.angle) == bits(b.detour.angle) &&
            bits(a.detour.beside) == bits(b.detour.beside) &&
+           bits(a.detour.congestion) == bits(b.detour.congestion) &&
            a.detour.has_arrived == b.detour.has_arrived;
   }
 };
@@ -170,8 +176,7 @@ Counts compare(Certificate certificate, Motion motion, std::uint64_t seed) {
     const Planner planner(crowd.options);
     const double range = relevant_range(planner, crowd.robot, peers_of(crowd, planner))
                              .at(norm(crowd.robot.velocity));
-    const Detour detour{random.uniform(0.0, 1.0), static_cast<float>(random.uniform(0.0, 60.0)),
-                        random.below(2) == 0};
+    const Detour detour = any_detour(random);
     const Decision all = decide(planner, crowd.robot, crowd.neighbors, detour);
     const std::vector<Neighbor> kept = relevant(crowd, range);
     EXPECT_EQ(decide(planner, crowd.robot, kept, detour), all) << crowd << "\nrange " << range;
@@ -212,9 +217,9 @@ TEST(Relevance, a_mover_far_away_changes_no_bit) {
     if (random.below(2) == 0) crowd.neighbors.resize((crowd.neighbors.size() + 1) / 2);
     if (random.below(8) == 0) crowd.robot.velocity = 1.2 * crowd.robot.velocity;
     const Planner planner(crowd.options);
-    const Detour detour{
-        random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0),
-        random.below(2) == 0 ? 0.0F : static_cast<float>(random.uniform(0.0, 60.0))};
+    Detour detour = any_detour(random);
+    if (random.below(2) == 0) detour.angle = 0.0F;
+    if (random.below(2) == 0) detour.beside = 0.0F;
     const Decision alone = decide(planner, crowd.robot, crowd.neighbors, detour);
     Neighbor mover;
     mover.position = {1e5, 0.0};

@@ -178,8 +178,9 @@ TEST(Status, a_detour_that_is_no_number_is_forgotten) {
     PlanWorkspace workspace;
     const Robot robot{.velocity = {1.0, 0.0}, .preferred_velocity = {2.0, 0.0}};
     for (const double bad : {kNaN, kInfinity, -1.0, 1e9}) {
-      for (const Detour& detour : {Detour{bad, 0.0F}, Detour{0.0, static_cast<float>(bad)},
-                                   Detour{bad, static_cast<float>(bad)}}) {
+      const auto part = static_cast<float>(bad);
+      for (const Detour& detour :
+           {Detour{part}, Detour{0.0F, part}, Detour{part, part}, Detour{0.0F, 0.0F, part}}) {
         for (const std::vector<Neighbor>& neighbors :
              {std::vector<Neighbor>{}, {near}, {mover}, {near, invalid}}) {
           Detour bad_detour = detour, none;
@@ -188,6 +189,7 @@ TEST(Status, a_detour_that_is_no_number_is_forgotten) {
                     planner.plan(robot, neighbors, workspace, &none).new_velocity);
           EXPECT_EQ(bad_detour.angle, none.angle);
           EXPECT_EQ(bad_detour.beside, none.beside);
+          EXPECT_EQ(bad_detour.congestion, none.congestion);
         }
       }
     }

@@ -171,6 +171,7 @@ TEST(CertifiedMotion, cars_are_refused_what_they_cannot_do) {
 
 TEST(CertifiedMotion, what_is_no_number_is_not_admitted) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const float nan_part = std::numeric_limits<float>::quiet_NaN();
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;
   const Robot sound{.velocity = {1, 0}, .preferred_velocity = {2, 0}};

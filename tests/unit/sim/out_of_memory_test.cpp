@@ -41,11 +41,11 @@ TEST(OutOfMemory, a_plan_throws_and_the_next_one_is_as_good_as_ever) {
     std::swap(seen.neighbors.front(), seen.neighbors.back());  // has to be sorted
     const Planner& planner = simulation.planner();
     PlanWorkspace fresh;
-    Detour expected_detour{0.5, 0.25F};
+    Detour expected_detour{0.5F, 0.25F};
     const Plan expected = planner.plan(seen.robot, seen.neighbors, fresh, &expected_detour);
     PlanWorkspace workspace;
     Plan plan;
-    Detour detour{0.5, 0.25F};
+    Detour detour{0.5F, 0.25F};
     const int failed = failures([&] {
       EXPECT_EQ(detour.angle, 0.5) << "unchanged by a plan that failed";
       plan = planner.plan(seen.robot, seen.neighbors, workspace, &detour);
