@@ -8,21 +8,21 @@ namespace avo_test {
 
 const std::vector<PinnedRun>& pinned_runs() {
   static const std::vector<PinnedRun> runs{
-      {"circle_100", "circle-100", {}, 0, 0xa68713678c7d1db7},
-      {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x808c9f74d53aa99a},
-      {"swap_blocks", "swap-blocks", {}, 0, 0xefdf742b7b7ecdaa},
-      {"uniform_1000", "uniform-1000", {}, 100, 0x318e50f666ac02f2},
-      {"cars_100", "cars-100", {}, 0, 0x06419f790387692d},
-      {"drives_100", "drives-100", {}, 0, 0xa7f54f7ee3238dc9},
+      {"circle_100", "circle-100", {}, 0, 0x15a81ea617f22856},
+      {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x8cd51b2810556d66},
+      {"swap_blocks", "swap-blocks", {}, 0, 0x16c74776ec68423f},
+      {"uniform_1000", "uniform-1000", {}, 100, 0xae2886b9cb3e5bab},
+      {"cars_100", "cars-100", {}, 0, 0xba61071e52767280},
+      {"drives_100", "drives-100", {}, 0, 0x653f2c8b9cfa56fa},
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
-      {"person", "person", {}, 0, 0xb0d5ffd3f91cdb1b},
-      {"reversing_cars", "reversing-cars", {}, 0, 0xbb99824511c86911},
-      {"mixed_yard", "mixed-yard", {}, 0, 0x216a0f71455dfeaa},
+      {"person", "person", {}, 0, 0x3acc942a286b85da},
+      {"reversing_cars", "reversing-cars", {}, 0, 0x6b6435ca066cff6c},
+      {"mixed_yard", "mixed-yard", {}, 0, 0x3ef6fde3b5ec1689},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
        0,
-       0xb6667258c747a752},
+       0x59874e7ba377b84b},
   };
   return runs;
 }

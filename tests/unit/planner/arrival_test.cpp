@@ -97,17 +97,17 @@ struct Waiting {
 const Traffic kAlone, kBesideOne{0.0, true, {}, {}}, kPushed{0.0, true, {-0.5, 0.0}, {}};
 const Traffic kBesideOneAtRest{0.0, true, {}, {-0.5, 0.0}};
 
-// Beside others for four times the time in which it reaches its speed; it then gives way, but does
+// Beside others for twice the time in which it reaches its speed; it then gives way, but does
 // not go back, until it is alone.
 TEST(GiveWay, who_has_settled_stays_where_it_is_pushed_to) {
   Waiting waiting{at_distance(0.4)};
-  EXPECT_EQ(waiting.wish_after(3.9, kBesideOne), waiting.home);
+  EXPECT_EQ(waiting.wish_after(1.9, kBesideOne), waiting.home);
   EXPECT_EQ(waiting.wish_after(0.2, kBesideOne), Vec2{});
   EXPECT_LT(waiting.wish_after(0.05, kPushed).x, -1.0);
   EXPECT_EQ(waiting.wish_after(0.05, kBesideOneAtRest), Vec2{});
   EXPECT_EQ(waiting.wish_after(1.5, kAlone), waiting.home);  // nobody is in its way
-  EXPECT_GT(waiting.detour.beside, 3.0F);
-  EXPECT_EQ(waiting.wish_after(9.0, kAlone), waiting.home);
+  EXPECT_GT(waiting.detour.beside, 1.5F);
+  EXPECT_EQ(waiting.wish_after(10.0, kAlone), waiting.home);
   EXPECT_EQ(waiting.detour.beside, 0.0F);
 }
 
@@ -120,7 +120,7 @@ TEST(GiveWay, on_the_last_of_its_way_to_those_at_rest_by_turns) {
   EXPECT_EQ(waiting.wish_after(0.8, kBesideOneAtRest), waiting.home);
   EXPECT_LT(waiting.wish_after(0.2, kBesideOneAtRest).x, 0.0);
   Waiting at_goal{at_distance(0.44)};
-  EXPECT_EQ(at_goal.wish_after(3.0, kBesideOneAtRest), at_goal.home);
+  EXPECT_EQ(at_goal.wish_after(1.9, kBesideOneAtRest), at_goal.home);
 }
 
 // Whoever cannot get back to where it has been comes to rest farther and farther away.

@@ -64,6 +64,7 @@ Crowd scaled(const Crowd& crowd, double length) {
   result.robot.max_acceleration *= length;
   result.robot.max_speed *= length;
   result.robot.distance_to_goal *= length;
+  result.options.arrival_distance *= length;
   for (Neighbor& B : result.neighbors) {
     B.radius *= length;
     B.max_acceleration *= length;
