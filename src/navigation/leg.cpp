@@ -36,6 +36,8 @@ struct Lookout {
     const double there = target == PathMap::kGoal ? map.room : graph.room[target];
     return graph.grid.is_clear(p, point_of(graph, map, target), std::min(room, there));
   }
+  // Then nothing is nearer by way, but for rounding.
+  bool sees_goal() const { return map.is_free && sees(PathMap::kGoal); }
 };
 
 // The target in view with the shortest way, of all.
@@ -43,11 +45,10 @@ std::uint32_t best_of_all(const Lookout& lookout) {
   const PathMap& map = lookout.map;
   std::vector<std::pair<double, std::uint32_t>>& targets = lookout.scratch.targets;
   targets.clear();
-  targets.reserve(map.length.size() + 1);
+  targets.reserve(map.length.size());
   for (std::uint32_t k = 0; k < map.length.size(); ++k) {
     if (map.length[k] < kInfinity) targets.push_back({lookout.length_by(k), k});
   }
-  if (map.is_free) targets.push_back({lookout.length_by(PathMap::kGoal), PathMap::kGoal});
   const auto farther = std::greater<>();
   std::make_heap(targets.begin(), targets.end(), farther);
   while (!targets.empty()) {
@@ -86,6 +87,7 @@ struct Choice {
 };
 
 std::uint32_t best_in_view(const Lookout& lookout) {
+  if (lookout.sees_goal()) return PathMap::kGoal;
   if (lookout.graph.lattice.empty()) return best_of_all(lookout);
   Choice choice{lookout};
   const Lattice& lattice = lookout.graph.lattice;
@@ -104,12 +106,12 @@ std::uint32_t best_around(const Lookout& lookout, std::uint32_t target, bool is_
   Choice choice{lookout};
   if (is_in_view) choice.best = target, choice.least = lookout.length_by(target);
   if (target == PathMap::kGoal) return choice.best;
+  if (lookout.sees_goal()) return PathMap::kGoal;
   if (lookout.graph.lattice.empty()) {
     for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) choice.look(edge.to);
   } else {
     for (const std::int64_t away : {0, 1}) choice.look_around(away);
   }
-  choice.look(PathMap::kGoal);
   return choice.best;
 }
 
