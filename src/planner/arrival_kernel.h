@@ -76,14 +76,17 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const Real contact = Real(robots.radius[i]) + load(columns.radius);
     const Real reach = contact + Real(kRoom) * contact;
     const auto beside = counted & (squared < reach * reach) & (squared > zero);
-    for (std::uint32_t lanes = bits(beside); lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    if (std::uint32_t lanes = bits(beside); lanes != 0) {
       traffic.is_beside = true;
       const Robot robot = robots.robot(i);
-      const Vec2 push = push_of(robot, neighbors[k + lane]);
-      const double motion = motion_of(robot, neighbors[k + lane]);
-      traffic.push = traffic.push + motion * push;
-      traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
+      for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+        const Neighbor neighbor = neighbors[k + lane];
+        const Vec2 push = push_of(robot, neighbor);
+        const double motion = motion_of(robot, neighbor);
+        traffic.push = traffic.push + motion * push;
+        traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
+      }
     }
     if (last) break;
   }
