@@ -84,6 +84,8 @@ void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
     if (!outcome.rest) continue;
     row.resting_scenes += std::isfinite(*outcome.rest) ? 1 : 0;
     rests.push_back(std::min(*outcome.rest, outcome.duration));
+    const double after = rests.back() - lasts.back();
+    row.longest_to_rest = std::max(row.longest_to_rest.value_or(after), after);
   }
   row.median_ratio = quantile(last_ratios, 0.5), row.high_ratio = quantile(last_ratios, 0.95);
   if (!flows.empty()) {
@@ -202,9 +204,9 @@ std::string table_lines(const RowResult& row) {
   if (row.median_rest) {
     line += format(
         "  rest: nobody moves any more in %lld of %lld scenes, since %.1f s in the median, "
-        "%.1f s at last\n",
+        "%.1f s at last, at most %.1f s after the last arrival\n",
         static_cast<long long>(row.resting_scenes), static_cast<long long>(row.scenes),
-        *row.median_rest, *row.last_rest);
+        *row.median_rest, *row.last_rest, *row.longest_to_rest);
   }
   if (row.mean_flow) {
     line += format("  flow: %.3f of the preferred speed in the mean of the scenes, %.3f in one\n",

@@ -35,6 +35,7 @@ struct RowResult {
   double median_ratio = 0.0, high_ratio = 0.0;   ///< of the last arrivals, and the 95 % quantile
   std::int64_t resting_scenes = 0;               ///< in which nobody moves at the end
   std::optional<double> median_rest, last_rest;  ///< s, since when; never counts as the duration
+  std::optional<double> longest_to_rest;         ///< s, after the last arrival of a scene
   std::optional<double> mean_flow, least_flow;   ///< of the scenes, see Outcome::flow
   std::int64_t late_scenes = 0;                  ///< where too few arrived within the limit
   std::array<std::int64_t, kMostStatuses> decisions = {};

@@ -77,6 +77,7 @@ std::string scene_json(const Outcome& outcome) {
         .add_raw("not_arrived",
                  json_array(missing, [](std::int64_t i) { return std::to_string(i); }));
   }
+  if (outcome.rest) object.add("rest", *outcome.rest);
   return object.text();
 }
 
@@ -122,7 +123,8 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
     if (row.median_rest) {
       object.add("resting_scenes", row.resting_scenes)
           .add("median_rest", *row.median_rest)
-          .add("last_rest", *row.last_rest);
+          .add("last_rest", *row.last_rest)
+          .add("longest_to_rest", *row.longest_to_rest);
     }
   }
   if (row.mean_flow) object.add("flow", *row.mean_flow).add("least_flow", *row.least_flow);

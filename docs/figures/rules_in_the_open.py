@@ -53,13 +53,13 @@ def give_way():
     figure.text((-2.3, -2.1), f"{OPEN.kPush:g} v_max · nearness · weight · min(r_B / r_A, 1)", BLUE, dy=21)
     figure.text((-2.3, -2.1), "nearness: 1 in contact, 0 on the dashed ring", dy=46)
     bend = (1 - OPEN.kLeastWeight) * OPEN.kLeash
-    graph(figure, (430, 112), 290, ((0, "0"), (bend, f"{bend:g}"), (6, "6")),
-          ((0, 1), (bend, OPEN.kLeastWeight), (6, OPEN.kLeastWeight)), "distance to the goal / (r_A + r_B)",
+    graph(figure, (430, 112), 290, ((0, "0"), (bend, f"{bend:g}"), (8, "8")),
+          ((0, 1), (bend, OPEN.kLeastWeight), (8, OPEN.kLeastWeight)), "distance to the goal / (r_A + r_B)",
           f"weight: 1 at the goal, {OPEN.kLeastWeight:g} on the way")
     graph(figure, (430, 272), 290, ((0, "0"), (OPEN.kInMotion, f"{OPEN.kInMotion:g}"),
                                     (0.3, "0.3")),
           ((0, 0), (OPEN.kAtRest, 0), (OPEN.kInMotion, 1), (0.3, 1)), "speed of B / v_max",
-          f"and within {2 * OPEN.kLeash:g} r_A of the goal, of neighbors not larger")
+          f"within {OPEN.kNear:g} r_A of the goal, if r_B ≤ r_A")
     return figure
 
 

@@ -13,18 +13,19 @@ namespace {
 
 using Real = scalar::Pack<double>;
 
-constexpr double kLeash = 4.0;  // r_A + r_B: distance to the goal within which it gives way more
+constexpr double kLeash = 6.0;  // r_A + r_B: distance to the goal within which it gives way more
+constexpr double kNear = 20.0;  // radii, of the goal: the last of the way
 constexpr double kLeastWeight = 0.3;     // of giving way on the way
 constexpr double kPush = 2.0;            // v_max, in contact
 constexpr double kPushAtRest = 4.0;      // v_max, of one at rest
 constexpr double kAtRest = 0.01;         // of v_max: so slow, nobody pushes who is near its goal
 constexpr double kInMotion = 0.2;        // of v_max: so fast, in full
-constexpr double kTry = 10.0;            // T: of that long, on the last of the way,
+constexpr double kTry = 14.0;            // T: of that long, on the last of the way,
 constexpr double kYields = 0.9;          // it gives way for this part to those at rest as well
 constexpr double kSettles = 2.0;         // T beside others, until it stays where it is
 constexpr double kSettleDistance = 0.9;  // of the arrival distance, from the goal
-constexpr double kPatience = 10.0;       // T beside others: from then on that grows
-constexpr double kGrowth = 0.1;          // arrival distances per T
+constexpr double kPatience = 6.0;        // T beside others: from then on that grows
+constexpr double kGrowth = 0.15;         // arrival distances per T
 constexpr double kMostGrowth = 3.0;      // arrival distances
 constexpr double kLongest = 200.0;       // T beside others that it remembers
 constexpr double kRecovers = 10.0;       // T alone, until it has forgotten all of them
@@ -131,7 +132,7 @@ bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {
 }
 
 bool is_near_goal(const Robot& robot) {
-  return robot.distance_to_goal < 2.0 * kLeash * robot.radius;
+  return robot.distance_to_goal < kNear * robot.radius;
 }
 
 bool may_detour(const Robot& robot) {

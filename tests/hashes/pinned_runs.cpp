@@ -8,16 +8,16 @@ namespace avo_test {
 
 const std::vector<PinnedRun>& pinned_runs() {
   static const std::vector<PinnedRun> runs{
-      {"circle_100", "circle-100", {}, 0, 0x15a81ea617f22856},
+      {"circle_100", "circle-100", {}, 0, 0x765f7c179f939a4c},
       {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x8cd51b2810556d66},
-      {"swap_blocks", "swap-blocks", {}, 0, 0x195bdec291f1a094},
-      {"uniform_1000", "uniform-1000", {}, 100, 0xb78e48fc6e5e00e4},
-      {"cars_100", "cars-100", {}, 0, 0x80d51173f29e3093},
-      {"drives_100", "drives-100", {}, 0, 0xc2171644c3b8190d},
+      {"swap_blocks", "swap-blocks", {}, 0, 0x8e7c562cde957962},
+      {"uniform_1000", "uniform-1000", {}, 100, 0x65630337abcf672d},
+      {"cars_100", "cars-100", {}, 0, 0xc588527930df53a2},
+      {"drives_100", "drives-100", {}, 0, 0xf18a0bc2af0230e2},
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
       {"person", "person", {}, 0, 0x3acc942a286b85da},
-      {"reversing_cars", "reversing-cars", {}, 0, 0x6b6435ca066cff6c},
-      {"mixed_yard", "mixed-yard", {}, 0, 0x2a73250863b98f13},
+      {"reversing_cars", "reversing-cars", {}, 0, 0x11f33080f014ab65},
+      {"mixed_yard", "mixed-yard", {}, 0, 0xf85c85541c49a7ff},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},

@@ -114,10 +114,10 @@ TEST(GiveWay, who_has_settled_stays_where_it_is_pushed_to) {
 // It loosens the crowd around it, and then tries to get in.
 TEST(GiveWay, on_the_last_of_its_way_to_those_at_rest_by_turns) {
   Waiting waiting{at_distance(0.6)};
-  EXPECT_NEAR(waiting.wish_after(8.9, kBesideOneAtRest).x,
+  EXPECT_NEAR(waiting.wish_after(12.5, kBesideOneAtRest).x,
               waiting.home.x - 4.0 * 0.5 * waiting.robot.max_speed, 1e-12);
   EXPECT_EQ(waiting.wish_after(0.2, kBesideOneAtRest), waiting.home);
-  EXPECT_EQ(waiting.wish_after(0.8, kBesideOneAtRest), waiting.home);
+  EXPECT_EQ(waiting.wish_after(1.2, kBesideOneAtRest), waiting.home);
   EXPECT_LT(waiting.wish_after(0.2, kBesideOneAtRest).x, 0.0);
   Waiting at_goal{at_distance(0.44)};
   EXPECT_EQ(at_goal.wish_after(1.9, kBesideOneAtRest), at_goal.home);
@@ -128,11 +128,11 @@ TEST(GiveWay, who_has_been_at_its_goal_settles_beside_it_in_the_end) {
   for (const bool has_arrived : {true, false}) {
     Waiting waiting{at_distance(0.9)};
     waiting.detour.has_arrived = has_arrived;
-    EXPECT_NE(waiting.wish_after(18.8, kBesideOne), Vec2{});
+    EXPECT_NE(waiting.wish_after(11.8, kBesideOne), Vec2{});
     EXPECT_EQ(waiting.wish_after(0.4, kBesideOne) == Vec2{}, has_arrived);
     waiting.robot.distance_to_goal = 1.96;
     EXPECT_NE(waiting.wish_after(170.0, kBesideOne), Vec2{}) << "no farther than that";
-    waiting.robot.distance_to_goal = 4.1;  // it is sent elsewhere
+    waiting.robot.distance_to_goal = 10.1;  // it is sent elsewhere
     waiting.wish_after(0.05, kBesideOne);
     EXPECT_FALSE(waiting.detour.has_arrived);
   }
@@ -144,7 +144,7 @@ TEST(GiveWay, whoever_is_at_its_goal_remembers_that_it_has_been_there) {
   EXPECT_FALSE(waiting.detour.has_arrived);
   waiting.robot.distance_to_goal = 0.5;
   waiting.wish_after(0.05, kBesideOne);
-  waiting.robot.distance_to_goal = 3.9;
+  waiting.robot.distance_to_goal = 9.9;
   waiting.wish_after(0.05, kBesideOne);
   EXPECT_TRUE(waiting.detour.has_arrived);
   waiting.wish_after(10.0, kAlone);
