@@ -27,8 +27,12 @@ void add_circles(std::vector<Family>& all) {
       circle_family("circle-100-d2t6", "control_time 2, time_horizon 6", {100, 60.0, 2.0, 6.0}));
   all.push_back(
       circle_family("circle-100-d4t10", "control_time 4, time_horizon 10", {100, 90.0, 4.0, 10.0}));
-  all.push_back(circle_family("circle-100-jitter", "starts and goals up to 0.2 m off",
-                              {100, 46.0, {}, {}, 0.2}));
+  for (CircleRow row : rows) {
+    if (row.robots == 50 || row.robots == 500) continue;
+    row.jitter = 0.2;
+    all.push_back(circle_family("circle-" + std::to_string(row.robots) + "-jitter",
+                                "starts and goals up to 0.2 m off", row));
+  }
 }
 
 void add_arrivals(std::vector<Family>& all) {
@@ -113,11 +117,13 @@ std::vector<Family> families(double soak_steps) {
   }
   all.push_back({"swap", "two blocks of 10 x 10 exchange places", 1, false,
                  [](std::uint64_t seed) { return swap_blocks(0.0, seed); }});
-  all.push_back({"swap-jitter", "the same, up to 0.2 m off", 10, true,
+  all.push_back({"swap-jitter", "the same, up to 0.2 m off", 20, true,
                  [](std::uint64_t seed) { return swap_blocks(0.2, seed); }});
   all.push_back({"streams", "four blocks of 4 x 4 cross", 1, false,
-                 [](std::uint64_t) { return crossing_streams(); }});
-  all.push_back({"permutation", "10 x 10 robots deal their places anew", 10, true, permutation});
+                 [](std::uint64_t seed) { return crossing_streams(0.0, seed); }});
+  all.push_back({"streams-jitter", "the same, up to 0.2 m off", 20, true,
+                 [](std::uint64_t seed) { return crossing_streams(0.2, seed); }});
+  all.push_back({"permutation", "10 x 10 robots deal their places anew", 20, true, permutation});
   all.push_back({"mixed", "unequal radii, accelerations, speeds", 20, true, mixed});
   all.push_back({"doorway", "two blocks of 4 x 4 change sides through a gap", 1, false,
                  [](std::uint64_t) { return doorway(); }});

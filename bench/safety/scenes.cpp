@@ -122,10 +122,12 @@ Scene swap_blocks(double jitter, std::uint64_t seed) {
   return measured_by_straight_time(std::move(scenario));
 }
 
-Scene crossing_streams() {
+Scene crossing_streams(double jitter, std::uint64_t seed) {
   Scenario scenario = usual_scenario();
+  Random random(seed, 30);
   for (const Vec2 from : {Vec2{-20.0, 0.0}, {20.0, 0.0}, {0.0, 20.0}, {0.0, -20.0}}) {
-    const std::vector<Vec2> starts = block(from, 4, 4, 2.0);
+    std::vector<Vec2> starts = block(from, 4, 4, 2.0);
+    for (Vec2& start : starts) start = start + random.in_square(2.0 * jitter);
     add_group(scenario, starts, moved(starts, -2.0 * from));
   }
   return measured_by_straight_time(std::move(scenario));

@@ -65,11 +65,12 @@ Scene circle(const CircleRow& row, std::uint64_t seed);
 /// n robots from and to anywhere in a square of 8 m or of 12 % density.
 Scene random_square(int n, std::uint64_t seed);
 
-/// Two blocks of 10 x 10, 2 m apart, exchange places; 30 m between the blocks' centers.
+/// Two blocks of 10 x 10, 2 m apart, exchange places; 30 m between the blocks' centers. jitter: as
+/// in CircleRow, here of robots with their goals.
 Scene swap_blocks(double jitter, std::uint64_t seed);
 
 /// Blocks of 4 x 4, 2 m apart, their centers 20 m from the crossing, each to the opposite side.
-Scene crossing_streams();
+Scene crossing_streams(double jitter, std::uint64_t seed);
 
 /// 10 x 10 robots, 2.5 m apart, to each other's places; nobody keeps his own.
 Scene permutation(std::uint64_t seed);

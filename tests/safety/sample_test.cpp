@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "families.h"
@@ -74,31 +75,54 @@ TEST_P(Targets, are_reached_without_contact) {
 
 INSTANTIATE_TEST_SUITE_P(
     Families, Targets,
-    testing::Values(Sample{"circle-10", 1, 1.0}, Sample{"circle-50", 1, 1.0},
-                    Sample{"circle-100", 1, 1.0}, Sample{"circle-250", 1, 1.0},
-                    Sample{"circle-100-d2t6", 1, 1.0}, Sample{"circle-100-d4t10", 1, 1.0},
-                    Sample{"circle-100-jitter", 3, 0.99}, Sample{"random-2", 40, 0.995},
-                    Sample{"random-10", 30, 0.995}, Sample{"random-30", 20, 0.995},
-                    Sample{"random-60", 12, 0.99}, Sample{"swap", 1, 0.99},
-                    Sample{"swap-jitter", 3, 0.98}, Sample{"streams", 1, 0.99},
-                    Sample{"permutation", 4, 0.99}, Sample{"mixed", 6, 0.98},
-                    Sample{"movers", 6, 0.99}, Sample{"crush", 1, 0.0},
-                    Sample{"crush-packed", 1, 0.0}, Sample{"doorway-1.6", 2, 0.98},
-                    Sample{"corridor-1.6", 2, 0.98}, Sample{"corridor-2.4", 2, 0.98},
-                    Sample{"office-1.6", 2, 0.98}, Sample{"office-1.2", 2, 0.97},
-                    Sample{"maze", 2, 0.97}, Sample{"walls-random", 4, 0.0},
-                    Sample{"walls-cars", 4, 0.0}, Sample{"walls-corners", 4, 0.0},
-                    Sample{"walls-gaps", 4, 0.0}, Sample{"walls-movers", 2, 0.0},
-                    Sample{"clocks-random", 10, 0.99}, Sample{"clocks-steps-random", 10, 0.99},
-                    Sample{"clocks-circle", 3, 0.99}, Sample{"clocks-crush", 2, 0.0},
-                    Sample{"clocks-steps-crush", 2, 0.0}, Sample{"clocks-walls", 1, 0.0},
-                    Sample{"clocks-movers", 2, 0.98}, Sample{"clocks-mixed", 1, 0.0}),
+    testing::Values(
+        Sample{"circle-10", 1, 1.0}, Sample{"circle-50", 1, 1.0}, Sample{"circle-100", 1, 1.0},
+        Sample{"circle-250", 1, 1.0}, Sample{"circle-100-d2t6", 1, 1.0},
+        Sample{"circle-100-d4t10", 1, 1.0}, Sample{"circle-100-jitter", 3, 0.99},
+        Sample{"random-2", 40, 0.995}, Sample{"random-10", 30, 0.995},
+        Sample{"random-30", 20, 0.995}, Sample{"random-60", 12, 0.99}, Sample{"swap", 1, 0.99},
+        Sample{"swap-jitter", 3, 0.98}, Sample{"streams", 1, 0.99}, Sample{"ring", 4, 1.0},
+        Sample{"deep", 4, 1.0}, Sample{"large", 1, 1.0}, Sample{"block-swap", 4, 0.97},
+        Sample{"clump-100", 4, 0.97}, Sample{"permutation", 4, 0.99}, Sample{"mixed", 6, 0.98},
+        Sample{"movers", 6, 0.99}, Sample{"crush", 1, 0.0}, Sample{"crush-packed", 1, 0.0},
+        Sample{"doorway-1.6", 2, 0.98}, Sample{"corridor-1.6", 2, 0.98},
+        Sample{"corridor-2.4", 2, 0.98}, Sample{"office-1.6", 2, 0.98},
+        Sample{"office-1.2", 2, 0.97}, Sample{"maze", 2, 0.97}, Sample{"walls-random", 4, 0.0},
+        Sample{"walls-cars", 4, 0.0}, Sample{"walls-corners", 4, 0.0}, Sample{"walls-gaps", 4, 0.0},
+        Sample{"walls-movers", 2, 0.0}, Sample{"clocks-random", 10, 0.99},
+        Sample{"clocks-steps-random", 10, 0.99}, Sample{"clocks-circle", 3, 0.99},
+        Sample{"clocks-crush", 2, 0.0}, Sample{"clocks-steps-crush", 2, 0.0},
+        Sample{"clocks-walls", 1, 0.0}, Sample{"clocks-movers", 2, 0.98},
+        Sample{"clocks-mixed", 1, 0.0}),
     [](const auto& kind) {
       std::string name = kind.param.family;
       std::replace_if(
           name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
       return name;
     });
+
+// Where goals touch, all come to rest, bit for bit.
+TEST(Rest, comes_within_a_minute_of_the_last_arrival) {
+  const std::vector<Family> all = families(kCrushSteps);
+  for (const char* name : {"touching-36", "touching-36-hex", "touching-64", "touching-64-hex"}) {
+    const Family& family = family_of(all, name);
+    for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + 3; ++seed) {
+      const Outcome outcome = run_scene(family.make(seed), seed, "");
+      EXPECT_TRUE(outcome.verdict.safe()) << name << ", seed " << seed;
+      EXPECT_LE(last_arrival(outcome), 300.0) << name << ", seed " << seed;
+      EXPECT_LE(*outcome.rest, last_arrival(outcome) + 60.0) << name << ", seed " << seed;
+    }
+  }
+}
+
+TEST(Flow, never_ends_and_gets_on) {
+  const std::vector<Family> all = families(kCrushSteps);
+  for (const auto& [name, least] : {std::pair{"torus", 0.9}, {"to-and-fro", 0.25}}) {
+    const Outcome outcome = run_scene(family_of(all, name).make(kFirstSeed), kFirstSeed, "");
+    EXPECT_TRUE(outcome.verdict.safe()) << name;
+    EXPECT_GE(*outcome.flow, least) << name;
+  }
+}
 
 // The same scenes, by clocks of their own and by a common one.
 TEST(FreeClocks, cost_hardly_any_time) {
