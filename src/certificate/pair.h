@@ -49,8 +49,9 @@ struct BrakingPair {
   double contact;   ///< [r_A + r_B] m
   double inflated;  ///< m, contact and what covers all rounding (docs/certificate.md)
   double error;     ///< [e] m, most that B's path is off from what is sensed, at its end
-  double share;     ///< [β] of the free gap that is A's, room_share(), 1 against one that does not decide
-  bool decides;     ///< B does
+  double
+      share;  ///< [β] of the free gap that is A's, room_share(), 1 against one that does not decide
+  bool decides;  ///< B does
   Braking a, b;
 };
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
