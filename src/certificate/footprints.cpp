@@ -61,7 +61,7 @@ Between line_between(const Footprint& a, const Footprint& b, double share) {
 
 double share_of(const Robot& robot, const Neighbor& neighbor) {
   return room_share(robot.max_acceleration, neighbor.max_acceleration, robot.priority,
-                          neighbor.priority);
+                    neighbor.priority);
 }
 
 }  // namespace
