@@ -38,7 +38,7 @@ std::string draw_states(const std::string& folder) {
                           {"(b) one that decides", meeting(Behavior::decides)},
                           {"(c) one that moves on", meeting(Behavior::moves_on)}};
   const Row row{.panels = 3};
-  const std::string path = folder + "/states.png";
+  std::string path = folder + "/states.png";
   figures::Canvas canvas(path, row.width, row.height());
   for (int k = 0; k < 3; ++k) {
     write_title(canvas, row.box(k), panels[k].title);
