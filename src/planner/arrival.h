@@ -55,7 +55,7 @@ Vec2 turned_right(Vec2 a, double angle);
 /// The velocity after a step of at most `decrement` from v towards a target, m/s.
 Vec2 approach(Vec2 velocity, Vec2 target, double decrement);
 
-/// Whether less than half is left of the velocity along `wish` that the limits alone allow.
+/// Whether less than kBlocked is left of the velocity along `wish` that the limits alone allow.
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);
 
 /// Whether it is so near that it gives way for a while only.

@@ -125,7 +125,7 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
   }
 }
 
-/// Whether less than half is left of the velocity along `wish` that the limits alone allow.
+/// Whether less than kBlocked is left of the velocity along `wish` that the limits alone allow.
 template <typename Real>
 AVO_KERNEL auto is_blocked(Vec<Real> next, Vec<Real> unhindered_next, Vec<Real> wish) {
   const Real unhindered = dot(unhindered_next, wish);
