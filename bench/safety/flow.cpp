@@ -20,7 +20,7 @@ constexpr double kReached = 1.0;    // m
 constexpr double kSettling = 60.0;  // s, before it counts
 constexpr double kNoGoal = 1e3;     // m: on the torus goals are never near
 
-// From b to a, across the seam where that is shorter.
+// A difference of two coordinates, across the seam where that is shorter.
 double across(double difference) {
   return difference - kFlowSide * std::round(difference / kFlowSide);
 }

@@ -87,7 +87,8 @@ struct PlannerOptions {
   /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this
   /// one.
   double longest_step = 0.0;
-  /// m, > 0: of its goal; beside others, a robot of method avo rests within nine tenths of it.
+  /// m, > 0: of its goal. Beside others, a robot of method avo that has been there rests within 0.9
+  /// of it, or, where they leave it no way back, within 3.9 times of it (docs/arrival.md, rule 2).
   double arrival_distance = 0.5;
 };
 
@@ -160,14 +161,14 @@ struct WallPlanes {
 };
 
 /// What a robot remembers from one decision to the next, to get around a jam and to come to rest.
-/// Method avo only.
+/// Method avo only. Whoever gives the robot another goal begins anew, but for the congestion.
 struct Detour {
   float angle = 0.0F;  ///< rad, how far it has turned off its way, to the right
   /// v_max/a_max, 0 to 200: for how long others have been beside it near its goal; less as it is
   /// alone.
   float beside = 0.0F;
   float congestion = 0.0F;   ///< robots ahead that it is used to, 0 to 2.8
-  bool has_arrived = false;  ///< and been within arrival_distance of its goal since then
+  bool has_arrived = false;  ///< that it was within arrival_distance of its goal, beside others
 };
 
 /// What a neighbor's certificate demands of A on one interval between steps:

@@ -97,7 +97,9 @@ class AVO_API Simulation {
   /// Changes nothing where it throws.
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
-  void set_goal(RobotId robot, Vec2 goal);  ///< throws Error if there is none, or it is parked
+  /// The robot forgets what it remembers of the way to its old goal (Detour), but the congestion.
+  /// Throws Error if there is none, or it is parked.
+  void set_goal(RobotId robot, Vec2 goal);
 
   /// A door closes: from the next step on nobody may touch the obstacle. Throws Error on bad values
   /// (see validate), and under a certificate on an obstacle that some robot would come to touch if

@@ -27,8 +27,8 @@ constexpr double kSettleDistance = 0.9;  // of the arrival distance, from the go
 constexpr double kPatience = 6.0;        // T beside others: from then on that grows
 constexpr double kGrowth = 0.15;         // arrival distances per T
 constexpr double kMostGrowth = 3.0;      // arrival distances
-constexpr double kLongest = 200.0;       // T beside others that it remembers
-constexpr double kRecovers = 10.0;       // T alone, until it has forgotten all of them
+constexpr double kLongest = 200.0;       // T beside others that it counts to, then in the last try
+constexpr double kRecovers = 10.0;       // T alone, in which it forgets all of them but 1/e
 constexpr double kGetsUsed = 100.0;      // T, to the congestion ahead
 constexpr double kUsual = 2.0;           // times what it is used to does not make it keep right
 constexpr float kMostDetour = 2.4F;      // rad, almost back
@@ -63,9 +63,9 @@ void remember(const Robot& robot, bool is_beside, const PlannerOptions& options,
   const double elapsed = options.time_step / time_to_speed(robot);
   const bool is_near = is_near_goal(robot);
   const double beside = detour.beside;
-  const double next = is_near && is_beside
-                          ? std::min(beside + elapsed, kLongest)
-                          : beside - std::max(beside, kSettles) * elapsed / kRecovers;
+  double next = is_near && is_beside ? beside + elapsed
+                                     : beside - std::max(beside, kSettles) * elapsed / kRecovers;
+  if (next > kLongest) next -= kTry;
   detour.beside = static_cast<float>(std::max(next, 0.0));
   detour.has_arrived = is_near && detour.beside > 0.0F &&
                        (detour.has_arrived || robot.distance_to_goal <= options.arrival_distance);

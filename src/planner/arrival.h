@@ -25,15 +25,15 @@ struct Traffic {
   Vec2 push_at_rest;       ///< and as far as they rest
 };
 
-/// m, as far as the two rules below look at any neighbor of at most that radius.
+/// m, as far as look_around() looks at any neighbor of at most that radius.
 double arrival_range(const Robot& robot, double largest_radius);
 
 /// 0 to 1: what counts of its push to one that gives way to those that move, near its goal; who
 /// rests beside it has come to its own goal. 1 of a larger one, and on the way of all.
 double motion_of(const Robot& robot, const Neighbor& neighbor);
 
-/// Away from a neighbor that is nearly in contact: less from a smaller one, and on the last of the
-/// way the more.
+/// Away from a neighbor that is nearly in contact: less from a smaller one, and the more the nearer
+/// the goal.
 Vec2 push_of(const Robot& robot, const Neighbor& neighbor);
 
 /// Whether it is something that a robot can remember.
@@ -58,7 +58,7 @@ Vec2 approach(Vec2 velocity, Vec2 target, double decrement);
 /// Whether less than kBlocked is left of the velocity along `wish` that the limits alone allow.
 bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);
 
-/// Whether it is so near that it gives way for a while only.
+/// Whether it is on the last of its way, where it gives way to those that move.
 bool is_near_goal(const Robot& robot);
 
 /// Whether the robot may leave its way at all: not where it has all but arrived.

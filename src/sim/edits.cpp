@@ -136,7 +136,8 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
         ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }
   world.fleet.goal[slot] = goal;
-  world.fleet.detour[slot].has_arrived = false;
+  Detour& detour = world.fleet.detour[slot];
+  detour = {.congestion = detour.congestion};  // the rest is about the way to that goal
   if (Flight* flight = world.fleet.flight(slot)) flight->has_arrived = false;
 }
 

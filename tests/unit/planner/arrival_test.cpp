@@ -123,6 +123,17 @@ TEST(GiveWay, on_the_last_of_its_way_to_those_at_rest_by_turns) {
   EXPECT_EQ(at_goal.wish_after(1.9, kBesideOneAtRest), at_goal.home);
 }
 
+// However long it has been there: what it remembers has an end, and trying has none.
+TEST(GiveWay, goes_on_by_turns_for_ever) {
+  Waiting waiting{at_distance(0.6)};
+  waiting.wish_after(1000.0, kBesideOneAtRest);
+  int home = 0, away = 0;
+  for (int i = 0; i < 140; ++i)
+    ++(waiting.wish_after(0.1, kBesideOneAtRest) == waiting.home ? home : away);
+  EXPECT_NEAR(home, 14, 1);
+  EXPECT_NEAR(away, 126, 1);
+}
+
 // Whoever cannot get back to where it has been comes to rest farther and farther away.
 TEST(GiveWay, who_has_been_at_its_goal_settles_beside_it_in_the_end) {
   for (const bool has_arrived : {true, false}) {
