@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Circle-100 from C: prints how many arrive, and the state hash at the end. */
+#include <avo_c/avo.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#include <avo_c/avo.h>
 
 /* Ends the program where a call failed. */
 static void require(avo_result result) {
@@ -32,7 +31,8 @@ int main(void) {
   uint64_t hash = 0;
   require(avo_simulation_summary(simulation, &summary));
   require(avo_simulation_get_state_hash(simulation, &hash));
-  printf("%" PRId64 " of %" PRId64 " arrived, %" PRId64 " collisions, state hash 0x%016" PRIx64 "\n",
+  printf("%" PRId64 " of %" PRId64 " arrived, %" PRId64 " collisions, state hash 0x%016" PRIx64
+         "\n",
          summary.arrived, summary.robots, summary.collision_pairs, hash);
   require(avo_destroy_simulation(simulation));
   require(avo_destroy_scene(scene));
