@@ -8,13 +8,35 @@
 
 namespace avo_c {
 
-std::size_t index_of(const Simulation& simulation, const avo::FleetView& fleet,
-                     avo_robot_id robot) {
-  const avo::RobotId id = from_c(robot);
-  // its number, as long as none has gone
-  if (id.value < fleet.id.size() && fleet.id[id.value] == id) return id.value;
+namespace {
+
+// Place of the first id that is not less, of ascending ids of which one is not; without a branch,
+// which would be guessed wrongly half of the time.
+std::size_t lower_bound(std::span<const avo::RobotId> ids, std::uint64_t value) {
+  const avo::RobotId* place = ids.data();
+  for (std::size_t count = ids.size(); count > 1;) {
+    const std::size_t half = count / 2;
+    place += static_cast<std::size_t>(place[half - 1].value < value) * half;
+    count -= half;
+  }
+  return static_cast<std::size_t>(place - ids.data());
+}
+
+// Of a robot that is there. Its number is its place, less as many as have gone before it.
+std::optional<std::size_t> place_of(std::span<const avo::RobotId> ids, std::uint64_t value) {
+  if (ids.empty() || value > ids.back().value) return std::nullopt;
+  const std::uint64_t gone = ids.back().value - (ids.size() - 1);
+  const std::size_t first = value > gone ? value - gone : 0;
+  const std::size_t end = std::min<std::size_t>(value, ids.size() - 1) + 1;
+  const std::size_t place = first + lower_bound(ids.subspan(first, end - first), value);
+  return ids[place].value == value ? std::optional(place) : std::nullopt;
+}
+
+}  // namespace
+
+std::size_t index_of(const avo::FleetView& fleet, avo_robot_id robot) {
   if (robot.value != 0) {
-    if (const auto index = simulation.simulation.index_of(id)) return *index;
+    if (const auto place = place_of(fleet.id, from_c(robot).value)) return *place;
   }
   fail(AVO_ERROR_INVALID_ID, "robot: found " +
                                  (robot.value == 0 ? "a null id" : std::to_string(robot.value)) +
@@ -49,7 +71,7 @@ avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of&
     const Simulation& own = simulations.at(id);
     Value& result = at(value, "result");
     const avo::FleetView fleet = own.simulation.fleet();
-    result = of(fleet, index_of(own, fleet, robot));
+    result = of(fleet, index_of(fleet, robot));
   });
 }
 
@@ -68,7 +90,7 @@ avo_result get_by_index(avo_simulation_id id, avo_robot_id robot, Value* value, 
   return guarded([&] {
     const Simulation& own = simulations.at(id);
     Value& result = at(value, "result");
-    result = of(own.simulation, index_of(own, own.simulation.fleet(), robot));
+    result = of(own.simulation, index_of(own.simulation.fleet(), robot));
   });
 }
 
@@ -186,7 +208,7 @@ avo_result avo_simulation_get_robot_def(avo_simulation_id simulation, avo_robot_
   return guarded([&] {
     const Simulation& own = simulations.at(simulation);
     const avo::FleetView fleet = own.simulation.fleet();
-    write(def, def_of(fleet.setup[index_of(own, fleet, robot)]), {"def"});
+    write(def, def_of(fleet.setup[index_of(fleet, robot)]), {"def"});
   });
 }
 

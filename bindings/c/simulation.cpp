@@ -26,7 +26,7 @@ avo_result changed(avo_simulation_id id, const Change& change) {
 }
 
 avo::RobotId number_of(const Simulation& simulation, avo_robot_id robot) {
-  static_cast<void>(index_of(simulation, simulation.simulation.fleet(), robot));
+  static_cast<void>(index_of(simulation.simulation.fleet(), robot));
   return from_c(robot);
 }
 
