@@ -5,6 +5,11 @@
 
 #include "check.h"
 
+static uint64_t next_word(uint64_t* state) {
+  *state = *state * 6364136223846793005u + 1442695040888963407u;
+  return *state >> 16;
+}
+
 /* Its robots stay valid until the next call. */
 static avo_simulation_def two_robots(void) {
   static avo_robot_def robots[2];
@@ -51,6 +56,40 @@ static void check_ids(void) {
   CHECK(next.index == simulation.index && next.generation != simulation.generation);
   CHECK(avo_simulation_step(simulation) == AVO_ERROR_INVALID_ID);
   REQUIRE(avo_destroy_simulation(next));
+}
+
+/* Robots are found by their ids whoever has gone, and those that have gone are not. */
+static void check_robots_that_go(void) {
+  enum { COUNT = 60 };
+  static avo_robot_def robots[COUNT];
+  bool is_there[COUNT + 5] = {false};
+  uint64_t random = 5;
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_simulation_id simulation;
+  for (int k = 0; k < COUNT; ++k) {
+    robots[k] = avo_default_robot_def();
+    robots[k].position.x = robots[k].goal.x = 3.0 * k;
+    is_there[k + 1] = true;
+  }
+  def.robots = robots;
+  def.robot_count = COUNT;
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  for (int left = COUNT; left > 0; --left) {
+    avo_columns columns;
+    avo_robot_id robot = {0};
+    size_t index = 0, place = 0;
+    REQUIRE(avo_simulation_columns(simulation, &columns));
+    CHECK(columns.count == (size_t)left);
+    for (robot.value = 1; robot.value < COUNT + 5; ++robot.value) {
+      const avo_result result = avo_simulation_index_of(simulation, robot, &index);
+      CHECK(result == (is_there[robot.value] ? AVO_OK : AVO_ERROR_INVALID_ID));
+      if (result == AVO_OK) CHECK(index == place && columns.id[place++].value == robot.value);
+    }
+    robot = columns.id[next_word(&random) % columns.count];
+    REQUIRE(avo_simulation_remove_robot(simulation, robot));
+    is_there[robot.value] = false;
+  }
+  REQUIRE(avo_destroy_simulation(simulation));
 }
 
 /* More than one block of places, in any order. */
@@ -250,11 +289,6 @@ static void check_threads_have_messages_of_their_own(void) {
   CHECK(seen && strstr(avo_last_error(), "simulation: ") != NULL);
 }
 
-static uint64_t next_word(uint64_t* state) {
-  *state = *state * 6364136223846793005u + 1442695040888963407u;
-  return *state >> 16;
-}
-
 /* Definitions and saved states of arbitrary bytes; of the pointers only those that are null. */
 static void check_arbitrary_bytes(void) {
   uint64_t random = 1;
@@ -310,6 +344,7 @@ int main(void) {
   CHECK(strcmp(avo_result_text(11), "unknown result") == 0);
   CHECK(strchr(avo_version(), '.') != NULL);
   check_ids();
+  check_robots_that_go();
   check_many();
   check_sizes();
   check_older_definitions();
