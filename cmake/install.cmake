@@ -18,21 +18,24 @@ if(NOT BUILD_SHARED_LIBS)
   set(avo_io_pc_needs " yaml-cpp fmt")
 endif()
 
-function(avo_install_library library)
+# headers: the folder that has the library's own.
+function(avo_install_library library headers)
   install(TARGETS ${library} EXPORT ${library}-targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT ${library}-targets NAMESPACE avo:: DESTINATION ${avo_cmake_folder})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/${library}
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(DIRECTORY ${headers}/${library} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   configure_file(cmake/${library}.pc.in ${PROJECT_BINARY_DIR}/${library}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${library}.pc DESTINATION ${avo_pc_folder})
 endfunction()
 
-avo_install_library(avo)
+avo_install_library(avo include)
 install(FILES ${PROJECT_BINARY_DIR}/include/avo/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/avo)
 if(TARGET avo_io)
-  avo_install_library(avo_io)
+  avo_install_library(avo_io include)
+endif()
+if(TARGET avo_c)
+  avo_install_library(avo_c bindings/c/include)
 endif()
 if(TARGET avo_cli)
   set_target_properties(avo_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${avo_bin_to_lib}")

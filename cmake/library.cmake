@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What avo and avo_io have in common, and how tests reach what they hide.
+# What avo, avo_io and avo_c have in common, and how tests reach what they hide.
 
 # Position independent also where it is static, for plug-ins and Python modules. Outside it is seen
 # what carries AVO_API, nothing else: no instance of a standard template either.
@@ -9,8 +9,12 @@ function(avo_set_up_library library)
     INSTALL_RPATH "$ORIGIN")
   # A call within the library is not a matter of what a program puts in its place; clang's default.
   target_compile_options(${library} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
-  if(BUILD_SHARED_LIBS AND UNIX AND NOT APPLE)
+  get_target_property(type ${library} TYPE)
+  if(type STREQUAL "SHARED_LIBRARY" AND UNIX AND NOT APPLE)
     set(exports ${PROJECT_SOURCE_DIR}/cmake/exports.map)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/exports.map)
+      set(exports ${CMAKE_CURRENT_SOURCE_DIR}/exports.map)
+    endif()
     target_link_options(${library} PRIVATE LINKER:--version-script=${exports} LINKER:--no-undefined)
     set_target_properties(${library} PROPERTIES LINK_DEPENDS ${exports})
   endif()

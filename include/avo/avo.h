@@ -5,6 +5,7 @@
 #include "avo/check.h"
 #include "avo/checked.h"
 #include "avo/error.h"
+#include "avo/executor.h"
 #include "avo/export.h"
 #include "avo/geometry.h"
 #include "avo/half_plane.h"

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "avo/executor.h"
 #include "avo/export.h"
 #include "avo/planner.h"
 #include "avo/scenario.h"
@@ -79,6 +80,12 @@ class AVO_API Simulation {
   /// Goes on from what another one saved: a checkpoint, or a state that someone reports. The bytes
   /// hold the scene as well. Throws Error as restore() does, and on the number of threads.
   explicit Simulation(std::span<const std::byte> saved, int threads = 0);
+  /// The same on the host's own threads: large fleets are stepped by the executor, from 256 robots
+  /// on; smaller ones by whoever calls step(). Throws Error also where there is none, or where its
+  /// workers are not 1 to 1024. Other simulations may have the same one, and step at the same time
+  /// if it can run tasks for both.
+  Simulation(const Scenario& scenario, std::shared_ptr<Executor> executor);
+  Simulation(std::span<const std::byte> saved, std::shared_ptr<Executor> executor);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who does the parts of a step at the same time: the seam between the simulation and threads. A
-// host's own job system can take the place of ThreadPool behind it.
+// The seam between the simulation and threads, behind which a host's own job system can take the
+// place of ThreadPool.
 #pragma once
 #include <atomic>
 #include <cstddef>
 #include <exception>
 
+#include "avo/executor.h"
+
 namespace avo {
-
-class Executor {
- public:
-  /// Throws nothing.
-  using Task = void (*)(void* context, std::size_t index, std::size_t worker);
-
-  Executor() = default;
-  Executor(const Executor&) = delete;
-  Executor& operator=(const Executor&) = delete;
-  virtual ~Executor() = default;
-
-  /// Tasks that run at the same time, at most; >= 1.
-  [[nodiscard]] virtual std::size_t workers() const = 0;
-  /// task(context, index, worker) once for every index in [0, count), in any order; worker is in
-  /// [0, workers()), and no two tasks at the same time have the same. Returns when all are done.
-  virtual void run(std::size_t count, Task task, void* context) = 0;
-};
 
 /// One after the other, on the thread that asks for it.
 class SerialExecutor final : public Executor {

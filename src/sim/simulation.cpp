@@ -75,13 +75,22 @@ std::vector<Sighting> all_sightings(const World& world, std::size_t slot) {
   return robots;
 }
 
-std::unique_ptr<Executor> thread_pool(int threads) {
-  constexpr int kMost = static_cast<int>(kMostWorkers);
+constexpr int kMost = static_cast<int>(kMostWorkers);
+
+std::shared_ptr<Executor> thread_pool(int threads) {
   if (threads < 0 || threads > kMost) {
     refuse("threads", std::to_string(threads), "0 (all there are) to " + std::to_string(kMost));
   }
-  return std::make_unique<ThreadPool>(threads > 0 ? static_cast<std::size_t>(threads)
+  return std::make_shared<ThreadPool>(threads > 0 ? static_cast<std::size_t>(threads)
                                                   : std::min(usable_processors(), kMostWorkers));
+}
+
+std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
+  if (executor == nullptr) refuse("executor", "none", "one that does the steps");
+  const std::size_t workers = executor->workers();
+  if (workers < 1 || workers > kMostWorkers)
+    refuse("executor.workers", std::to_string(workers), "1 to " + std::to_string(kMost));
+  return executor;
 }
 
 void require_whole(const World& world, const char* call) {
@@ -100,14 +109,18 @@ struct Simulation::State : World {
   FleetMirror mirror;
 };
 
-Simulation::Simulation(const Scenario& scenario, int threads) {
+Simulation::Simulation(const Scenario& scenario, int threads)
+    : Simulation(scenario, thread_pool(threads)) {}
+Simulation::Simulation(std::span<const std::byte> saved, int threads)
+    : Simulation(saved, thread_pool(threads)) {}
+Simulation::Simulation(const Scenario& scenario, std::shared_ptr<Executor> executor) {
   validate(scenario);
-  state_ = std::make_unique<State>(scenario, thread_pool(threads));
+  state_ = std::make_unique<State>(scenario, checked(std::move(executor)));
   plan_travels(state_->ways, state_->fleet);
 }
-Simulation::Simulation(std::span<const std::byte> saved, int threads) {
+Simulation::Simulation(std::span<const std::byte> saved, std::shared_ptr<Executor> executor) {
   const SavedState state = from_bytes(saved);
-  state_ = std::make_unique<State>(state.scene, thread_pool(threads));
+  state_ = std::make_unique<State>(state.scene, checked(std::move(executor)));
   avo::restore(state, *state_);
 }
 Simulation::~Simulation() = default;

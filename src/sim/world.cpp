@@ -98,7 +98,7 @@ void start_clocks(World& world, const Scenario& scenario) {
 
 }  // namespace
 
-World::World(const Scenario& scenario, std::unique_ptr<Executor> steps_by)
+World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     : settings(scenario),
       paces{Pace(planner_options(scenario))},
       statics(static_world(scenario)),

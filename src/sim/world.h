@@ -68,7 +68,7 @@ struct World {
 
   Snapshot snapshot;
   UniformGrid obstacle_grid;
-  std::unique_ptr<Executor> executor;
+  std::shared_ptr<Executor> executor;
   SerialExecutor serial;
   std::vector<Worker> workers;     // as many as the executor has
   std::vector<std::uint32_t> due;  // slots, by pace, where clocks are free
@@ -84,7 +84,7 @@ struct World {
   std::int64_t next_layout = 1;  // when the cells are chosen anew and the robots put in their order
   std::int64_t robot_steps = 0;  // measured
 
-  World(const Scenario& scenario, std::unique_ptr<Executor> steps_by);
+  World(const Scenario& scenario, std::shared_ptr<Executor> steps_by);
 
   const Planner& planner() const { return paces.front().planner; }
   const Pace& pace(std::size_t slot) const {

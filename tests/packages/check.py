@@ -8,7 +8,7 @@ usage: check.py static BUILD      the finished build BUILD, installed and moved 
        check.py libcxx BUILD      the same with a static one, by clang and libc++, from scratch
 
 Shared and parent have the settings of BUILD and take its objects where they would be compiled by the
-same command (reuse.py). In an installed tree: by find_package and by pkg-config, each with avo and avo_io, and a plug-in
+same command (reuse.py). In an installed tree: by find_package and by pkg-config, each with avo, avo_io and avo_c, and a plug-in
 that is loaded at run time; the command line, if the build has one; of a shared library also what it
 exports. Options: --folder FOLDER, for what is made (it is emptied); --compiler, --flags.
 """
@@ -72,6 +72,7 @@ def check_find_package(arguments, prefix):
     build_all(build)
     print("find_package:", run(build / "core"), end="")
     print("find_package:", run(build / "io", build / "recording.csv"), end="")
+    print("find_package:", run(build / "c"), end="")
     plugin = next(build.glob("libplugin.*"))
     print("plug-in:     ", run(sys.executable, "-c", "import ctypes, sys\n"
                                "sys.exit(ctypes.CDLL(sys.argv[1]).cross())", plugin), end="")
@@ -89,6 +90,9 @@ def check_pkg_config(arguments, prefix):
                 "-o", build / program)
             print("pkg-config:  ", run(build / program, build / "recording.csv",
                                        LD_LIBRARY_PATH=str(library)), end="")
+    words = run("pkg-config", "--cflags", "--libs", "avo_c", **package).split()
+    run("cc", "-std=c99", *arguments.flags.split(), CONSUMER / "c.c", *words, "-o", build / "c")
+    print("pkg-config:  ", run(build / "c", LD_LIBRARY_PATH=str(library)), end="")
 
 
 def check_command_line(prefix):
@@ -114,7 +118,7 @@ def check_shared(arguments):
     build = arguments.folder / "build"
     configure(arguments, ROOT, build, *settings_of(arguments.build, build), "-DBUILD_SHARED_LIBS=ON",
               "-DAVO_TESTS=OFF", "-DAVO_BENCH=OFF", f"-DCMAKE_INSTALL_PREFIX={arguments.folder / 'elsewhere'}")
-    build_all(build, "avo", "avo_io", "avo_cli")  # what is installed
+    build_all(build, "avo", "avo_io", "avo_c", "avo_cli")  # what is installed
     prefix = install_and_move(build, arguments.folder)
     shutil.rmtree(build)  # nothing may come from there
     check_installed(arguments, prefix)

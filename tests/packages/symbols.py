@@ -47,8 +47,21 @@ def check_headers():
             sys.exit(f"{header.relative_to(ROOT)}: neither AVO_API nor AVO_LOCAL: {bare}")
 
 
+def check_c(library):
+    """The functions of the C header, and nothing else."""
+    header = (ROOT / "bindings/c/include/avo_c/avo.h").read_text()
+    declared = set(re.findall(r"^AVO_C_API [^;(]*?(\w+)\(", header, re.M))
+    symbols = {symbol.split("(")[0] for symbol in exported(library)}
+    if symbols != declared:
+        sys.exit(f"{library}: exported or declared, but not both: {', '.join(sorted(symbols ^ declared))}")
+    print(f"{pathlib.Path(library).name}: {len(symbols)} functions of C, nothing else")
+
+
 def check(library):
     check_headers()
+    if "avo_c" in pathlib.Path(library).name:
+        check_c(library)
+        return
     words = set(re.findall(r"\w+", public_text()))
     symbols = exported(library)
     stray = [symbol for symbol in symbols

@@ -146,5 +146,43 @@ TEST(Executor, another_executor_gives_the_same_bits) {
   EXPECT_GE(executor.runs, 60);
 }
 
+TEST(Executor, a_host_steps_simulations_with_its_own) {
+  const Scenario scene = test::dense_scene(300, Motion::held);
+  const auto host = std::make_shared<Backwards>();
+  Simulation simulation(scene, host), alone(scene, 1);
+  EXPECT_EQ(simulation.threads(), 4);
+  for (int k = 0; k < 20; ++k) simulation.step(), alone.step();
+  EXPECT_GE(host->runs, 20);
+  EXPECT_EQ(simulation.state_hash(), alone.state_hash());
+  Simulation restored(simulation.save(), host);
+  const int before = host->runs;
+  for (int k = 0; k < 20; ++k) restored.step(), alone.step();
+  EXPECT_GE(host->runs, before + 20);
+  EXPECT_EQ(restored.state_hash(), alone.state_hash());
+}
+
+// Says how many workers it has, and does nothing.
+class Idle final : public Executor {
+ public:
+  explicit Idle(std::size_t workers) : workers_(workers) {}
+  [[nodiscard]] std::size_t workers() const override { return workers_; }
+  void run(std::size_t, Task, void*) override { throw std::runtime_error("no work today"); }
+
+ private:
+  std::size_t workers_;
+};
+
+TEST(Executor, a_host_without_workers_is_refused) {
+  const Scenario scene = test::dense_scene(300, Motion::held);
+  EXPECT_THROW(Simulation(scene, nullptr), Error);
+  EXPECT_THROW(Simulation(scene, std::make_shared<Idle>(0)), Error);
+  EXPECT_THROW(Simulation(scene, std::make_shared<Idle>(1025)), Error);
+}
+
+TEST(Executor, what_a_host_throws_ends_the_step) {
+  Simulation simulation(test::dense_scene(300, Motion::held), std::make_shared<Idle>(2));
+  EXPECT_THROW(simulation.step(), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace avo

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a simulation tells: lent columns, and of one robot.
+#include <algorithm>
+#include <cstring>
+
+#include "layouts.h"
+#include "simulations.h"
+
+namespace avo_c {
+
+namespace {
+
+// Place of the first id that is not less, of ascending ids of which one is not; without a branch,
+// which would be guessed wrongly half of the time.
+std::size_t lower_bound(std::span<const avo::RobotId> ids, std::uint64_t value) {
+  const avo::RobotId* place = ids.data();
+  for (std::size_t count = ids.size(); count > 1;) {
+    const std::size_t half = count / 2;
+    place += static_cast<std::size_t>(place[half - 1].value < value) * half;
+    count -= half;
+  }
+  return static_cast<std::size_t>(place - ids.data());
+}
+
+// Of a robot that is there. Its number is its place, less as many as have gone before it.
+std::optional<std::size_t> place_of(std::span<const avo::RobotId> ids, std::uint64_t value) {
+  if (ids.empty() || value > ids.back().value) return std::nullopt;
+  const std::uint64_t gone = ids.back().value - (ids.size() - 1);
+  const std::size_t first = value > gone ? value - gone : 0;
+  const std::size_t end = std::min<std::size_t>(value, ids.size() - 1) + 1;
+  const std::size_t place = first + lower_bound(ids.subspan(first, end - first), value);
+  return ids[place].value == value ? std::optional(place) : std::nullopt;
+}
+
+}  // namespace
+
+std::size_t index_of(const avo::FleetView& fleet, avo_robot_id robot) {
+  if (robot.value != 0) {
+    if (const auto place = place_of(fleet.id, from_c(robot).value)) return *place;
+  }
+  fail(AVO_ERROR_INVALID_ID, "robot: found " +
+                                 (robot.value == 0 ? "a null id" : std::to_string(robot.value)) +
+                                 ", must be the id of one that is there");
+}
+
+namespace {
+
+template <typename C, typename Cpp>
+const C* lent(std::span<const Cpp> column) {
+  static_assert(kSameSize<C, Cpp>);
+  return reinterpret_cast<const C*>(column.data());
+}
+
+const avo_robot_id* ids_of(Simulation& simulation, const avo::FleetView& fleet) {
+  if (!simulation.has_ids.load(std::memory_order_acquire)) {
+    const std::lock_guard lock(simulation.looking);
+    if (!simulation.has_ids.load(std::memory_order_relaxed)) {
+      simulation.ids.resize(fleet.id.size());
+      std::transform(fleet.id.begin(), fleet.id.end(), simulation.ids.begin(),
+                     [](avo::RobotId id) { return to_c(id); });
+      simulation.has_ids.store(true, std::memory_order_release);
+    }
+  }
+  return simulation.ids.data();
+}
+
+// value = of(fleet, index) for the robot of the simulation with that id.
+template <typename Value, typename Of>
+avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
+  return guarded([&] {
+    const Simulation& own = simulations.at(id);
+    Value& result = at(value, "result");
+    const avo::FleetView fleet = own.simulation.fleet();
+    result = of(fleet, index_of(fleet, robot));
+  });
+}
+
+// value = of(simulation) for the one with that id.
+template <typename Value, typename Of>
+avo_result get(avo_simulation_id id, Value* value, const Of& of) {
+  return guarded([&] {
+    const Simulation& own = simulations.at(id);
+    at(value, "result") = of(own.simulation);
+  });
+}
+
+// The same of one robot, by its index into fleet().
+template <typename Value, typename Of>
+avo_result get_by_index(avo_simulation_id id, avo_robot_id robot, Value* value, const Of& of) {
+  return guarded([&] {
+    const Simulation& own = simulations.at(id);
+    Value& result = at(value, "result");
+    result = of(own.simulation, index_of(own.simulation.fleet(), robot));
+  });
+}
+
+// The ids into the buffer, if they fit.
+template <typename Id, typename Ids>
+void list(const Ids& ids, Id* buffer, std::size_t capacity, std::size_t* count) {
+  at(count, "count") = ids.size();
+  if (buffer == nullptr) return;
+  if (capacity < ids.size())
+    fail(AVO_ERROR_BUFFER_TOO_SMALL, "capacity: found " + std::to_string(capacity) +
+                                         ", must be >= " + std::to_string(ids.size()));
+  for (const auto id : ids) *buffer++ = Id{id.value + 1};
+}
+
+}  // namespace
+}  // namespace avo_c
+
+using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
+
+avo_result avo_simulation_columns(avo_simulation_id simulation, avo_columns* columns) {
+  return guarded([&] {
+    Simulation& own = simulations.at(simulation);
+    avo_columns& result = at(columns, "columns");
+    const avo::FleetView fleet = own.simulation.fleet();
+    result = {fleet.id.size(),
+              ids_of(own, fleet),
+              lent<avo_vec2>(fleet.position),
+              lent<avo_vec2>(fleet.velocity),
+              fleet.heading.data(),
+              lent<avo_vec2>(fleet.goal),
+              lent<avo_plan>(fleet.plan),
+              lent<avo_detour>(fleet.detour),
+              fleet.applied_acceleration.data()};
+  });
+}
+
+avo_result avo_simulation_moving_obstacles(avo_simulation_id simulation,
+                                           avo_obstacle_columns* columns) {
+  return guarded([&] {
+    const avo::ObstacleView obstacles = simulations.at(simulation).simulation.obstacles();
+    at(columns, "columns") = {obstacles.position.size(), lent<avo_vec2>(obstacles.position),
+                              lent<avo_vec2>(obstacles.velocity)};
+  });
+}
+
+avo_result avo_simulation_get_position(avo_simulation_id simulation, avo_robot_id robot,
+                                       avo_vec2* position) {
+  return get(simulation, robot, position, [](const avo::FleetView& fleet, std::size_t index) {
+    return to_c(fleet.position[index]);
+  });
+}
+
+avo_result avo_simulation_get_velocity(avo_simulation_id simulation, avo_robot_id robot,
+                                       avo_vec2* velocity) {
+  return get(simulation, robot, velocity, [](const avo::FleetView& fleet, std::size_t index) {
+    return to_c(fleet.velocity[index]);
+  });
+}
+
+avo_result avo_simulation_get_heading(avo_simulation_id simulation, avo_robot_id robot,
+                                      double* heading) {
+  return get(simulation, robot, heading,
+             [](const avo::FleetView& fleet, std::size_t index) { return fleet.heading[index]; });
+}
+
+avo_result avo_simulation_get_goal(avo_simulation_id simulation, avo_robot_id robot,
+                                   avo_vec2* goal) {
+  return get(simulation, robot, goal, [](const avo::FleetView& fleet, std::size_t index) {
+    return to_c(fleet.goal[index]);
+  });
+}
+
+avo_result avo_simulation_get_plan(avo_simulation_id simulation, avo_robot_id robot,
+                                   avo_plan* plan) {
+  return get(simulation, robot, plan, [](const avo::FleetView& fleet, std::size_t index) {
+    return std::bit_cast<avo_plan>(fleet.plan[index]);
+  });
+}
+
+avo_result avo_simulation_get_applied_acceleration(avo_simulation_id simulation, avo_robot_id robot,
+                                                   double* acceleration) {
+  return get(simulation, robot, acceleration, [](const avo::FleetView& fleet, std::size_t index) {
+    return fleet.applied_acceleration[index];
+  });
+}
+
+avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo_robot_id robot,
+                                     bool* is_at_goal) {
+  return get_by_index(
+      simulation, robot, is_at_goal,
+      [](const avo::Simulation& own, std::size_t index) { return own.is_at_goal(index); });
+}
+
+avo_result avo_simulation_get_next_decision(avo_simulation_id simulation, avo_robot_id robot,
+                                            double* time) {
+  return get_by_index(simulation, robot, time, [](const avo::Simulation& own, std::size_t index) {
+    return own.next_decision(index);
+  });
+}
+
+avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id robot, bool* decided) {
+  return get_by_index(
+      simulation, robot, decided,
+      [](const avo::Simulation& own, std::size_t index) { return own.decided(index); });
+}
+
+avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
+                                   size_t* index) {
+  return get_by_index(simulation, robot, index,
+                      [](const avo::Simulation&, std::size_t own) { return own; });
+}
+
+avo_result avo_simulation_get_robot_def(avo_simulation_id simulation, avo_robot_id robot,
+                                        avo_robot_def* def) {
+  return guarded([&] {
+    const Simulation& own = simulations.at(simulation);
+    const avo::FleetView fleet = own.simulation.fleet();
+    write(def, def_of(fleet.setup[index_of(fleet, robot)]), {"def"});
+  });
+}
+
+avo_result avo_simulation_get_time(avo_simulation_id simulation, double* time) {
+  return get(simulation, time, [](const avo::Simulation& own) { return own.time(); });
+}
+
+avo_result avo_simulation_get_steps(avo_simulation_id simulation, int64_t* steps) {
+  return get(simulation, steps, [](const avo::Simulation& own) { return own.steps(); });
+}
+
+avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* count) {
+  return get(simulation, count, [](const avo::Simulation& own) { return own.fleet().id.size(); });
+}
+
+avo_result avo_simulation_get_threads(avo_simulation_id simulation, int32_t* threads) {
+  return get(simulation, threads, [](const avo::Simulation& own) { return own.threads(); });
+}
+
+avo_result avo_simulation_can_step_by(avo_simulation_id simulation, double time, bool* can_step) {
+  return get(simulation, can_step,
+             [&](const avo::Simulation& own) { return own.can_step_by(time); });
+}
+
+avo_result avo_simulation_all_at_goal(avo_simulation_id simulation, bool* all_at_goal) {
+  return get(simulation, all_at_goal, [](const avo::Simulation& own) { return own.all_at_goal(); });
+}
+
+avo_result avo_simulation_get_state_hash(avo_simulation_id simulation, uint64_t* hash) {
+  return get(simulation, hash, [](const avo::Simulation& own) { return own.state_hash(); });
+}
+
+avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
+                                      size_t capacity, size_t* count) {
+  return guarded(
+      [&] { list(simulations.at(simulation).simulation.unreachable(), buffer, capacity, count); });
+}
+
+avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
+                                    size_t capacity, size_t* count) {
+  return guarded([&] {
+    list(simulations.at(simulation).simulation.static_obstacles().id, buffer, capacity, count);
+  });
+}

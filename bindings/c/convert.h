@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of the C interface as those of C++, and back.
+#pragma once
+#include <bit>
+#include <optional>
+#include <vector>
+
+#include "avo/planner.h"
+#include "avo/robot.h"
+#include "avo/scenario.h"
+#include "definitions.h"
+
+namespace avo_c {
+
+inline avo::Vec2 from_c(avo_vec2 v) {
+  return {v.x, v.y};
+}
+inline avo_vec2 to_c(avo::Vec2 v) {
+  return {v.x, v.y};
+}
+
+/// Of numbers that must not be 0, which stands for none.
+inline std::optional<double> unless_zero(double value) {
+  return value == 0.0 ? std::nullopt : std::optional(value);
+}
+inline std::optional<int> unless_zero(std::int32_t value) {
+  return value == 0 ? std::nullopt : std::optional<int>(value);
+}
+
+/// What a definition says of the motion model. Def: avo_robot or avo_robot_def.
+template <typename Def>
+avo::MotionModel model_of(const Def& def, const Where& where);
+template <typename Def>
+void set_model(const avo::MotionModel& model, Def& def);
+
+avo::PlannerOptions options_of(const avo_planner_def& def);
+avo::Robot robot_of(const avo_robot& robot);
+avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where);
+
+avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where);
+avo_robot_def def_of(const avo::RobotSetup& setup);
+
+avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where);
+avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where);
+
+/// Settings, robots and obstacles; not who does the work.
+avo::Scenario scenario_of(const avo_simulation_def& def);
+
+/// A scene's settings, without robots and obstacles.
+avo_simulation_def settings_of(const avo::Scenario& scenario);
+
+}  // namespace avo_c

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Definitions as a program gives them, which may be compiled with an older header than the library.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "errors.h"
+
+namespace avo_c {
+
+/// Where a definition stands, in front of messages: "robots.3".
+struct Where {
+  const char* list = "";
+  std::size_t index = SIZE_MAX;  // none: it stands for itself
+
+  [[nodiscard]] std::string operator/(const char* member) const {
+    std::string name(list);
+    if (index != SIZE_MAX) name += "." + std::to_string(index);
+    if (!name.empty()) name += ".";
+    return name + member;
+  }
+};
+
+/// Bytes of the definition. Throws Failure where no version of it has as many.
+template <typename Def>
+std::size_t size_of(const Def* def, const Where& where) {
+  std::size_t size = 0;
+  std::memcpy(&size, &at(def, where.list), sizeof size);
+  if (size <= sizeof size || size > sizeof(Def) || size % alignof(Def) != 0)
+    fail(AVO_ERROR_INVALID_DEFINITION, where / "size" + ": found " + std::to_string(size) +
+                                           ", must be what avo_default_*() sets, " +
+                                           std::to_string(sizeof(Def)) + " bytes in this version");
+  return size;
+}
+
+/// The definition; members that it is too short for are those of `defaults`.
+template <typename Def>
+Def read(const Def* def, const Where& where, Def defaults) {
+  std::memcpy(&defaults, def, size_of(def, where));
+  defaults.size = sizeof(Def);
+  return defaults;
+}
+
+/// As many members of `from` as the program knows.
+template <typename Def>
+void write(Def* to, const Def& from, const Where& where) {
+  const std::size_t size = size_of(to, where);
+  std::memcpy(to, &from, size);
+  to->size = size;
+}
+
+/// More are a number that was never set.
+inline constexpr std::size_t kMostEntries = 10'000'000;
+
+/// take(definition, where) for each of an array of definitions.
+template <typename Def, typename Take>
+void for_each(const Def* defs, std::size_t count, const char* list, const Def& defaults,
+              const Take& take) {
+  require_array(defs, count, list);
+  if (count == 0) return;
+  if (count > kMostEntries)
+    fail(AVO_ERROR_INVALID_ARGUMENT, std::string(list) + ": found " + std::to_string(count) +
+                                         ", must be at most " + std::to_string(kMostEntries));
+  const std::size_t stride = size_of(defs, {list, 0});
+  const auto* bytes = reinterpret_cast<const std::byte*>(defs);
+  for (std::size_t k = 0; k < count; ++k, bytes += stride) {
+    const Where where{list, k};
+    const Def* def = reinterpret_cast<const Def*>(bytes);
+    if (size_of(def, where) != stride)
+      fail(AVO_ERROR_INVALID_DEFINITION,
+           where / "size" + ": found another one than the first definition's, must be " +
+               std::to_string(stride));
+    take(read(def, where, defaults), where);
+  }
+}
+
+/// The word of that number, of `count` that there are. Throws Failure.
+template <typename Word>
+Word word(std::int32_t number, std::int32_t count, const Where& where, const char* member) {
+  if (number < 0 || number >= count)
+    fail(AVO_ERROR_INVALID_VALUE, where / member + ": found " + std::to_string(number) +
+                                      ", must be 0 to " + std::to_string(count - 1));
+  return static_cast<Word>(number);
+}
+
+}  // namespace avo_c

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a call that fails says so: a result, and a message of this thread.
+#pragma once
+#include <string>
+#include <utility>
+
+#include "avo_c/avo.h"
+
+namespace avo_c {
+
+/// What a function of this folder throws.
+struct Failure {
+  avo_result result;
+  std::string message;
+};
+
+[[noreturn]] void fail(avo_result result, std::string message);
+
+/// Throws Failure unless there is something at the pointer that an argument of that name gives.
+template <typename T>
+T& at(T* pointer, const char* name) {
+  if (pointer == nullptr)
+    fail(AVO_ERROR_INVALID_ARGUMENT, std::string(name) + ": found null, must point to one");
+  return *pointer;
+}
+
+/// The same of an array, which may be null where it is empty.
+template <typename T>
+void require_array(const T* array, std::size_t count, const char* name) {
+  if (array == nullptr && count > 0)
+    fail(AVO_ERROR_INVALID_ARGUMENT,
+         std::string(name) + ": found null, must point to " + std::to_string(count));
+}
+
+/// What the exception that is being handled means to the caller; remembers its message.
+avo_result handle_exception() noexcept;
+
+/// The result of a call that does `body`: no exception leaves it.
+template <typename Body>
+avo_result guarded(const Body& body) noexcept {
+  try {
+    body();
+    return AVO_OK;
+  } catch (...) {
+    return handle_exception();
+  }
+}
+
+}  // namespace avo_c

@@ -1,0 +1,640 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * The C interface of avo: multi-robot collision avoidance that respects acceleration limits. One
+ * header, C99 or C++. SI units; angles in rad, counter-clockwise from +x. docs/c.md is its guide.
+ *
+ * Objects are named by ids. A zeroed id is null and names nothing. An id whose object has been
+ * destroyed is stale: functions refuse it, they do not crash.
+ *
+ * Definitions (avo_*_def, avo_robot, avo_neighbor) come from avo_default_*(), which sets `size`.
+ * A program that was compiled with an older version of this header has shorter definitions; members
+ * beyond their size have their defaults. A size of 0, or one that this library does not know, is
+ * AVO_ERROR_INVALID_DEFINITION. In an array of definitions all have the size of the first one.
+ * Numbers keep their ranges of the C++ interface and of scene files; what is out of range is
+ * refused with the text that C++ gives, and nothing is changed to fit.
+ *
+ * Every function that can fail returns an avo_result, and writes nothing through its pointers where
+ * that is not AVO_OK, unless it says so. avo_last_error() has the reason. No C++ exception leaves.
+ *
+ * Threads: an object may be used by one thread at a time, different objects by different threads.
+ * Functions that take a planner, and those that only read a simulation, may run at the same time on
+ * the same object. Nothing else may use an object while it is destroyed.
+ */
+#ifndef AVO_C_AVO_H
+#define AVO_C_AVO_H
+
+/* A foreign function interface that parses this header knows the types of fixed width itself:
+ * cc -E -P -DAVO_FOR_FFI avo.h leaves declarations only. */
+#ifdef AVO_FOR_FFI
+#define AVO_C_API
+#else
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#if defined(__GNUC__)
+#define AVO_C_API __attribute__((visibility("default")))
+#else
+#define AVO_C_API
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------------------------- results */
+
+/// What a function says of itself: one of AVO_OK and AVO_ERROR_*.
+typedef int32_t avo_result;
+enum {
+  AVO_OK = 0,
+  AVO_ERROR_INVALID_ID = 1,          ///< null, stale, or of no such object
+  AVO_ERROR_INVALID_ARGUMENT = 2,    ///< a null pointer where there must be one, a bad count
+  AVO_ERROR_INVALID_DEFINITION = 3,  ///< a definition without a size, or of one that is not known
+  AVO_ERROR_INVALID_VALUE = 4,     ///< a value out of range, or an edit that would break a promise
+  AVO_ERROR_INVALID_SCENE = 5,     ///< a scene, or a key=value, that cannot be used
+  AVO_ERROR_FILE = 6,              ///< a file that cannot be read
+  AVO_ERROR_BUFFER_TOO_SMALL = 7,  ///< the size that it takes has been written
+  AVO_ERROR_OUT_OF_MEMORY = 8,
+  AVO_ERROR_UNSUPPORTED = 9,  ///< this library was built without it
+  AVO_ERROR_INTERNAL = 10     ///< a fault of the library
+};
+
+/// One line that says where, what was found and what is allowed: of the last call on this thread
+/// that failed; "" before any has. Never null; valid until the next call on this thread that fails.
+AVO_C_API const char* avo_last_error(void);
+/// "ok", "invalid id", ...; "unknown result" of any other number. Never null.
+AVO_C_API const char* avo_result_text(avo_result result);
+/// Of the library, e.g. "0.1.0".
+AVO_C_API const char* avo_version(void);
+
+/* ---------------------------------------------------------------------------------- ids */
+
+typedef struct avo_planner_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_planner_id;
+
+typedef struct avo_simulation_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_simulation_id;
+
+typedef struct avo_scene_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_scene_id;
+
+/// Name of a robot within its simulation, never reused there. The robots of the definition are
+/// 1, 2, ... in its order: the number of the C++ interface and of scene files, plus 1.
+typedef struct avo_robot_id {
+  uint64_t value;
+} avo_robot_id;
+
+/// Name of a static obstacle within its simulation, likewise.
+typedef struct avo_obstacle_id {
+  uint64_t value;
+} avo_obstacle_id;
+
+/* ---------------------------------------------------------------------------------- words */
+
+/// Of members that may be left to the library: the method's own, or what the member says.
+enum { AVO_UNSET = -1 };
+
+typedef int32_t avo_method;
+enum {
+  AVO_METHOD_AVO = 0,                ///< half-planes, a certificate, and rules for arriving
+  AVO_METHOD_AVO_PAPER = 1,          ///< the paper alone
+  AVO_METHOD_VELOCITY_OBSTACLE = 2,  ///< others keep their velocity
+  AVO_METHOD_ORCA = 3                ///< velocities are adopted at once
+};
+
+typedef int32_t avo_certificate;
+enum {
+  AVO_CERTIFICATE_NONE = 0,
+  AVO_CERTIFICATE_STOPPING_CAPSULES = 1,
+  AVO_CERTIFICATE_BRAKING_TRAJECTORIES = 2
+};
+
+typedef int32_t avo_motion;
+enum { AVO_MOTION_HELD = 0, AVO_MOTION_EXPONENTIAL = 1 };
+
+typedef int32_t avo_clock;
+enum { AVO_CLOCK_COMMON = 0, AVO_CLOCK_FREE = 1 };
+
+typedef int32_t avo_right_of_way;
+enum { AVO_RIGHT_OF_WAY_NONE = 0, AVO_RIGHT_OF_WAY_SEEN = 1, AVO_RIGHT_OF_WAY_TOLD = 2 };
+
+typedef int32_t avo_noise_distribution;
+enum { AVO_NOISE_GAUSSIAN = 0, AVO_NOISE_UNIFORM = 1 };
+
+typedef int32_t avo_fill;
+enum {
+  AVO_FILL_NONE = 0,   ///< robots may be on either side of the walls
+  AVO_FILL_SOLID = 1,  ///< not inside the closed chains
+  AVO_FILL_BOUNDS = 2  ///< not outside of them
+};
+
+typedef int32_t avo_behavior;
+enum {
+  AVO_BEHAVIOR_DECIDES = 0,  ///< plans as this one does, at the same times
+  AVO_BEHAVIOR_MOVES_ON = 1  ///< reacts to nobody
+};
+
+typedef int32_t avo_model;
+enum {
+  AVO_MODEL_HOLONOMIC = 0,
+  AVO_MODEL_CAR = 1,
+  AVO_MODEL_DIFFERENTIAL_DRIVE = 2,
+  AVO_MODEL_AIRPLANE = 3
+};
+
+typedef int32_t avo_acceleration_set;
+enum { AVO_ACCELERATION_SET_INCIRCLE = 0, AVO_ACCELERATION_SET_EXACT = 1 };
+
+typedef int32_t avo_after_goal;
+enum { AVO_AFTER_GOAL_LOITER = 0, AVO_AFTER_GOAL_LEAVE = 1 };
+
+/// How a decision was made.
+typedef uint8_t avo_plan_status;
+enum {
+  AVO_PLAN_OPTIMAL = 0,
+  AVO_PLAN_LEAST_UNSAFE = 1,
+  AVO_PLAN_CANDIDATE = 2,
+  AVO_PLAN_BRAKING = 3,
+  AVO_PLAN_OVERLAPPING = 4,
+  AVO_PLAN_INVALID_INPUT = 5  ///< a number known or sensed is not finite or out of range: brakes
+};
+
+/// What is proved of a state before anything is decided.
+typedef uint8_t avo_safety_state;
+enum { AVO_SAFETY_UNKNOWN = 0, AVO_SAFETY_SAFE = 1, AVO_SAFETY_DOOMED = 2 };
+
+/* ---------------------------------------------------------------------------------- values */
+
+typedef struct avo_vec2 {
+  double x;
+  double y;
+} avo_vec2;
+
+typedef struct avo_sensing_error {
+  double position;  ///< m, >= 0
+  double velocity;  ///< m/s, >= 0
+} avo_sensing_error;
+
+/// Gaussian errors of what is sensed, which the half-planes allow for.
+typedef struct avo_sensing_noise {
+  double position;  ///< m, >= 0
+  double velocity;  ///< m/s, >= 0
+  double quantile;  ///< standard deviations, >= 0
+} avo_sensing_noise;
+
+/// The disc that covers a car's body.
+typedef struct avo_car_body {
+  double offset;  ///< m, of its center ahead of the rear axle; < 0: behind it
+  double radius;  ///< m, > 0; 0: there is no body, the disc is about the axle
+} avo_car_body;
+
+/// Read where model is AVO_MODEL_CAR. The position is the center of the rear axle.
+typedef struct avo_car {
+  double wheelbase;      ///< m, > 0
+  double max_curvature;  ///< 1/m, > 0; 0: unbounded
+  avo_car_body body;
+  avo_acceleration_set acceleration_set;
+  bool reverse;  ///< may drive backwards
+} avo_car;
+
+/// Read where model is AVO_MODEL_DIFFERENTIAL_DRIVE. The position is the middle of the axle.
+typedef struct avo_differential_drive {
+  double track;               ///< m, > 0, between the wheels
+  double offset;              ///< m, > 0, of the point ahead of the axle that others sense
+  double wheel_speed;         ///< m/s, > 0, of each wheel on the ground
+  double wheel_acceleration;  ///< m/s^2, > 0, likewise
+} avo_differential_drive;
+
+/// Read where model is AVO_MODEL_AIRPLANE. It cannot stop.
+typedef struct avo_airplane {
+  double min_speed;             ///< m/s, > 0
+  double lateral_acceleration;  ///< m/s^2, > 0
+  avo_after_goal after_goal;
+} avo_airplane;
+
+/// The circle that an airplane turns right on if it decides nothing better.
+typedef struct avo_loiter_circle {
+  avo_vec2 center;  ///< m
+  double radius;    ///< m, > 0; 0: there is none
+} avo_loiter_circle;
+
+/// All that is within `radius` of the segment from a to b; a disc where a equals b.
+typedef struct avo_wall {
+  avo_vec2 a;     ///< m
+  avo_vec2 b;     ///< m
+  double radius;  ///< m, >= 0
+} avo_wall;
+
+/// What a robot remembers from one decision to the next; zeroed before the first one.
+typedef struct avo_detour {
+  float angle;
+  float beside;
+  float congestion;
+  bool has_arrived;
+} avo_detour;
+
+/// A decision.
+typedef struct avo_plan {
+  avo_vec2 new_velocity;   ///< m/s, the velocity that is chosen
+  avo_vec2 next_velocity;  ///< m/s, at the end of the step: what a base that takes velocities gets
+  avo_vec2 acceleration;   ///< m/s^2, at the start of the step
+  avo_plan_status status;
+  avo_safety_state state;  ///< of the state in which it was made; unknown without a certificate
+  double violation;        ///< m/s, by how much the half-planes are missed; 0 if optimal
+} avo_plan;
+
+/* ---------------------------------------------------------------------------------- planner */
+
+/// One robot's planner. The methods' defaults are those of avo_default_planner_def().
+typedef struct avo_planner_def {
+  size_t size;
+  avo_method method;
+  avo_motion motion;
+  double control_time;  ///< s, >= 1e-6
+  double time_horizon;  ///< s, > 0
+  double time_step;     ///< s, > 0
+  int32_t samples;      ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
+  avo_certificate certificate;
+  int32_t max_neighbors;  ///< >= 1, that get a half-plane; 0: all
+  avo_clock clock;
+  avo_sensing_error sensing_error;
+  avo_sensing_noise sensing_noise;
+  double longest_step;      ///< s, >= 0, of a free clock, that any of the others has; 0: time_step
+  double arrival_distance;  ///< m, > 0
+} avo_planner_def;
+
+/// The robot that decides.
+typedef struct avo_robot {
+  size_t size;
+  avo_vec2 position;            ///< m, the center of its disc
+  avo_vec2 velocity;            ///< m/s
+  avo_vec2 preferred_velocity;  ///< m/s
+  double radius;                ///< m, > 0, of that disc
+  double max_acceleration;      ///< m/s^2, > 0
+  double max_speed;             ///< m/s, > 0
+  double distance_to_goal;      ///< m, to where it comes to rest; infinite: there is no such goal
+  double heading;               ///< rad; read where it is not holonomic
+  double priority;              ///< > 0
+  double max_braking;           ///< m/s^2, > 0, <= max_acceleration; 0: max_acceleration
+  avo_loiter_circle loiter;     ///< of an airplane; radius 0: that of position and velocity
+  avo_car car;
+  avo_differential_drive drive;
+  avo_airplane airplane;
+  avo_model model;
+} avo_robot;
+
+/// Another one, as it is sensed.
+typedef struct avo_neighbor {
+  size_t size;
+  avo_vec2 position;         ///< m
+  avo_vec2 velocity;         ///< m/s
+  double radius;             ///< m, > 0
+  double max_acceleration;   ///< m/s^2, > 0; read where it decides
+  double priority;           ///< > 0; read where it decides
+  double max_braking;        ///< m/s^2, > 0, <= max_acceleration; 0: max_acceleration; likewise
+  avo_loiter_circle loiter;  ///< what it falls back on; radius 0: it brakes
+  double max_deviation;      ///< m/s^2, >= 0, of the acceleration of one that moves on
+  double position_error;     ///< m, >= 0, besides the declared sensing_error
+  avo_vec2 acceleration;     ///< m/s^2, observed; read where it moves on
+  double max_speed;  ///< m/s, > 0, of one that moves on, with max_deviation; may be infinite
+  avo_behavior behavior;
+  int32_t age;  ///< steps since it was sensed, 0 to 1 000 000
+} avo_neighbor;
+
+/// What avo_planner_state() proves.
+typedef struct avo_safety_report {
+  double time;       ///< s: if doomed, when the two are in contact
+  int32_t neighbor;  ///< if doomed, index of the neighbor that it collides with, or -1
+  int32_t wall;      ///< or of the wall, or -1
+  avo_safety_state state;
+} avo_safety_report;
+
+/// What is customary for the method; for AVO_METHOD_AVO where there is no such method.
+AVO_C_API avo_planner_def avo_default_planner_def(avo_method method);
+AVO_C_API avo_robot avo_default_robot(void);
+AVO_C_API avo_neighbor avo_default_neighbor(void);
+
+AVO_C_API avo_result avo_create_planner(const avo_planner_def* def, avo_planner_id* planner);
+AVO_C_API avo_result avo_destroy_planner(avo_planner_id planner);
+AVO_C_API bool avo_planner_is_valid(avo_planner_id planner);
+
+/// Decides for one robot among neighbors that plan likewise, others that move on, and walls. The
+/// plan says AVO_PLAN_INVALID_INPUT where a number of robot, neighbors or walls is out of range:
+/// the result is AVO_OK then. detour: what the robot remembers, updated; or null. neighbors and
+/// walls may be null where their counts are 0. Scratch memory is kept for each thread: once it has
+/// grown nothing is allocated.
+AVO_C_API avo_result avo_planner_plan(avo_planner_id planner, const avo_robot* robot,
+                                      const avo_neighbor* neighbors, size_t neighbor_count,
+                                      const avo_wall* walls, size_t wall_count, avo_detour* detour,
+                                      avo_plan* plan);
+/// Decides for one robot among movers none of which reacts.
+AVO_C_API avo_result avo_planner_plan_among_obstacles(avo_planner_id planner,
+                                                      const avo_robot* robot,
+                                                      const avo_neighbor* obstacles,
+                                                      size_t obstacle_count, avo_plan* plan);
+/// Whether the robot can go on without contact, as far as that is proved.
+AVO_C_API avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
+                                       const avo_neighbor* neighbors, size_t neighbor_count,
+                                       const avo_wall* walls, size_t wall_count,
+                                       avo_safety_report* report);
+
+/* ---------------------------------------------------------------------------------- a scene */
+
+/// A robot of a simulation.
+typedef struct avo_robot_def {
+  size_t size;
+  avo_vec2 position;        ///< m
+  avo_vec2 velocity;        ///< m/s
+  avo_vec2 goal;            ///< m
+  double radius;            ///< m, > 0
+  double max_speed;         ///< m/s, > 0
+  double max_acceleration;  ///< m/s^2, > 0
+  double preferred_speed;   ///< m/s, >= 0
+  double heading;           ///< rad; not of holonomic ones
+  double priority;          ///< > 0
+  double time_step;         ///< s, > 0, of its own where the clock is free; 0: the simulation's
+  double max_braking;       ///< m/s^2, > 0, <= max_acceleration; 0: max_acceleration
+  avo_car car;
+  avo_differential_drive drive;
+  avo_airplane airplane;
+  avo_model model;
+  uint32_t layers;  ///< bit k: it is in layer k
+  uint32_t avoids;  ///< bit k: it avoids those in layer k
+  bool parked;      ///< never moves; its goal is its position
+} avo_robot_def;
+
+/// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
+typedef struct avo_moving_obstacle_def {
+  size_t size;
+  avo_vec2 position;      ///< m
+  avo_vec2 velocity;      ///< m/s
+  avo_vec2 acceleration;  ///< m/s^2; 0 with max_speed
+  double radius;          ///< m, > 0
+  double max_deviation;   ///< m/s^2, >= 0
+  double max_speed;       ///< m/s, > 0, with max_deviation; 0: unset
+  const avo_vec2* path;   ///< m, path_count points, with max_deviation and max_speed
+  size_t path_count;
+} avo_moving_obstacle_def;
+
+/// Walls from each point to the next one, and from the last to the first where it is closed.
+typedef struct avo_chain {
+  const avo_vec2* points;  ///< m, at least one; of one point a disc
+  size_t point_count;
+  bool closed;
+} avo_chain;
+
+/// A static obstacle.
+typedef struct avo_obstacle_def {
+  size_t size;
+  const avo_chain* chains;
+  size_t chain_count;
+  double radius;  ///< m, >= 0, of all its walls
+  avo_fill fill;
+} avo_obstacle_def;
+
+/// How far each coordinate of a measurement is off.
+typedef struct avo_measurement_noise {
+  double position;   ///< m, >= 0: standard deviation; of uniform noise the bound
+  double velocity;   ///< m/s, >= 0: likewise
+  double truncated;  ///< standard deviations of gaussian noise, > 0, <= 8; 0: unset, 3
+  avo_noise_distribution distribution;
+} avo_measurement_noise;
+
+/// How robots sense others.
+typedef struct avo_sensing_model {
+  avo_measurement_noise noise;
+  double dropped;  ///< 0 to 0.999, share of the measurements that are missed
+  int32_t delay;   ///< steps, 0 to 100, from a measurement to the decision
+  bool occlusion;  ///< nobody is sensed whose center is behind an obstacle
+} avo_sensing_model;
+
+/// Calls task(task_context, index, worker) once for each index in [0, count), in any order, and
+/// returns when all calls have returned. worker is less than the `workers` of the definition, and
+/// no two calls at the same time have the same one. The task takes no lock that the host could
+/// hold, and calls nothing of the host. This function must not call anything of the simulation that
+/// steps, and must not be left by an exception or longjmp.
+typedef void avo_task(void* task_context, size_t index, size_t worker);
+typedef void avo_run_tasks(void* run_context, size_t count, avo_task* task, void* task_context);
+
+/// A simulation: the settings of a scene, who is in it, and who does the work. Pointers are read
+/// while the simulation is made, not later; but run_tasks and run_context are used as long as it
+/// lives.
+typedef struct avo_simulation_def {
+  size_t size;
+  const char* name;         ///< of the scene, for avo_summary alone; null: ""
+  double time_step;         ///< s, > 0
+  double duration;          ///< s, >= time_step: a whole run takes it, see can_step_by
+  double control_time;      ///< s, > 0; 0: the method's
+  double time_horizon;      ///< s, > 0; 0: the method's
+  double sensing_radius;    ///< m, > 0
+  double arrival_distance;  ///< m, > 0
+  double longest_step;      ///< s, > 0, where the clock is free; 0: that of the robots
+  uint64_t seed;            ///< of sensing and of clocks
+  int32_t max_neighbors;    ///< >= 1; 0: all
+  int32_t samples;          ///< 0, or 2 to 1000
+  avo_method method;
+  avo_certificate certificate;  ///< AVO_UNSET: the method's
+  avo_motion motion;
+  avo_clock clock;
+  int32_t navigation;  ///< 0: no, 1: yes; AVO_UNSET: where there are static obstacles
+  avo_right_of_way right_of_way;
+  avo_sensing_model sensing;
+  avo_sensing_error sensing_error;  ///< that robots declare; both NAN: what sensing makes of it
+
+  const avo_robot_def* robots;
+  size_t robot_count;
+  const avo_moving_obstacle_def* moving_obstacles;
+  size_t moving_obstacle_count;
+  const avo_obstacle_def* obstacles;
+  size_t obstacle_count;
+
+  int32_t threads;  ///< 0 to 1024; 0: as many as this process may use. Read where run_tasks is null
+  int32_t workers;  ///< 1 to 1024, of run_tasks
+  avo_run_tasks* run_tasks;  ///< the host's own threads; null: those of the library
+  void* run_context;         ///< for run_tasks
+  bool metrics;              ///< judge every step, for avo_simulation_summary()
+} avo_simulation_def;
+
+AVO_C_API avo_robot_def avo_default_robot_def(void);
+AVO_C_API avo_moving_obstacle_def avo_default_moving_obstacle_def(void);
+AVO_C_API avo_obstacle_def avo_default_obstacle_def(void);
+AVO_C_API avo_simulation_def avo_default_simulation_def(void);
+
+/// The scene of a built-in name, e.g. "circle-100", or of a file. overrides: override_count times
+/// "key=value" on a key of the scene; null where there are none. AVO_ERROR_UNSUPPORTED in a library
+/// that was built without scene files.
+AVO_C_API avo_result avo_load_scene(const char* name_or_path, const char* const* overrides,
+                                    size_t override_count, avo_scene_id* scene);
+/// The same from `length` bytes of YAML. file: stands in front of messages, and files that the
+/// scene names are relative to it.
+AVO_C_API avo_result avo_parse_scene(const char* yaml, size_t length, const char* file,
+                                     const char* const* overrides, size_t override_count,
+                                     avo_scene_id* scene);
+AVO_C_API avo_result avo_destroy_scene(avo_scene_id scene);
+AVO_C_API bool avo_scene_is_valid(avo_scene_id scene);
+/// The scene as a definition, to change and to simulate. What its pointers show belongs to the
+/// scene and is valid until that is destroyed. def->size has to be set, as by
+/// avo_default_simulation_def(); the other members are overwritten.
+AVO_C_API avo_result avo_scene_get_def(avo_scene_id scene, avo_simulation_def* def);
+
+/* ---------------------------------------------------------------------------------- simulation */
+
+AVO_C_API avo_result avo_create_simulation(const avo_simulation_def* def,
+                                           avo_simulation_id* simulation);
+AVO_C_API avo_result avo_destroy_simulation(avo_simulation_id simulation);
+AVO_C_API bool avo_simulation_is_valid(avo_simulation_id simulation);
+
+/// One sensing-acting cycle of all robots. The same bits for any number of threads or workers. A
+/// fleet of less than 256 is stepped by the calling thread alone. Airplanes that have arrived may
+/// leave. Where memory runs out nobody has moved, or every later step fails until a state is
+/// restored. Where run_tasks breaks its contract, likewise.
+AVO_C_API avo_result avo_simulation_step(avo_simulation_id simulation);
+
+/// The new robot's number is greater than all before.
+AVO_C_API avo_result avo_simulation_add_robot(avo_simulation_id simulation,
+                                              const avo_robot_def* def, avo_robot_id* robot);
+AVO_C_API avo_result avo_simulation_remove_robot(avo_simulation_id simulation, avo_robot_id robot);
+AVO_C_API avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_robot_id robot,
+                                             avo_vec2 goal);
+/// A door closes. Takes as long as making the simulation, at most.
+AVO_C_API avo_result avo_simulation_add_obstacle(avo_simulation_id simulation,
+                                                 const avo_obstacle_def* def,
+                                                 avo_obstacle_id* obstacle);
+/// A door opens.
+AVO_C_API avo_result avo_simulation_remove_obstacle(avo_simulation_id simulation,
+                                                    avo_obstacle_id obstacle);
+
+/// Writes the state into the buffer of `capacity` bytes, and how many these are to *size: also
+/// where they are too many, AVO_ERROR_BUFFER_TOO_SMALL. With no buffer (null) it writes the size
+/// alone, AVO_OK. The bytes are the same on every machine.
+AVO_C_API avo_result avo_simulation_save(avo_simulation_id simulation, void* buffer,
+                                         size_t capacity, size_t* size);
+/// Back, or forth, to what this simulation or another one of the same settings and moving obstacles
+/// has saved. Changes nothing where it fails. Metrics begin anew.
+AVO_C_API avo_result avo_simulation_restore(avo_simulation_id simulation, const void* saved,
+                                            size_t size);
+/// A simulation that goes on from what another one has saved. Of def only threads, workers,
+/// run_tasks and run_context are read; null: the defaults. metrics is AVO_ERROR_UNSUPPORTED here.
+AVO_C_API avo_result avo_create_simulation_from_saved(const void* saved, size_t size,
+                                                      const avo_simulation_def* def,
+                                                      avo_simulation_id* simulation);
+
+/// Columns of the present generation: `count` entries each, one a robot, by ascending id. They
+/// belong to the simulation and are valid until the next call that changes it (step, add, remove,
+/// set_goal, restore, destroy).
+typedef struct avo_columns {
+  size_t count;
+  const avo_robot_id* id;
+  const avo_vec2* position;            ///< m
+  const avo_vec2* velocity;            ///< m/s
+  const double* heading;               ///< rad
+  const avo_vec2* goal;                ///< m
+  const avo_plan* plan;                ///< of its last decision; zeroed before the first
+  const avo_detour* detour;            ///< what it remembers
+  const double* applied_acceleration;  ///< m/s^2, the largest |a| within the last step
+} avo_columns;
+
+/// Columns of the moving obstacles, in the order of the definition; likewise.
+typedef struct avo_obstacle_columns {
+  size_t count;
+  const avo_vec2* position;  ///< m
+  const avo_vec2* velocity;  ///< m/s
+} avo_obstacle_columns;
+
+AVO_C_API avo_result avo_simulation_columns(avo_simulation_id simulation, avo_columns* columns);
+AVO_C_API avo_result avo_simulation_moving_obstacles(avo_simulation_id simulation,
+                                                     avo_obstacle_columns* columns);
+
+/// Of one robot. AVO_ERROR_INVALID_ID where it is not there, or no longer.
+AVO_C_API avo_result avo_simulation_get_position(avo_simulation_id simulation, avo_robot_id robot,
+                                                 avo_vec2* position);
+AVO_C_API avo_result avo_simulation_get_velocity(avo_simulation_id simulation, avo_robot_id robot,
+                                                 avo_vec2* velocity);
+AVO_C_API avo_result avo_simulation_get_heading(avo_simulation_id simulation, avo_robot_id robot,
+                                                double* heading);
+AVO_C_API avo_result avo_simulation_get_goal(avo_simulation_id simulation, avo_robot_id robot,
+                                             avo_vec2* goal);
+AVO_C_API avo_result avo_simulation_get_plan(avo_simulation_id simulation, avo_robot_id robot,
+                                             avo_plan* plan);
+AVO_C_API avo_result avo_simulation_get_applied_acceleration(avo_simulation_id simulation,
+                                                             avo_robot_id robot,
+                                                             double* acceleration);
+/// Whether it is within arrival_distance of its goal now, with no wall between.
+AVO_C_API avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo_robot_id robot,
+                                               bool* is_at_goal);
+/// s: when it decides next; infinite if it is parked.
+AVO_C_API avo_result avo_simulation_get_next_decision(avo_simulation_id simulation,
+                                                      avo_robot_id robot, double* time);
+/// Whether it decided in the last step.
+AVO_C_API avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id robot,
+                                            bool* decided);
+/// Its place in the columns, which is not its number once another one has gone.
+AVO_C_API avo_result avo_simulation_index_of(avo_simulation_id simulation, avo_robot_id robot,
+                                             size_t* index);
+/// As it is now: position, velocity, heading and goal of now, all else as it was defined. def->size
+/// has to be set.
+AVO_C_API avo_result avo_simulation_get_robot_def(avo_simulation_id simulation, avo_robot_id robot,
+                                                  avo_robot_def* def);
+
+AVO_C_API avo_result avo_simulation_get_time(avo_simulation_id simulation, double* time);  ///< s
+AVO_C_API avo_result avo_simulation_get_steps(avo_simulation_id simulation, int64_t* steps);
+AVO_C_API avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* count);
+/// That a step may use: threads of the library, or workers of the host.
+AVO_C_API avo_result avo_simulation_get_threads(avo_simulation_id simulation, int32_t* threads);
+/// Whether the next step ends by that time, s: a whole run steps while it does by `duration`.
+AVO_C_API avo_result avo_simulation_can_step_by(avo_simulation_id simulation, double time,
+                                                bool* can_step);
+AVO_C_API avo_result avo_simulation_all_at_goal(avo_simulation_id simulation, bool* all_at_goal);
+/// Equal for equal states, bit by bit: that of the C++ interface.
+AVO_C_API avo_result avo_simulation_get_state_hash(avo_simulation_id simulation, uint64_t* hash);
+/// Robots that cannot get to their goals even alone, by ascending id: as many as fit into the
+/// buffer's `capacity` ids. *count: how many there are; with no buffer (null) it writes that alone.
+/// AVO_ERROR_BUFFER_TOO_SMALL where they are too many: *count is written.
+AVO_C_API avo_result avo_simulation_unreachable(avo_simulation_id simulation, avo_robot_id* buffer,
+                                                size_t capacity, size_t* count);
+/// The static obstacles that there are, by ascending id, likewise.
+AVO_C_API avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
+                                              size_t capacity, size_t* count);
+
+/// What a run did since it began or was restored.
+typedef struct avo_summary {
+  size_t size;
+  int64_t robots;
+  int64_t parked;  ///< of them; they have arrived where they stand
+  int64_t steps;
+  int64_t arrived;               ///< robots that were ever within arrival_distance
+  int64_t collision_pairs;       ///< pairs of robots that ever overlapped and avoid each other
+  int64_t one_sided_collisions;  ///< those of which only one avoids the other
+  int64_t obstacle_collisions;   ///< (robot, moving obstacle) pairs
+  int64_t obstacle_collisions_in_motion;  ///< of them, in a step in which the robot moved
+  int64_t collision_obstacles;            ///< robots that touched a static obstacle
+  int64_t first_seen_too_late;            ///< pairs; -1 without a certificate
+  int64_t infeasible_steps;               ///< robot-steps whose half-planes had no point in common
+  int64_t unreachable;                    ///< robots
+  int64_t decisions[6];                   ///< robot-steps, by avo_plan_status
+  double first_collision_time;            ///< s; NAN: none
+  double min_clearance;           ///< m, of robots that avoid each other; NAN: there are none
+  double min_obstacle_clearance;  ///< m, from static obstacles; NAN: likewise
+  double max_acceleration;        ///< m/s^2, the largest applied |a|
+  double acceleration_excess;     ///< m/s^2, the largest |a| - a_max; 0 if kept
+  double max_speed;               ///< m/s
+  double mean_arrival;            ///< s, of those that arrived; NAN: none
+  double last_arrival;            ///< s; NAN: not all have arrived
+} avo_summary;
+
+AVO_C_API avo_summary avo_default_summary(void);
+/// AVO_ERROR_UNSUPPORTED where the definition did not ask for metrics. summary->size has to be set.
+AVO_C_API avo_result avo_simulation_summary(avo_simulation_id simulation, avo_summary* summary);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

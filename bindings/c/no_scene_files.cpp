@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes without avo_io: there are none.
+#include "errors.h"
+#include "scene_files.h"
+
+namespace avo_c {
+namespace {
+
+[[noreturn]] void fail_as_unsupported() {
+  fail(AVO_ERROR_UNSUPPORTED,
+       "scenes: found a library that was built without AVO_IO, must be one "
+       "that was built with it");
+}
+
+}  // namespace
+
+avo::Scenario load_scene(const std::string&, const std::vector<std::string>&) {
+  fail_as_unsupported();
+}
+
+avo::Scenario parse_scene(std::string_view, const std::string&, const std::vector<std::string>&) {
+  fail_as_unsupported();
+}
+
+}  // namespace avo_c

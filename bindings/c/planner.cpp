@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot's decisions.
+#include "avo/planner.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "convert.h"
+#include "handles.h"
+#include "layouts.h"
+
+namespace avo_c {
+namespace {
+
+constinit Handles<avo_planner_id, avo::Planner> planners("planner");
+
+// Of one thread; it grows, and then nothing is allocated.
+struct Scratch {
+  avo::PlanWorkspace workspace;
+  std::vector<avo::Neighbor> neighbors;
+};
+
+Scratch& scratch() {
+  thread_local Scratch own;
+  return own;
+}
+
+std::span<const avo::Neighbor> neighbors_of(const avo_neighbor* neighbors, std::size_t count,
+                                            const char* list) {
+  std::vector<avo::Neighbor>& to = scratch().neighbors;
+  to.clear();
+  for_each(neighbors, count, list, avo_default_neighbor(),
+           [&](const avo_neighbor& neighbor, const Where& where) {
+             to.push_back(neighbor_of(neighbor, where));
+           });
+  return to;
+}
+
+std::span<const avo::Wall> walls_of(const avo_wall* walls, std::size_t count) {
+  require_array(walls, count, "walls");
+  return {reinterpret_cast<const avo::Wall*>(walls), count};
+}
+
+avo::Robot read_robot(const avo_robot* robot) {
+  return robot_of(read(robot, {"robot"}, avo_default_robot()));
+}
+
+}  // namespace
+
+avo::PlannerOptions options_of(const avo_planner_def& def) {
+  const Where here;
+  avo::PlannerOptions options;
+  options.method = word<avo::Method>(def.method, 4, here, "method");
+  options.motion = word<avo::Motion>(def.motion, 2, here, "motion");
+  options.control_time = def.control_time;
+  options.time_horizon = def.time_horizon;
+  options.time_step = def.time_step;
+  options.samples = def.samples;
+  options.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
+  options.max_neighbors = unless_zero(def.max_neighbors);
+  options.sensing_error = {def.sensing_error.position, def.sensing_error.velocity};
+  options.sensing_noise = {def.sensing_noise.position, def.sensing_noise.velocity,
+                           def.sensing_noise.quantile};
+  options.clock = word<avo::Clock>(def.clock, 2, here, "clock");
+  options.longest_step = def.longest_step;
+  options.arrival_distance = def.arrival_distance;
+  return options;
+}
+
+}  // namespace avo_c
+
+using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
+
+avo_planner_def avo_default_planner_def(avo_method method) {
+  const bool is_known = method >= AVO_METHOD_AVO && method <= AVO_METHOD_ORCA;
+  const avo::PlannerOptions options =
+      avo::default_options(is_known ? static_cast<avo::Method>(method) : avo::Method::avo);
+  avo_planner_def def = {};
+  def.size = sizeof def;
+  def.method = static_cast<avo_method>(options.method);
+  def.motion = static_cast<avo_motion>(options.motion);
+  def.control_time = options.control_time;
+  def.time_horizon = options.time_horizon;
+  def.time_step = options.time_step;
+  def.samples = options.samples;
+  def.certificate = static_cast<avo_certificate>(options.certificate);
+  def.max_neighbors = options.max_neighbors.value_or(0);
+  def.clock = static_cast<avo_clock>(options.clock);
+  def.sensing_error = {options.sensing_error.position, options.sensing_error.velocity};
+  def.sensing_noise = {options.sensing_noise.position, options.sensing_noise.velocity,
+                       options.sensing_noise.quantile};
+  def.longest_step = options.longest_step;
+  def.arrival_distance = options.arrival_distance;
+  return def;
+}
+
+avo_result avo_create_planner(const avo_planner_def* def, avo_planner_id* planner) {
+  return guarded([&] {
+    avo_planner_id& id = at(planner, "planner");
+    const avo_planner_def known = read(def, {"def"}, avo_default_planner_def(AVO_METHOD_AVO));
+    id = planners.add(std::make_unique<avo::Planner>(options_of(known)));
+  });
+}
+
+avo_result avo_destroy_planner(avo_planner_id planner) {
+  return guarded([&] { planners.take(planner); });
+}
+
+bool avo_planner_is_valid(avo_planner_id planner) {
+  return planners.find(planner) != nullptr;
+}
+
+avo_result avo_planner_plan(avo_planner_id planner, const avo_robot* robot,
+                            const avo_neighbor* neighbors, size_t neighbor_count,
+                            const avo_wall* walls, size_t wall_count, avo_detour* detour,
+                            avo_plan* plan) {
+  return guarded([&] {
+    const avo::Planner& own = planners.at(planner);
+    avo_plan& result = at(plan, "plan");
+    avo::Detour remembered;
+    if (detour != nullptr) remembered = std::bit_cast<avo::Detour>(*detour);
+    result = std::bit_cast<avo_plan>(
+        own.plan(read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"),
+                 scratch().workspace, detour == nullptr ? nullptr : &remembered,
+                 walls_of(walls, wall_count)));
+    if (detour != nullptr) *detour = std::bit_cast<avo_detour>(remembered);
+  });
+}
+
+avo_result avo_planner_plan_among_obstacles(avo_planner_id planner, const avo_robot* robot,
+                                            const avo_neighbor* obstacles, size_t obstacle_count,
+                                            avo_plan* plan) {
+  return guarded([&] {
+    const avo::Planner& own = planners.at(planner);
+    avo_plan& result = at(plan, "plan");
+    result = std::bit_cast<avo_plan>(own.plan_among_obstacles(
+        read_robot(robot), neighbors_of(obstacles, obstacle_count, "obstacles"),
+        scratch().workspace));
+  });
+}
+
+avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
+                             const avo_neighbor* neighbors, size_t neighbor_count,
+                             const avo_wall* walls, size_t wall_count, avo_safety_report* report) {
+  return guarded([&] {
+    const avo::Planner& own = planners.at(planner);
+    avo_safety_report& result = at(report, "report");
+    const avo::SafetyReport known =
+        own.state(read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"),
+                  scratch().workspace, walls_of(walls, wall_count));
+    result = {known.time, known.neighbor, known.wall, static_cast<avo_safety_state>(known.state)};
+  });
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes by name, of files and of text. One of two sources does it: with avo_io or without.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "avo/scenario.h"
+
+namespace avo_c {
+
+/// Throw Failure.
+avo::Scenario load_scene(const std::string& name_or_path,
+                         const std::vector<std::string>& overrides);
+avo::Scenario parse_scene(std::string_view yaml, const std::string& file,
+                          const std::vector<std::string>& overrides);
+
+}  // namespace avo_c

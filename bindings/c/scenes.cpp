@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes as definitions. Where they come from is in scene_files.h.
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "convert.h"
+#include "handles.h"
+#include "layouts.h"
+#include "scene_files.h"
+
+namespace avo_c {
+namespace {
+
+// A scene, and what its definition points to.
+struct Scene {
+  explicit Scene(avo::Scenario read);
+
+  avo::Scenario scenario;
+  std::vector<avo_robot_def> robots;
+  std::vector<avo_moving_obstacle_def> moving_obstacles;
+  std::vector<avo_obstacle_def> obstacles;
+  std::deque<std::vector<avo_chain>> chains;  // of the obstacles
+  avo_simulation_def def;
+};
+
+const avo_vec2* lent(const std::vector<avo::Vec2>& points) {
+  return reinterpret_cast<const avo_vec2*>(points.data());
+}
+
+avo_moving_obstacle_def def_of(const avo::MovingObstacle& obstacle) {
+  return {sizeof(avo_moving_obstacle_def),  to_c(obstacle.position), to_c(obstacle.velocity),
+          to_c(obstacle.acceleration),      obstacle.radius,         obstacle.max_deviation,
+          obstacle.max_speed.value_or(0.0), lent(obstacle.path),     obstacle.path.size()};
+}
+
+std::vector<avo_chain> chains_of(const avo::StaticObstacle& obstacle) {
+  std::vector<avo_chain> chains;
+  for (const avo::Chain& chain : obstacle.chains)
+    chains.push_back({lent(chain.points), chain.points.size(), chain.closed});
+  return chains;
+}
+
+Scene::Scene(avo::Scenario read) : scenario(std::move(read)), def(settings_of(scenario)) {
+  for (const avo::RobotSetup& robot : scenario.robots) robots.push_back(avo_c::def_of(robot));
+  for (const avo::MovingObstacle& obstacle : scenario.moving_obstacles)
+    moving_obstacles.push_back(def_of(obstacle));
+  for (const avo::StaticObstacle& obstacle : scenario.obstacles) {
+    chains.push_back(chains_of(obstacle));
+    obstacles.push_back({sizeof(avo_obstacle_def), chains.back().data(), chains.back().size(),
+                         obstacle.radius, static_cast<avo_fill>(obstacle.fill)});
+  }
+  def.robots = robots.data();
+  def.robot_count = robots.size();
+  def.moving_obstacles = moving_obstacles.data();
+  def.moving_obstacle_count = moving_obstacles.size();
+  def.obstacles = obstacles.data();
+  def.obstacle_count = obstacles.size();
+}
+
+constinit Handles<avo_scene_id, Scene> scenes("scene");
+
+std::vector<std::string> words_of(const char* const* overrides, std::size_t count) {
+  require_array(overrides, count, "overrides");
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < count; ++k) words.emplace_back(&at(overrides[k], "overrides"));
+  return words;
+}
+
+}  // namespace
+}  // namespace avo_c
+
+using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
+
+avo_result avo_load_scene(const char* name_or_path, const char* const* overrides,
+                          size_t override_count, avo_scene_id* scene) {
+  return guarded([&] {
+    avo_scene_id& id = at(scene, "scene");
+    const char* name = &at(name_or_path, "name_or_path");
+    id = scenes.add(std::make_unique<Scene>(load_scene(name, words_of(overrides, override_count))));
+  });
+}
+
+avo_result avo_parse_scene(const char* yaml, size_t length, const char* file,
+                           const char* const* overrides, size_t override_count,
+                           avo_scene_id* scene) {
+  return guarded([&] {
+    avo_scene_id& id = at(scene, "scene");
+    require_array(yaml, length, "yaml");
+    id = scenes.add(std::make_unique<Scene>(
+        parse_scene({yaml, length}, &at(file, "file"), words_of(overrides, override_count))));
+  });
+}
+
+avo_result avo_destroy_scene(avo_scene_id scene) {
+  return guarded([&] { scenes.take(scene); });
+}
+
+bool avo_scene_is_valid(avo_scene_id scene) {
+  return scenes.find(scene) != nullptr;
+}
+
+avo_result avo_scene_get_def(avo_scene_id scene, avo_simulation_def* def) {
+  return guarded([&] { write(def, scenes.at(scene).def, {"def"}); });
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulations: made, stepped, edited.
+#include "avo/simulation.h"
+
+#include "simulations.h"
+
+namespace avo_c {
+
+void restart_metrics(Simulation& simulation) {
+  if (!simulation.judged) return;
+  auto metrics = std::make_unique<avo::Metrics>(*simulation.judged);
+  metrics->observe(simulation.simulation);
+  simulation.metrics = std::move(metrics);
+}
+
+namespace {
+
+// change(simulation) of the one with that id, of which no columns are lent any more.
+template <typename Change>
+avo_result changed(avo_simulation_id id, const Change& change) {
+  return guarded([&] {
+    Simulation& own = simulations.at(id);
+    own.has_ids.store(false, std::memory_order_relaxed);
+    change(own);
+  });
+}
+
+avo::RobotId number_of(const Simulation& simulation, avo_robot_id robot) {
+  static_cast<void>(index_of(simulation.simulation.fleet(), robot));
+  return from_c(robot);
+}
+
+avo::ObstacleId number_of(const Simulation& simulation, avo_obstacle_id obstacle) {
+  for (const avo::ObstacleId id : simulation.simulation.static_obstacles().id) {
+    if (id.value + 1 == obstacle.value) return id;
+  }
+  fail(AVO_ERROR_INVALID_ID, "obstacle: found " + std::to_string(obstacle.value) +
+                                 ", must be the id of one that is there");
+}
+
+}  // namespace
+}  // namespace avo_c
+
+using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
+
+avo_result avo_create_simulation(const avo_simulation_def* def, avo_simulation_id* simulation) {
+  return guarded([&] {
+    avo_simulation_id& id = at(simulation, "simulation");
+    const avo_simulation_def known = read(def, {"def"}, avo_default_simulation_def());
+    avo::Scenario scenario = scenario_of(known);
+    auto made = std::make_unique<Simulation>(make(scenario, known));
+    if (known.metrics) made->judged = std::move(scenario);
+    restart_metrics(*made);
+    id = simulations.add(std::move(made));
+  });
+}
+
+avo_result avo_destroy_simulation(avo_simulation_id simulation) {
+  return guarded([&] { simulations.take(simulation); });
+}
+
+bool avo_simulation_is_valid(avo_simulation_id simulation) {
+  return simulations.find(simulation) != nullptr;
+}
+
+avo_result avo_simulation_step(avo_simulation_id simulation) {
+  return changed(simulation, [](Simulation& own) {
+    own.simulation.step();
+    if (own.metrics) own.metrics->observe(own.simulation);
+  });
+}
+
+avo_result avo_simulation_add_robot(avo_simulation_id simulation, const avo_robot_def* def,
+                                    avo_robot_id* robot) {
+  return changed(simulation, [&](Simulation& own) {
+    avo_robot_id& id = at(robot, "robot");
+    const avo_robot_def known = read(def, {"def"}, avo_default_robot_def());
+    id = to_c(own.simulation.add_robot(setup_of(known, {"robot"})));
+  });
+}
+
+avo_result avo_simulation_remove_robot(avo_simulation_id simulation, avo_robot_id robot) {
+  return changed(simulation,
+                 [&](Simulation& own) { own.simulation.remove_robot(number_of(own, robot)); });
+}
+
+avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_robot_id robot,
+                                   avo_vec2 goal) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.set_goal(number_of(own, robot), from_c(goal));
+  });
+}
+
+avo_result avo_simulation_add_obstacle(avo_simulation_id simulation, const avo_obstacle_def* def,
+                                       avo_obstacle_id* obstacle) {
+  return changed(simulation, [&](Simulation& own) {
+    avo_obstacle_id& id = at(obstacle, "obstacle");
+    const avo_obstacle_def known = read(def, {"def"}, avo_default_obstacle_def());
+    id = {own.simulation.add_obstacle(obstacle_of(known, {"obstacle"})).value + 1};
+  });
+}
+
+avo_result avo_simulation_remove_obstacle(avo_simulation_id simulation, avo_obstacle_id obstacle) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.remove_obstacle(number_of(own, obstacle));
+  });
+}

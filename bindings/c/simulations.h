@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a simulation's id stands for.
+#pragma once
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "avo/executor.h"
+#include "avo/metrics.h"
+#include "avo/simulation.h"
+#include "convert.h"
+#include "handles.h"
+
+namespace avo_c {
+
+struct Simulation {
+  explicit Simulation(avo::Simulation made) : simulation(std::move(made)) {}
+
+  avo::Simulation simulation;
+  std::optional<avo::Scenario> judged;  // where there are metrics
+  std::unique_ptr<avo::Metrics> metrics;
+
+  std::mutex looking;
+  std::atomic<bool> has_ids = false;
+  std::vector<avo_robot_id> ids;  // of the columns; made when they are asked for
+};
+
+inline constinit Handles<avo_simulation_id, Simulation> simulations("simulation");
+
+inline avo::RobotId from_c(avo_robot_id robot) {
+  return {robot.value - 1};
+}
+inline avo_robot_id to_c(avo::RobotId robot) {
+  return {robot.value + 1};
+}
+
+/// Index into fleet(). Throws Failure where it is null or gone.
+std::size_t index_of(const avo::FleetView& fleet, avo_robot_id robot);
+
+/// Metrics begin anew, where there are any.
+void restart_metrics(Simulation& simulation);
+
+/// Who does the steps: the host, or as many threads as the definition says.
+avo::Simulation make(const avo::Scenario& scenario, const avo_simulation_def& def);
+avo::Simulation make(std::span<const std::byte> saved, const avo_simulation_def& def);
+
+}  // namespace avo_c

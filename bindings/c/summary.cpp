@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run did.
+#include <limits>
+
+#include "simulations.h"
+
+namespace avo_c {
+namespace {
+
+double or_none(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+avo_summary to_c(const avo::RunSummary& run) {
+  const avo::Decisions& decisions = run.decisions;
+  return {.size = sizeof(avo_summary),
+          .robots = run.robots,
+          .parked = run.parked,
+          .steps = run.steps,
+          .arrived = run.arrived,
+          .collision_pairs = run.collision_pairs,
+          .one_sided_collisions = run.one_sided_collisions,
+          .obstacle_collisions = run.obstacle_collisions,
+          .obstacle_collisions_in_motion = run.obstacle_collisions_in_motion,
+          .collision_obstacles = run.collision_obstacles,
+          .first_seen_too_late = run.first_seen_too_late.value_or(-1),
+          .infeasible_steps = run.infeasible_steps,
+          .unreachable = static_cast<std::int64_t>(run.unreachable.size()),
+          .decisions = {decisions.optimal, decisions.least_unsafe, decisions.candidate,
+                        decisions.braking, decisions.overlapping, decisions.invalid_input},
+          .first_collision_time = or_none(run.first_collision_time),
+          .min_clearance = or_none(run.min_clearance),
+          .min_obstacle_clearance = or_none(run.min_obstacle_clearance),
+          .max_acceleration = run.max_acceleration,
+          .acceleration_excess = run.acceleration_excess,
+          .max_speed = run.max_speed,
+          .mean_arrival = or_none(run.mean_arrival),
+          .last_arrival = or_none(run.last_arrival)};
+}
+
+}  // namespace
+}  // namespace avo_c
+
+using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
+
+avo_summary avo_default_summary(void) {
+  return to_c(avo::RunSummary{});
+}
+
+avo_result avo_simulation_summary(avo_simulation_id simulation, avo_summary* summary) {
+  return guarded([&] {
+    const Simulation& own = simulations.at(simulation);
+    if (own.metrics == nullptr)
+      fail(AVO_ERROR_UNSUPPORTED,
+           "metrics: found false, must be true in the definition of a "
+           "simulation whose summary is asked for");
+    write(summary, to_c(own.metrics->summary()), {"summary"});
+  });
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is in a simulation besides robots, and its settings.
+#include <cmath>
+#include <limits>
+
+#include "convert.h"
+
+namespace avo_c {
+namespace {
+
+std::vector<avo::Vec2> points_of(const avo_vec2* points, std::size_t count,
+                                 const std::string& name) {
+  require_array(points, count, name.c_str());
+  std::vector<avo::Vec2> result;
+  result.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) result.push_back(from_c(points[k]));
+  return result;
+}
+
+avo::SensingModel sensing_of(const avo_sensing_model& sensing) {
+  avo::SensingModel result;
+  const avo_measurement_noise& noise = sensing.noise;
+  result.noise = {
+      noise.position, noise.velocity,
+      word<avo::NoiseDistribution>(noise.distribution, 2, {"sensing"}, "noise.distribution"),
+      unless_zero(noise.truncated)};
+  result.delay = sensing.delay;
+  result.dropped = sensing.dropped;
+  result.occlusion = sensing.occlusion;
+  return result;
+}
+
+avo_sensing_model to_c(const avo::SensingModel& sensing) {
+  const avo::MeasurementNoise& noise = sensing.noise;
+  return {{noise.position, noise.velocity, noise.truncated.value_or(0.0),
+           static_cast<avo_noise_distribution>(noise.distribution)},
+          sensing.dropped,
+          sensing.delay,
+          sensing.occlusion};
+}
+
+void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
+  const Where here;
+  scenario.name = def.name == nullptr ? "" : def.name;
+  scenario.time_step = def.time_step;
+  scenario.duration = def.duration;
+  scenario.control_time = unless_zero(def.control_time);
+  scenario.time_horizon = unless_zero(def.time_horizon);
+  scenario.sensing_radius = def.sensing_radius;
+  scenario.max_neighbors = unless_zero(def.max_neighbors);
+  scenario.method = word<avo::Method>(def.method, 4, here, "method");
+  if (def.certificate != AVO_UNSET)
+    scenario.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
+  scenario.motion = word<avo::Motion>(def.motion, 2, here, "motion");
+  scenario.samples = def.samples;
+  scenario.arrival_distance = def.arrival_distance;
+  scenario.seed = def.seed;
+  if (def.navigation != AVO_UNSET)
+    scenario.navigation = word<std::int32_t>(def.navigation, 2, here, "navigation") == 1;
+  scenario.right_of_way = word<avo::RightOfWay>(def.right_of_way, 3, here, "right_of_way");
+  scenario.sensing = sensing_of(def.sensing);
+  const auto& error = def.sensing_error;
+  if (!std::isnan(error.position) || !std::isnan(error.velocity))
+    scenario.sensing_error = avo::SensingError{error.position, error.velocity};
+  scenario.clock = word<avo::Clock>(def.clock, 2, here, "clock");
+  scenario.longest_step = unless_zero(def.longest_step);
+}
+
+}  // namespace
+
+avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where) {
+  return {.position = from_c(def.position),
+          .velocity = from_c(def.velocity),
+          .acceleration = from_c(def.acceleration),
+          .radius = def.radius,
+          .max_deviation = def.max_deviation,
+          .max_speed = unless_zero(def.max_speed),
+          .path = points_of(def.path, def.path_count, where / "path")};
+}
+
+avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where) {
+  avo::StaticObstacle obstacle;
+  require_array(def.chains, def.chain_count, (where / "chains").c_str());
+  for (std::size_t k = 0; k < def.chain_count; ++k) {
+    const avo_chain& chain = def.chains[k];
+    obstacle.chains.push_back(
+        {points_of(chain.points, chain.point_count, where / "points"), chain.closed});
+  }
+  obstacle.radius = def.radius;
+  obstacle.fill = word<avo::Fill>(def.fill, 3, where, "fill");
+  return obstacle;
+}
+
+avo::Scenario scenario_of(const avo_simulation_def& def) {
+  avo::Scenario scenario;
+  read_settings(def, scenario);
+  for_each(def.robots, def.robot_count, "robots", avo_default_robot_def(),
+           [&](const avo_robot_def& robot, const Where& where) {
+             scenario.robots.push_back(setup_of(robot, where));
+           });
+  for_each(def.moving_obstacles, def.moving_obstacle_count, "moving_obstacles",
+           avo_default_moving_obstacle_def(),
+           [&](const avo_moving_obstacle_def& obstacle, const Where& where) {
+             scenario.moving_obstacles.push_back(obstacle_of(obstacle, where));
+           });
+  for_each(def.obstacles, def.obstacle_count, "obstacles", avo_default_obstacle_def(),
+           [&](const avo_obstacle_def& obstacle, const Where& where) {
+             scenario.obstacles.push_back(obstacle_of(obstacle, where));
+           });
+  return scenario;
+}
+
+avo_simulation_def settings_of(const avo::Scenario& scenario) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const avo::SensingError error = scenario.sensing_error.value_or(avo::SensingError{kNone, kNone});
+  avo_simulation_def def = {};
+  def.size = sizeof def;
+  def.name = scenario.name.c_str();
+  def.time_step = scenario.time_step;
+  def.duration = scenario.duration;
+  def.control_time = scenario.control_time.value_or(0.0);
+  def.time_horizon = scenario.time_horizon.value_or(0.0);
+  def.sensing_radius = scenario.sensing_radius;
+  def.arrival_distance = scenario.arrival_distance;
+  def.longest_step = scenario.longest_step.value_or(0.0);
+  def.seed = scenario.seed;
+  def.max_neighbors = scenario.max_neighbors.value_or(0);
+  def.samples = scenario.samples;
+  def.method = static_cast<avo_method>(scenario.method);
+  def.certificate = scenario.certificate ? static_cast<avo_certificate>(*scenario.certificate)
+                                         : static_cast<avo_certificate>(AVO_UNSET);
+  def.motion = static_cast<avo_motion>(scenario.motion);
+  def.clock = static_cast<avo_clock>(scenario.clock);
+  def.navigation = AVO_UNSET;
+  if (scenario.navigation) def.navigation = *scenario.navigation ? 1 : 0;
+  def.right_of_way = static_cast<avo_right_of_way>(scenario.right_of_way);
+  def.sensing = to_c(scenario.sensing);
+  def.sensing_error = {error.position, error.velocity};
+  def.workers = 1;
+  return def;
+}
+
+}  // namespace avo_c
+
+avo_simulation_def avo_default_simulation_def(void) {
+  avo_simulation_def def = avo_c::settings_of({});
+  def.name = nullptr;
+  return def;
+}
+
+avo_moving_obstacle_def avo_default_moving_obstacle_def(void) {
+  avo_moving_obstacle_def def = {};
+  def.size = sizeof def;
+  def.radius = avo::MovingObstacle{}.radius;
+  return def;
+}
+
+avo_obstacle_def avo_default_obstacle_def(void) {
+  avo_obstacle_def def = {};
+  def.size = sizeof def;
+  return def;
+}

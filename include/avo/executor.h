@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who does the parts of a step at the same time. A host's own job system can take the place of the
+// library's threads: see Simulation.
+#pragma once
+#include <cstddef>
+
+#include "avo/export.h"
+
+namespace avo {
+
+class AVO_API Executor {
+ public:
+  /// Throws nothing.
+  using Task = void (*)(void* context, std::size_t index, std::size_t worker);
+
+  Executor() = default;
+  Executor(const Executor&) = delete;
+  Executor& operator=(const Executor&) = delete;
+  virtual ~Executor();
+
+  /// Tasks that run at the same time, at most; 1 to 1024, and always as many.
+  [[nodiscard]] virtual std::size_t workers() const = 0;
+  /// task(context, index, worker) once for every index in [0, count), in any order; worker is in
+  /// [0, workers()), and no two tasks at the same time have the same. Returns when all are done.
+  /// What it throws ends the step in its midst: every later one throws Error.
+  virtual void run(std::size_t count, Task task, void* context) = 0;
+};
+
+}  // namespace avo

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cpp_runs.h"
+
+#include "avo/simulation.h"
+#include "avo_io/scene.h"
+
+namespace {
+
+void step(avo::Simulation& simulation, int steps) {
+  for (int k = 0; k < steps; ++k) simulation.step();
+}
+
+std::vector<avo::RobotSetup> robots() {
+  std::vector<avo::RobotSetup> robots(6);
+  robots[0].position = {-8.0, -6.0}, robots[0].goal = {8.0, -5.0};
+  robots[0].priority = 3.0;
+  robots[1].position = {8.0, -3.0}, robots[1].goal = {-8.0, -4.0}, robots[1].heading = 3.1;
+  robots[1].model = avo::Car{.wheelbase = 0.8,
+                             .max_curvature = 0.9,
+                             .body = avo::CarBody{0.3, 0.6},
+                             .reverse = true,
+                             .acceleration_set = avo::AccelerationSet::exact};
+  robots[2].position = {-8.0, 2.0}, robots[2].goal = {8.0, 4.0};
+  robots[2].max_speed = robots[2].preferred_speed = 1.2;
+  robots[2].model = avo::DifferentialDrive{
+      .track = 0.5, .offset = 0.25, .wheel_speed = 1.5, .wheel_acceleration = 2.5};
+  robots[3].position = {-12.0, 8.0}, robots[3].goal = {12.0, 6.0}, robots[3].radius = 0.7;
+  robots[4].position = robots[4].goal = {3.0, 7.0}, robots[4].parked = true;
+  robots[5].position = {8.0, 5.0}, robots[5].goal = {-8.0, 3.0};
+  robots[5].max_braking = 0.8, robots[5].layers = {4}, robots[5].avoids = {0xff};
+  return robots;
+}
+
+avo::Scenario yard() {
+  avo::Scenario scene;
+  scene.sensing_radius = 20.0;
+  scene.max_neighbors = 8;
+  scene.control_time = 1.5;
+  scene.seed = 7;
+  scene.right_of_way = avo::RightOfWay::told;
+  scene.sensing.noise = {0.01, 0.02, avo::NoiseDistribution::uniform, {}};
+  scene.robots = robots();
+  scene.moving_obstacles = {{.position = {0.0, -12.0}, .velocity = {0.0, 0.5}, .radius = 0.4},
+                            {.position = {12.0, 10.0},
+                             .radius = 0.3,
+                             .max_deviation = 0.5,
+                             .max_speed = 1.0,
+                             .path = {{12.0, 10.0}, {-12.0, 10.0}, {0.0, 12.0}}}};
+  scene.obstacles = {
+      {.chains = {{{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}, true}},
+       .radius = 0.1,
+       .fill = avo::Fill::solid},
+      {.chains = {{{{-4.0, 0.0}, {-4.0, 1.0}}, false}, {{{4.0, 0.0}}, false}}, .radius = 0.2}};
+  return scene;
+}
+
+}  // namespace
+
+uint64_t cpp_scene_hash(const char* scene, const char* override, int steps) {
+  std::vector<std::string> overrides;
+  if (override != nullptr) overrides.emplace_back(override);
+  const avo::Scenario scenario = avo_io::load_scenario(scene, overrides);
+  avo::Simulation simulation(scenario, 1);
+  step(simulation,
+       steps > 0 ? steps : static_cast<int>(avo::last_step(scenario, scenario.duration)));
+  return simulation.state_hash();
+}
+
+uint64_t cpp_sky_hash(int steps) {
+  avo::Scenario scene;
+  scene.sensing_radius = 80.0;
+  scene.robots.resize(2);
+  for (avo::RobotSetup& robot : scene.robots)
+    robot.model = avo::Airplane{.min_speed = 1.0, .lateral_acceleration = 0.9};
+  scene.robots[0].position = {-30.0, 20.0}, scene.robots[0].goal = {30.0, 20.0};
+  scene.robots[0].velocity = {1.5, 0.0};
+  scene.robots[1].position = {30.0, 19.5}, scene.robots[1].goal = {-30.0, 19.5};
+  scene.robots[1].heading = 3.0;
+  std::get<avo::Airplane>(scene.robots[0].model).after_goal = avo::AfterGoal::leave;
+  avo::Simulation simulation(scene, 1);
+  step(simulation, steps);
+  return simulation.state_hash();
+}
+
+void cpp_yard_hashes(uint64_t hashes[3]) {
+  avo::Simulation simulation(yard(), 1);
+  step(simulation, 40);
+  hashes[0] = simulation.state_hash();
+  simulation.remove_robot({0});
+  avo::RobotSetup added;
+  added.position = {-14.0, -14.0}, added.goal = {14.0, -14.0};
+  simulation.set_goal(simulation.add_robot(added), {14.0, -13.0});
+  simulation.add_obstacle({.chains = {{{{-20.0, -20.0}, {-18.0, -20.0}}, false}}});
+  simulation.remove_obstacle({0});
+  step(simulation, 40);
+  hashes[1] = simulation.state_hash();
+  step(simulation, 40);
+  hashes[2] = simulation.state_hash();
+}

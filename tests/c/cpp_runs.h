@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The same runs by the C++ interface, for their state hashes. */
+#ifndef AVO_TESTS_C_CPP_RUNS_H
+#define AVO_TESTS_C_CPP_RUNS_H
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Of a built-in scene after so many steps, 0: all; override: one, or null. */
+uint64_t cpp_scene_hash(const char* scene, const char* override, int steps);
+
+/* Of two airplanes that meet, of which the first leaves at its goal. */
+uint64_t cpp_sky_hash(int steps);
+
+/* Of a yard with robots that have wheels or none, walls and obstacles on their ways: after 40
+ * steps; after it was edited and stepped 40 times more; and after 40 steps more. */
+void cpp_yard_hashes(uint64_t hashes[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
