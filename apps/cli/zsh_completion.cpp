@@ -30,6 +30,8 @@ std::string action_of(const OptionText& option) {
     case ValueKind::anything:
       return " ";
     case ValueKind::file:
+      // alone in parentheses one would be a qualifier
+      if (option.endings.size() == 1) return fmt::format("_files -g \"*.{}\"", option.endings[0]);
       return fmt::format("_files -g \"*.({})\"", fmt::join(option.endings, "|"));
     case ValueKind::scene:
       return "_avo_scenes";
@@ -93,6 +95,7 @@ std::string zsh_completion(const ProgramText& text) {
              "_avo() {{\n  local curcontext=$curcontext state line\n  typeset -A opt_args\n"
              "  _arguments -C -S{} \\\n        '1:verb:_avo_verbs' \\\n        '*::: :->rest' && "
              "return\n"
+             "  words=(\"$line[1]\" \"${{words[@]}}\")\n  (( ++CURRENT ))\n"
              "  case $line[1] in\n{}  esac\n}}\n\n_avo \"$@\"\n",
              arguments_of(text.program), cases);
 }
