@@ -3,9 +3,15 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
+#include <fmt/format.h>
 #include <string>
+#include <system_error>
 
 #include "avo/version.h"
+#include "avo_io/printable.h"
+#include "exit_codes.h"
 #include "generate.h"
 #include "terminal.h"
 #include "verbs.h"
@@ -59,6 +65,17 @@ void add_threads(CLI::App& verb, int& threads) {
       ->check(CLI::Range(0, 1024));
 }
 
+/// Throws UsageError.
+std::int64_t whole_steps(const std::string& word) {
+  constexpr std::int64_t kMost = 1'000'000'000;
+  std::int64_t steps = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), steps);
+  if (error == std::errc() && end == word.data() + word.size() && steps >= 1 && steps <= kMost)
+    return steps;
+  throw UsageError(fmt::format("--every: found {}, must be a whole number from 1 to {}",
+                               avo_io::printable(word, kLongestWord), kMost));
+}
+
 void add_run(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("run", "simulate a scene to its end");
   static RunArguments arguments;
@@ -66,8 +83,9 @@ void add_run(CLI::App& app, Action& action) {
   not_empty(
       verb->add_option("--record", arguments.record, "every state of every robot; - is stdout"))
       ->type_name("FILE.csv");
-  verb->add_option("--every", arguments.every,
-                   "the recording has the rows of every so many steps only, and of the last")
+  verb->add_option_function<std::string>(
+          "--every", [](const std::string& steps) { arguments.every = whole_steps(steps); },
+          "the recording has the rows of every so many steps only, and of the last")
       ->type_name("STEPS");
   CLI::Option* summary =
       not_empty(verb->add_option("--summary", arguments.summary, "results; - is stdout"))

@@ -50,7 +50,9 @@ const CLI::App& verb_of(const CLI::App& app, const std::string& word) {
 }
 
 int print_help(const CLI::App& app, const std::string& verb) {
-  print(verb.empty() ? app.help() : verb_of(app, verb).help("avo"));
+  // not app.help(), which would be that of the verb `help`
+  print(verb.empty() ? app.get_formatter()->make_help(&app, "avo", CLI::AppFormatMode::Normal)
+                     : verb_of(app, verb).help("avo"));
   return kDone;
 }
 
