@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "avo_io/scene.h"
 #include "core/ranges.h"
@@ -13,12 +16,18 @@
 namespace avo_io {
 namespace {
 
+/// What a family's text says of its model, and a member's says instead, as often as it is there.
+struct Replacement {
+  std::string from, to;
+};
+
 /// One scene for every number N of robots, e.g. circle-N.
 struct Family {
   std::string_view stem;   ///< "circle-"
   std::string_view model;  ///< the embedded file that it is, for one N
+  double model_number;     ///< that N
   /// What changes with N besides the name and the number.
-  std::vector<std::string> (*overrides)(double n);
+  std::vector<Replacement> (*replacements)(double model_number, double n);
 };
 
 std::string_view find_scene(std::string_view name) {
@@ -27,25 +36,29 @@ std::string_view find_scene(std::string_view name) {
   return {};
 }
 
-std::vector<std::string> no_overrides(double) {
+std::vector<Replacement> none(double, double) {
   return {};
 }
 
-/// The square with ten robots in every circle of 15 m, π 15² / 10 m² a robot.
-std::vector<std::string> square_of(double n) {
-  const double half = 0.5 * std::sqrt(22.5 * 3.141592653589793 * n);
-  std::vector<std::string> overrides;
-  for (const char* what : {"placement", "goals"}) {
-    overrides.push_back(fmt::format("groups.0.{0}.random.min=[-{1}, -{1}]", what, half));
-    overrides.push_back(fmt::format("groups.0.{0}.random.max=[{1}, {1}]", what, half));
-  }
-  return overrides;
+/// Half a side of the square with ten robots in every circle of 15 m, π 15² / 10 m² a robot.
+double half_square(double n) {
+  return 0.5 * std::sqrt(22.5 * 3.141592653589793 * n);
 }
 
-constexpr Family kFamilies[] = {{"circle-", "circle-100", no_overrides},
-                                {"uniform-", "uniform-1000", square_of}};
+std::vector<Replacement> squares(double model_number, double n) {
+  return {{fmt::format("{}", half_square(model_number)), fmt::format("{}", half_square(n))}};
+}
 
-std::optional<BuiltinText> find_member(const Family& family, const std::string& name) {
+constexpr Family kFamilies[] = {{"circle-", "circle-100", 100, none},
+                                {"uniform-", "uniform-1000", 1000, squares}};
+
+void replace_all(std::string& text, const Replacement& replacement) {
+  const auto& [from, to] = replacement;
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+std::optional<std::string> find_member(const Family& family, const std::string& name) {
   const std::string number = name.substr(family.stem.size());
   const bool whole = !number.empty() && number.find_first_not_of("0123456789") == number.npos;
   if (!whole || (number[0] == '0' && number != "0")) return std::nullopt;
@@ -53,10 +66,13 @@ std::optional<BuiltinText> find_member(const Family& family, const std::string& 
   if (n < 2 || n > static_cast<double>(avo::kMostRobots))
     throw OverrideError(fmt::format("{}: found N = {}, must be 2 to {}", name, number.substr(0, 20),
                                     avo::kMostRobots));
-  std::vector<std::string> overrides = family.overrides(n);
-  overrides.push_back("name=" + name);
-  overrides.push_back("groups.0.number=" + number);
-  return BuiltinText{find_scene(family.model), std::move(overrides)};
+  std::string text(find_scene(family.model));
+  std::vector<Replacement> replacements = family.replacements(family.model_number, n);
+  replacements.push_back({std::string(family.model), name});
+  replacements.push_back(
+      {fmt::format("number: {}\n", family.model_number), fmt::format("number: {}\n", number)});
+  for (const Replacement& replacement : replacements) replace_all(text, replacement);
+  return text;
 }
 
 std::string listed_name(std::string_view file) {
@@ -74,18 +90,18 @@ std::string first_comment(std::string_view yaml) {
 
 }  // namespace
 
-std::optional<BuiltinText> find_builtin(const std::string& name) {
+std::optional<std::string> builtin_text(const std::string& name) {
   for (const Family& family : kFamilies) {
     if (!name.starts_with(family.stem)) continue;
     if (auto member = find_member(family, name)) return member;
   }
   const std::string_view yaml = find_scene(name);
   if (yaml.empty()) return std::nullopt;
-  return BuiltinText{yaml, {}};
+  return std::string(yaml);
 }
 
 bool is_builtin_scene(const std::string& name) {
-  return find_builtin(name).has_value();
+  return builtin_text(name).has_value();
 }
 
 std::string_view builtin_file(std::string_view name) {

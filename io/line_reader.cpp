@@ -22,7 +22,7 @@ constexpr std::size_t kBufferSize = 4 * kLongestLine;
 }  // namespace
 
 LineReader::LineReader(const std::string& path)
-    : name_(path == "-" ? "standard input" : path), buffer_(kBufferSize) {
+    : name_(path == "-" ? kStandardInput : path), buffer_(kBufferSize) {
   descriptor_ = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status = {};
   if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw FileError(with_errno(name_));

@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::array<std::string_view, 8> kAllColumns{"time", "robot", "x",       "y",
                                                       "vx",   "vy",    "heading", "speed"};
-constexpr std::size_t kRequired = 6;  // the last two may both be missing
+constexpr std::string_view kEvery = "every";  // of thinned recordings
+constexpr std::size_t kRequired = 6;          // the last two may both be missing
 constexpr std::span<const std::string_view> kColumns(kAllColumns.data(), kRequired);
 enum Column : std::size_t {
   time_column,
@@ -39,6 +40,7 @@ enum Column : std::size_t {
 struct Row {
   double time = 0.0;
   avo::CheckedState state;
+  std::int64_t every = 1;
   std::int64_t line = 0;
 };
 
@@ -78,7 +80,7 @@ std::optional<double> parsed(std::string_view text) {
 }
 
 /// A non-negative integer, also one that is written as 3.0.
-std::optional<std::int64_t> robot_number(std::string_view text) {
+std::optional<std::int64_t> whole_number(std::string_view text) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc() && end == text.data() + text.size())
@@ -99,7 +101,8 @@ struct RecordingReader::State {
   std::size_t columns = 0;             // in the first line
   std::array<std::size_t, 8> at = {};  // where kAllColumns are
   bool headings = false;               // the last two of them are there
-  std::optional<Row> pending;          // the first row of the next time
+  std::optional<std::size_t> every_at;
+  std::optional<Row> pending;  // the first row of the next time
   std::vector<Row> group;
   std::int64_t times = 0, last_line = 0;
 
@@ -113,6 +116,7 @@ struct RecordingReader::State {
   bool has_column(std::string_view name) const;
   double number(Column column) const;
   std::optional<avo::CheckedHeading> heading() const;
+  std::int64_t every() const;
   std::optional<Row> read_row();
   void read_group();
   void sort_group();
@@ -152,6 +156,7 @@ void RecordingReader::State::read_header() {
   headings = has_column(kAllColumns[heading_column]) && has_column(kAllColumns[speed_column]);
   const std::size_t count = headings ? kAllColumns.size() : kRequired;
   for (std::size_t k = 0; k < count; ++k) at[k] = find_column(kAllColumns[k]);
+  if (has_column(kEvery)) every_at = find_column(kEvery);
 }
 
 double RecordingReader::State::number(Column column) const {
@@ -172,6 +177,16 @@ std::optional<avo::CheckedHeading> RecordingReader::State::heading() const {
   return avo::CheckedHeading{number(heading_column), number(speed_column)};
 }
 
+// 1 where nothing says that it is more.
+std::int64_t RecordingReader::State::every() const {
+  if (!every_at) return 1;
+  const std::string_view text = fields[*every_at];
+  const std::optional<std::int64_t> value = whole_number(text);
+  if (value && *value >= 1) return *value;
+  refuse(lines.number(),
+         fmt::format("{}: found {}, must be an integer >= 1", kEvery, in_quotes(text)));
+}
+
 // None at the end of the file.
 std::optional<Row> RecordingReader::State::read_row() {
   std::optional<std::string_view> line = lines.next();
@@ -185,7 +200,7 @@ std::optional<Row> RecordingReader::State::read_row() {
   row.line = lines.number();
   row.time = number(time_column);
   const std::string_view name = fields[at[robot_column]];
-  const std::optional<std::int64_t> robot = robot_number(name);
+  const std::optional<std::int64_t> robot = whole_number(name);
   if (!robot)
     refuse(row.line, fmt::format("robot: found {}, must be an integer >= 0", in_quotes(name)));
   if (robots && *robot >= *robots)
@@ -195,6 +210,7 @@ std::optional<Row> RecordingReader::State::read_row() {
                {number(x_column), number(y_column)},
                {number(vx_column), number(vy_column)},
                heading()};
+  row.every = every();
   return row;
 }
 
@@ -244,6 +260,7 @@ bool RecordingReader::next(RecordedTime& moment) {
   State& state = *state_;
   state.read_group();
   moment.rows.clear();
+  moment.every = 1;
   if (state.group.empty()) {
     if (state.times > 1) return false;
     state.refuse(state.lines.number(),
@@ -251,7 +268,10 @@ bool RecordingReader::next(RecordedTime& moment) {
                              state.times == 0 ? "no" : "one", state.times == 0 ? "" : " only"));
   }
   moment.time = state.group[0].time;
-  for (const Row& row : state.group) moment.rows.push_back(row.state);
+  for (const Row& row : state.group) {
+    moment.rows.push_back(row.state);
+    moment.every = std::max(moment.every, row.every);
+  }
   ++state.times;
   return true;
 }

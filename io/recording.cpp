@@ -49,9 +49,10 @@ bool has_headings(const avo::Scenario& scenario) {
                      [](const avo::RobotSetup& robot) { return !is_holonomic(robot.model); });
 }
 
-CsvRecording::CsvRecording(const std::string& path, bool headings)
-    : file_(path), headings_(headings) {
-  file_.write(headings ? "time,robot,x,y,vx,vy,heading,speed\n" : "time,robot,x,y,vx,vy\n");
+CsvRecording::CsvRecording(const std::string& path, bool headings, std::int64_t every)
+    : file_(path), headings_(headings), every_(every) {
+  file_.write(fmt::format("time,robot,x,y,vx,vy{}{}\n", headings ? ",heading,speed" : "",
+                          every > 1 ? ",every" : ""));
 }
 
 void CsvRecording::add(const avo::Simulation& simulation) {
@@ -66,6 +67,7 @@ void CsvRecording::add(const avo::Simulation& simulation) {
       fmt::format_to(end, ",{},{}", state.heading->angle, state.heading->speed);
     else if (headings_)
       fmt::format_to(end, ",,");
+    if (every_ > 1) fmt::format_to(end, ",{}", every_);
     row.push_back('\n');
     file_.write({row.data(), row.size()});
   }

@@ -27,6 +27,20 @@ struct Descriptor {
   int value;
 };
 
+std::string read_all(int descriptor, const std::string& name) {
+  std::string text;
+  while (text.size() <= kLargest) {
+    char buffer[65536];
+    const ssize_t got = read(descriptor, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw FileError(with_errno(name));
+    if (got == 0) return text;
+    text.append(buffer, static_cast<std::size_t>(got));
+  }
+  throw SceneError(
+      fmt::format("{}:1:1: found more than {} MiB, must be smaller", name, kLargest >> 20U));
+}
+
 }  // namespace
 
 std::string with_errno(const std::string& name) {
@@ -43,17 +57,15 @@ std::string read_regular_file(const std::string& path) {
                                 S_ISDIR(status.st_mode)    ? "directory"
                                 : S_ISFIFO(status.st_mode) ? "pipe"
                                                            : "device"));
-  std::string text;
-  while (text.size() <= kLargest) {
-    char buffer[65536];
-    const ssize_t got = read(file.value, buffer, sizeof buffer);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw FileError(with_errno(path));
-    if (got == 0) return text;
-    text.append(buffer, static_cast<std::size_t>(got));
-  }
-  throw SceneError(
-      fmt::format("{}:1:1: found more than {} MiB, must be smaller", path, kLargest >> 20U));
+  return read_all(file.value, path);
+}
+
+std::string read_standard_input() {
+  struct stat status = {};
+  if (fstat(STDIN_FILENO, &status) != 0) throw FileError(with_errno(kStandardInput));
+  if (S_ISDIR(status.st_mode))
+    throw FileError(fmt::format("{}: found a directory, must be a file", kStandardInput));
+  return read_all(STDIN_FILENO, kStandardInput);
 }
 
 }  // namespace avo_io

@@ -255,22 +255,21 @@ Scenario parse_scenario(std::string_view yaml, const std::string& file,
 Scenario load_scenario(const std::string& name_or_path, const std::vector<std::string>& overrides,
                        std::vector<std::string>* files_read) {
   SceneFiles files{std::filesystem::path(name_or_path).parent_path().string()};
-  const auto build_and_tell = [&](std::string_view yaml, const std::vector<std::string>& all) {
-    Scenario scenario = build(yaml, name_or_path, all, files);
+  const auto build_and_tell = [&](std::string_view yaml, const std::string& file) {
+    Scenario scenario = build(yaml, file, overrides, files);
     if (files_read != nullptr)
       files_read->insert(files_read->end(), files.read.begin(), files.read.end());
     return scenario;
   };
-  if (const std::optional<BuiltinText> builtin = find_builtin(name_or_path)) {
-    std::vector<std::string> all = builtin->overrides;
-    all.insert(all.end(), overrides.begin(), overrides.end());
+  if (name_or_path == "-") return build_and_tell(read_standard_input(), kStandardInput);
+  if (const std::optional<std::string> yaml = builtin_text(name_or_path)) {
     files.builtin = true;
-    return build_and_tell(builtin->yaml, all);
+    return build_and_tell(*yaml, name_or_path);
   }
   std::error_code error;
   if (std::filesystem::status(name_or_path, error).type() == std::filesystem::file_type::not_found)
     throw FileError(not_found(name_or_path));
-  return build_and_tell(read_regular_file(name_or_path), overrides);
+  return build_and_tell(read_regular_file(name_or_path), name_or_path);
 }
 
 }  // namespace avo_io

@@ -17,6 +17,7 @@
 #include "avo/simulation.h"
 #include "bench_report.h"
 #include "exit_codes.h"
+#include "settings_report.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -82,6 +83,7 @@ std::size_t allocated_bytes() {
 BenchResults profile_steps(const avo::Scenario& scenario, int threads, const Course& course) {
   const std::size_t before = allocated_bytes();
   avo::Simulation simulation(scenario, threads);
+  tell_machine(simulation);
   warm_up(course, simulation);
   simulation.measure(true);
   follow(course, simulation, [&] { simulation.step(); });
@@ -117,7 +119,10 @@ int bench(const BenchArguments& arguments) {
   std::vector<std::vector<double>> runs(kRuns);
   for (std::vector<double>& run : runs) run = time_steps(scenario, arguments.threads, course);
   results.milliseconds = median_run(runs);
-  print(arguments.json ? to_json(scenario, results) : readable(scenario, results));
+  if (arguments.json)
+    print(to_json(scenario, results));
+  else
+    print_results(readable(scenario, results));
   return kDone;
 }
 

@@ -18,6 +18,7 @@
 #include "check_report.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "settings_report.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -47,6 +48,8 @@ void check_arguments(const CheckArguments& arguments) {
     throw UsageError("--set: found without --scene, must be with it");
   if (!scene && arguments.require_arrival)
     throw UsageError("--require-arrival: found without --scene, must be with it: goals are there");
+  if (arguments.recording == "-" && arguments.scene.scene == "-")
+    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
   if (!(arguments.tolerance >= 0.0 && arguments.tolerance < 1.0))
     throw UsageError(
         fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
@@ -69,17 +72,22 @@ struct Judge {
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
+  std::int64_t uneven_judged = 0;    // uneven steps that lack no rows
   std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles, where they have a path
 
   explicit Judge(const CheckArguments& arguments);
   void number_densely(std::vector<avo::CheckedState>& rows);
   void add(avo_io::RecordedTime& moment);
+  void require_known_paths(double time) const;
   void place_obstacles(std::optional<double> before, double time);
 };
 
 std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
   if (arguments.scene.empty()) return std::nullopt;
-  return avo_io::load_scenario(arguments.scene, arguments.overrides);
+  std::vector<std::string> files;
+  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &files);
+  tell_settings(arguments, scenario, files);
+  return scenario;
 }
 
 /// The walls of all obstacles, and the number of the obstacle of each.
@@ -148,16 +156,29 @@ void Judge::number_densely(std::vector<avo::CheckedState>& rows) {
             [](const auto& a, const auto& b) { return a.robot < b.robot; });
 }
 
-// Where clocks are free rows stand at all decisions: no two are farther apart than those of any
-// robot.
-bool is_uneven(const avo::Scenario& scenario, double duration) {
-  constexpr double kEven = 1e-6;  // of the step
-  double step = scenario.time_step;
-  if (scenario.clock == avo::Clock::common) return std::abs(duration - step) > kEven * step;
-  step = std::numeric_limits<double>::infinity();
+constexpr double kEven = 1e-6;  // of the step: as its numbers may be rounded
+
+// s, that no two times of a recording are farther apart. Where clocks are free rows stand at all
+// decisions, and so at those of each robot.
+double longest_step(const avo::Scenario& scenario) {
+  if (scenario.clock == avo::Clock::common) return scenario.time_step;
+  double step = std::numeric_limits<double>::infinity();
   for (const avo::RobotSetup& robot : scenario.robots)
     if (!robot.parked) step = std::min(step, time_step_of(scenario, robot));
+  return step;
+}
+
+bool is_uneven(const avo::Scenario& scenario, double duration) {
+  const double step = longest_step(scenario);
+  if (scenario.clock == avo::Clock::common) return std::abs(duration - step) > kEven * step;
   return duration > (1.0 + kEven) * step;
+}
+
+// Is there a time in between that has no rows? With a common clock, where a step and a half have
+// gone by: less is a recording of other steps.
+bool lacks_rows(const avo::Scenario& scenario, double duration) {
+  const double most = scenario.clock == avo::Clock::common ? 1.5 : 1.0 + kEven;
+  return duration > most * longest_step(scenario);
 }
 
 // What moving obstacles go between two rows: whole steps, and a part of one more.
@@ -207,12 +228,31 @@ void Judge::place_obstacles(std::optional<double> before, double time) {
   }
 }
 
+// With a common clock the steps that are missing are known.
+void Judge::require_known_paths(double time) const {
+  if (scenario->clock == avo::Clock::common) return;
+  for (std::size_t k = 0; k < walks.size(); ++k)
+    if (!scenario->moving_obstacles[k].path.empty())
+      throw avo::Error(fmt::format(
+          "time: found {} s after rows that are missing, must be all rows: with free clocks nobody "
+          "knows how far moving_obstacles.{} is on its path by then",
+          time, k));
+}
+
 void Judge::add(avo_io::RecordedTime& moment) {
   const std::optional<double> before = std::exchange(last_time, moment.time);
+  judgement.every = std::max(judgement.every, moment.every);
+  const bool thinned =
+      before && (moment.every > 1 || (scenario && lacks_rows(*scenario, moment.time - *before)));
+  if (thinned) check.skip();
   if (!scenario) {
     number_densely(moment.rows);
   } else {
-    if (before && is_uneven(*scenario, moment.time - *before)) ++judgement.uneven_steps;
+    if (before && is_uneven(*scenario, moment.time - *before)) {
+      ++judgement.uneven_steps;
+      if (!thinned) ++uneven_judged;
+    }
+    if (thinned) require_known_paths(moment.time);
     place_obstacles(before, moment.time);
   }
   check.add(moment.time, moment.rows);
@@ -240,23 +280,24 @@ int check(const CheckArguments& arguments) {
   }
   Judgement& judgement = judge.judgement;
   judgement.report = judge.check.report();
-  if (judgement.report.robot_steps == 0)
+  if (judgement.report.robot_steps == 0 && judgement.report.unjudged_steps == 0)
     throw avo_io::RecordingError(reader.place() +
                                  ": found no robot at two successive times, must be one or more");
-  if (judgement.uneven_steps > 0)
+  if (judge.uneven_judged > 0)
     warn(
-        {fmt::format("{} of {} steps are {}; they are judged on the cubic between their rows, "
-                     "which may not be the path",
-                     judgement.uneven_steps, judgement.report.steps,
-                     judge.scenario->clock == avo::Clock::free
-                         ? std::string("longer than those of some robot, which decided within")
-                         : fmt::format("not the scene's {} s long", *judgement.time_step))});
+        {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "
+                     "between their rows, which may not be the path",
+                     judge.uneven_judged, judgement.report.steps, *judgement.time_step)});
   if (judgement.report.without_heading > 0)
     warn(
         {fmt::format("{} of {} robot-steps are of robots without headings in the recording; their "
                      "velocities are judged, and not where they face",
                      judgement.report.without_heading, judgement.report.robot_steps)});
-  print(arguments.json ? to_json(judgement) : readable(judgement));
+  if (arguments.json)
+    print(to_json(judgement));
+  else
+    print_results(readable(judgement));
+  if (judgement.incomplete()) return kIncomplete;
   return judgement.passed() ? kDone : kUnsafe;
 }
 

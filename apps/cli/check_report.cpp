@@ -125,19 +125,31 @@ void add_kinematics(const Judgement& judgement, const Line& line) {
     line("without headings", fmt::format("{} robot-steps", report.without_heading));
 }
 
+const char* verdict(const Judgement& judgement) {
+  if (judgement.report.broken()) return "unsafe";
+  return judgement.incomplete() ? "incomplete" : "safe";
+}
+
+std::string unjudged(const Judgement& judgement) {
+  const CheckReport& report = judgement.report;
+  std::string text = fmt::format("{} of {} steps, whose rows in between are missing",
+                                 report.unjudged_steps, report.steps);
+  if (judgement.every > 1) text += fmt::format(": every {} steps have rows", judgement.every);
+  return text;
+}
+
 }  // namespace
 
 std::string readable(const Judgement& judgement) {
   const avo::CheckReport& report = judgement.report;
-  std::string text = fmt::format("{}: {} robots, {} steps from {:.6g} s to {:.6g} s: {}\n",
-                                 avo_io::printable(judgement.recording), report.robots,
-                                 report.steps, report.from, report.to,
-                                 !report.safe()       ? "unsafe"
-                                 : judgement.passed() ? "safe"
-                                                      : "safe, but not all arrived");
+  std::string text = fmt::format(
+      "{}: {} robots, {} steps from {:.6g} s to {:.6g} s: {}{}\n",
+      avo_io::printable(judgement.recording), report.robots, report.steps, report.from, report.to,
+      verdict(judgement), report.safe() && !judgement.passed() ? ", but not all arrived" : "");
   const auto line = [&text](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
+  if (report.unjudged_steps > 0) line("not judged", unjudged(judgement));
   line("overlaps", text_of(judgement, report.overlaps, "pairs of robots", "m"));
   if (judgement.scene)
     line("moving obstacles",
@@ -179,9 +191,12 @@ std::string to_json(const Judgement& judgement) {
   json["scene"] = or_null(judgement.scene);
   json["passed"] = judgement.passed();
   json["safe"] = report.safe();
+  json["verdict"] = verdict(judgement);
   json["robots"] = report.robots;
   json["rows"] = report.rows;
   json["steps"] = report.steps;
+  json["unjudged_steps"] = report.unjudged_steps;
+  json["every"] = judgement.every;
   json["robot_steps"] = report.robot_steps;
   json["gaps"] = report.gaps;
   json["from"] = report.from;

@@ -19,12 +19,15 @@ struct Judgement {
   std::vector<std::int64_t> obstacle_of_wall;  ///< number of the static obstacle
   double tolerance = 0.0;
   std::int64_t uneven_steps = 0;  ///< not time_step long
+  std::int64_t every = 1;         ///< the recording has rows of every so many steps, as it says
   bool require_arrival = false;
   bool free_clocks = false;  ///< in the scene
 
   [[nodiscard]] bool passed() const {
     return report.safe() && (!require_arrival || report.arrived == report.with_goal);
   }
+  /// Rows are missing, and those that are there break no rule.
+  [[nodiscard]] bool incomplete() const { return !report.broken() && report.unjudged_steps > 0; }
 };
 
 /// A short table.

@@ -12,6 +12,7 @@
 #include "figures/state_map.h"
 #include "figures/velocity_space.h"
 #include "files.h"
+#include "settings_report.h"
 #include "signals.h"
 #include "terminal.h"
 #include "verbs.h"
@@ -131,6 +132,7 @@ int explain(const ExplainArguments& arguments) {
   if (!arguments.states.empty()) states.emplace(arguments.states);
 
   avo::Simulation simulation(scenario);
+  tell_machine(simulation);
   if (!approach(arguments, scenario, simulation)) return kSignal + signal_caught();
   const std::size_t index = index_of(arguments, scenario, simulation);
   const Decision decision = decide(simulation, scenario, index);
@@ -149,7 +151,10 @@ int explain(const ExplainArguments& arguments) {
   }
   if (figure) figure->commit();
   if (states) states->commit();
-  print(arguments.json ? to_json(decision) : readable(decision));
+  if (arguments.json)
+    print(to_json(decision));
+  else
+    print_results(readable(decision));
   return kDone;
 }
 

@@ -70,6 +70,10 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
   }
 }
 
+std::string name_of(const SceneArguments& arguments) {
+  return arguments.scene == "-" ? "standard input" : arguments.scene;
+}
+
 NamedFile file_of(const SceneArguments& arguments) {
   const bool file = !arguments.scene.empty() && !avo_io::is_builtin_scene(arguments.scene);
   return {"the scene", file ? arguments.scene : ""};

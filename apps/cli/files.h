@@ -14,6 +14,8 @@ namespace avo_cli {
 /// is an input. Devices and pipes may be shared, the standard output may not.
 void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
+/// What messages call the scene.
+std::string name_of(const SceneArguments& arguments);
 /// The file that is read for the scene; none for a built-in one.
 NamedFile file_of(const SceneArguments& arguments);
 

@@ -2,12 +2,15 @@
 // avo scenes, avo validate, avo schema.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
 #include "assumptions.h"
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "settings_report.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -21,8 +24,9 @@ avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>
   inputs.reserve(paths.size());
   for (const std::string& path : paths) inputs.push_back({"the scene's", path});
   require_distinct(inputs, outputs);
+  tell_settings(arguments, scenario, paths);
   apply_remedies(arguments, scenario);
-  require_assumptions(arguments.scene, scenario);
+  require_assumptions(name_of(arguments), scenario);
   warn(avo::advice(scenario));
   return scenario;
 }
@@ -35,6 +39,10 @@ int list_scenes(const std::string& name, bool json) {
         print(scene.yaml);
         return kDone;
       }
+    if (const std::optional<std::string> text = avo_io::builtin_text(name)) {
+      print(*text);
+      return kDone;
+    }
     if (const std::string_view text = avo_io::builtin_file(name); !text.empty()) {
       print(text);
       return kDone;
@@ -62,10 +70,10 @@ int validate_scene(const SceneArguments& arguments) {
           ? fmt::format("{} s by clocks of their own", scenario.duration)
           : fmt::format("{} steps of {} s", avo::last_step(scenario, scenario.duration),
                         scenario.time_step);
-  print(fmt::format("{}: valid: {} robots, {} moving obstacles, {}{}\n",
-                    avo_io::printable(arguments.scene), scenario.robots.size(),
-                    scenario.moving_obstacles.size(),
-                    walls > 0 ? fmt::format("{} walls, ", walls) : "", steps));
+  print_results(fmt::format("{}: valid: {} robots, {} moving obstacles, {}{}\n",
+                            avo_io::printable(name_of(arguments)), scenario.robots.size(),
+                            scenario.moving_obstacles.size(),
+                            walls > 0 ? fmt::format("{} walls, ", walls) : "", steps));
   return kDone;
 }
 

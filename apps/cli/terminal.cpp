@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -22,6 +25,7 @@ constexpr std::size_t kLongestLine = 1000;
 constexpr std::string_view kWipe = "\r\033[K";
 
 std::atomic<bool> bar_shown = false;
+Volume said = Volume::normal;
 
 /// To the standard error output; there is nobody to tell that it failed.
 void write_error(std::string_view text) noexcept {
@@ -31,6 +35,37 @@ void write_error(std::string_view text) noexcept {
     if (written <= 0) return;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+bool is_terminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && (kind == nullptr || std::string_view(kind) != "dumb");
+}
+
+/// "42 s", "3 min 5 s", "2 h 10 min".
+std::string clock_time(double seconds) {
+  constexpr double kMinute = 60.0, kHour = 3600.0;
+  const double whole = std::round(seconds);
+  if (whole < kMinute) return fmt::format("{:.0f} s", whole);
+  if (whole < kHour)
+    return fmt::format("{:.0f} min {:.0f} s", std::floor(whole / kMinute),
+                       std::fmod(whole, kMinute));
+  return fmt::format("{:.0f} h {:.0f} min", std::floor(whole / kHour),
+                     std::floor(std::fmod(whole, kHour) / kMinute));
+}
+
+std::string bar(double part) {
+  constexpr int kWidth = 30;
+  return fmt::format("[{:<{}}] ", std::string(static_cast<std::size_t>(kWidth * part), '#'),
+                     kWidth);
+}
+
+/// What fits into a line of the terminal, which could not be wiped if it went on below.
+std::string fitting(const std::string& bar, const std::string& text) {
+  winsize size = {};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const std::size_t columns = known ? size.ws_col - 1U : 79U;
+  return bar.size() + text.size() <= columns ? bar + text : text.substr(0, columns);
 }
 
 }  // namespace
@@ -76,12 +111,26 @@ std::vector<std::string> lines_of(std::string_view text) {
 }
 
 void warn(const std::vector<std::string>& lines) {
+  if (volume() == Volume::quiet) return;
   for (const std::string& line : lines) say("warning: " + line);
 }
 
-Progress::Progress(double duration)
+void set_volume(Volume volume) {
+  said = volume;
+}
+
+Volume volume() {
+  return said;
+}
+
+void print_results(std::string_view text) {
+  if (volume() != Volume::quiet) print(text);
+}
+
+Progress::Progress(double duration, bool may_end_before)
     : duration_(duration),
-      terminal_(isatty(STDERR_FILENO) == 1),
+      left_(may_end_before ? "at most " : ""),
+      shown_(volume() != Volume::quiet && is_terminal()),
       start_(Clock::now()),
       last_(start_) {}
 
@@ -90,17 +139,16 @@ Progress::~Progress() {
 }
 
 void Progress::show(double time) {
-  if (!terminal_) return;
+  if (!shown_) return;
   const Clock::time_point now = Clock::now();
   if (now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   bar_shown = true;
   const double part = std::clamp(time / duration_, 1e-9, 1.0);
   const double left = std::chrono::duration<double>(now - start_).count() * (1.0 / part - 1.0);
-  constexpr int kWidth = 30;
-  const auto filled = static_cast<std::size_t>(kWidth * part);
-  write_error(fmt::format("\r[{:<{}}] {:3.0f} %  t = {:.1f} of {:.1f} s, {:.0f} s left\033[K",
-                          std::string(filled, '#'), kWidth, 100.0 * part, time, duration_, left));
+  const std::string text = fmt::format("{:3.0f} %  t = {:.1f} of {:.1f} s, {}{} left", 100.0 * part,
+                                       time, duration_, left_, clock_time(left));
+  write_error("\r" + fitting(bar(part), text) + "\033[K");
 }
 
 }  // namespace avo_cli

@@ -13,7 +13,7 @@ namespace avo_cli {
 
 /// A scene and what the command line changes of it.
 struct SceneArguments {
-  std::string scene;
+  std::string scene;                   ///< "-": standard input
   std::vector<std::string> overrides;  ///< key=value
   bool start_at_rest = false;
   bool limit_speed = false;
@@ -32,6 +32,8 @@ avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>
 struct RunArguments {
   SceneArguments scene;
   std::string record, summary, figure;  ///< empty: none
+  std::optional<std::int64_t> every;    ///< steps between the rows of the recording; unset: 1
+  bool until_arrived = false;           ///< ends with the first step after which all have arrived
   int threads = 0;
 };
 int run(const RunArguments& arguments);

@@ -140,7 +140,9 @@ struct CheckReport {
   std::int64_t steps = 0;        ///< between successive times
   std::int64_t robot_steps = 0;  ///< of robots that are there at both ends: what is judged
   std::int64_t gaps = 0;         ///< returns of a robot that was missing at some time: not judged
-  double from = 0.0, to = 0.0;   ///< s
+  std::int64_t unjudged_steps =
+      0;                        ///< of them: whose rows in between are missing, see Check::skip()
+  double from = 0.0, to = 0.0;  ///< s
   double interpolation_error = 0.0;  ///< m, the largest of a robot-step
   CheckCount overlaps;               ///< pairs of robots that avoid each other and ever overlapped
   CheckCount obstacle_contacts_moving;  ///< pairs: the robot moved itself while they overlapped
@@ -187,8 +189,11 @@ struct CheckReport {
   std::optional<double> last_arrival;     ///< s; none unless all arrived
   std::vector<std::int64_t> not_arrived;  ///< ascending
 
-  /// No overlap, no contact with walls or in motion, no limit exceeded.
-  [[nodiscard]] AVO_API bool safe() const;
+  /// An overlap, a contact with walls or in motion, a limit exceeded.
+  [[nodiscard]] AVO_API bool broken() const;
+  /// None of these, and no step is unjudged: what lies between rows that are not there is never
+  /// called safe.
+  [[nodiscard]] bool safe() const { return !broken() && unjudged_steps == 0; }
 };
 
 /// Feed it the rows of one time after the other. Between two rows a robot is judged on the cubic
@@ -223,6 +228,11 @@ class AVO_API Check {
   /// robot may be missing: it is judged over the steps at both ends of which it is there. Throws
   /// Error where more pairs overlap than anyone wants to know (10 million); of no further use then.
   void add(double time, std::span<const CheckedState> rows);
+  /// Between the last add() and the next one rows are missing, so that nobody knows the paths. What
+  /// the rows themselves tell is judged, and of holonomic robots that a_max allows their change of
+  /// velocity and their way; the step is one of CheckReport::unjudged_steps, and its robot-steps
+  /// are not counted. Before the first add() it does nothing.
+  void skip();
   [[nodiscard]] CheckReport report() const;
 
  private:

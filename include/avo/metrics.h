@@ -76,6 +76,9 @@ class AVO_API Metrics {
   ~Metrics();
   void observe(const Simulation& simulation);
   void add_step_time(double milliseconds);
+  /// Whether every robot that ever was has arrived, each at its own time: RunSummary::arrived is
+  /// RunSummary::robots.
+  [[nodiscard]] bool all_arrived() const;
   [[nodiscard]] RunSummary summary() const;
 
  private:

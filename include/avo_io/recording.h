@@ -23,8 +23,10 @@ AVO_API bool has_headings(const avo::Scenario& scenario);
 class AVO_API CsvRecording {
  public:
   /// With headings, ",heading,speed" follow in the header, see avo::CheckedHeading, in the shortest
-  /// form that reads back to the same bits; holonomic robots leave both empty.
-  explicit CsvRecording(const std::string& path, bool headings = false);
+  /// form that reads back to the same bits; holonomic robots leave both empty. `every` > 1: only
+  /// every so many steps are added; so says a last column "every" in all rows, which readers of the
+  /// others need not know, and RecordedTime::every.
+  explicit CsvRecording(const std::string& path, bool headings = false, std::int64_t every = 1);
   /// One row a robot. Throws FileError.
   void add(const avo::Simulation& simulation);
   void commit() { file_.commit(); }
@@ -34,17 +36,21 @@ class AVO_API CsvRecording {
  private:
   OutputFile file_;
   bool headings_;
+  std::int64_t every_;
 };
 
 /// All rows of one time, by ascending robot.
 struct RecordedTime {
   double time = 0.0;  ///< s
   std::vector<avo::CheckedState> rows;
+  /// More than 1: the recording has the rows of every so many steps only, and those of its last
+  /// step. The largest of the column "every", where that is there.
+  std::int64_t every = 1;
 };
 
 /// Reads what CsvRecording writes, and its like: columns in any order by the names of the first
-/// line, others ignored; heading and speed where both are there; times grouped and ascending,
-/// robots of one time in any order. Never holds more than one time.
+/// line, others ignored; heading and speed where both are there, "every" where it is; times grouped
+/// and ascending, robots of one time in any order. Never holds more than one time.
 class AVO_API RecordingReader {
  public:
   /// "-" is the standard input. `robots`: numbers have to be lower. Throws FileError, and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes as YAML: built-in ones by name, any other by path.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,11 +12,12 @@
 
 namespace avo_io {
 
-/// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), or a
-/// file. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots
-/// that a group makes can be named as well. Files that the scene names (maps, plans) are relative
-/// to its own; their paths are appended to `files_read` where it is given. Throws SceneError,
-/// OverrideError or FileError; the scene returned has passed avo::validate.
+/// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), a
+/// file, or "-", the standard input, which is relative to the current folder. Each override is
+/// "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots that a group makes can be
+/// named as well. Files that the scene names (maps, plans) are relative to its own; their paths are
+/// appended to `files_read` where it is given. Throws SceneError, OverrideError or FileError; the
+/// scene returned has passed avo::validate.
 AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
                                     const std::vector<std::string>& overrides = {},
                                     std::vector<std::string>* files_read = nullptr);
@@ -36,6 +38,11 @@ struct BuiltinScene {
 };
 /// All built-in scenes, by ascending name.
 AVO_API const std::vector<BuiltinScene>& builtin_scenes();
+
+/// The YAML that load_scenario() reads where a built-in scene is named, of circle-N and uniform-N
+/// that with the N of the name; none where it is no such name. Throws OverrideError for N out of
+/// range.
+AVO_API std::optional<std::string> builtin_text(const std::string& name);
 
 /// The text of a file that a built-in scene names, e.g. "arena.map"; empty where there is none.
 AVO_API std::string_view builtin_file(std::string_view name);

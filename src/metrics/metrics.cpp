@@ -237,6 +237,11 @@ void Metrics::add_step_time(double milliseconds) {
   state_->step_milliseconds.push_back(milliseconds);
 }
 
+bool Metrics::all_arrived() const {
+  return std::all_of(state_->arrival.begin(), state_->arrival.end(),
+                     [](const auto& robot) { return robot.second.has_value(); });
+}
+
 RunSummary Metrics::summary() const {
   RunSummary summary = state_->summary;
   summary.robots = static_cast<std::int64_t>(state_->arrival.size());

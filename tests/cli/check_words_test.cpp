@@ -49,9 +49,12 @@ TEST(Check, json_has_all_keys_in_order) {
                            "scene",
                            "passed",
                            "safe",
+                           "verdict",
                            "robots",
                            "rows",
                            "steps",
+                           "unjudged_steps",
+                           "every",
                            "robot_steps",
                            "gaps",
                            "from",
@@ -211,11 +214,11 @@ TEST(Check, moving_obstacles_come_from_the_scene) {
 }
 
 TEST(Check, warns_of_steps_that_are_not_those_of_the_scene) {
-  const Strings scene{"--scene", recording(kTwoRobots, "two.yaml"), "--set", "time_step=0.25"};
+  const Strings scene{"--scene", recording(kTwoRobots, "two.yaml"), "--set", "time_step=0.75"};
   const ProcessResult result = check(kOneArrives, scene);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err,
-            "warning: 2 of 2 steps are not the scene's 0.25 s long; they are judged on the cubic "
+            "warning: 2 of 2 steps are not the scene's 0.75 s long; they are judged on the cubic "
             "between their rows, which may not be the path\n");
   EXPECT_EQ(check(kOneArrives, {scene[0], scene[1]}).err, "");
 }

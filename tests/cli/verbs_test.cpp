@@ -13,19 +13,26 @@ namespace avo_test {
 namespace {
 
 TEST(Verbs, version) {
-  const ProcessResult result = run_avo({"--version"});
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, std::string("avo ") + avo::kVersion + "\n");
+  for (const char* option : {"--version", "-V"}) {
+    const ProcessResult result = run_avo({option});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.out, std::string("avo ") + avo::kVersion + "\n");
+  }
+}
+
+TEST(Verbs, help_alone_is_that_of_the_program) {
+  EXPECT_EQ(run_avo({"help"}).out, run_avo({"--help"}).out);
 }
 
 TEST(Verbs, help_of_every_verb_has_an_example_that_works) {
   EXPECT_NE(run_avo({"--help"}).out.find("Example: avo run"), std::string::npos);
   for (const std::string verb :
-       {"run", "explain", "check", "bench", "scenes", "validate", "schema"}) {
+       {"run", "explain", "check", "bench", "scenes", "validate", "schema", "help"}) {
     const ProcessResult result = run_avo({verb, "--help"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_NE(result.out.find("Usage: avo " + verb), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("Example: avo " + verb), std::string::npos) << result.out;
+    EXPECT_EQ(run_avo({"help", verb}).out, result.out);
   }
 }
 
@@ -109,8 +116,9 @@ TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
   }
   EXPECT_EQ(run_avo({"rnu", "circle-2"}).err,
             "avo: rnu: found no such verb, verbs are run, explain, check, bench, scenes, validate, "
-            "schema, "
+            "schema, help, "
             "did you mean run?\n");
+  EXPECT_EQ(run_avo({"help", "rnu"}).err, run_avo({"rnu"}).err);
   EXPECT_EQ(run_avo({"--vesrion"}).err,
             "avo: --vesrion: found no such option, did you mean --version?\n");
   EXPECT_EQ(run_avo({"run", "circle-2", "--recrod", "x.csv"}).err,

@@ -56,6 +56,33 @@ TEST(CheckRows, a_robot_is_not_judged_where_it_is_missing) {
   EXPECT_EQ(report_of({limited, limited}, without_gap).jumps.count, 1);
 }
 
+// They go through each other and through a wall on the way that nobody knows; what the rows tell,
+// and what a_max allows over any time, is judged all the same.
+TEST(CheckRows, the_way_to_rows_after_some_that_are_missing_is_not_judged) {
+  const auto skipped = [](Vec2 to, Vec2 velocity) {
+    Check check({{.goal = Vec2{9, 0}}, {}});
+    check.set_walls({{{5, -3}, {5, 3}, 0.1}});
+    check.skip();  // before the first rows: nothing
+    check.add(0.0, std::vector<CheckedState>{{0, {0, 0}, {}}, {1, {9, 0}, {}}});
+    check.skip();
+    check.add(10.0, std::vector<CheckedState>{{0, to, velocity}, {1, {0, 0}, {}}});
+    return check.report();
+  };
+  const CheckReport through = skipped({9, 0}, {});
+  EXPECT_FALSE(through.broken());
+  EXPECT_FALSE(through.safe());
+  EXPECT_EQ(through.unjudged_steps, 1);
+  EXPECT_EQ(through.steps, 1);
+  EXPECT_EQ(through.robot_steps, 0);
+  EXPECT_EQ(through.gaps, 0);
+  EXPECT_EQ(through.arrived, 1);
+  EXPECT_EQ(through.least_clearance, 8.0) << "in the rows";
+  EXPECT_EQ(skipped({0.5, 0}, {}).overlaps.count, 1);
+  EXPECT_EQ(skipped({4.5, 0}, {}).static_contacts.count, 1);
+  EXPECT_EQ(skipped({9, 0}, {2.5, 0}).speeds.count, 1);
+  EXPECT_EQ(skipped({60, 0}, {}).jumps.count, 1);
+}
+
 TEST(CheckRows, a_robot_may_not_appear_within_another) {
   const CheckReport report =
       report_of({free_robot(), free_robot()}, {{0.0, {{0, {0, 0}, {1, 0}}}},

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verbs and options of the command line, as a tree.
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
+#include <fmt/format.h>
+#include <string>
+#include <system_error>
+
+#include "avo/version.h"
+#include "avo_io/printable.h"
+#include "exit_codes.h"
+#include "generate.h"
+#include "terminal.h"
+#include "verbs.h"
+#include "words.h"
+
+namespace avo_cli {
+namespace {
+
+constexpr const char* kScene = "name of a built-in scene, or a YAML file; - is stdin";
+
+/// For options whose empty word could not be told from none.
+CLI::Option* not_empty(CLI::Option* option) {
+  return option->check([](const std::string& word) {
+    return word.empty() ? std::string("found an empty name, must have one") : std::string();
+  });
+}
+
+void add_volume(CLI::App& verb) {
+  CLI::Option* quiet = verb.add_flag_callback(
+      "-q,--quiet", [] { set_volume(Volume::quiet); },
+      "errors only, and what options ask for: no results to read, no warnings, no progress");
+  verb.add_flag_callback(
+          "-v,--verbose", [] { set_volume(Volume::verbose); },
+          "also what is loaded and which settings are in use, on stderr")
+      ->excludes(quiet);
+}
+
+void add_overrides(CLI::App& verb, SceneArguments& arguments) {
+  verb.add_option("--set", arguments.overrides,
+                  "changes a value of the scene, e.g. robots.0.radius=0.4; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb.add_option_function<std::string>(
+          "--seed",
+          [&arguments](const std::string& seed) { arguments.overrides.push_back("seed=" + seed); },
+          "the same as --set seed=N")
+      ->type_name("N");
+}
+
+void add_scene(CLI::App& verb, SceneArguments& arguments) {
+  not_empty(verb.add_option("SCENE", arguments.scene, kScene))->required();
+  add_overrides(verb, arguments);
+  verb.add_flag("--start-at-rest", arguments.start_at_rest, "all robots start with velocity 0");
+  verb.add_flag("--limit-speed", arguments.limit_speed,
+                "lowers max_speed to what the sensing radius allows");
+}
+
+void add_threads(CLI::App& verb, int& threads) {
+  verb.add_option("--threads", threads, "0: as many as the machine has")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+}
+
+/// Throws UsageError.
+std::int64_t whole_steps(const std::string& word) {
+  constexpr std::int64_t kMost = 1'000'000'000;
+  std::int64_t steps = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), steps);
+  if (error == std::errc() && end == word.data() + word.size() && steps >= 1 && steps <= kMost)
+    return steps;
+  throw UsageError(fmt::format("--every: found {}, must be a whole number from 1 to {}",
+                               avo_io::printable(word, kLongestWord), kMost));
+}
+
+void add_run(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("run", "simulate a scene to its end");
+  static RunArguments arguments;
+  add_scene(*verb, arguments.scene);
+  not_empty(
+      verb->add_option("--record", arguments.record, "every state of every robot; - is stdout"))
+      ->type_name("FILE.csv");
+  verb->add_option_function<std::string>(
+          "--every", [](const std::string& steps) { arguments.every = whole_steps(steps); },
+          "the recording has the rows of every so many steps only, and of the last")
+      ->type_name("STEPS");
+  CLI::Option* summary =
+      not_empty(verb->add_option("--summary", arguments.summary, "results; - is stdout"))
+          ->type_name("FILE.json");
+  verb->add_flag_callback(
+          "--json", [] { arguments.summary = "-"; }, "the same as --summary -")
+      ->excludes(summary);
+  not_empty(verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories"))
+      ->type_name("FILE.svg|.png|.pdf");
+  verb->add_option_function<std::string>(
+          "--duration",
+          [](const std::string& duration) {
+            arguments.scene.overrides.push_back("duration=" + duration);
+          },
+          "the same as --set duration=S")
+      ->type_name("S");
+  verb->add_flag("--until-arrived", arguments.until_arrived,
+                 "ends as soon as every robot has arrived, at the latest after the duration");
+  add_threads(*verb, arguments.threads);
+  add_volume(*verb);
+  verb->footer("Example: avo run circle-100 --record out.csv --summary out.json --figure out.svg");
+  verb->callback([&action] { action = [] { return run(arguments); }; });
+}
+
+void add_explain(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("explain", "why a robot chooses its velocity");
+  static ExplainArguments arguments;
+  add_scene(*verb, arguments.scene);
+  verb->add_option("--robot", arguments.robot, "its number")->type_name("I")->required();
+  verb->add_option("--time", arguments.time, "the last step until then is explained")
+      ->type_name("T");
+  CLI::Option* json = verb->add_flag("--json", arguments.json, "as JSON");
+  not_empty(verb->add_option("--figure", arguments.figure, "velocity space"))
+      ->type_name("FILE.svg|.png|.pdf")
+      ->excludes(json);
+  not_empty(verb->add_option("--states", arguments.states,
+                             "where it would be safe or doomed with its velocity"))
+      ->type_name("FILE.svg|.png|.pdf")
+      ->excludes(json);
+  add_volume(*verb);
+  verb->footer("Example: avo explain circle-10 --robot 3 --time 4.2 --figure why.svg");
+  verb->callback([&action] { action = [] { return explain(arguments); }; });
+}
+
+void add_check(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("check", "judge recorded motion, whoever made it");
+  static CheckArguments arguments;
+  not_empty(verb->add_option("RECORDING", arguments.recording,
+                             "as avo run --record writes it; - is stdin"))
+      ->type_name("FILE.csv")
+      ->required();
+  not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
+  add_overrides(*verb, arguments.scene);
+  verb->add_option("--radius", arguments.radius, "of all robots, where there is no scene")
+      ->type_name("M");
+  verb->add_option("--max-acceleration", arguments.max_acceleration, "likewise; inf: no limit")
+      ->type_name("M/S^2");
+  verb->add_option("--max-speed", arguments.max_speed, "likewise; inf: no limit")->type_name("M/S");
+  verb->add_option("--tolerance", arguments.tolerance, "of distances and limits, 1e-9 of them")
+      ->type_name("FRACTION");
+  verb->add_flag("--require-arrival", arguments.require_arrival,
+                 "a robot that never arrives fails");
+  verb->add_flag("--json", arguments.json, "as JSON");
+  add_volume(*verb);
+  verb->footer(
+      "Exit code 0: safe, 1: not, 7: rows are missing. Example: avo check out.csv --scene "
+      "circle-100");
+  verb->callback([&action] { action = [] { return check(arguments); }; });
+}
+
+void add_bench(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("bench", "measure what a step of a scene costs");
+  static BenchArguments arguments;
+  add_scene(*verb, arguments.scene);
+  add_threads(*verb, arguments.threads);
+  verb->add_option("--steps", arguments.steps,
+                   "so many after ten; without it all until everyone has arrived, of uniform-N 100")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  verb->add_flag("--json", arguments.json, "as JSON");
+  add_volume(*verb);
+  verb->footer("Example: avo bench circle-100 --threads 1 --set method=avo_paper");
+  verb->callback([&action] { action = [] { return bench(arguments); }; });
+}
+
+void add_others(CLI::App& app, Action& action) {
+  CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or print one");
+  static std::string name;
+  static bool json = false;
+  not_empty(scenes->add_option("NAME", name, "prints the text of this scene"));
+  scenes->add_flag("--json", json, "the list as JSON");
+  scenes->footer("Example: avo scenes circle-N > my-circle.yaml");
+  scenes->callback([&action] { action = [] { return list_scenes(name, json); }; });
+
+  CLI::App* validate = app.add_subcommand("validate", "check a scene without running it");
+  static SceneArguments scene;
+  add_scene(*validate, scene);
+  add_volume(*validate);
+  validate->footer("Example: avo validate my-circle.yaml --set control_time=2");
+  validate->callback([&action] { action = [] { return validate_scene(scene); }; });
+
+  CLI::App* schema = app.add_subcommand("schema", "print the JSON Schema of scenes");
+  schema->footer("Example: avo schema > scene.schema.json");
+  schema->callback([&action] { action = [] { return print_schema(); }; });
+
+  CLI::App* help = app.add_subcommand("help", "explain a verb and its options");
+  static std::string topic;
+  help->add_option("VERB", topic, "none: all verbs in short");
+  help->footer("Example: avo help run");
+  help->callback([&app, &action] { action = [&app] { return print_help(app, topic); }; });
+
+  CLI::App* generate = app.add_subcommand("generate", "what is installed besides the program")
+                           ->group("");  // for its build, not listed
+  static std::string kind;
+  generate->add_option("KIND", kind, "man, bash or zsh")->required();
+  generate->callback([&app, &action] { action = [&app] { return print_generated(app, kind); }; });
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Action& action) {
+  app.name("avo");
+  app.set_version_flag("-V,--version", std::string("avo ") + avo::kVersion);
+  app.require_subcommand(1);
+  app.footer("Example: avo run circle-100 --figure circle.svg");
+  add_run(app, action);
+  add_explain(app, action);
+  add_check(app, action);
+  add_bench(app, action);
+  add_others(app, action);
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What --verbose tells, on the standard error output.
+#include "settings_report.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string_view>
+
+#include "avo/simd.h"
+#include "avo/version.h"
+#include "avo_io/scene.h"
+#include "files.h"
+#include "terminal.h"
+
+namespace avo_cli {
+namespace {
+
+void tell(std::string_view name, const std::string& value) {
+  say(fmt::format("{:<17} {}", name, value));
+}
+
+std::string origin(const std::string& scene) {
+  if (scene == "-") return "from the standard input";
+  return avo_io::is_builtin_scene(scene) ? "built in" : "from " + scene;
+}
+
+std::string seconds(double value) {
+  return fmt::format("{} s", value);
+}
+
+}  // namespace
+
+void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenario,
+                   const std::vector<std::string>& files) {
+  if (volume() != Volume::verbose) return;
+  const avo::PlannerOptions options = planner_options(scenario);
+  tell("scene", fmt::format("{}, {}", scenario.name, origin(arguments.scene)));
+  for (const std::string& file : files) tell("file", file);
+  for (const std::string& override : arguments.overrides) tell("set", override);
+  const auto parked = std::count_if(scenario.robots.begin(), scenario.robots.end(),
+                                    [](const avo::RobotSetup& robot) { return robot.parked; });
+  tell("robots", fmt::format("{}, {} of them parked", scenario.robots.size(), parked));
+  tell("obstacles",
+       fmt::format("{} moving, {} static of {} walls", scenario.moving_obstacles.size(),
+                   scenario.obstacles.size(), avo::walls_of(scenario.obstacles).size()));
+  tell("method", avo::to_string(scenario.method));
+  tell("certificate", avo::to_string(options.certificate));
+  tell("motion", avo::to_string(scenario.motion));
+  tell("control_time", seconds(options.control_time) + " (delta)");
+  tell("time_horizon", seconds(options.time_horizon) + " (tau)");
+  tell("time_step", seconds(scenario.time_step));
+  tell("duration", seconds(scenario.duration));
+  tell("sensing_radius", fmt::format("{} m", scenario.sensing_radius));
+  tell("max_neighbors", scenario.max_neighbors ? std::to_string(*scenario.max_neighbors) : "all");
+  tell("clock", scenario.clock == avo::Clock::free ? "free" : "common");
+  tell("seed", std::to_string(scenario.seed));
+}
+
+void tell_machine(const avo::Simulation& simulation) {
+  if (volume() != Volume::verbose) return;
+  tell("threads", std::to_string(simulation.threads()));
+  tell("instructions", avo::simd_target());
+  tell("version", avo::kVersion);
+}
+
+}  // namespace avo_cli
