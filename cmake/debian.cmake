@@ -3,7 +3,8 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME avo)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "avo maintainers <maintainers@avo-robots.org>")
+set(CPACK_PACKAGE_CONTACT "avo maintainers <maintainers@avo.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each component has its own
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -14,9 +15,17 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS)
+foreach(library avo avo_io avo_c)
+  if(TARGET ${library})
+    get_target_property(avo_folder ${library} BINARY_DIR)
+    list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${avo_folder})
+  endif()
+endforeach()
 set(avo_deb_version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
-set(avo_deb_about "A robot decides 10 to 100 times a second, alone and without communication, how it accelerates,
- so that no two robots touch: each step keeps its limits of speed and acceleration.")
+set(avo_deb_about "Each robot decides alone and without communication, 10 to 100 times a
+second. No two robots touch, however dense the crowd is, and every step
+keeps the limits of acceleration and speed.")
 
 # COMPONENT becomes the package NAME of SECTION. ABOUT is the second paragraph of its description.
 macro(avo_deb component name section summary about)
@@ -30,15 +39,18 @@ endmacro()
 set(CPACK_COMPONENTS_ALL)
 avo_deb(library libavo0 libs "multi-robot collision avoidance: shared libraries"
   "This package holds what programs need to run.")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS_POLICY "=")
+configure_file(cmake/debian/shlibs.in ${PROJECT_BINARY_DIR}/debian/shlibs @ONLY)
+file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
+  ${PROJECT_BINARY_DIR}/debian/shlibs ${PROJECT_BINARY_DIR}/debian/triggers)
 avo_deb(dev libavo-dev libdevel "multi-robot collision avoidance: headers"
-  "This package holds what programs need to be built: headers, and files for CMake and pkg-config.")
+  "This package holds headers, and what CMake and pkg-config need.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libavo0 (= ${avo_deb_version})")
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 if(TARGET avo_cli)
   avo_deb(tools avo-tools science "multi-robot collision avoidance: command line"
-    "This package holds the program avo, which runs scenes, draws them and judges recordings.")
+    "This package holds the program avo: it runs scenes, draws them, and
+judges recordings.")
   set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libavo0 (= ${avo_deb_version}), fonts-dejavu-core")
 endif()
 if(TARGET avo_python)

@@ -12,11 +12,8 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     "avo (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium\n\n"
     "  * Version ${CPACK_PACKAGE_VERSION}; CHANGELOG.md of the sources says what has changed.\n\n"
     " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
-  if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/${package}.lintian-overrides)
-    file(MAKE_DIRECTORY ${root}/share/lintian/overrides)
-    file(COPY_FILE ${CMAKE_CURRENT_LIST_DIR}/${package}.lintian-overrides
-      ${root}/share/lintian/overrides/${package})
-  endif()
+  file(MAKE_DIRECTORY ${root}/share/lintian/overrides)
+  file(COPY_FILE ${CMAKE_CURRENT_LIST_DIR}/lintian-overrides ${root}/share/lintian/overrides/${package})
 
   file(GLOB pages ${root}/share/man/man?/*.[1-9])
   execute_process(COMMAND gzip -9n ${documents}/changelog.Debian ${pages} COMMAND_ERROR_IS_FATAL ANY)
