@@ -12,8 +12,14 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     "avo (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium\n\n"
     "  * Version ${CPACK_PACKAGE_VERSION}; CHANGELOG.md of the sources says what has changed.\n\n"
     " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
-  file(MAKE_DIRECTORY ${root}/share/lintian/overrides)
-  file(COPY_FILE ${CMAKE_CURRENT_LIST_DIR}/lintian-overrides ${root}/share/lintian/overrides/${package})
+  set(overrides "# Made from the sources of the project, not for Debian's archive: no bug asks for it."
+    "${package}: initial-upload-closes-no-bugs *")
+  if(component STREQUAL "library")
+    list(APPEND overrides "# CPack adds these scripts; beside the trigger they do nothing more."
+      "${package}: maintscript-calls-ldconfig *")
+  endif()
+  list(JOIN overrides "\n" overrides)
+  file(WRITE ${root}/share/lintian/overrides/${package} "${overrides}\n")
 
   file(GLOB pages ${root}/share/man/man?/*.[1-9])
   execute_process(COMMAND gzip -9n ${documents}/changelog.Debian ${pages} COMMAND_ERROR_IS_FATAL ANY)
