@@ -15,7 +15,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(overrides "# Made from the sources of the project, not for Debian's archive: no bug asks for it."
     "${package}: initial-upload-closes-no-bugs *")
   if(component STREQUAL "library")
-    list(APPEND overrides "# CPack adds these scripts; beside the trigger they do nothing more."
+    list(APPEND overrides "# CPack adds these scripts, which do nothing that the trigger does not do."
       "${package}: maintscript-calls-ldconfig *")
   endif()
   list(JOIN overrides "\n" overrides)
