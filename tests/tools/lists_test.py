@@ -30,7 +30,8 @@ def setup(*arguments, installed=None):
             path.chmod(path.stat().st_mode | stat.S_IXUSR)
         for name in ("bash", "dirname", "sed", "xargs", "sort", "comm", "cat", "echo"):
             os.symlink(f"/usr/bin/{name}", pathlib.Path(folder, name))
-        return subprocess.run([ROOT / "scripts/setup", *arguments], env={"PATH": folder}, capture_output=True, text=True)
+        return subprocess.run([ROOT / "scripts/setup", *arguments], env={"PATH": folder}, capture_output=True,
+                              text=True)
 
 
 class Lists(unittest.TestCase):
@@ -74,8 +75,8 @@ class Missing(unittest.TestCase):
         for package in ("GTest", "nlohmann_json", "benchmark"):
             with tempfile.TemporaryDirectory() as build:
                 found = subprocess.run(
-                    ["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DAVO_CLI=OFF", "-DAVO_TESTS=ON", "-DAVO_BENCH=ON",
-                     f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON"], capture_output=True, text=True)
+                    ["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DAVO_CLI=OFF", "-DAVO_TESTS=ON",
+                     "-DAVO_BENCH=ON", f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON"], capture_output=True, text=True)
                 self.assertNotEqual(found.returncode, 0, package)
                 self.assertIn(package, found.stderr)
 
