@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # find_package(avo) and pkg-config. An installed tree can be moved: all places in it are relative.
+# Components: library (what programs need to run), dev (what they need to be built), and the rest, tools
+# (CMAKE_INSTALL_DEFAULT_COMPONENT_NAME in settings.cmake). cmake/debian.cmake makes a package of each.
 include(CMakePackageConfigHelpers)
 set(avo_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/avo)
 set(avo_pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -21,16 +23,18 @@ endif()
 # headers: the folder that has the library's own.
 function(avo_install_library library headers)
   install(TARGETS ${library} EXPORT ${library}-targets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT ${library}-targets NAMESPACE avo:: DESTINATION ${avo_cmake_folder})
-  install(DIRECTORY ${headers}/${library} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT dev)
+  install(EXPORT ${library}-targets NAMESPACE avo:: DESTINATION ${avo_cmake_folder} COMPONENT dev)
+  install(DIRECTORY ${headers}/${library}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
   configure_file(cmake/${library}.pc.in ${PROJECT_BINARY_DIR}/${library}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/${library}.pc DESTINATION ${avo_pc_folder})
+  install(FILES ${PROJECT_BINARY_DIR}/${library}.pc DESTINATION ${avo_pc_folder} COMPONENT dev)
 endfunction()
 
 avo_install_library(avo include)
 install(FILES ${PROJECT_BINARY_DIR}/include/avo/version.h
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/avo)
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/avo COMPONENT dev)
 if(TARGET avo_io)
   avo_install_library(avo_io include)
 endif()
@@ -39,7 +43,7 @@ if(TARGET avo_c)
 endif()
 if(TARGET avo_cli)
   set_target_properties(avo_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${avo_bin_to_lib}")
-  install(TARGETS avo_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS avo_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
 endif()
 
 configure_package_config_file(cmake/avo-config.cmake.in ${PROJECT_BINARY_DIR}/avo-config.cmake
@@ -47,4 +51,8 @@ configure_package_config_file(cmake/avo-config.cmake.in ${PROJECT_BINARY_DIR}/av
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/avo-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/avo-config.cmake ${PROJECT_BINARY_DIR}/avo-config-version.cmake
-  DESTINATION ${avo_cmake_folder})
+  DESTINATION ${avo_cmake_folder} COMPONENT dev)
+
+if(avo_top_level)
+  include(cmake/debian.cmake)
+endif()

@@ -6,6 +6,7 @@ if(avo_top_level)
     set(CMAKE_BUILD_TYPE Release)
   endif()
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME tools)
 endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 
