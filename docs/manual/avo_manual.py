@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What Sphinx does not know by itself: three directives whose content comes from the library.
+
+.. avo-header:: avo/planner.h    the types and functions of a header, in its order, by Doxygen and breathe
+.. avo-help::                    what `avo VERB --help` prints, a section for each verb
+.. avo-scene-keys::              the keys of scene files, from `avo schema`
+"""
+import json
+import pathlib
+import subprocess
+import xml.etree.ElementTree as ElementTree
+
+from docutils import nodes
+from docutils.statemachine import StringList
+from sphinx.util import logging
+from sphinx.util.docutils import SphinxDirective
+from sphinx.util.nodes import nested_parse_with_titles
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+INCLUDE = ROOT / "include"
+log = logging.getLogger(__name__)
+
+
+class Generated(SphinxDirective):
+    """A directive that stands for reStructuredText."""
+
+    def run(self):
+        place = nodes.container()
+        place.document = self.state.document
+        lines = StringList(self.text().splitlines(), source=f"<{self.name}>")
+        nested_parse_with_titles(self.state, lines, place)
+        return place.children
+
+    def avo(self, *words):
+        return subprocess.run([self.config.avo_program, *words], check=True, capture_output=True,
+                              text=True, env={"LC_ALL": "C.UTF-8", "TERM": "dumb"}).stdout
+
+
+def heading(text, underline):
+    return f"{text}\n{underline * len(text)}\n\n"
+
+
+def indented(text, by="   "):
+    return "".join(by + line if line.strip() else line for line in text.splitlines(True))
+
+
+# C++
+
+def is_documented(entity):
+    return any("".join(entity.find(kind).itertext()).strip()
+               for kind in ("briefdescription", "detaileddescription") if entity.find(kind) is not None)
+
+
+def entities(xml):
+    """(header, line, directive, name, is documented) of all types and functions of the public namespaces."""
+    found = set()
+    for index in sorted(xml.glob("namespace*.xml")):
+        namespace = ElementTree.parse(index).getroot().find("compounddef")
+        for inner in namespace.findall("innerclass"):
+            kind = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot().find("compounddef")
+            found.add(located(kind, kind.get("kind"), kind.findtext("compoundname")))
+        for member in namespace.iter("memberdef"):
+            name = f"{namespace.findtext('compoundname')}::{member.findtext('name')}"
+            if member.get("kind") == "function":
+                name += member.findtext("argsstring")
+            found.add(located(member, member.get("kind"), name))
+    return sorted(found)
+
+
+def located(entity, kind, name):
+    location = entity.find("location")
+    return (location.get("file"), int(location.get("line")), kind, name, is_documented(entity))
+
+
+class Header(Generated):
+    required_arguments = 1
+
+    def text(self):
+        header = self.arguments[0]
+        self.env.metadata[self.env.docname][f"avo-header {header}"] = True
+        said = f".. code-block:: cpp\n\n   #include <{header}>\n\n"
+        for file, line, kind, name, documented in self.config.avo_entities:
+            if file != f"include/{header}":
+                continue
+            if not documented and kind != "function":
+                log.warning("%s:%d: %s has no comment for the manual", file, line, name)
+            said += f".. doxygen{kind}:: {name}\n"
+            said += "   :members:\n   :undoc-members:\n\n" if kind in ("struct", "class") else "\n"
+        return said
+
+
+def require_all_headers(app, env):
+    """Every public header is in the manual."""
+    shown = {word for words in env.metadata.values() for word in words}
+    for header in sorted(INCLUDE.glob("avo*/*.h")):
+        name = str(header.relative_to(INCLUDE))
+        if name != "avo/avo.h" and f"avo-header {name}" not in shown:
+            log.warning("%s is in no page of the reference", name)
+
+
+# the command line
+
+class Help(Generated):
+    def text(self):
+        first = self.avo("--help")
+        verbs = first.partition("Subcommands:\n")[2].partition("\n\n")[0]
+        said = f".. code-block:: text\n\n{indented(first)}\n"
+        for verb in (line.split()[0] for line in verbs.splitlines() if line.startswith("  ") and line[2] != " "):
+            said += heading(f"avo {verb}", "-")
+            said += f".. code-block:: text\n\n{indented(self.avo(verb, '--help'))}\n"
+        return said
+
+
+# scene files
+
+LARGEST = {1e12, -1e12, 2147483647, 18446744073709551615}  # bounds of all numbers, or of a type: not worth a word
+
+
+def kind_of(key):
+    if "const" in key:
+        return f"``{json.dumps(key['const'])}``"
+    if "enum" in key:
+        return ", ".join(f"``{word}``" for word in key["enum"])
+    if "oneOf" in key:
+        return " or ".join(dict.fromkeys(kind_of(one) for one in key["oneOf"]))
+    if "prefixItems" in key:
+        return "[x, y]"
+    if "$ref" in key:
+        return key["$ref"].rpartition("/")[2].replace("_", " ")
+    if key["type"] == "array":
+        return f"list of {kind_of(key['items'])}"
+    return {"object": "keys below"}.get(key["type"], key["type"])
+
+
+def bounds_of(key):
+    signs = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}
+    return ", ".join(f"{sign} {key[word]:g}" for word, sign in signs.items()
+                     if word in key and key[word] not in LARGEST)
+
+
+def escaped(text):
+    return "".join("\\" + character if character in "\\*|`_" else character for character in text)
+
+
+def fields(part):
+    """(name, schema, is required) of its keys; of alternatives those of all, none of which is required."""
+    for name, key in part.get("properties", {}).items():
+        yield name, key, name in part.get("required", [])
+    for one in part.get("oneOf", []):
+        for name, key, _ in fields(one):
+            yield name, key, False
+
+
+def rows(part, prefix=""):
+    for name, key, required in fields(part):
+        value = ", ".join(filter(None, [kind_of(key), bounds_of(key)]))
+        standard = f"``{json.dumps(key['default'])}``" if "default" in key else "required" if required else ""
+        yield f"``{prefix}{name}``", value, standard, escaped(key.get("description", ""))
+        yield from rows(key, f"{prefix}{name}.")
+
+
+def table(part):
+    said = ".. list-table::\n   :header-rows: 1\n   :widths: 26 20 14 40\n\n"
+    unique = dict.fromkeys(rows(part))  # alternatives may share a key
+    for row in [("key", "value", "default", "meaning"), *unique]:
+        said += "   * - " + "\n     - ".join(row) + "\n"
+    return said + "\n"
+
+
+class SceneKeys(Generated):
+    def text(self):
+        schema = json.loads(self.avo("schema"))
+        parts = schema["$defs"]
+        robot = parts["robot"]["properties"]
+        # a group has all keys of a robot, and few that differ
+        parts["group"]["properties"] = {name: key for name, key in parts["group"]["properties"].items()
+                                        if key != robot.get(name)}
+        shared = parts["robot"]["properties"]
+        robots_from = schema["properties"]["robots_from"]
+        robots_from["properties"] = {name: key for name, key in robots_from["properties"].items()
+                                     if key != shared.get(name)}
+        said = heading("The scene", "-") + table(schema)
+        for name, part in parts.items():
+            said += heading(f"{name.replace('_', ' ').capitalize()}", "-") + table(part)
+        return said
+
+
+def setup(app):
+    app.add_config_value("avo_program", "", "env")
+    app.add_config_value("avo_entities", [], "")
+    app.add_directive("avo-header", Header)
+    app.add_directive("avo-help", Help)
+    app.add_directive("avo-scene-keys", SceneKeys)
+    app.connect("env-check-consistency", require_all_headers)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

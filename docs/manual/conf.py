@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# The sources are the documents of the repository, where they are: Sphinx runs in its root, so that
+# links between them are the same here and wherever Markdown is shown. See scripts/manual.
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from avo_manual import ROOT, entities
+
+project = "avo"
+author = "the authors of avo"
+extensions = ["myst_parser", "breathe", "avo_manual"]
+root_doc = "docs/manual/index"
+include_patterns = ["*.md", "bench/*.md", "docs/**"]
+exclude_patterns = [".*", "build*", "apps", "figures", "io", "scenarios", "scripts", "src", "tests"]
+nitpicky = True
+nitpick_ignore_regex = [("cpp:identifier", r"avo(_io)?|std|u?int\d+_t|size_t|byte")]
+keep_warnings = False
+
+myst_heading_anchors = 4  # as GitHub names them
+
+# breathe
+xml = ROOT / "build/manual/cpp/xml"
+avo_entities = entities(xml)
+breathe_projects = {"avo": str(xml)}
+breathe_default_project = "avo"
+breathe_show_include = False
+
+html_theme = "furo"
+html_title = "avo"
+html_copy_source = False
+html_show_copyright = False
