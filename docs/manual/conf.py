@@ -26,6 +26,9 @@ breathe_projects = {"avo": str(xml)}
 breathe_default_project = "avo"
 breathe_show_include = False
 
+smartquotes = False  # v' is a prime
+highlight_language = "none"  # of what names none, formulas for the most part
+
 html_theme = "furo"
 html_title = "avo"
 html_copy_source = False
