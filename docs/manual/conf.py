@@ -33,3 +33,19 @@ html_theme = "furo"
 html_title = "avo"
 html_copy_source = False
 html_show_copyright = False
+
+
+# What a tree may lack: the contents go without it.
+OPTIONAL = {"reference/c": "bindings/c/include/avo_c/avo.h", "reference/python": "bindings/python",
+            "../c": "docs/c.md", "../python": "docs/python.md", "../packages": "docs/packages.md"}
+absent = [name for name, source in OPTIONAL.items() if not (ROOT / source).exists()]
+exclude_patterns += [f"docs/manual/{name}.rst" for name in absent]
+
+
+def without_absent(app, name, source):
+    if name == root_doc:
+        source[0] = "\n".join(line for line in source[0].splitlines() if line not in absent)
+
+
+def setup(app):
+    app.connect("source-read", without_absent)

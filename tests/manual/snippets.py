@@ -8,7 +8,7 @@ PREFIX has the installed library, AVO is the command line, FOLDER is emptied and
 --python says where the built module is. C++ is compiled by README.md's line of pkg-config and run, C is compiled,
 scenes are validated, commands are run one after the other, Python is run. What a comment says before a block is not shown:
 
-<!-- file: NAME -->       the block is this file, for the commands of the document, which may stand before it
+<!-- file: NAME -->       the block is this file, or goes on with it; for all commands of the document
 <!-- frame: NAME -->      it is a part: it stands in place of the line that says so in tests/manual/frames/NAME
 <!-- first: COMMAND -->   is run before
 <!-- exits: STATUS -->    the exit status of its last command
@@ -29,8 +29,8 @@ from blocks import blocks
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FRAMES = pathlib.Path(__file__).resolve().parent / "frames"
 PLAIN = {"", "text", "json", "cmake"}  # shown, not tried
-BUILDS = ("cmake", "git", "sudo", "./scripts/", "cd")  # commands that build or install: other tests try them
-RUN = {"avo", "g++", "cc", "zcat", "python3"}  # and programs of the document's folder
+BUILDS = ("cmake", "git", "sudo", "./scripts/", "cd", "export")  # commands that build or install: other tests try them
+RUN = {"avo", "g++", "cc", "for", "zcat", "python3"}  # and programs of the document's folder
 
 
 class Failed(Exception):
@@ -76,7 +76,8 @@ class Trial:
         failures = []
         for block in self.blocks:
             if "file" in block.marks:
-                (self.folder / block.marks["file"]).write_text(block.text)
+                with open(self.folder / block.marks["file"], "a") as file:
+                    file.write(block.text)
         for block in self.blocks:
             try:
                 self.one(block)
@@ -99,7 +100,9 @@ class Trial:
 
     def source(self, block, ending):
         """The file of a block, which has a frame where it is a part."""
-        path = self.folder / block.marks.get("file", f"line_{block.line}.{ending}")
+        if "file" in block.marks:
+            return self.folder / block.marks["file"]
+        path = self.folder / f"line_{block.line}.{ending}"
         text = block.text
         if "frame" in block.marks:
             frame = (FRAMES / block.marks["frame"]).read_text()
