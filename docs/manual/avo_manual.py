@@ -7,6 +7,7 @@
 """
 import json
 import pathlib
+import re
 import subprocess
 import xml.etree.ElementTree as ElementTree
 
@@ -142,6 +143,10 @@ def escaped(text):
     return "".join("\\" + character if character in "\\*|`_" else character for character in text)
 
 
+def as_yaml(value):
+    return value if isinstance(value, str) else json.dumps(value)
+
+
 def fields(part):
     """(name, schema, is required) of its keys; of alternatives those of all, none of which is required."""
     for name, key in part.get("properties", {}).items():
@@ -154,7 +159,7 @@ def fields(part):
 def rows(part, prefix=""):
     for name, key, required in fields(part):
         value = ", ".join(filter(None, [kind_of(key), bounds_of(key)]))
-        standard = f"``{json.dumps(key['default'])}``" if "default" in key else "required" if required else ""
+        standard = f"``{as_yaml(key['default'])}``" if "default" in key else "required" if required else ""
         yield f"``{prefix}{name}``", value, standard, escaped(key.get("description", ""))
         yield from rows(key, f"{prefix}{name}.")
 
@@ -185,7 +190,25 @@ class SceneKeys(Generated):
         return said
 
 
+# Debian's furo
+
+def mend_furo(app, failure):
+    """Its script is a module, which no browser loads from a file; its style has no automatic dark theme."""
+    scripts = pathlib.Path(app.outdir) / "_static" / "scripts"
+    furo = scripts / "furo.js"
+    whole = furo.read_text().replace('import Gumshoe from "./gumshoe-patched.js";',
+                                     (scripts / "gumshoe-patched.js").read_text())
+    furo.write_text(whole)
+    style = scripts.parent / "styles" / "furo.css"
+    text = style.read_text()
+    dark = re.search(r'@media not print \{\s*body\[data-theme="dark"\].*?\}\s*\}', text, re.S)
+    if dark and "prefers-color-scheme" not in text:
+        automatic = dark[0].replace('[data-theme="dark"]', '[data-theme="auto"]')
+        style.write_text(f"{text}\n@media (prefers-color-scheme: dark) {{\n{automatic}\n}}\n")
+
+
 def setup(app):
+    app.connect("build-finished", mend_furo)
     app.add_config_value("avo_program", "", "env")
     app.add_config_value("avo_entities", [], "")
     app.add_directive("avo-header", Header)

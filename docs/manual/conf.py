@@ -31,6 +31,10 @@ highlight_language = "none"  # of what names none, formulas for the most part
 
 html_theme = "furo"
 html_title = "avo"
+html_static_path = ["static"]
+html_css_files = ["avo.css"]
+html_additional_pages = {"index": "to_contents.html"}
+templates_path = ["static"]
 html_copy_source = False
 html_show_copyright = False
 
