@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 
 from docutils import nodes
 from docutils.statemachine import StringList
+from sphinx.domains import cpp
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.nodes import nested_parse_with_titles
@@ -97,6 +98,18 @@ def require_all_headers(app, env):
         name = str(header.relative_to(INCLUDE))
         if name != "avo/avo.h" and f"avo-header {name}" not in shown:
             log.warning("%s is in no page of the reference", name)
+
+
+def remember_ids():
+    """Sphinx 5.3 makes the id of a symbol anew whenever it is looked up, a tenth of all time."""
+    made_anew = cpp.ASTDeclaration.get_newest_id
+
+    def remembered(declaration):
+        if not hasattr(declaration, "newest_id"):
+            declaration.newest_id = made_anew(declaration)
+        return declaration.newest_id
+
+    cpp.ASTDeclaration.get_newest_id = remembered
 
 
 # the command line
@@ -208,6 +221,7 @@ def mend_furo(app, failure):
 
 
 def setup(app):
+    remember_ids()
     app.connect("build-finished", mend_furo)
     app.add_config_value("avo_program", "", "env")
     app.add_config_value("avo_entities", [], "")

@@ -64,7 +64,7 @@ class Trial:
                                 PATH=f"{arguments.avo.parent}:{os.environ['PATH']}")
         if arguments.python:
             self.environment["PYTHONPATH"] = str(arguments.python)
-        self.said = None  # by the last block that was run
+        self.said = None  # by what was last run
         self.blocks = blocks(ROOT / document)
         self.commands = "".join(block.text for block in self.blocks if block.language == "sh")
 
@@ -89,7 +89,7 @@ class Trial:
         if "not run" in block.marks:
             return
         if "first" in block.marks:
-            self.run(block.marks["first"])
+            self.said = self.run(block.marks["first"])
         if "prints" in block.marks:
             self.compare(block.text)
         elif block.language not in PLAIN and not block.language.startswith("{"):  # nor what Sphinx reads
@@ -174,7 +174,10 @@ def main():
     parser.add_argument("--compiler", default="c++")
     parser.add_argument("--flags", default="")
     parser.add_argument("--python", type=pathlib.Path)
+    parser.add_argument("--broken", action="store_true", help="every block of broken.md has to fail")
     arguments = parser.parse_args()
+    if arguments.broken:
+        arguments.documents = ["tests/manual/broken.md"]
     for name in ("prefix", "avo", "folder", "python"):
         if getattr(arguments, name):
             setattr(arguments, name, getattr(arguments, name).resolve())
@@ -186,7 +189,12 @@ def main():
     assert arguments.documents or len(trials) >= 7, f"examples in {len(trials)} documents only"
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         failures = [failure for failures in pool.map(Trial.all, trials) for failure in failures]
-    print(f"{sum(len(trial.blocks) for trial in trials)} blocks of {len(trials)} documents, {len(failures)} failures")
+    number = sum(len(trial.blocks) for trial in trials)
+    print(f"{number} blocks of {len(trials)} documents, {len(failures)} failures")
+    if arguments.broken:
+        found = {failure.split(" ")[0] for failure in failures}
+        sys.exit("\n".join(f"{trial.document}:{block.line}: was taken for right" for trial in trials
+                           for block in trial.blocks if f"{trial.document}:{block.line}:" not in found))
     sys.exit("\n".join(failures))
 
 
