@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What Sphinx does not know by itself: three directives whose content comes from the library.
+"""What Sphinx does not know by itself: four directives whose content comes from the library.
 
 .. avo-header:: avo/planner.h    the types and functions of a header, in its order, by Doxygen and breathe
+.. avo-other-headers::           the same of all headers that no page names
 .. avo-help::                    what `avo VERB --help` prints, a section for each verb
 .. avo-scene-keys::              the keys of scene files, from `avo schema`
 """
+import dataclasses
 import json
 import pathlib
 import re
@@ -42,36 +44,67 @@ def heading(text, underline):
     return f"{text}\n{underline * len(text)}\n\n"
 
 
+def listing(titles, rows):
+    return ".. list-table::\n   :header-rows: 1\n\n" + "".join(
+        "   * - " + "\n     - ".join(row) + "\n" for row in [titles, *rows]) + "\n"
+
+
+def escaped(text):
+    return "".join("\\" + character if character in "\\*|`_" else character for character in text)
+
+
 def indented(text, by="   "):
     return "".join(by + line if line.strip() else line for line in text.splitlines(True))
 
 
-# C++
+# C++ and C
 
-def is_documented(entity):
-    return any("".join(entity.find(kind).itertext()).strip()
-               for kind in ("briefdescription", "detaileddescription") if entity.find(kind) is not None)
+@dataclasses.dataclass(order=True)
+class Entity:
+    """A type or a function of a header."""
+    file: str
+    line: int
+    kind: str
+    name: str
+    project: str
+    documented: bool
+    names_a_struct: bool  # typedef struct avo_plan {...} avo_plan;
+    values: tuple = ()  # of an enumeration without a name: (name, value, meaning)
 
 
-def entities(xml):
-    """(header, line, directive, name, is documented) of all types and functions of the public namespaces."""
-    found = set()
-    for index in sorted(xml.glob("namespace*.xml")):
-        namespace = ElementTree.parse(index).getroot().find("compounddef")
-        for inner in namespace.findall("innerclass"):
+def words_of(element, *kinds):
+    return " ".join("".join(found.itertext()).strip() for found in map(element.find, kinds) if found is not None).strip()
+
+
+def entities(xml, project):
+    """All types and functions that Doxygen has found, in namespaces (C++) or outside of them (C)."""
+    found = []
+    outer = "namespace*.xml" if list(xml.glob("namespace*.xml")) else "*_8h.xml"
+    for scope in (ElementTree.parse(path).getroot().find("compounddef") for path in xml.glob(outer)):
+        prefix = f"{scope.findtext('compoundname')}::" if scope.get("kind") == "namespace" else ""
+        for inner in scope.findall("innerclass"):
             kind = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot().find("compounddef")
-            found.add(located(kind, kind.get("kind"), kind.findtext("compoundname")))
-        for member in namespace.iter("memberdef"):
-            name = f"{namespace.findtext('compoundname')}::{member.findtext('name')}"
-            if member.get("kind") == "function":
-                name += member.findtext("argsstring")
-            found.add(located(member, member.get("kind"), name))
-    return sorted(found)
+            found.append(entity_of(kind, project, kind.findtext("compoundname")))
+        for member in scope.iter("memberdef"):
+            arguments = member.findtext("argsstring") if prefix and member.get("kind") == "function" else ""
+            found.append(entity_of(member, project, prefix + member.findtext("name") + arguments))
+    return sorted(entity for entity in found if entity.kind != "define" and not entity.names_a_struct)
 
 
-def located(entity, kind, name):
-    location = entity.find("location")
-    return (location.get("file"), int(location.get("line")), kind, name, is_documented(entity))
+def entity_of(element, project, name):
+    said = "briefdescription", "detaileddescription"
+    location = element.find("location")
+    values = tuple((value.findtext("name"), value.findtext("initializer", "").lstrip("= "), words_of(value, *said))
+                   for value in element.findall("enumvalue"))
+    return Entity(location.get("file"), int(location.get("line")), element.get("kind"), name, project,
+                  bool(words_of(element, *said)), words_of(element, "type") == f"struct {name}", values if "@" in name else ())
+
+
+def parts_of(header):
+    """(line, title) of comments such as /* ---- planner */."""
+    for number, line in enumerate(header.read_text().splitlines(), 1):
+        if title := re.fullmatch(r"/\* -{4,} (.+) \*/", line):
+            yield number, title[1].capitalize()
 
 
 class Header(Generated):
@@ -79,25 +112,36 @@ class Header(Generated):
 
     def text(self):
         header = self.arguments[0]
-        self.env.metadata[self.env.docname][f"avo-header {header}"] = True
         said = f".. code-block:: cpp\n\n   #include <{header}>\n\n"
-        for file, line, kind, name, documented in self.config.avo_entities:
-            if file != f"include/{header}":
-                continue
-            if not documented and kind != "function":
-                log.warning("%s:%d: %s has no comment for the manual", file, line, name)
-            said += f".. doxygen{kind}:: {name}\n"
-            said += "   :members:\n   :undoc-members:\n\n" if kind in ("struct", "class") else "\n"
+        shown = [entity for entity in self.config.avo_entities if entity.file.endswith(f"include/{header}")]
+        if not shown:
+            log.warning("%s declares nothing, or is no public header", header)
+            return said
+        parts = list(parts_of(ROOT / shown[0].file))
+        for entity in shown:
+            while parts and parts[0][0] < entity.line:
+                said += heading(parts.pop(0)[1], "-")
+            said += self.one(entity)
         return said
 
+    def one(self, entity):
+        if entity.values:
+            return listing(["name", "value", "meaning"], [(f"``{name}``", value, escaped(meaning))
+                                                          for name, value, meaning in entity.values])
+        if not entity.documented and entity.kind != "function" and entity.project == "avo":
+            log.warning("%s:%d: %s has no comment for the manual", entity.file, entity.line, entity.name)
+        said = f".. doxygen{entity.kind}:: {entity.name}\n   :project: {entity.project}\n"
+        return said + ("   :members:\n   :undoc-members:\n\n" if entity.kind in ("struct", "class") else "\n")
 
-def require_all_headers(app, env):
-    """Every public header is in the manual."""
-    shown = {word for words in env.metadata.values() for word in words}
-    for header in sorted(INCLUDE.glob("avo*/*.h")):
-        name = str(header.relative_to(INCLUDE))
-        if name != "avo/avo.h" and f"avo-header {name}" not in shown:
-            log.warning("%s is in no page of the reference", name)
+
+class OtherHeaders(Generated):
+    """All headers that no page of the reference names."""
+
+    def text(self):
+        named = "".join(path.read_text() for path in (ROOT / "docs/manual/reference").glob("*.rst"))
+        names = [str(path.relative_to(INCLUDE)) for path in sorted(INCLUDE.glob("avo*/*.h"))]
+        return "".join(f"{heading(name, '-')}.. avo-header:: {name}\n\n" for name in names
+                       if name not in ("avo/avo.h", "avo/export.h") and f"avo-header:: {name}\n" not in named)
 
 
 def remember_ids():
@@ -152,10 +196,6 @@ def bounds_of(key):
                      if word in key and key[word] not in LARGEST)
 
 
-def escaped(text):
-    return "".join("\\" + character if character in "\\*|`_" else character for character in text)
-
-
 def as_yaml(value):
     return value if isinstance(value, str) else json.dumps(value)
 
@@ -178,11 +218,7 @@ def rows(part, prefix=""):
 
 
 def table(part):
-    said = ".. list-table::\n   :header-rows: 1\n   :widths: 26 20 14 40\n\n"
-    unique = dict.fromkeys(rows(part))  # alternatives may share a key
-    for row in [("key", "value", "default", "meaning"), *unique]:
-        said += "   * - " + "\n     - ".join(row) + "\n"
-    return said + "\n"
+    return listing(["key", "value", "default", "meaning"], dict.fromkeys(rows(part)))  # alternatives may share a key
 
 
 class SceneKeys(Generated):
@@ -226,7 +262,7 @@ def setup(app):
     app.add_config_value("avo_program", "", "env")
     app.add_config_value("avo_entities", [], "")
     app.add_directive("avo-header", Header)
+    app.add_directive("avo-other-headers", OtherHeaders)
     app.add_directive("avo-help", Help)
     app.add_directive("avo-scene-keys", SceneKeys)
-    app.connect("env-check-consistency", require_all_headers)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -14,16 +14,17 @@ root_doc = "docs/manual/index"
 include_patterns = ["*.md", "bench/*.md", "docs/**"]
 exclude_patterns = [".*", "build*", "apps", "figures", "io", "scenarios", "scripts", "src", "tests"]
 nitpicky = True
-nitpick_ignore_regex = [("cpp:identifier", r"avo(_io)?|std|u?int\d+_t|size_t|byte")]
+nitpick_ignore_regex = [("(c|cpp):identifier", r"avo(_io)?|std|u?int\d+_t|size_t|byte")]
 keep_warnings = False
 
 myst_heading_anchors = 4  # as GitHub names them
 
 # breathe
-xml = ROOT / "build/manual/cpp/xml"
-avo_entities = entities(xml)
-breathe_projects = {"avo": str(xml)}
+xml = {"avo": ROOT / "build/manual/cpp/xml", "avo_c": ROOT / "build/manual/c/xml"}
+avo_entities = [entity for project, folder in xml.items() for entity in entities(folder, project)]
+breathe_projects = {project: str(folder) for project, folder in xml.items()}
 breathe_default_project = "avo"
+breathe_domain_by_file_pattern = {"*/avo_c/*": "c"}
 breathe_show_include = False
 
 smartquotes = False  # v' is a prime
