@@ -5,7 +5,8 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from avo_manual import ROOT, entities
+from generated import ROOT
+from headers import entities
 
 project = "avo"
 author = "the authors of avo"

@@ -27,6 +27,7 @@ import sys
 from blocks import blocks
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+FIGURES = ROOT / "docs/manual/figures"
 FRAMES = pathlib.Path(__file__).resolve().parent / "frames"
 PLAIN = {"", "text", "json", "cmake"}  # shown, not tried
 BUILDS = ("cmake", "git", "sudo", "./scripts/", "cd", "export")  # commands that build or install: other tests try them
@@ -83,6 +84,10 @@ class Trial:
                 self.one(block)
             except (Failed, OSError, subprocess.TimeoutExpired) as failure:
                 failures.append(f"{self.document}:{block.line}: {failure}")
+        for drawn in self.folder.glob("*.png"):
+            shown = FIGURES / drawn.name
+            if self.document.startswith("docs/manual/") and shown.exists() and shown.read_bytes() != drawn.read_bytes():
+                failures.append(f"{self.document}: its command draws another {drawn.name} now, see {drawn}")
         return failures
 
     def one(self, block):
