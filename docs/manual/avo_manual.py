@@ -3,6 +3,7 @@
 
 .. avo-header:: avo/planner.h    the types and functions of a header, in its order, by Doxygen and breathe
 .. avo-other-headers::           the same of all headers that no page names
+.. avo-python::                  the Python package, from its stubs and the built module
 .. avo-help::                    what `avo VERB --help` prints, a section for each verb
 .. avo-scene-keys::              the keys of scene files, from `avo schema`
 """
@@ -12,6 +13,7 @@ import re
 
 from generated import Generated, escaped, heading, indented, listing
 from headers import DocumentLinks, Header, OtherHeaders, remember_ids
+from stubs import Python
 
 
 # the command line
@@ -118,10 +120,12 @@ def setup(app):
     remember_ids()
     app.connect("build-finished", mend_furo)
     app.add_config_value("avo_program", "", "env")
+    app.add_config_value("avo_python", "", "env")
     app.add_config_value("avo_entities", [], "")
     app.add_transform(DocumentLinks)
     app.add_directive("avo-header", Header)
     app.add_directive("avo-other-headers", OtherHeaders)
+    app.add_directive("avo-python", Python)
     app.add_directive("avo-help", Help)
     app.add_directive("avo-scene-keys", SceneKeys)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
