@@ -5,7 +5,7 @@
 usage: snippets.py PREFIX AVO --folder FOLDER [--compiler COMPILER] [--flags FLAGS] [--python FOLDER] [DOCUMENT...]
 
 PREFIX has the installed library, AVO is the command line, FOLDER is emptied and gets a folder for each document,
---python says where the built module is. C++ is compiled by README.md's line of pkg-config and run, C is compiled,
+--python says where the built module is. C++ is compiled by README.md's line of pkg-config and run, C likewise,
 scenes are validated, commands are run one after the other, Python is run. What a comment says before a block is not shown:
 
 <!-- file: NAME -->       the block is this file, or goes on with it; for all commands of the document
@@ -130,9 +130,14 @@ class Trial:
                 raise Failed("it prints nothing")
 
     def c(self, block):
+        if "file" in block.marks and f"-std=c99 {block.marks['file']}" in self.commands:
+            return
         source = self.source(block, "c")
-        self.run(f"cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I {self.arguments.prefix / 'include'} -c {source} "
-                 f"-o {source.with_suffix('.o')}")
+        whole = "int main" in block.text
+        how = f"{source} $(pkg-config --libs avo_c) -o {source.with_suffix('')}" if whole else f"-c {source}"
+        self.run(f"cc -std=c99 -Wall -Wextra -Wpedantic -Werror $(pkg-config --cflags avo_c) {how}")
+        if whole:
+            self.said = self.run(str(source.with_suffix("")))
 
     def yaml(self, block):
         self.run(f"avo validate {self.source(block, 'yaml')}")
