@@ -6,7 +6,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from generated import ROOT
-from headers import entities
+from headers import entities, split
 
 project = "avo"
 author = "the authors of avo"
@@ -22,9 +22,12 @@ myst_heading_anchors = 4  # as GitHub names them
 
 # breathe
 xml = {"avo": ROOT / "build/manual/cpp/xml", "avo_c": ROOT / "build/manual/c/xml"}
-avo_entities = [entity for project, folder in xml.items() for entity in entities(folder, project)]
-breathe_projects = {project: str(folder) for project, folder in xml.items()}
-breathe_default_project = "avo"
+avo_entities, breathe_projects = [], {}
+for project, folder in xml.items():
+    found = entities(folder, project)
+    avo_entities += found
+    breathe_projects |= split(folder, found) if project == "avo" else {entity.file: str(folder) for entity in found}
+breathe_default_project = "include/avo/planner.h"
 breathe_domain_by_file_pattern = {"*/avo_c/*": "c"}
 breathe_show_include = False
 

@@ -57,6 +57,42 @@ def entity_of(element, project, name):
                   words_of(element, *said), words_of(element, "type") == f"struct {name}", values if "@" in name else ())
 
 
+def split(xml, found):
+    """Folders, one a header, each with an index of its own: breathe looks through all of an index for each name."""
+    folders = {}
+    for file in sorted({entity.file for entity in found}):
+        folder = folders[file] = xml.parent / "headers" / file
+        folder.mkdir(parents=True, exist_ok=True)
+        names = {entity.name for entity in found if entity.file == file}
+        index = ElementTree.parse(xml / "index.xml")
+        for compound in list(index.getroot()):
+            name, compound_file = compound.findtext("name"), f"{compound.get('refid')}.xml"
+            if compound.get("kind") == "namespace":
+                scope = ElementTree.parse(xml / compound_file)
+                kept = keep_members(scope, file)
+                scope.write(folder / compound_file)
+                for member in [member for member in compound.findall("member") if member.get("refid") not in kept]:
+                    compound.remove(member)
+            elif names.isdisjoint({name, name.rpartition("::")[0]}):
+                index.getroot().remove(compound)
+            else:
+                (folder / compound_file).symlink_to(xml / compound_file)
+        index.write(folder / "index.xml")
+    return {file: str(folder) for file, folder in folders.items()}
+
+
+def keep_members(scope, file):
+    """Leaves those of one header; their ids."""
+    kept = set()
+    for section in scope.iter("sectiondef"):
+        for member in section.findall("memberdef"):
+            if member.find("location").get("file") == file:
+                kept.add(member.get("id"))
+            else:
+                section.remove(member)
+    return kept
+
+
 def parts_of(header):
     """(line, title) of comments such as /* ---- planner */."""
     for number, line in enumerate(header.read_text().splitlines(), 1):
@@ -88,7 +124,7 @@ class Header(Generated):
                 [(f"``{name}``", value, escaped(meaning)) for name, value, meaning in entity.values])
         if not entity.comment and entity.kind != "function" and entity.project == "avo":
             log.warning("%s:%d: %s has no comment for the manual", entity.file, entity.line, entity.name)
-        said = f".. doxygen{entity.kind}:: {entity.name}\n   :project: {entity.project}\n"
+        said = f".. doxygen{entity.kind}:: {entity.name}\n   :project: {entity.file}\n"
         return said + ("   :members:\n   :undoc-members:\n\n" if entity.kind in ("struct", "class") else "\n")
 
 
