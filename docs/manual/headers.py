@@ -30,7 +30,8 @@ class Entity:
 
 
 def words_of(element, *kinds):
-    return " ".join("".join(found.itertext()).strip() for found in map(element.find, kinds) if found is not None).strip()
+    found = [element.find(kind) for kind in kinds]
+    return " ".join("".join(one.itertext()).strip() for one in found if one is not None).strip()
 
 
 def entities(xml, project):
@@ -54,7 +55,8 @@ def entity_of(element, project, name):
     values = tuple((value.findtext("name"), value.findtext("initializer", "").lstrip("= "), words_of(value, *said))
                    for value in element.findall("enumvalue"))
     return Entity(location.get("file"), int(location.get("line")), element.get("kind"), name, project,
-                  words_of(element, *said), words_of(element, "type") == f"struct {name}", values if "@" in name else ())
+                  comment=words_of(element, *said), names_a_struct=words_of(element, "type") == f"struct {name}",
+                  values=values if "@" in name else ())
 
 
 def split(xml, found):

@@ -3,6 +3,7 @@
 import ast
 import importlib
 import inspect
+import re
 import sys
 
 from generated import ROOT, Generated, escaped, heading, indented
@@ -73,7 +74,8 @@ def has_docstring(node):
 def words_of(itself):
     """The docstring, without the lines of signatures with which pybind11 begins it."""
     lines = (inspect.getdoc(itself) or "").splitlines() if itself is not None else []
-    return "\n".join(line for line in lines if "(self: " not in line and "-> " not in line and line != "Overloaded function.")
+    made = re.compile(r"(\d+\. )?\w+\(.*\) -> |Overloaded function\.$")
+    return "\n".join(line for line in lines if not made.match(line))
 
 
 def paragraphs(text):

@@ -25,7 +25,8 @@ def blocks(path):
         elif block is not None:
             block.text += line.removeprefix(indent) + "\n"
         elif fence:
-            block, indent = Block(number + 1, fence["language"], "", {name: "\n".join(values) for name, values in marks.items()}), fence["indent"]
+            joined = {name: "\n".join(values) for name, values in marks.items()}
+            block, indent = Block(number + 1, fence["language"], "", joined), fence["indent"]
         elif mark:
             marks.setdefault(mark["name"], []).append(mark["value"] or "")
         elif line.strip():

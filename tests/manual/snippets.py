@@ -6,7 +6,8 @@ usage: snippets.py PREFIX AVO --folder FOLDER [--compiler COMPILER] [--flags FLA
 
 PREFIX has the installed library, AVO is the command line, FOLDER is emptied and gets a folder for each document,
 --python says where the built module is. C++ is compiled by README.md's line of pkg-config and run, C likewise,
-scenes are validated, commands are run one after the other, Python is run. What a comment says before a block is not shown:
+scenes are validated, commands are run one after the other, Python is run. A comment before a block, which nobody is
+shown, may say:
 
 <!-- file: NAME -->       the block is this file, or goes on with it; for all commands of the document
 <!-- frame: NAME -->      it is a part: it stands in place of the line that says so in tests/manual/frames/NAME
@@ -46,6 +47,13 @@ def run(command, folder, environment, status=0):
     return done.stdout
 
 
+def environment_of(arguments):
+    package = next(arguments.prefix.rglob("pkgconfig"))
+    environment = dict(os.environ, PKG_CONFIG_PATH=str(package), LD_LIBRARY_PATH=str(package.parent),
+                       PATH=f"{arguments.avo.parent}:{os.environ['PATH']}")
+    return environment | ({"PYTHONPATH": str(arguments.python)} if arguments.python else {})
+
+
 def by_pkg_config():
     """README.md's line: what stands before the source, and what behind it."""
     line = re.search(r"`g\+\+ (-std=\S+) robot\.cpp (\$\(pkg-config .*?\))`", (ROOT / "README.md").read_text())
@@ -60,11 +68,7 @@ class Trial:
         self.arguments, self.document = arguments, document
         self.folder = arguments.folder / document.replace("/", "_").removesuffix(".md")
         self.folder.mkdir(parents=True)
-        package = next(arguments.prefix.rglob("pkgconfig"))
-        self.environment = dict(os.environ, PKG_CONFIG_PATH=str(package), LD_LIBRARY_PATH=str(package.parent),
-                                PATH=f"{arguments.avo.parent}:{os.environ['PATH']}")
-        if arguments.python:
-            self.environment["PYTHONPATH"] = str(arguments.python)
+        self.environment = environment_of(arguments)
         self.said = None  # by what was last run
         self.blocks = blocks(ROOT / document)
         self.commands = "".join(block.text for block in self.blocks if block.language == "sh")
@@ -192,8 +196,9 @@ def main():
         if getattr(arguments, name):
             setattr(arguments, name, getattr(arguments, name).resolve())
     shutil.rmtree(arguments.folder, ignore_errors=True)
-    documents = arguments.documents or [str(path.relative_to(ROOT)) for pattern in ("*.md", "bench/*.md", "docs/**/*.md")
-                                        for path in sorted(ROOT.glob(pattern))]
+    patterns = () if arguments.documents else ("*.md", "bench/*.md", "docs/**/*.md")
+    documents = arguments.documents + [str(path.relative_to(ROOT)) for pattern in patterns
+                                       for path in sorted(ROOT.glob(pattern))]
     trials = [trial for trial in (Trial(arguments, document) for document in documents) if trial.blocks]
     trials.sort(key=lambda trial: -len(trial.blocks))  # the longest first
     assert arguments.documents or len(trials) >= 7, f"examples in {len(trials)} documents only"
@@ -204,8 +209,8 @@ def main():
     if arguments.broken:
         found = {failure.split(" ")[0] for failure in failures}
         sys.exit("\n".join(f"{trial.document}:{block.line}: was taken for right" for trial in trials
-                           for block in trial.blocks if f"{trial.document}:{block.line}:" not in found))
-    sys.exit("\n".join(failures))
+                           for block in trial.blocks if f"{trial.document}:{block.line}:" not in found) or 0)
+    sys.exit("\n".join(failures) or 0)
 
 
 if __name__ == "__main__":
