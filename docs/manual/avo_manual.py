@@ -103,6 +103,8 @@ class SceneKeys(Generated):
 
 def mend_furo(app, failure):
     """Its script is a module, which no browser loads from a file; its style has no automatic dark theme."""
+    if failure is not None:
+        return
     scripts = pathlib.Path(app.outdir) / "_static" / "scripts"
     furo = scripts / "furo.js"
     whole = furo.read_text().replace('import Gumshoe from "./gumshoe-patched.js";',

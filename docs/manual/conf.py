@@ -54,6 +54,9 @@ exclude_patterns += [f"docs/manual/{name}.rst" for name in absent]
 def without_absent(app, name, source):
     if name == root_doc:
         source[0] = "\n".join(line for line in source[0].splitlines() if line not in absent)
+    for guide in ("c", "python"):
+        if f"../{guide}" in absent:
+            source[0] = source[0].replace(f":doc:`docs/{guide}.md </docs/{guide}>` is its guide.", "")
 
 
 def setup(app):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The reference of the Python package: signatures from its stubs, words from the built module, where there is one."""
+"""The reference of the Python package: signatures from its stubs and sources, words from the built module as well."""
 import ast
 import importlib
 import inspect
@@ -18,7 +18,9 @@ class Python(Generated):
         if self.config.avo_python and self.config.avo_python not in sys.path:
             sys.path.insert(0, self.config.avo_python)
         modules = {"avo": []}
-        for stub in sorted(PACKAGE.glob("*.pyi")):
+        for stub in sorted(PACKAGE.glob("*.py*")):
+            if stub.suffix not in (".py", ".pyi") or stub.with_suffix(".pyi").exists() and stub.suffix == ".py":
+                continue
             name = "avo" if stub.stem.startswith("_") else f"avo.{stub.stem}"
             modules.setdefault(name, []).append(ast.parse(stub.read_text()))
         said = ""
