@@ -42,6 +42,8 @@ def public(body, owner, found, inside=False):
         if name.startswith("_") and name not in ("__init__", "__getitem__", "__len__", "__iter__"):
             continue
         itself = inspect.getattr_static(found, name, None) if found else None
+        if isinstance(node, ast.AnnAssign) and not inspect.isdatadescriptor(itself):
+            itself = None  # a value, whose docstring is that of its type
         words = paragraphs(ast.get_docstring(node) if has_docstring(node) else words_of(itself))
         if isinstance(node, ast.ClassDef):
             content = words + "".join(public(node.body, f"{owner}.{name}", getattr(found, name, None), True))

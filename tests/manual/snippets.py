@@ -31,8 +31,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs/manual/figures"
 FRAMES = pathlib.Path(__file__).resolve().parent / "frames"
 PLAIN = {"", "text", "json", "cmake"}  # shown, not tried
-BUILDS = ("cmake", "git", "sudo", "./scripts/", "cd", "export")  # commands that build or install: other tests try them
-RUN = {"avo", "g++", "cc", "for", "zcat", "python3"}  # and programs of the document's folder
+BUILDS = ("cmake", "git", "sudo", "./scripts/", "cd", "export")  # they begin blocks that other tests try
+RUN = {"avo", "g++", "gcc", "cc", "for", "zcat", "python3"}  # and programs of the document's folder
 
 
 class Failed(Exception):
@@ -150,13 +150,16 @@ class Trial:
         if self.arguments.python:
             self.said = self.run(f"/usr/bin/python3 {self.source(block, 'py')}")
 
+    def lua(self, block):
+        self.said = self.run(f"luajit {self.source(block, 'lua')}")
+
     def sh(self, block):
         lines = [line for line in re.sub(r"\\\n\s*", "", block.text).splitlines() if line.split("#")[0].strip()]
         said = []
         for line in lines:
             word = re.sub(r"^(\w+=\S+ )+", "", line).split()[0]
             if word.startswith(BUILDS):
-                continue
+                return
             if word not in RUN and not (self.folder / word).exists():
                 raise Failed(f"nobody knows how to try {word}")
             if word == "python3" and not self.arguments.python:
@@ -169,6 +172,7 @@ class Trial:
         """Measurements are made short, and are of the instructions that there are."""
         line = re.sub(r"\bavo bench (?!.*--steps)", "avo bench --steps 1 ", line)
         line = re.sub(r"\bAVO_SIMD=\w+", "AVO_SIMD=auto", line)
+        line = re.sub(r"^python3 ", "/usr/bin/python3 ", line)
         return re.sub(r"^g\+\+ ", f"{self.arguments.compiler} {self.arguments.flags} -Wall -Wextra -Werror ", line)
 
     def compare(self, text):
