@@ -31,7 +31,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs/manual/figures"
 FRAMES = pathlib.Path(__file__).resolve().parent / "frames"
 PLAIN = {"", "text", "json", "cmake"}  # shown, not tried
-BUILDS = ("cmake", "git", "sudo", "./scripts/", "cd", "export")  # they begin blocks that other tests try
+BUILDS = ("apt-get", "cmake", "git", "pip", "sudo", "./scripts/", "cd", "export")  # they begin blocks that other tests try
 RUN = {"avo", "g++", "gcc", "cc", "for", "zcat", "python3"}  # and programs of the document's folder
 
 
