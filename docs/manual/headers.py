@@ -2,6 +2,7 @@
 """The reference of headers: what Doxygen has found of them, shown by breathe."""
 import dataclasses
 import re
+import shutil
 import xml.etree.ElementTree as ElementTree
 
 from docutils import nodes
@@ -62,6 +63,7 @@ def entity_of(element, project, name):
 def split(xml, found):
     """Folders, one a header, each with an index of its own: breathe looks through all of an index for each name."""
     folders = {}
+    shutil.rmtree(xml.parent / "headers", ignore_errors=True)
     for file in sorted({entity.file for entity in found}):
         folder = folders[file] = xml.parent / "headers" / file
         folder.mkdir(parents=True, exist_ok=True)
