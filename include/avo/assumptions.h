@@ -52,6 +52,7 @@ struct SensingNeed {
   double other_part = 0.0;  ///< m: likewise; of an obstacle the way that it covers meanwhile
 };
 
+/// All that a scene breaks, the worst first.
 struct BrokenAssumptions {
   static constexpr std::size_t kNamed = 3;  ///< most entries of each list, worst first
   static constexpr int kCounted = 100'000;  ///< pairs, nobody wants to know of more
@@ -91,6 +92,7 @@ AVO_API double admissible_speed(const Scenario& scenario);
 /// All robots start at rest, airplanes at their min_speed. Returns how many did not.
 AVO_API std::int64_t start_at_rest(Scenario& scenario);
 
+/// What limit_speed() changed.
 struct LimitedSpeeds {
   std::int64_t robots = 0;  ///< with max_speed > limit before
   double limit = 0.0;       ///< m/s, admissible_speed() of the scene before

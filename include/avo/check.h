@@ -50,6 +50,7 @@ struct CheckedAirplane {
   double lateral_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2, > 0
 };
 
+/// How a body moves between two rows.
 using CheckedKinematics = std::variant<CheckedHolonomic, CheckedCar, CheckedDrive, CheckedAirplane>;
 
 inline bool is_holonomic(const CheckedKinematics& kinematics) {
@@ -94,6 +95,7 @@ struct CheckedWall {
   double radius = 0.0;  ///< m, >= 0
 };
 
+/// How strictly is judged.
 struct CheckOptions {
   double relative_tolerance = 1e-9;  ///< of the sum of radii, of a_max, of v_max; in [0, 1)
   double arrival_distance = 0.5;     ///< m, > 0
@@ -121,6 +123,7 @@ struct CheckedState {
   std::optional<CheckedHeading> heading = {};
 };
 
+/// One case of it.
 struct CheckViolation {
   double time = 0.0;       ///< s; of what is judged from row to row, where its step began
   std::int64_t robot = 0;  ///< the lower number of a pair of robots
@@ -128,12 +131,14 @@ struct CheckViolation {
   double amount = 0.0;  ///< beyond the limit: m/s^2, m/s, rad, m (of overlap: the most in the step)
 };
 
+/// How often a rule was broken.
 struct CheckCount {
   std::int64_t count = 0;  ///< of pairs, robots, robot-steps or robot-rows
   std::optional<CheckViolation> first = {};
   double worst = 0.0;  ///< largest amount
 };
 
+/// What was found in all rows up to now.
 struct CheckReport {
   std::int64_t robots = 0;       ///< that were ever there
   std::int64_t rows = 0;         ///< robot-rows

@@ -11,6 +11,7 @@
 
 namespace avo {
 
+/// How a pair stands, and so what its half-plane means.
 enum class PairState : unsigned char {
   free,         ///< nothing within reach collides before τ: no half-plane
   constrained,  ///< n . w >= h
@@ -19,6 +20,7 @@ enum class PairState : unsigned char {
   coincident,   ///< same center, same velocity: no direction can be told, no half-plane
 };
 
+/// The half-plane of a pair, in the relative change w.
 struct RelativeHalfPlane {
   PairState state = PairState::free;
   HalfPlane plane;  ///< [n, h] n unit, h in m/s; meaningful where state is not free or coincident

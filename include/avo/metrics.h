@@ -34,6 +34,7 @@ struct NotArrived {
   std::vector<std::int64_t> held_by;
 };
 
+/// The results of a run; what there is nothing to say of is unset.
 struct RunSummary {
   std::string scene;
   std::int64_t robots = 0;

@@ -16,6 +16,7 @@
 
 namespace avo {
 
+/// How new velocities are chosen.
 enum class Method : std::uint8_t {
   avo,                ///< the paper's half-planes, a certificate, and rules for arriving
   avo_paper,          ///< the paper alone: acceleration-velocity obstacles, reciprocal half-planes
@@ -69,6 +70,8 @@ AVO_API const char* to_string(Certificate certificate);
 AVO_API const char* to_string(Motion motion);
 AVO_API const char* to_string(Clock clock);
 
+/// What a planner is told once; all robots have to agree on what others count on
+/// (docs/certificate.md, "What has to be common").
 struct PlannerOptions {
   Method method = Method::avo;
   Motion motion = Motion::held;
@@ -96,6 +99,7 @@ struct PlannerOptions {
 /// δ 4 s, τ 10 s for the others (§VI-A).
 AVO_API PlannerOptions default_options(Method method);
 
+/// How a decision was made.
 enum class PlanStatus : std::uint8_t {
   /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
   optimal,        ///< v' lies in CA_A: no collision before τ if all do likewise (Definition 4)
@@ -116,6 +120,7 @@ enum class SafetyState : std::uint8_t {
 };
 AVO_API const char* to_string(SafetyState state);
 
+/// One decision.
 struct Plan {
   /// [v'_A] m/s, Eqs. (14), (23). Of method avo, which approaches its target as fast as it may: the
   /// command that leads to the next velocity by Eq. (7); it may lie beyond v_max, which that does

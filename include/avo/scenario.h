@@ -19,6 +19,7 @@ struct LayerSet {
   friend constexpr bool operator==(LayerSet, LayerSet) = default;
 };
 
+/// A robot as a scene lists it: where it starts, where it goes, what it can do.
 struct RobotSetup {
   Vec2 position = {};  ///< m, see disc_center()
   /// m/s; of one with wheels its length counts, along the heading, or against it where it may drive
@@ -91,6 +92,7 @@ enum class RightOfWay : std::uint8_t {
 };
 AVO_API const char* to_string(RightOfWay right_of_way);
 
+/// Of MeasurementNoise.
 enum class NoiseDistribution : std::uint8_t { gaussian, uniform };
 AVO_API const char* to_string(NoiseDistribution distribution);
 
@@ -125,6 +127,8 @@ inline constexpr int kMostDelay = 100;           ///< steps
 /// Steps for which one that is missed is carried on, with its Neighbor::age; then it is forgotten.
 inline constexpr int kMostCarried = 10;
 
+/// A scene: who moves, among what, and how that is simulated. Its fields are the keys of scene
+/// files.
 struct Scenario {
   std::string name = {};
   double time_step = 0.1;  ///< [Δt] s, > 0; whole nanoseconds where the clock is free

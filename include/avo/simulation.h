@@ -44,6 +44,7 @@ struct FleetView {
   std::span<const double> applied_acceleration;
 };
 
+/// Columns of the moving obstacles, in the order of the scene. Valid as FleetView is.
 struct ObstacleView {
   std::span<const Vec2> position;
   std::span<const Vec2> velocity;
@@ -56,6 +57,7 @@ struct StaticObstacleView {
   std::span<const StaticObstacle> setup;
 };
 
+/// What one stage of the steps took, e.g. the search for neighbors.
 struct StageTime {
   const char* name = "";
   double nanoseconds = 0.0;  ///< of all threads together
@@ -69,6 +71,7 @@ struct StepProfile {
   std::vector<StageTime> stages = {};
 };
 
+/// The state of a fleet, and its steps.
 class AVO_API Simulation {
  public:
   /// Throws Error on a bad scenario (see validate) or threads not in [0, 1024]. 0: as many as this

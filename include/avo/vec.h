@@ -6,6 +6,7 @@
 
 namespace avo {
 
+/// A point or a vector of the plane.
 struct Vec2 {
   double x = 0.0;
   double y = 0.0;

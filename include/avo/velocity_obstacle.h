@@ -30,6 +30,7 @@ struct Obstacle {
   double time_horizon = 0.0;  ///< [τ] s
 };
 
+/// How near two robots come, and when.
 struct ClosestApproach {
   double time = 0.0;      ///< s, the earliest time of the smallest distance in [0, time_horizon]
   double distance = 0.0;  ///< m, between the centers

@@ -31,6 +31,7 @@ AVO_API avo::Scenario parse_scenario(std::string_view yaml, const std::string& f
 /// range.
 AVO_API bool is_builtin_scene(const std::string& name);
 
+/// A scene that needs no file.
 struct BuiltinScene {
   std::string name;         ///< "circle-N" for the whole family
   std::string description;  ///< one line
