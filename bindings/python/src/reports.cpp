@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bind.h"
+namespace avo_python { void bind_reports(py::module_&) {} }
