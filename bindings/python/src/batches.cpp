@@ -66,7 +66,8 @@ Robots make_robots(const Numbers& position, const Numbers& velocity,
 
 /// Offsets of CSR form. Throws Error unless they ascend from 0 to m.
 std::vector<std::size_t> checked_offsets(const Whole& offsets, std::size_t m) {
-  const std::span<const std::int64_t> given(offsets.data(), static_cast<std::size_t>(offsets.size()));
+  const std::span<const std::int64_t> given(offsets.data(),
+                                            static_cast<std::size_t>(offsets.size()));
   const bool good = offsets.ndim() == 1 && !given.empty() && given.front() == 0 &&
                     given.back() == static_cast<std::int64_t>(m) &&
                     std::is_sorted(given.begin(), given.end());
@@ -85,13 +86,13 @@ Neighbors make_neighbors(const Numbers& position, const Numbers& velocity, const
   const auto p = rows("position", position), v = rows("velocity", velocity);
   const auto m = static_cast<py::ssize_t>(p.size());
   if (v.size() != p.size())
-    throw avo::Error(fmt::format("velocity: found {} rows, must be {} as of position", v.size(),
-                                 p.size()));
+    throw avo::Error(
+        fmt::format("velocity: found {} rows, must be {} as of position", v.size(), p.size()));
   std::vector<avo::Vec2> none(acceleration.ndim() == 0 ? p.size() : 0);
   const auto a = acceleration.ndim() == 0 ? none : rows("acceleration", acceleration);
   if (a.size() != p.size())
-    throw avo::Error(fmt::format("acceleration: found {} rows, must be {} as of position",
-                                 a.size(), p.size()));
+    throw avo::Error(
+        fmt::format("acceleration: found {} rows, must be {} as of position", a.size(), p.size()));
   const PerRobot r("radius", radius, m), most("max_acceleration", max_acceleration, m),
       weight("priority", priority, m), moves("moves_on", moves_on, m),
       deviation("max_deviation", max_deviation, m), speed("max_speed", max_speed, m);
@@ -99,16 +100,16 @@ Neighbors make_neighbors(const Numbers& position, const Numbers& velocity, const
   neighbors.first = checked_offsets(offsets, p.size());
   neighbors.all.reserve(p.size());
   for (std::size_t k = 0; k < p.size(); ++k)
-    neighbors.all.push_back({.position = p[k],
-                             .velocity = v[k],
-                             .radius = r[k],
-                             .max_acceleration = most[k],
-                             .behavior = moves[k] != 0.0 ? avo::Behavior::moves_on
-                                                         : avo::Behavior::decides,
-                             .priority = weight[k],
-                             .max_deviation = deviation[k],
-                             .acceleration = a[k],
-                             .max_speed = speed[k]});
+    neighbors.all.push_back(
+        {.position = p[k],
+         .velocity = v[k],
+         .radius = r[k],
+         .max_acceleration = most[k],
+         .behavior = moves[k] != 0.0 ? avo::Behavior::moves_on : avo::Behavior::decides,
+         .priority = weight[k],
+         .max_deviation = deviation[k],
+         .acceleration = a[k],
+         .max_speed = speed[k]});
   return neighbors;
 }
 
@@ -144,13 +145,14 @@ Plans plan_all(const avo::Planner& planner, const Robots& robots, const Neighbor
     throw avo::Error(fmt::format("neighbors: found those of {} robots, must be those of {}",
                                  neighbors.first.size() - 1, n));
   if (detours != nullptr && detours->all.size() != n)
-    throw avo::Error(
-        fmt::format("detour: found those of {} robots, must be those of {}", detours->all.size(), n));
+    throw avo::Error(fmt::format("detour: found those of {} robots, must be those of {}",
+                                 detours->all.size(), n));
   Plans plans;
   plans.all.reserve(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const std::span seen = std::span(neighbors.all)
-                               .subspan(neighbors.first[k], neighbors.first[k + 1] - neighbors.first[k]);
+    const std::span seen =
+        std::span(neighbors.all)
+            .subspan(neighbors.first[k], neighbors.first[k + 1] - neighbors.first[k]);
     plans.all.push_back(planner.plan(robots.all[k], seen, workspace(),
                                      detours != nullptr ? &detours->all[k] : nullptr, walls));
   }
@@ -196,31 +198,32 @@ void bind_inputs(py::module_& module) {
            arg("priority") = 1.0, arg("acceleration") = 0.0, arg("moves_on") = false,
            arg("max_deviation") = 0.0, arg("max_speed") = kInfinity,
            "position: (m, 2), m, and velocity: (m, 2), m/s, of all that all robots sense, robot "
-           "after robot; offsets: (n + 1,), those of robot k are rows offsets[k] to offsets[k + 1] - "
+           "after robot; offsets: (n + 1,), those of robot k are rows offsets[k] to offsets[k + 1] "
+           "- "
            "1. One number, or (m,): radius, m; max_acceleration, m/s^2; priority; moves_on: reacts "
            "to nobody, and then max_deviation, m/s^2, max_speed, m/s, and acceleration: (m, 2), "
            "m/s^2.")
       .def_static("among", &among, arg("robots"), arg("sensing_radius"),
                   py::call_guard<py::gil_scoped_release>(),
                   "As Robots sense each other within sensing_radius, m, between centers.")
-      .def_property_readonly("offsets",
-                             [](const Neighbors& neighbors) {
-                               py::array_t<std::int64_t> array(
-                                   static_cast<py::ssize_t>(neighbors.first.size()));
-                               std::copy(neighbors.first.begin(), neighbors.first.end(),
-                                         array.mutable_data());
-                               return array;
-                             },
-                             "(n + 1,) int64, a copy.")
-      .def("of",
-           [](const Neighbors& neighbors, std::size_t k) {
-             if (k + 1 >= neighbors.first.size()) throw py::index_error();
-             const auto begin = neighbors.all.begin();
-             return std::vector<avo::Neighbor>(
-                 begin + static_cast<std::ptrdiff_t>(neighbors.first[k]),
-                 begin + static_cast<std::ptrdiff_t>(neighbors.first[k + 1]));
-           },
-           arg("robot"), "list of Neighbor, of robot k.");
+      .def_property_readonly(
+          "offsets",
+          [](const Neighbors& neighbors) {
+            py::array_t<std::int64_t> array(static_cast<py::ssize_t>(neighbors.first.size()));
+            std::copy(neighbors.first.begin(), neighbors.first.end(), array.mutable_data());
+            return array;
+          },
+          "(n + 1,) int64, a copy.")
+      .def(
+          "of",
+          [](const Neighbors& neighbors, std::size_t k) {
+            if (k + 1 >= neighbors.first.size()) throw py::index_error();
+            const auto begin = neighbors.all.begin();
+            return std::vector<avo::Neighbor>(
+                begin + static_cast<std::ptrdiff_t>(neighbors.first[k]),
+                begin + static_cast<std::ptrdiff_t>(neighbors.first[k + 1]));
+          },
+          arg("robot"), "list of Neighbor, of robot k.");
   py::class_<Detours>(module, "Detours", "What n robots remember, for Planner.plan().")
       .def(py::init([](std::size_t n) { return Detours{std::vector<avo::Detour>(n)}; }), arg("n"))
       .def("__len__", [](const Detours& detours) { return detours.all.size(); })
@@ -249,15 +252,16 @@ void bind_plans(py::module_& module) {
            arg("out") = py::none(), "(n, 2) float64, m/s.")
       .def("acceleration", points([](const avo::Plan& plan) { return plan.acceleration; }),
            arg("out") = py::none(), "(n, 2) float64, m/s^2.")
-      .def("violation",
-           [](const Plans& plans, const Out& out) {
-             auto array = target(out, {static_cast<py::ssize_t>(plans.all.size())});
-             std::vector<double> values;
-             for (const avo::Plan& plan : plans.all) values.push_back(plan.violation);
-             fill(array, std::span<const double>(values));
-             return array;
-           },
-           arg("out") = py::none(), "(n,) float64, m/s.")
+      .def(
+          "violation",
+          [](const Plans& plans, const Out& out) {
+            auto array = target(out, {static_cast<py::ssize_t>(plans.all.size())});
+            std::vector<double> values;
+            for (const avo::Plan& plan : plans.all) values.push_back(plan.violation);
+            fill(array, std::span<const double>(values));
+            return array;
+          },
+          arg("out") = py::none(), "(n,) float64, m/s.")
       .def("status", indices([](const avo::Plan& plan) { return plan.status; }),
            "(n,) uint8: indices into PLAN_STATUS.")
       .def("state", indices([](const avo::Plan& plan) { return plan.state; }),

@@ -18,12 +18,12 @@ namespace avo_python {
 template <typename Enum>
 struct Words;
 
-#define AVO_WORDS(Enum, NAME, COUNT, TO_STRING)                                   \
-  template <>                                                                     \
-  struct Words<Enum> {                                                            \
-    static constexpr const char* name = NAME;                                     \
-    static constexpr int count = COUNT;                                           \
-    static const char* of(int k) { return TO_STRING(static_cast<Enum>(k)); }      \
+#define AVO_WORDS(Enum, NAME, COUNT, TO_STRING)                              \
+  template <>                                                                \
+  struct Words<Enum> {                                                       \
+    static constexpr const char* name = NAME;                                \
+    static constexpr int count = COUNT;                                      \
+    static const char* of(int k) { return TO_STRING(static_cast<Enum>(k)); } \
   }
 
 inline const char* behavior_word(avo::Behavior behavior) {

@@ -8,8 +8,8 @@
 namespace avo_python {
 namespace {
 
-using py::arg;
 using avo::FleetView;
+using py::arg;
 
 std::size_t size_of(SharedSimulation& self) {
   return self.briefly([](const avo::Simulation& s) { return s.fleet().id.size(); });
@@ -35,7 +35,10 @@ template <typename Of>  // Vec2 of(fleet, k)
 auto points(Of of) {
   return [of](SharedSimulation& self, const Out& out) {
     return column(
-        self, [&](py::ssize_t n) { return target(out, {n, 2}); },
+        self,
+        [&](py::ssize_t n) {
+          return target(out, {n, 2});
+        },
         [&](const FleetView& fleet, py::array_t<double>& array) {
           auto rows = array.mutable_unchecked<2>();
           for (py::ssize_t k = 0; k < rows.shape(0); ++k) {
@@ -89,14 +92,12 @@ auto obstacle_points(std::span<const avo::Vec2> avo::ObstacleView::*which) {
 
 }  // namespace
 
-#define POINTS(NAME, OF, DOC)                                                           \
-  def(                                                                                  \
-      NAME, points([](const FleetView& fleet, std::size_t k) { return OF; }), arg("out") = py::none(), \
-      "(n, 2) float64, " DOC)
-#define NUMBERS(NAME, OF, DOC)                                                           \
-  def(                                                                                   \
-      NAME, numbers([](const FleetView& fleet, std::size_t k) { return OF; }), arg("out") = py::none(), \
-      "(n,) float64, " DOC)
+#define POINTS(NAME, OF, DOC)                                                 \
+  def(NAME, points([](const FleetView& fleet, std::size_t k) { return OF; }), \
+      arg("out") = py::none(), "(n, 2) float64, " DOC)
+#define NUMBERS(NAME, OF, DOC)                                                 \
+  def(NAME, numbers([](const FleetView& fleet, std::size_t k) { return OF; }), \
+      arg("out") = py::none(), "(n,) float64, " DOC)
 
 void bind_columns(SimulationClass& simulation) {
   simulation.POINTS("position", fleet.position[k], "m.")
@@ -114,14 +115,17 @@ void bind_columns(SimulationClass& simulation) {
       .NUMBERS("applied_acceleration", fleet.applied_acceleration[k],
                "m/s^2, the largest |a| within the last step.");
   simulation
-      .def("ids",
-           whole<std::int64_t>([](const FleetView& fleet, std::size_t k) { return fleet.id[k].value; }),
+      .def("ids", whole<std::int64_t>([](const FleetView& fleet, std::size_t k) {
+             return fleet.id[k].value;
+           }),
            "(n,) int64, ascending; never used again.")
-      .def("plan_status",
-           whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) { return fleet.plan[k].status; }),
+      .def("plan_status", whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) {
+             return fleet.plan[k].status;
+           }),
            "(n,) uint8, of the last decisions: indices into PLAN_STATUS.")
-      .def("plan_state",
-           whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) { return fleet.plan[k].state; }),
+      .def("plan_state", whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) {
+             return fleet.plan[k].state;
+           }),
            "(n,) uint8, of the last decisions: indices into SAFETY_STATE.")
       .def("obstacle_position", obstacle_points(&avo::ObstacleView::position),
            arg("out") = py::none(), "(m, 2) float64, m, of the moving obstacles.")

@@ -15,7 +15,9 @@ void bind_motion_models(py::module_& module) {
       .def(py::self == py::self)
       .def("__repr__", [](const avo::Holonomic&) { return "Holonomic()"; });
   py::class_<avo::CarBody>(module, "CarBody", "The disc that covers a car's body.")
-      .def(py::init([](double offset, double radius) { return avo::CarBody{offset, radius}; }),
+      .def(py::init([](double offset, double radius) {
+             return avo::CarBody{offset, radius};
+           }),
            py::kw_only(), arg("offset") = 0.0, arg("radius") = 0.5,
            "offset: m, of its center ahead of the rear axle; radius: m, > 0.")
       .def(py::self == py::self)
@@ -61,7 +63,8 @@ void bind_motion_models(py::module_& module) {
       .def_readonly("min_speed", &avo::Airplane::min_speed)
       .def_readonly("lateral_acceleration", &avo::Airplane::lateral_acceleration)
       .def_readonly("after_goal", &avo::Airplane::after_goal);
-  py::class_<avo::LoiterCircle>(module, "LoiterCircle", "The circle that an airplane falls back on.")
+  py::class_<avo::LoiterCircle>(module, "LoiterCircle",
+                                "The circle that an airplane falls back on.")
       .def(py::init([](avo::Vec2 center, double radius) {
              return avo::LoiterCircle{center, radius};
            }),

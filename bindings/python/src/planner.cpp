@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One robot's decision.
-#include <pybind11/operators.h>
 #include <fmt/format.h>
+#include <pybind11/operators.h>
 #include <tuple>
 
 #include "bind.h"
@@ -9,8 +9,8 @@
 
 namespace avo_python {
 
-using py::arg;
 using avo::Planner;
+using py::arg;
 
 avo::PlanWorkspace& workspace() {
   thread_local avo::PlanWorkspace one;
@@ -95,8 +95,8 @@ void bind_options(py::class_<Planner>& planner) {
       "(m, m/s); sensing_noise: (m, m/s, standard deviations); clock: \"common\" or \"free\"; "
       "longest_step: s; arrival_distance: m, > 0. Raises Error on options out of range.");
   const auto option = [&planner](const char* name, auto member) {
-    planner.def_property_readonly(
-        name, [member](const Planner& self) { return self.options().*member; });
+    planner.def_property_readonly(name,
+                                  [member](const Planner& self) { return self.options().*member; });
   };
   using Options = avo::PlannerOptions;
   option("method", &Options::method);

@@ -14,25 +14,26 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 void bind_robot(py::module_& module) {
   using avo::Robot;
   py::class_<Robot>(module, "Robot", "The robot that decides.")
-      .def(py::init([](avo::Vec2 position, avo::Vec2 velocity, avo::Vec2 preferred_velocity,
-                       double radius, double max_acceleration, double max_speed,
-                       double distance_to_goal, avo::MotionModel model, double heading,
-                       double priority, std::optional<double> max_braking,
-                       std::optional<avo::LoiterCircle> loiter) {
-             return Robot{position,  velocity,         preferred_velocity, radius,  max_acceleration,
-                          max_speed, distance_to_goal, model,              heading, priority,
-                          max_braking, loiter};
-           }),
-           py::kw_only(), arg("position"), arg("velocity") = py::make_tuple(0.0, 0.0),
-           arg("preferred_velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
-           arg("max_acceleration") = 1.0, arg("max_speed") = 2.0,
-           arg("distance_to_goal") = kInfinity, arg("model") = avo::Holonomic{},
-           arg("heading") = 0.0, arg("priority") = 1.0, arg("max_braking") = py::none(),
-           arg("loiter") = py::none(),
-           "position: (x, y), m, of its disc; velocity, preferred_velocity: m/s; radius: m, > 0; "
-           "max_acceleration: m/s^2, > 0; max_speed: m/s, > 0; distance_to_goal: m; model: how it "
-           "moves; heading: rad, counter-clockwise from +x; priority: > 0; max_braking: m/s^2, > 0, "
-           "None: max_acceleration; loiter: of an airplane.")
+      .def(
+          py::init([](avo::Vec2 position, avo::Vec2 velocity, avo::Vec2 preferred_velocity,
+                      double radius, double max_acceleration, double max_speed,
+                      double distance_to_goal, avo::MotionModel model, double heading,
+                      double priority, std::optional<double> max_braking,
+                      std::optional<avo::LoiterCircle> loiter) {
+            return Robot{position,         velocity,  preferred_velocity, radius,
+                         max_acceleration, max_speed, distance_to_goal,   model,
+                         heading,          priority,  max_braking,        loiter};
+          }),
+          py::kw_only(), arg("position"), arg("velocity") = py::make_tuple(0.0, 0.0),
+          arg("preferred_velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5,
+          arg("max_acceleration") = 1.0, arg("max_speed") = 2.0,
+          arg("distance_to_goal") = kInfinity, arg("model") = avo::Holonomic{},
+          arg("heading") = 0.0, arg("priority") = 1.0, arg("max_braking") = py::none(),
+          arg("loiter") = py::none(),
+          "position: (x, y), m, of its disc; velocity, preferred_velocity: m/s; radius: m, > 0; "
+          "max_acceleration: m/s^2, > 0; max_speed: m/s, > 0; distance_to_goal: m; model: how it "
+          "moves; heading: rad, counter-clockwise from +x; priority: > 0; max_braking: m/s^2, > 0, "
+          "None: max_acceleration; loiter: of an airplane.")
       .def_readwrite("position", &Robot::position)
       .def_readwrite("velocity", &Robot::velocity)
       .def_readwrite("preferred_velocity", &Robot::preferred_velocity)
@@ -55,9 +56,10 @@ void bind_neighbor(py::module_& module) {
                        std::optional<double> max_braking, std::optional<avo::LoiterCircle> loiter,
                        double max_deviation, double position_error, avo::Vec2 acceleration,
                        double max_speed) {
-             return Neighbor{position,       velocity,     radius,      max_acceleration, behavior,
-                             age,            priority,     max_braking, loiter, max_deviation,
-                             position_error, acceleration, max_speed};
+             return Neighbor{position, velocity,      radius,         max_acceleration,
+                             behavior, age,           priority,       max_braking,
+                             loiter,   max_deviation, position_error, acceleration,
+                             max_speed};
            }),
            py::kw_only(), arg("position"), arg("velocity") = py::make_tuple(0.0, 0.0),
            arg("radius") = 0.5, arg("max_acceleration") = 1.0, arg("behavior") = "decides",
@@ -85,7 +87,8 @@ void bind_neighbor(py::module_& module) {
 
 void bind_detour(py::module_& module) {
   using avo::Detour;
-  py::class_<Detour>(module, "Detour", "What a robot remembers; plan() updates it. Method avo only.")
+  py::class_<Detour>(module, "Detour",
+                     "What a robot remembers; plan() updates it. Method avo only.")
       .def(py::init<>())
       .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its way, right.")
       .def_readwrite("beside", &Detour::beside, "v_max/a_max, 0 to 200.")
@@ -96,27 +99,38 @@ void bind_detour(py::module_& module) {
 void bind_setup(py::module_& module) {
   using Setup = avo::RobotSetup;
   py::class_<Setup>(module, "RobotSetup", "What a scene says of a robot.")
-      .def(py::init([](avo::Vec2 position, avo::Vec2 goal, avo::Vec2 velocity, double radius,
-                       double max_speed, double max_acceleration,
-                       std::optional<double> preferred_speed, avo::MotionModel model,
-                       double heading, double priority, bool parked, avo::LayerSet layers,
-                       avo::LayerSet avoids, std::optional<double> time_step,
-                       std::optional<double> max_braking) {
-             return Setup{position, velocity, goal, radius, max_speed, max_acceleration,
-                          preferred_speed.value_or(max_speed), model, heading, priority, parked,
-                          layers, avoids, time_step, max_braking};
-           }),
-           py::kw_only(), arg("position"), arg("goal"),
-           arg("velocity") = py::make_tuple(0.0, 0.0), arg("radius") = 0.5, arg("max_speed") = 2.0,
-           arg("max_acceleration") = 1.0, arg("preferred_speed") = py::none(),
-           arg("model") = avo::Holonomic{}, arg("heading") = 0.0, arg("priority") = 1.0,
-           arg("parked") = false, arg("layers") = avo::LayerSet{1},
-           arg("avoids") = avo::LayerSet{0xffffffff}, arg("time_step") = py::none(),
-           arg("max_braking") = py::none(),
-           "position, goal: (x, y), m; velocity: m/s; radius: m, > 0; max_speed: m/s, > 0; "
-           "max_acceleration: m/s^2, > 0; preferred_speed: m/s, >= 0, None: max_speed; model: how "
-           "it moves; heading: rad; priority: > 0; parked: never moves; layers, avoids: 0 to 31; "
-           "time_step: s, of a free clock; max_braking: m/s^2, None: max_acceleration.")
+      .def(
+          py::init([](avo::Vec2 position, avo::Vec2 goal, avo::Vec2 velocity, double radius,
+                      double max_speed, double max_acceleration,
+                      std::optional<double> preferred_speed, avo::MotionModel model, double heading,
+                      double priority, bool parked, avo::LayerSet layers, avo::LayerSet avoids,
+                      std::optional<double> time_step, std::optional<double> max_braking) {
+            return Setup{position,
+                         velocity,
+                         goal,
+                         radius,
+                         max_speed,
+                         max_acceleration,
+                         preferred_speed.value_or(max_speed),
+                         model,
+                         heading,
+                         priority,
+                         parked,
+                         layers,
+                         avoids,
+                         time_step,
+                         max_braking};
+          }),
+          py::kw_only(), arg("position"), arg("goal"), arg("velocity") = py::make_tuple(0.0, 0.0),
+          arg("radius") = 0.5, arg("max_speed") = 2.0, arg("max_acceleration") = 1.0,
+          arg("preferred_speed") = py::none(), arg("model") = avo::Holonomic{},
+          arg("heading") = 0.0, arg("priority") = 1.0, arg("parked") = false,
+          arg("layers") = avo::LayerSet{1}, arg("avoids") = avo::LayerSet{0xffffffff},
+          arg("time_step") = py::none(), arg("max_braking") = py::none(),
+          "position, goal: (x, y), m; velocity: m/s; radius: m, > 0; max_speed: m/s, > 0; "
+          "max_acceleration: m/s^2, > 0; preferred_speed: m/s, >= 0, None: max_speed; model: how "
+          "it moves; heading: rad; priority: > 0; parked: never moves; layers, avoids: 0 to 31; "
+          "time_step: s, of a free clock; max_braking: m/s^2, None: max_acceleration.")
       .def_readwrite("position", &Setup::position)
       .def_readwrite("goal", &Setup::goal)
       .def_readwrite("velocity", &Setup::velocity)

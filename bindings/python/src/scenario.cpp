@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes, from wherever they come; all go through the reader of scene files.
-#include "avo_io/scene.h"
-
 #include <pybind11/eval.h>
 #include <utility>
 
+#include "avo_io/scene.h"
 #include "bind.h"
 
 namespace avo_python {
 namespace {
 
-using py::arg;
 using avo::Scenario;
+using py::arg;
 
 /// As JSON, which is YAML; numpy's numbers and arrays become plain ones.
 std::string json_of(const py::handle& value) {
   constexpr const char* kPlain = "lambda value: value.tolist()";
   return py::module_::import("json")
-      .attr("dumps")(value, py::arg("ensure_ascii") = false,
-                     py::arg("default") = py::eval(kPlain))
+      .attr("dumps")(value, py::arg("ensure_ascii") = false, py::arg("default") = py::eval(kPlain))
       .cast<std::string>();
 }
 
@@ -55,8 +53,8 @@ py::dict options_of(const Scenario& scenario) {
   all["samples"] = options.samples;
   all["certificate"] = options.certificate;
   all["max_neighbors"] = options.max_neighbors;
-  all["sensing_error"] = py::make_tuple(options.sensing_error.position,
-                                        options.sensing_error.velocity);
+  all["sensing_error"] =
+      py::make_tuple(options.sensing_error.position, options.sensing_error.velocity);
   all["sensing_noise"] =
       py::make_tuple(options.sensing_noise.position, options.sensing_noise.velocity,
                      options.sensing_noise.quantile);
@@ -132,16 +130,15 @@ void bind_scenario(py::module_& module) {
            "How many robots or pairs break what the certificate assumes, and the sensing radius "
            "that it needs, m, where that is too small: {\"starts\": 0, ..., \"unseen\": None}.")
       .def("_repr_svg_",
-           [](const py::object& self) {
-             return py::module_::import("avo.svg").attr("draw")(self);
-           })
+           [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
       .def("__repr__", [](const Scenario& scenario) {
         return "<avo.Scenario " + scenario.name + ": " + std::to_string(scenario.robots.size()) +
                " robots>";
       });
   module.def("builtin_scenes", &builtin_scenes, "list of (name, description).");
-  module.def("schema", [] { return from_json(avo_io::scenario_schema()); },
-             "JSON Schema of scene files, a dict.");
+  module.def(
+      "schema", [] { return from_json(avo_io::scenario_schema()); },
+      "JSON Schema of scene files, a dict.");
 }
 
 }  // namespace avo_python

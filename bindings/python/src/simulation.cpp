@@ -12,8 +12,8 @@
 namespace avo_python {
 namespace {
 
-using py::arg;
 using avo::Simulation;
+using py::arg;
 
 std::span<const std::byte> bytes_of(const py::bytes& saved) {
   char* data = nullptr;
@@ -80,22 +80,25 @@ auto told(F f) {
 }
 
 void bind_run(SimulationClass& simulation) {
-  simulation.def(py::init(&make), arg("scene"), arg("threads") = 0,
+  simulation
+      .def(py::init(&make), arg("scene"), arg("threads") = 0,
            "scene: a Scenario, or what Scenario() takes; threads: 0 to 1024, 0: all processors.")
       .def_static("from_saved", &from_saved, arg("saved"), arg("threads") = 0, arg("name") = "",
                   "Goes on from what another one saved.")
-      .def("step", &step, arg("n") = 1, "n steps of all robots; other Python threads run meanwhile.")
+      .def("step", &step, arg("n") = 1,
+           "n steps of all robots; other Python threads run meanwhile.")
       .def("save", &save, "The whole state as bytes, the same on every machine.")
-      .def("restore",
-           [](SharedSimulation& self, const py::bytes& saved) {
-             const auto bytes = bytes_of(saved);
-             self.alone([bytes](Simulation& s) { s.restore(bytes); });
-           },
-           arg("saved"), "Back, or forth, to what one of the same scene has saved.")
-      .def("__copy__", [](SharedSimulation& self) { return from_saved(save(self), 0, self.name()); })
-      .def("__deepcopy__", [](SharedSimulation& self, const py::dict&) {
-        return from_saved(save(self), 0, self.name());
-      })
+      .def(
+          "restore",
+          [](SharedSimulation& self, const py::bytes& saved) {
+            const auto bytes = bytes_of(saved);
+            self.alone([bytes](Simulation& s) { s.restore(bytes); });
+          },
+          arg("saved"), "Back, or forth, to what one of the same scene has saved.")
+      .def("__copy__",
+           [](SharedSimulation& self) { return from_saved(save(self), 0, self.name()); })
+      .def("__deepcopy__", [](SharedSimulation& self,
+                              const py::dict&) { return from_saved(save(self), 0, self.name()); })
       .def(py::pickle(
           [](SharedSimulation& self) {
             const int threads = self.briefly([](const Simulation& s) { return s.threads(); });
@@ -114,42 +117,45 @@ void bind_state(SimulationClass& simulation) {
       .def_property_readonly("steps", told([](const Simulation& s) { return s.steps(); }))
       .def_property_readonly("threads", told([](const Simulation& s) { return s.threads(); }),
                              "that a step may use")
-      .def("can_step_by",
-           [](SharedSimulation& self, double time) {
-             return self.briefly([time](const Simulation& s) { return s.can_step_by(time); });
-           },
-           arg("time"), "Whether the next step ends by that time, s.")
-      .def("state_hash",
-           [](SharedSimulation& self) {
-             return self.alone([](const Simulation& s) { return s.state_hash(); });
-           },
-           "Equal for equal states, bit by bit.")
+      .def(
+          "can_step_by",
+          [](SharedSimulation& self, double time) {
+            return self.briefly([time](const Simulation& s) { return s.can_step_by(time); });
+          },
+          arg("time"), "Whether the next step ends by that time, s.")
+      .def(
+          "state_hash",
+          [](SharedSimulation& self) {
+            return self.alone([](const Simulation& s) { return s.state_hash(); });
+          },
+          "Equal for equal states, bit by bit.")
       .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
            "Whether all robots are within arrival_distance of their goals, in sight.")
-      .def("at_goal",
-           [](SharedSimulation& self) {
-             const auto at = self.briefly([](const Simulation& s) {
-               std::vector<std::uint8_t> all(s.fleet().id.size());
-               for (std::size_t k = 0; k < all.size(); ++k) all[k] = s.is_at_goal(k) ? 1 : 0;
-               return all;
-             });
-             py::array_t<bool> array(static_cast<py::ssize_t>(at.size()));
-             std::copy(at.begin(), at.end(), array.mutable_data());
-             return array;
-           },
-           "(n,) bool: who is within arrival_distance, in sight.")
-      .def("unreachable",
-           [](SharedSimulation& self) {
-             std::vector<std::uint64_t> ids;
-             for (const avo::RobotId id : self.briefly([](const Simulation& s) { return s.unreachable(); }))
-               ids.push_back(id.value);
-             return ids;
-           },
-           "Ids of robots that walls keep from their goals.")
+      .def(
+          "at_goal",
+          [](SharedSimulation& self) {
+            const auto at = self.briefly([](const Simulation& s) {
+              std::vector<std::uint8_t> all(s.fleet().id.size());
+              for (std::size_t k = 0; k < all.size(); ++k) all[k] = s.is_at_goal(k) ? 1 : 0;
+              return all;
+            });
+            py::array_t<bool> array(static_cast<py::ssize_t>(at.size()));
+            std::copy(at.begin(), at.end(), array.mutable_data());
+            return array;
+          },
+          "(n,) bool: who is within arrival_distance, in sight.")
+      .def(
+          "unreachable",
+          [](SharedSimulation& self) {
+            std::vector<std::uint64_t> ids;
+            for (const avo::RobotId id :
+                 self.briefly([](const Simulation& s) { return s.unreachable(); }))
+              ids.push_back(id.value);
+            return ids;
+          },
+          "Ids of robots that walls keep from their goals.")
       .def("_repr_svg_",
-           [](const py::object& self) {
-             return py::module_::import("avo.svg").attr("draw")(self);
-           })
+           [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
       .def("__repr__", [](SharedSimulation& self) {
         const auto [n, time] = self.briefly(
             [](const Simulation& s) { return std::pair(s.fleet().id.size(), s.time()); });
@@ -159,59 +165,66 @@ void bind_state(SimulationClass& simulation) {
 
 void bind_edits(SimulationClass& simulation) {
   simulation
-      .def("add_robot",
-           [](SharedSimulation& self, const avo::RobotSetup& setup) {
-             return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
-           },
-           arg("setup"), "Returns its id.")
-      .def("remove_robot",
-           [](SharedSimulation& self, std::int64_t id) {
-             self.alone([&](Simulation& s) { s.remove_robot(robot_id(id)); });
-           },
-           arg("id"))
-      .def("set_goal",
-           [](SharedSimulation& self, std::int64_t id, avo::Vec2 goal) {
-             self.alone([&](Simulation& s) { s.set_goal(robot_id(id), goal); });
-           },
-           arg("id"), arg("goal"), "goal: (x, y), m.")
-      .def("add_obstacle",
-           [](SharedSimulation& self, const avo::StaticObstacle& obstacle) {
-             return self.alone([&](Simulation& s) { return s.add_obstacle(obstacle).value; });
-           },
-           arg("obstacle"), "A door closes. Returns its id.")
-      .def("remove_obstacle",
-           [](SharedSimulation& self, std::int64_t id) {
-             self.alone([&](Simulation& s) { s.remove_obstacle(obstacle_id(id)); });
-           },
-           arg("id"), "A door opens.")
-      .def("obstacles",
-           [](SharedSimulation& self) {
-             return self.alone([](const Simulation& s) {
-               const avo::StaticObstacleView view = s.static_obstacles();
-               std::vector<std::pair<std::uint64_t, avo::StaticObstacle>> all;
-               for (std::size_t k = 0; k < view.id.size(); ++k)
-                 all.emplace_back(view.id[k].value, view.setup[k]);
-               return all;
-             });
-           },
-           "list of (id, StaticObstacle).")
-      .def("moving_obstacles",
-           told([](const Simulation& s) {
+      .def(
+          "add_robot",
+          [](SharedSimulation& self, const avo::RobotSetup& setup) {
+            return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
+          },
+          arg("setup"), "Returns its id.")
+      .def(
+          "remove_robot",
+          [](SharedSimulation& self, std::int64_t id) {
+            self.alone([&](Simulation& s) { s.remove_robot(robot_id(id)); });
+          },
+          arg("id"))
+      .def(
+          "set_goal",
+          [](SharedSimulation& self, std::int64_t id, avo::Vec2 goal) {
+            self.alone([&](Simulation& s) { s.set_goal(robot_id(id), goal); });
+          },
+          arg("id"), arg("goal"), "goal: (x, y), m.")
+      .def(
+          "add_obstacle",
+          [](SharedSimulation& self, const avo::StaticObstacle& obstacle) {
+            return self.alone([&](Simulation& s) { return s.add_obstacle(obstacle).value; });
+          },
+          arg("obstacle"), "A door closes. Returns its id.")
+      .def(
+          "remove_obstacle",
+          [](SharedSimulation& self, std::int64_t id) {
+            self.alone([&](Simulation& s) { s.remove_obstacle(obstacle_id(id)); });
+          },
+          arg("id"), "A door opens.")
+      .def(
+          "obstacles",
+          [](SharedSimulation& self) {
+            return self.alone([](const Simulation& s) {
+              const avo::StaticObstacleView view = s.static_obstacles();
+              std::vector<std::pair<std::uint64_t, avo::StaticObstacle>> all;
+              for (std::size_t k = 0; k < view.id.size(); ++k)
+                all.emplace_back(view.id[k].value, view.setup[k]);
+              return all;
+            });
+          },
+          "list of (id, StaticObstacle).")
+      .def("moving_obstacles", told([](const Simulation& s) {
              const auto setup = s.obstacles().setup;
              return std::vector<avo::MovingObstacle>(setup.begin(), setup.end());
            }),
            "list of MovingObstacle, as the scene has them.")
-      .def("index_of",
-           [](SharedSimulation& self, std::int64_t id) {
-             return self.briefly([&](const Simulation& s) { return s.index_of(robot_id(id)); });
-           },
-           arg("id"), "Row of the robot in the arrays; None where it is gone.")
-      .def("setup",
-           [](SharedSimulation& self, std::int64_t index) {
-             return self.briefly(
-                 [&](const Simulation& s) { return s.fleet().setup[checked(s, index)]; });
-           },
-           arg("index"), "RobotSetup of the robot in that row of the arrays, a copy.");
+      .def(
+          "index_of",
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.index_of(robot_id(id)); });
+          },
+          arg("id"), "Row of the robot in the arrays; None where it is gone.")
+      .def(
+          "setup",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.fleet().setup[checked(s, index)]; });
+          },
+          arg("index"), "RobotSetup of the robot in that row of the arrays, a copy.");
 }
 
 void bind_perception(py::module_& module, SimulationClass& simulation) {
@@ -224,24 +237,27 @@ void bind_perception(py::module_& module, SimulationClass& simulation) {
       .def_readonly("among_movers", &Perception::among_movers)
       .def_readonly("walls", &Perception::walls, "list of Wall, a copy");
   simulation
-      .def("perceive",
-           [](SharedSimulation& self, std::int64_t index) {
-             return self.alone([&](const Simulation& s) { return s.perceive(checked(s, index)); });
-           },
-           arg("index"), "What the robot in that row of the arrays would see now.")
-      .def("planner",
-           [](SharedSimulation& self, std::int64_t index) {
-             return self.briefly([&](const Simulation& s) { return s.planner(checked(s, index)); });
-           },
-           arg("index"), "The Planner of the robot in that row of the arrays.");
+      .def(
+          "perceive",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.alone([&](const Simulation& s) { return s.perceive(checked(s, index)); });
+          },
+          arg("index"), "What the robot in that row of the arrays would see now.")
+      .def(
+          "planner",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.briefly([&](const Simulation& s) { return s.planner(checked(s, index)); });
+          },
+          arg("index"), "The Planner of the robot in that row of the arrays.");
 }
 
 }  // namespace
 
 void bind_simulation(py::module_& module) {
-  SimulationClass simulation(module, "Simulation",
-                             "A fleet of robots that all plan alone. Threads may share it: one uses "
-                             "it at a time, the others wait.");
+  SimulationClass simulation(
+      module, "Simulation",
+      "A fleet of robots that all plan alone. Threads may share it: one uses "
+      "it at a time, the others wait.");
   bind_run(simulation);
   bind_state(simulation);
   bind_edits(simulation);
