@@ -114,14 +114,14 @@ class VectorEnv:
         self._worlds.step(self._preferred(actions), [not begins for begins in anew])
         after = self._distances()
         came = (after <= self.arrival_distance) & ~self._arrived
-        rewards = np.where(self._arrived, 0.0, before - after) + came
+        rewards: Floats = np.where(self._arrived, 0.0, before - after) + came
         self._arrived |= came
         self._steps += 1
         for world in np.flatnonzero(anew):
             self._begin(int(world))
             rewards[world] = 0.0
         terminated = self._arrived.copy()
-        truncated = ~terminated & (self._steps >= self.max_steps)[:, None]
+        truncated: Flags = ~terminated & (self._steps >= self.max_steps)[:, None]
         self._begins_anew = np.all(terminated | truncated, axis=1)
         return self._observe(), rewards, terminated, truncated, {}
 
