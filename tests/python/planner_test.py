@@ -51,12 +51,12 @@ def test_batches_remember_as_single_robots_do():
     planner, robots = avo.Planner(), crowd()
     neighbors = avo.Neighbors.among(robots, 5.0)
     detours, single = avo.Detours(N), [avo.Detour() for _ in range(N)]
-    for _ in range(5):
+    for _ in range(20):
         plans = planner.plan(robots, neighbors, detour=detours)
         for k in range(N):
             same(plans, k, planner.plan(robots[k], neighbors.of(k), detour=single[k]))
             assert (detours[k].angle, detours[k].congestion) == (single[k].angle, single[k].congestion)
-    assert any(detour.angle > 0.0 for detour in single)
+    assert any(detour.angle > 0.0 or detour.congestion > 0.0 for detour in single)
 
 
 def test_neighbors_in_csr_form_are_those_within_the_radius():

@@ -137,7 +137,7 @@ def test_doors_close_and_open():
     (lambda s: s.set_goal(0, (float("nan"), 0)), "goal"),
     (lambda s: s.remove_obstacle(5), "obstacle 5: found none of that id"),
     (lambda s: s.add_robot(avo.RobotSetup(position=(50, 0), goal=(0, 0), radius=-1)), "radius: found -1"),
-    (lambda s: s.add_obstacle(avo.StaticObstacle([])), "chains"),
+    (lambda s: s.add_obstacle(avo.StaticObstacle([avo.Chain([(60, 0)])], radius=-1)), "radius: found -1"),
     (lambda s: s.perceive(10), "index: found 10, must be 0 to 9"),
     (lambda s: s.setup(-1), "index: found -1, must be 0 to 9"),
     (lambda s: s.explain(99), "robot 99: found none of that id"),

@@ -114,7 +114,8 @@ class VectorEnv:
         self._worlds.step(self._preferred(actions), [not begins for begins in anew])
         after = self._distances()
         came = (after <= self.arrival_distance) & ~self._arrived
-        rewards: Floats = np.where(self._arrived, 0.0, before - after) + came
+        rewards: Floats = np.where(self._arrived, 0.0, before - after)
+        rewards[came] += 1.0
         self._arrived |= came
         self._steps += 1
         for world in np.flatnonzero(anew):
@@ -161,12 +162,19 @@ class VectorEnv:
         shape = (self.num_envs, self.num_robots, 2)
         if wanted.shape != shape:
             raise Error(f"actions: found shape {wanted.shape}, must be {shape}")
-        home = self._worlds.goal() - self._worlds.position()  # within a second
-        preferred = np.where(self._arrived[:, :, None], home, wanted)
+        preferred = np.where(self._arrived[:, :, None], self._home(), wanted)
         speed = np.linalg.norm(preferred, axis=2)
         fastest = self._worlds.max_speed()
         shorter = np.where(speed > fastest, fastest / np.where(speed > 0.0, speed, 1.0), 1.0)
         return np.asarray(preferred * shorter[:, :, None], dtype=np.float64)
+
+    def _home(self) -> Floats:
+        """Straight to the goals, with half of the acceleration left when braking before them, m/s."""
+        way = self._worlds.goal() - self._worlds.position()
+        distance = np.linalg.norm(way, axis=2)
+        speed = np.minimum(np.sqrt(self._worlds.max_acceleration() * distance), distance / self.time_step)
+        home: Floats = way * (speed / np.where(distance > 0.0, distance, 1.0))[:, :, None]
+        return home
 
     def _observe(self) -> Observations:
         worlds = self._worlds

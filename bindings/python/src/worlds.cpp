@@ -262,7 +262,10 @@ void bind_worlds(py::module_& module) {
            "(E, N) float64, m.")
       .def("max_speed",
            numbers([](const World& w, std::size_t k) { return w.robots[k].max_speed; }),
-           "(E, N) float64, m/s.");
+           "(E, N) float64, m/s.")
+      .def("max_acceleration",
+           numbers([](const World& w, std::size_t k) { return w.robots[k].max_acceleration; }),
+           "(E, N) float64, m/s^2.");
 }
 
 }  // namespace avo_python
