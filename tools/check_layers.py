@@ -27,6 +27,7 @@ OUTER = {
     "io": {"avo", "avo_io", "io", "core/elementary.h", "core/ranges.h"},
     "figures": {"avo", "figures"},
     "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures"},
+    "bindings/python": {"avo", "avo_io"},
 }
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+AVO_KERNEL_HEADER\w*)\s+"([^"]+)"', re.M)
 

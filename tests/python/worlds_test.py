@@ -97,17 +97,17 @@ def test_robots_move_as_those_of_a_simulation():
 
 def test_rewards_are_progress_and_arrival():
     env = avo.env.VectorEnv({"version": 1, "arrival_distance": 0.5, "robots": [
-        {"position": [0, 0], "goal": [3, 0]}, {"position": [0, 50], "goal": [9, 50]}]}, 1, neighbors=1, max_steps=60)
+        {"position": [0, 0], "goal": [3, 0]}, {"position": [0, 50], "goal": [9, 50]}]}, 1, neighbors=1, max_steps=120)
     env.reset(seed=0)
     total, ended = np.zeros(2), None
-    for k in range(60):
+    for k in range(120):
         _, rewards, terminated, truncated, _ = env.step([[[2.0, 0.0], [0.0, 0.0]]])
         total += rewards[0]
         if terminated[0, 0] and ended is None:
             ended, position = k, env.position()[0, 0]
             assert rewards[0, 0] > 1.0 and np.linalg.norm(position - [3, 0]) <= 0.5
             assert total[0] == pytest.approx(1.0 + 3.0 - np.linalg.norm(position - [3, 0]))
-        assert truncated[0].tolist() == [False, k == 59]
+        assert truncated[0].tolist() == [False, k == 119]
     assert ended is not None and total[0] == pytest.approx(1.0 + 3.0, abs=0.5) and total[1] == 0.0
     assert np.linalg.norm(env.position()[0, 0] - [3, 0]) < 0.1, "it goes to its goal by itself"
     rewards, terminated, truncated = env.step([[[2.0, 0.0], [2.0, 0.0]]])[1:4]

@@ -176,7 +176,7 @@ void bind_edits(SimulationClass& simulation) {
           [](SharedSimulation& self, std::int64_t id) {
             self.alone([&](Simulation& s) { s.remove_robot(robot_id(id)); });
           },
-          arg("id"))
+          arg("id"), "Its id is never used again.")
       .def(
           "set_goal",
           [](SharedSimulation& self, std::int64_t id, avo::Vec2 goal) {
