@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What avo check says of contacts with static obstacles: by the numbers of the recording and scene.
-#include "avo_io/judgement.h"
-
 #include <gtest/gtest.h>
 
+#include "avo_io/judgement.h"
 #include "support/json.h"
 
 namespace avo_test {

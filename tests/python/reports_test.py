@@ -50,7 +50,8 @@ def test_wrong_recordings_are_refused_alike(command_line, tmp_path):
         recording.write_text(text)
         with pytest.raises(ValueError) as error:
             avo.check(recording, "circle-10")
-        assert command_line("check", recording, "--scene", "circle-10").stderr.removeprefix("avo: ") == f"{error.value}\n"
+        said = command_line("check", recording, "--scene", "circle-10")
+        assert said.stderr.removeprefix("avo: ") == f"{error.value}\n"
     with pytest.raises(avo.Error, match="^radius: found besides scene"):
         avo.check(recording, "circle-10", radius=1.0)
     with pytest.raises(avo.Error, match="^radius: found neither it nor scene"):

@@ -61,6 +61,10 @@ def test_the_same_seed_gives_the_same_bits():
     assert rollout(3) == rollout(3) != rollout(4)
 
 
+def test_nobody_need_be_observed():
+    assert avo.env.VectorEnv(SCENE, E, neighbors=0).reset(seed=1)[0].shape == (E, N, 6)
+
+
 def test_worlds_differ_and_a_reset_without_seed_goes_on():
     env = made()
     first = env.reset(seed=3)[0]

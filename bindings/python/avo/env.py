@@ -52,7 +52,8 @@ class Box:
     def sample(self) -> npt.NDArray[Any]:
         """Uniform; of an axis without bounds normal."""
         bounded = np.isfinite(self.low) and np.isfinite(self.high)
-        drawn = self._random.uniform(self.low, self.high, self.shape) if bounded else self._random.normal(size=self.shape)
+        random = self._random
+        drawn = random.uniform(self.low, self.high, self.shape) if bounded else random.normal(size=self.shape)
         return drawn.astype(self.dtype)
 
     def contains(self, value: Any) -> bool:
@@ -97,7 +98,9 @@ class VectorEnv:
         self.single_action_space = Box(-fastest, fastest, (self.num_robots, 2))
         self.action_space = Box(-fastest, fastest, (num_envs, self.num_robots, 2))
 
-    def reset(self, *, seed: int | None = None, options: Mapping[str, Any] | None = None) -> tuple[Observations, dict[str, Any]]:
+    def reset(
+        self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[Observations, dict[str, Any]]:
         """Begins all worlds anew. Returns observations (E, N, 6 + 6 k) and {}. With the same seed and the
         same actions all that follows is the same, bit by bit; None: goes on with the last seed."""
         if seed is not None:
@@ -184,7 +187,8 @@ class VectorEnv:
             worlds.radius()[:, :, None],
             worlds.max_speed()[:, :, None],
         ]
-        nearest = worlds.nearest(self._neighbors).reshape(self.num_envs, self.num_robots, _OTHER * self._neighbors)
+        shape = (self.num_envs, self.num_robots, _OTHER * self._neighbors)
+        nearest = worlds.nearest(self._neighbors).reshape(shape)
         return np.concatenate([np.concatenate(own, axis=2).astype(np.float32), nearest], axis=2)
 
 
@@ -202,8 +206,9 @@ class ParallelEnv:
         self.agents: list[str] = []
         self._actions = np.zeros(self._env.action_space.shape)
         observed, acted = self._env.single_observation_space, self._env.single_action_space
-        self.observation_spaces = {a: Box(observed.low, observed.high, observed.shape[1:]) for a in self.possible_agents}
-        self.action_spaces = {a: Box(acted.low, acted.high, acted.shape[1:]) for a in self.possible_agents}
+        agents = self.possible_agents
+        self.observation_spaces = {a: Box(observed.low, observed.high, observed.shape[1:]) for a in agents}
+        self.action_spaces = {a: Box(acted.low, acted.high, acted.shape[1:]) for a in agents}
 
     @property
     def num_agents(self) -> int:
@@ -219,7 +224,9 @@ class ParallelEnv:
     def action_space(self, agent: str) -> Box:
         return self.action_spaces[agent]
 
-    def reset(self, seed: int | None = None, options: Mapping[str, Any] | None = None) -> tuple[dict[str, Observations], dict[str, dict[str, Any]]]:
+    def reset(
+        self, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[dict[str, Observations], dict[str, dict[str, Any]]]:
         """Observations (6 + 6 k,) and infos {} by agent."""
         observations, _ = self._env.reset(seed=seed)
         self.agents = list(self.possible_agents)

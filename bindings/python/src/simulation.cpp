@@ -39,6 +39,7 @@ std::unique_ptr<SharedSimulation> from_saved(const py::bytes& saved, int threads
 void step(SharedSimulation& self, std::int64_t n) {
   using Clock = std::chrono::steady_clock;
   if (n < 0) throw avo::Error(fmt::format("n: found {}, must be >= 0", n));
+  if (n == 1) return self.alone([](Simulation& simulation) { simulation.step(); });
   while (n > 0) {
     n = self.alone([n](Simulation& simulation) {
       const Clock::time_point end = Clock::now() + std::chrono::milliseconds(50);
