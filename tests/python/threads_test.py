@@ -26,27 +26,23 @@ def in_thread(act):
 
 
 def counted_while(act):
-    """How often this thread gets to run while another one is within one long call."""
-    begins = threading.Event()
+    """How often this thread gets to run from the beginning to the end of act() in another one."""
+    count, seen = [0], []
 
     def run():
-        begins.set()
+        seen.append(count[0])
         act()
+        seen.append(count[0])
     thread, wait = in_thread(run)
-    begins.wait()
-    count = 0
     while thread.is_alive():
-        count += 1
+        count[0] += 1
     wait()
-    return count
+    return seen[1] - seen[0]
 
 
 def test_other_threads_run_during_a_step():
-    # a single step, which takes far longer than Python's switch interval; with the lock held this thread would
-    # count only before it begins and after it ends
     simulation = avo.Simulation("uniform-20000", threads=1)
-    idle = counted_while(lambda: None)
-    assert counted_while(simulation.step) > 20 * idle + 1000
+    assert counted_while(simulation.step) > 100  # with the lock held: 0
 
 
 def test_other_threads_run_during_a_batch():
@@ -55,8 +51,12 @@ def test_other_threads_run_during_a_batch():
                         preferred_velocity=random.uniform(-1, 1, (3000, 2)), radius=0.2)
     neighbors = avo.Neighbors.among(robots, 6.0)
     planner = avo.Planner()
-    idle = counted_while(lambda: None)
-    assert counted_while(lambda: planner.plan(robots, neighbors)) > 20 * idle + 1000
+    assert counted_while(lambda: planner.plan(robots, neighbors)) > 100
+
+
+def test_other_threads_run_while_a_simulation_is_made():
+    scene = avo.Scenario("uniform-20000")
+    assert counted_while(lambda: avo.Simulation(scene, threads=1)) > 100
 
 
 def test_threads_may_share_a_simulation():
