@@ -28,6 +28,7 @@ OUTER = {
     "bindings/c": {"avo", "avo_io", "avo_c"},
     "figures": {"avo", "figures"},
     "apps": {"avo", "avo_io", "figures", "cli", "apps", "paper_figures"},
+    "bindings/python": {"avo", "avo_io"},
 }
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+AVO_KERNEL_HEADER\w*)\s+"([^"]+)"', re.M)
 

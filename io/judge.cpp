@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo check: judges a recording, whoever made it.
-#include "avo/check.h"
-
+// A recording is fed to the judge, with what its scene says.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,47 +11,12 @@
 #include <vector>
 
 #include "avo/checked.h"
+#include "avo_io/errors.h"
+#include "avo_io/judgement.h"
 #include "avo_io/recording.h"
-#include "avo_io/scene.h"
-#include "check_report.h"
-#include "exit_codes.h"
-#include "files.h"
-#include "settings_report.h"
-#include "terminal.h"
-#include "verbs.h"
 
-namespace avo_cli {
+namespace avo_io {
 namespace {
-
-void check_arguments(const CheckArguments& arguments) {
-  const bool scene = !arguments.scene.scene.empty();
-  const std::pair<const char*, const std::optional<double>&> limits[] = {
-      {"--radius", arguments.radius},
-      {"--max-acceleration", arguments.max_acceleration},
-      {"--max-speed", arguments.max_speed}};
-  for (const auto& [option, value] : limits) {
-    if (scene && value)
-      throw UsageError(fmt::format("{}: found besides --scene, must be one or the other", option));
-    if (!scene && !value)
-      throw UsageError(fmt::format(
-          "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
-          "and --max-speed",
-          option));
-    if (value && !(*value > 0.0))
-      throw UsageError(fmt::format("{}: found {}, must be > 0", option, *value));
-  }
-  if (arguments.radius && !std::isfinite(*arguments.radius))
-    throw UsageError("--radius: found inf, must be finite");
-  if (!scene && !arguments.scene.overrides.empty())
-    throw UsageError("--set: found without --scene, must be with it");
-  if (!scene && arguments.require_arrival)
-    throw UsageError("--require-arrival: found without --scene, must be with it: goals are there");
-  if (arguments.recording == "-" && arguments.scene.scene == "-")
-    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
-  if (!(arguments.tolerance >= 0.0 && arguments.tolerance < 1.0))
-    throw UsageError(
-        fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
-}
 
 // How far the robot may be from the cubic between two rows, m. Held accelerations: not at all.
 // Exponential motion, Eqs. (8), (9), has |x''''| <= a_max/δ², and a cubic through positions and
@@ -72,23 +35,14 @@ struct Judge {
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
-  std::int64_t uneven_judged = 0;    // uneven steps that lack no rows
   std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles, where they have a path
 
-  explicit Judge(const CheckArguments& arguments);
+  Judge(const std::string& recording, const JudgeOptions& options);
   void number_densely(std::vector<avo::CheckedState>& rows);
-  void add(avo_io::RecordedTime& moment);
+  void add(RecordedTime& moment);
   void require_known_paths(double time) const;
   void place_obstacles(std::optional<double> before, double time);
 };
-
-std::optional<avo::Scenario> scenario_of(const SceneArguments& arguments) {
-  if (arguments.scene.empty()) return std::nullopt;
-  std::vector<std::string> files;
-  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &files);
-  tell_settings(arguments, scenario, files);
-  return scenario;
-}
 
 /// The walls of all obstacles, and the number of the obstacle of each.
 void take_walls(const avo::Scenario& scenario, avo::Check& check,
@@ -126,11 +80,11 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
   return avo::Check(robots, std::move(obstacles), rules);
 }
 
-Judge::Judge(const CheckArguments& arguments)
-    : scenario(scenario_of(arguments.scene)), check(check_of(scenario, arguments.tolerance)) {
-  judgement.recording = arguments.recording;
-  judgement.tolerance = arguments.tolerance;
-  judgement.require_arrival = arguments.require_arrival;
+Judge::Judge(const std::string& recording, const JudgeOptions& options)
+    : scenario(options.scenario), check(check_of(scenario, options.tolerance)) {
+  judgement.recording = recording;
+  judgement.tolerance = options.tolerance;
+  judgement.require_arrival = options.require_arrival;
   if (scenario) {
     judgement.scene = scenario->name;
     judgement.time_step = scenario->time_step;
@@ -139,7 +93,7 @@ Judge::Judge(const CheckArguments& arguments)
     for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
       walks.push_back({obstacle.position, obstacle.velocity});
   } else {
-    like = {*arguments.radius, *arguments.max_acceleration, *arguments.max_speed};
+    like = {options.radius, options.max_acceleration, options.max_speed};
   }
 }
 
@@ -239,7 +193,7 @@ void Judge::require_known_paths(double time) const {
           time, k));
 }
 
-void Judge::add(avo_io::RecordedTime& moment) {
+void Judge::add(RecordedTime& moment) {
   const std::optional<double> before = std::exchange(last_time, moment.time);
   judgement.every = std::max(judgement.every, moment.every);
   const bool thinned =
@@ -250,7 +204,7 @@ void Judge::add(avo_io::RecordedTime& moment) {
   } else {
     if (before && is_uneven(*scenario, moment.time - *before)) {
       ++judgement.uneven_steps;
-      if (!thinned) ++uneven_judged;
+      if (!thinned) ++judgement.uneven_judged;
     }
     if (thinned) require_known_paths(moment.time);
     place_obstacles(before, moment.time);
@@ -260,45 +214,28 @@ void Judge::add(avo_io::RecordedTime& moment) {
 
 }  // namespace
 
-int check(const CheckArguments& arguments) {
-  check_arguments(arguments);
-  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
-  Judge judge(arguments);
+Judgement judge(const std::string& recording, const JudgeOptions& options) {
+  Judge judge(recording, options);
   std::optional<std::int64_t> robots;
   if (judge.scenario) robots = static_cast<std::int64_t>(judge.scenario->robots.size());
-  avo_io::RecordingReader reader(arguments.recording, robots);
-  avo_io::RecordedTime moment;
+  RecordingReader reader(recording, robots);
+  RecordedTime moment;
   while (reader.next(moment)) {
     try {
       judge.add(moment);
     } catch (
         const avo::RowError& error) {  // of a scene's robot: others need no more than rows have
-      throw avo_io::RecordingError(reader.place(error.robot) + ": " + error.what());
+      throw RecordingError(reader.place(error.robot) + ": " + error.what());
     } catch (const avo::Error& error) {
-      throw avo_io::RecordingError(reader.place() + ": " + error.what());
+      throw RecordingError(reader.place() + ": " + error.what());
     }
   }
   Judgement& judgement = judge.judgement;
   judgement.report = judge.check.report();
   if (judgement.report.robot_steps == 0 && judgement.report.unjudged_steps == 0)
-    throw avo_io::RecordingError(reader.place() +
-                                 ": found no robot at two successive times, must be one or more");
-  if (judge.uneven_judged > 0)
-    warn(
-        {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "
-                     "between their rows, which may not be the path",
-                     judge.uneven_judged, judgement.report.steps, *judgement.time_step)});
-  if (judgement.report.without_heading > 0)
-    warn(
-        {fmt::format("{} of {} robot-steps are of robots without headings in the recording; their "
-                     "velocities are judged, and not where they face",
-                     judgement.report.without_heading, judgement.report.robot_steps)});
-  if (arguments.json)
-    print(to_json(judgement));
-  else
-    print_results(readable(judgement));
-  if (judgement.incomplete()) return kIncomplete;
-  return judgement.passed() ? kDone : kUnsafe;
+    throw RecordingError(reader.place() +
+                         ": found no robot at two successive times, must be one or more");
+  return std::move(judgement);
 }
 
-}  // namespace avo_cli
+}  // namespace avo_io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What avo check says.
-#include "check_report.h"
+#include "avo_io/judgement.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include "avo/version.h"
 #include "avo_io/printable.h"
 
-namespace avo_cli {
+namespace avo_io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -234,4 +234,4 @@ std::string to_json(const Judgement& judgement) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace avo_cli
+}  // namespace avo_io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What avo explain says.
-#include "explain_report.h"
+#include "avo_io/decision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "avo/half_plane.h"
 #include "avo_io/printable.h"
 
-namespace avo_cli {
+namespace avo_io {
 namespace {
 
 using avo::Vec2;
@@ -303,4 +303,4 @@ std::string readable(const Decision& decision) {
   return result;
 }
 
-}  // namespace avo_cli
+}  // namespace avo_io

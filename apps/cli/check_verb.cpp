@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo check: judges a recording, whoever made it.
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "avo_io/judgement.h"
+#include "avo_io/scene.h"
+#include "exit_codes.h"
+#include "files.h"
+#include "settings_report.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+void check_arguments(const CheckArguments& arguments) {
+  const bool scene = !arguments.scene.scene.empty();
+  const std::pair<const char*, const std::optional<double>&> limits[] = {
+      {"--radius", arguments.radius},
+      {"--max-acceleration", arguments.max_acceleration},
+      {"--max-speed", arguments.max_speed}};
+  for (const auto& [option, value] : limits) {
+    if (scene && value)
+      throw UsageError(fmt::format("{}: found besides --scene, must be one or the other", option));
+    if (!scene && !value)
+      throw UsageError(fmt::format(
+          "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
+          "and --max-speed",
+          option));
+    if (value && !(*value > 0.0))
+      throw UsageError(fmt::format("{}: found {}, must be > 0", option, *value));
+  }
+  if (arguments.radius && !std::isfinite(*arguments.radius))
+    throw UsageError("--radius: found inf, must be finite");
+  if (!scene && !arguments.scene.overrides.empty())
+    throw UsageError("--set: found without --scene, must be with it");
+  if (!scene && arguments.require_arrival)
+    throw UsageError("--require-arrival: found without --scene, must be with it: goals are there");
+  if (arguments.recording == "-" && arguments.scene.scene == "-")
+    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
+  if (!(arguments.tolerance >= 0.0 && arguments.tolerance < 1.0))
+    throw UsageError(
+        fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
+}
+
+avo_io::JudgeOptions options_of(const CheckArguments& arguments) {
+  avo_io::JudgeOptions options{.tolerance = arguments.tolerance,
+                               .require_arrival = arguments.require_arrival};
+  if (!arguments.scene.scene.empty()) {
+    std::vector<std::string> files;
+    options.scenario =
+        avo_io::load_scenario(arguments.scene.scene, arguments.scene.overrides, &files);
+    tell_settings(arguments.scene, *options.scenario, files);
+    return options;
+  }
+  options.radius = *arguments.radius;
+  options.max_acceleration = *arguments.max_acceleration;
+  options.max_speed = *arguments.max_speed;
+  return options;
+}
+
+}  // namespace
+
+int check(const CheckArguments& arguments) {
+  check_arguments(arguments);
+  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
+  const avo_io::Judgement judgement = avo_io::judge(arguments.recording, options_of(arguments));
+  if (judgement.uneven_judged > 0)
+    warn(
+        {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "
+                     "between their rows, which may not be the path",
+                     judgement.uneven_judged, judgement.report.steps, *judgement.time_step)});
+  if (judgement.report.without_heading > 0)
+    warn(
+        {fmt::format("{} of {} robot-steps are of robots without headings in the recording; their "
+                     "velocities are judged, and not where they face",
+                     judgement.report.without_heading, judgement.report.robot_steps)});
+  if (arguments.json)
+    print(avo_io::to_json(judgement));
+  else
+    print_results(avo_io::readable(judgement));
+  if (judgement.incomplete()) return kIncomplete;
+  return judgement.passed() ? kDone : kUnsafe;
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Worlds for learning: the learner says where robots would like to go, the library keeps them apart.
+
+VectorEnv has the interface of gymnasium's vector environments, with one more dimension for the robots,
+and ParallelEnv that of PettingZoo's parallel environments; neither package is needed.
+
+Action of a robot: its preferred velocity (x, y), m/s; a longer one than max_speed is shortened to it.
+The planner of the scene decides from it, without the memory of detours (avo.Detour).
+
+Observation of a robot, 6 + 6 k numbers, float32: where its goal is from it (2, m), its velocity
+(2, m/s), its radius (m) and max_speed (m/s); and of each of the k nearest robots within the scene's
+sensing_radius, nearest first: where it is from this one (2, m), its velocity less this one's (2, m/s),
+the sum of both radii (m) and 1; six zeros where there are fewer.
+
+Reward of a robot: by how much nearer its goal has come in the step, m, and 1 more when it arrives,
+within the scene's arrival_distance. From then on it is terminated: it gets no reward, its actions do not
+count, and it goes to its goal by itself, avoided by the others. All robots of a world that have not
+arrived are truncated after max_steps.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from ._avo import Error, Scenario, Worlds
+
+Floats = npt.NDArray[np.float64]
+Observations = npt.NDArray[np.float32]
+Flags = npt.NDArray[np.bool_]
+Source = Any  # what Scenario() takes
+_OWN, _OTHER = 6, 6  # numbers
+
+
+@dataclass
+class Box:
+    """A space by duck typing: arrays of a shape, between two bounds."""
+
+    low: float
+    high: float
+    shape: tuple[int, ...]
+    dtype: Any = np.float32
+
+    def __post_init__(self) -> None:
+        self.seed(None)
+
+    def seed(self, seed: int | None = None) -> None:
+        self._random = np.random.default_rng(seed)
+
+    def sample(self) -> npt.NDArray[Any]:
+        """Uniform; of an axis without bounds normal."""
+        bounded = np.isfinite(self.low) and np.isfinite(self.high)
+        random = self._random
+        drawn = random.uniform(self.low, self.high, self.shape) if bounded else random.normal(size=self.shape)
+        return drawn.astype(self.dtype)
+
+    def contains(self, value: Any) -> bool:
+        array = np.asarray(value)
+        return array.shape == self.shape and bool(np.all((self.low <= array) & (array <= self.high)))
+
+
+class VectorEnv:
+    """E worlds of N holonomic robots each, all of one scene with seeds of their own.
+
+    A world in which all robots are terminated or truncated begins anew in the step after that
+    (gymnasium's next-step mode): in that step actions do not count, and rewards are 0.
+    """
+
+    metadata: dict[str, Any] = {"autoreset_mode": "NextStep", "render_modes": []}
+    render_mode = None
+
+    def __init__(self, scene: Source, num_envs: int = 1, *, neighbors: int = 8, max_steps: int | None = None) -> None:
+        """scene: what Scenario() takes but a Scenario itself, as worlds differ by its seed: scenes that
+        place robots at random (as uniform-N) begin differently, others alike. neighbors: k, >= 0.
+        max_steps: >= 1, None: those of the scene's duration."""
+        if isinstance(scene, Scenario):
+            raise Error("scene: found a Scenario, must be what one is made from: worlds differ by their seeds")
+        first = Scenario(scene)
+        steps = max(1, round(first.duration / first.time_step)) if max_steps is None else max_steps
+        if steps < 1:
+            raise Error(f"max_steps: found {steps}, must be >= 1")
+        if neighbors < 0:
+            raise Error(f"neighbors: found {neighbors}, must be >= 0")
+        self._scene, self._neighbors, self.max_steps = scene, neighbors, steps
+        self._worlds = Worlds(num_envs, first)
+        self.num_envs, self.num_robots = num_envs, len(first.robots)
+        self.time_step, self.arrival_distance = first.time_step, first.arrival_distance
+        self._random = np.random.default_rng()
+        self._steps = np.zeros(num_envs, dtype=np.int64)
+        self._arrived = np.zeros((num_envs, self.num_robots), dtype=bool)
+        self._begins_anew = np.zeros(num_envs, dtype=bool)
+        fastest = max(robot.max_speed for robot in first.robots)
+        observed = (self.num_robots, _OWN + _OTHER * neighbors)
+        self.single_observation_space = Box(-np.inf, np.inf, observed)
+        self.observation_space = Box(-np.inf, np.inf, (num_envs, *observed))
+        self.single_action_space = Box(-fastest, fastest, (self.num_robots, 2))
+        self.action_space = Box(-fastest, fastest, (num_envs, self.num_robots, 2))
+
+    def reset(
+        self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[Observations, dict[str, Any]]:
+        """Begins all worlds anew. Returns observations (E, N, 6 + 6 k) and {}. With the same seed and the
+        same actions all that follows is the same, bit by bit; None: goes on with the last seed."""
+        if seed is not None:
+            self._random = np.random.default_rng(seed)
+        for world in range(self.num_envs):
+            self._begin(world)
+        return self._observe(), {}
+
+    def step(self, actions: npt.ArrayLike) -> tuple[Observations, Floats, Flags, Flags, dict[str, Any]]:
+        """actions: (E, N, 2), m/s. Returns observations (E, N, 6 + 6 k) and (E, N) each of rewards,
+        terminated and truncated, and {}."""
+        anew = self._begins_anew.copy()
+        before = self._distances()
+        self._worlds.step(self._preferred(actions), [not begins for begins in anew])
+        after = self._distances()
+        came = (after <= self.arrival_distance) & ~self._arrived
+        rewards: Floats = np.where(self._arrived, 0.0, before - after)
+        rewards[came] += 1.0
+        self._arrived |= came
+        self._steps += 1
+        for world in np.flatnonzero(anew):
+            self._begin(int(world))
+            rewards[world] = 0.0
+        terminated = self._arrived.copy()
+        truncated: Flags = ~terminated & (self._steps >= self.max_steps)[:, None]
+        self._begins_anew = np.all(terminated | truncated, axis=1)
+        return self._observe(), rewards, terminated, truncated, {}
+
+    def close(self) -> None:
+        """Nothing is left open."""
+
+    def position(self) -> Floats:
+        """(E, N, 2), m."""
+        return self._worlds.position()
+
+    def velocity(self) -> Floats:
+        """(E, N, 2), m/s."""
+        return self._worlds.velocity()
+
+    def goal(self) -> Floats:
+        """(E, N, 2), m."""
+        return self._worlds.goal()
+
+    def radius(self) -> Floats:
+        """(E, N), m."""
+        return self._worlds.radius()
+
+    def _begin(self, world: int) -> None:
+        seed = int(self._random.integers(2**31))
+        self._worlds.place(world, Scenario(self._scene, overrides={"seed": seed}))
+        self._steps[world] = 0
+        self._arrived[world] = False
+        self._begins_anew[world] = False
+
+    def _distances(self) -> Floats:
+        away: Floats = np.linalg.norm(self._worlds.goal() - self._worlds.position(), axis=2)
+        return away
+
+    def _preferred(self, actions: npt.ArrayLike) -> Floats:
+        """Actions within max_speed; those who have arrived come to rest at their goals."""
+        wanted = np.asarray(actions, dtype=np.float64)
+        shape = (self.num_envs, self.num_robots, 2)
+        if wanted.shape != shape:
+            raise Error(f"actions: found shape {wanted.shape}, must be {shape}")
+        preferred = np.where(self._arrived[:, :, None], self._home(), wanted)
+        speed = np.linalg.norm(preferred, axis=2)
+        fastest = self._worlds.max_speed()
+        shorter = np.where(speed > fastest, fastest / np.where(speed > 0.0, speed, 1.0), 1.0)
+        return np.asarray(preferred * shorter[:, :, None], dtype=np.float64)
+
+    def _home(self) -> Floats:
+        """Straight to the goals, with half of the acceleration left when braking before them, m/s."""
+        way = self._worlds.goal() - self._worlds.position()
+        distance = np.linalg.norm(way, axis=2)
+        speed = np.minimum(np.sqrt(self._worlds.max_acceleration() * distance), distance / self.time_step)
+        home: Floats = way * (speed / np.where(distance > 0.0, distance, 1.0))[:, :, None]
+        return home
+
+    def _observe(self) -> Observations:
+        worlds = self._worlds
+        own = [
+            worlds.goal() - worlds.position(),
+            worlds.velocity(),
+            worlds.radius()[:, :, None],
+            worlds.max_speed()[:, :, None],
+        ]
+        shape = (self.num_envs, self.num_robots, _OTHER * self._neighbors)
+        nearest = worlds.nearest(self._neighbors).reshape(shape)
+        return np.concatenate([np.concatenate(own, axis=2).astype(np.float32), nearest], axis=2)
+
+
+class ParallelEnv:
+    """One world of N robots: agents "robot_0" to "robot_N-1". Those that are terminated or truncated
+    are agents no longer; reset() begins anew."""
+
+    metadata: dict[str, Any] = {"name": "avo_v0", "is_parallelizable": True, "render_modes": []}
+    render_mode = None
+
+    def __init__(self, scene: Source, *, neighbors: int = 8, max_steps: int | None = None) -> None:
+        """As VectorEnv."""
+        self._env = VectorEnv(scene, 1, neighbors=neighbors, max_steps=max_steps)
+        self.possible_agents = [f"robot_{k}" for k in range(self._env.num_robots)]
+        self.agents: list[str] = []
+        self._actions = np.zeros(self._env.action_space.shape)
+        observed, acted = self._env.single_observation_space, self._env.single_action_space
+        agents = self.possible_agents
+        self.observation_spaces = {a: Box(observed.low, observed.high, observed.shape[1:]) for a in agents}
+        self.action_spaces = {a: Box(acted.low, acted.high, acted.shape[1:]) for a in agents}
+
+    @property
+    def num_agents(self) -> int:
+        return len(self.agents)
+
+    @property
+    def max_num_agents(self) -> int:
+        return len(self.possible_agents)
+
+    def observation_space(self, agent: str) -> Box:
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> Box:
+        return self.action_spaces[agent]
+
+    def reset(
+        self, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[dict[str, Observations], dict[str, dict[str, Any]]]:
+        """Observations (6 + 6 k,) and infos {} by agent."""
+        observations, _ = self._env.reset(seed=seed)
+        self.agents = list(self.possible_agents)
+        return self._of_agents(lambda k: observations[0, k]), self._of_agents(lambda k: {})
+
+    def step(
+        self, actions: Mapping[str, npt.ArrayLike]
+    ) -> tuple[dict[str, Observations], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
+        """actions: (2,), m/s, by agent. Returns observations (6 + 6 k,), rewards, terminations,
+        truncations and infos {} by agent."""
+        if not self.agents:
+            raise Error("step: found no agents, must be after reset()")
+        for agent in self.agents:
+            if agent not in actions:
+                raise Error(f"actions: found none of {agent}, must have one of each agent")
+            self._actions[0, self._number(agent)] = actions[agent]
+        observations, rewards, terminated, truncated, _ = self._env.step(self._actions)
+        result = (
+            self._of_agents(lambda k: observations[0, k]),
+            self._of_agents(lambda k: float(rewards[0, k])),
+            self._of_agents(lambda k: bool(terminated[0, k])),
+            self._of_agents(lambda k: bool(truncated[0, k])),
+            self._of_agents(lambda k: dict[str, Any]()),
+        )
+        over = terminated | truncated
+        self.agents = [agent for agent in self.agents if not over[0, self._number(agent)]]
+        return result
+
+    def close(self) -> None:
+        """Nothing is left open."""
+
+    def _number(self, agent: str) -> int:
+        return self.possible_agents.index(agent)
+
+    def _of_agents(self, value: Callable[[int], Any]) -> dict[str, Any]:
+        return {agent: value(self._number(agent)) for agent in self.agents}

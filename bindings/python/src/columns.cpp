@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The columns of a simulation as arrays, one row a robot by ascending id.
+#include <fmt/format.h>
+
+#include "arrays.h"
+#include "simulation.h"
+
+namespace avo_python {
+namespace {
+
+using avo::FleetView;
+using py::arg;
+
+std::size_t size_of(SharedSimulation& self) {
+  return self.briefly([](const avo::Simulation& s) { return s.fleet().id.size(); });
+}
+
+/// An array that copy() has filled; the fleet may change until it begins, not any more from then.
+template <typename Make, typename Copy>
+auto column(SharedSimulation& self, const Make& make, const Copy& copy) {
+  for (;;) {
+    const std::size_t n = size_of(self);
+    auto array = make(static_cast<py::ssize_t>(n));
+    const bool copied = self.briefly([&](const avo::Simulation& simulation) {
+      const FleetView fleet = simulation.fleet();
+      if (fleet.id.size() != n) return false;
+      copy(fleet, array);
+      return true;
+    });
+    if (copied) return array;
+  }
+}
+
+template <typename Of>  // Vec2 of(fleet, k)
+auto points(Of of) {
+  return [of](SharedSimulation& self, const Out& out) {
+    return column(
+        self,
+        [&](py::ssize_t n) {
+          return target(out, {n, 2});
+        },
+        [&](const FleetView& fleet, py::array_t<double>& array) {
+          auto rows = array.mutable_unchecked<2>();
+          for (py::ssize_t k = 0; k < rows.shape(0); ++k) {
+            const avo::Vec2 v = of(fleet, static_cast<std::size_t>(k));
+            rows(k, 0) = v.x;
+            rows(k, 1) = v.y;
+          }
+        });
+  };
+}
+
+template <typename Of>  // double of(fleet, k)
+auto numbers(Of of) {
+  return [of](SharedSimulation& self, const Out& out) {
+    return column(
+        self, [&](py::ssize_t n) { return target(out, {n}); },
+        [&](const FleetView& fleet, py::array_t<double>& array) {
+          auto row = array.mutable_unchecked<1>();
+          for (py::ssize_t k = 0; k < row.shape(0); ++k)
+            row(k) = of(fleet, static_cast<std::size_t>(k));
+        });
+  };
+}
+
+template <typename Number, typename Of>
+auto whole(Of of) {
+  return [of](SharedSimulation& self) {
+    return column(
+        self, [](py::ssize_t n) { return py::array_t<Number>(n); },
+        [&](const FleetView& fleet, py::array_t<Number>& array) {
+          auto row = array.template mutable_unchecked<1>();
+          for (py::ssize_t k = 0; k < row.shape(0); ++k)
+            row(k) = static_cast<Number>(of(fleet, static_cast<std::size_t>(k)));
+        });
+  };
+}
+
+/// Arrays of other lengths than the fleet's: of moving obstacles, whose number never changes.
+auto obstacle_points(std::span<const avo::Vec2> avo::ObstacleView::*which) {
+  return [which](SharedSimulation& self, const Out& out) {
+    const std::size_t n = self.briefly(
+        [&](const avo::Simulation& simulation) { return (simulation.obstacles().*which).size(); });
+    auto array = target(out, {static_cast<py::ssize_t>(n), 2});
+    self.briefly([&](const avo::Simulation& simulation) {
+      fill(array, simulation.obstacles().*which);
+      return 0;
+    });
+    return array;
+  };
+}
+
+}  // namespace
+
+#define POINTS(NAME, OF, DOC)                                                 \
+  def(NAME, points([](const FleetView& fleet, std::size_t k) { return OF; }), \
+      arg("out") = py::none(), "(n, 2) float64, " DOC)
+#define NUMBERS(NAME, OF, DOC)                                                 \
+  def(NAME, numbers([](const FleetView& fleet, std::size_t k) { return OF; }), \
+      arg("out") = py::none(), "(n,) float64, " DOC)
+
+void bind_columns(SimulationClass& simulation) {
+  simulation.POINTS("position", fleet.position[k], "m.")
+      .POINTS("velocity", fleet.velocity[k], "m/s.")
+      .POINTS("goal", fleet.goal[k], "m.")
+      .POINTS("new_velocity", fleet.plan[k].new_velocity, "m/s, of the last decisions.")
+      .POINTS("next_velocity", fleet.plan[k].next_velocity, "m/s, of the last decisions.")
+      .POINTS("acceleration", fleet.plan[k].acceleration, "m/s^2, of the last decisions.")
+      .NUMBERS("heading", fleet.heading[k], "rad, counter-clockwise from +x; 0 of holonomic ones.")
+      .NUMBERS("radius", fleet.setup[k].radius, "m.")
+      .NUMBERS("max_speed", fleet.setup[k].max_speed, "m/s.")
+      .NUMBERS("max_acceleration", fleet.setup[k].max_acceleration, "m/s^2.")
+      .NUMBERS("preferred_speed", fleet.setup[k].preferred_speed, "m/s.")
+      .NUMBERS("violation", fleet.plan[k].violation, "m/s, of the last decisions; 0 if optimal.")
+      .NUMBERS("applied_acceleration", fleet.applied_acceleration[k],
+               "m/s^2, the largest |a| within the last step.");
+  simulation
+      .def("ids", whole<std::int64_t>([](const FleetView& fleet, std::size_t k) {
+             return fleet.id[k].value;
+           }),
+           "(n,) int64, ascending; never used again.")
+      .def("plan_status", whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) {
+             return fleet.plan[k].status;
+           }),
+           "(n,) uint8, of the last decisions: indices into PLAN_STATUS.")
+      .def("plan_state", whole<std::uint8_t>([](const FleetView& fleet, std::size_t k) {
+             return fleet.plan[k].state;
+           }),
+           "(n,) uint8, of the last decisions: indices into SAFETY_STATE.")
+      .def("obstacle_position", obstacle_points(&avo::ObstacleView::position),
+           arg("out") = py::none(), "(m, 2) float64, m, of the moving obstacles.")
+      .def("obstacle_velocity", obstacle_points(&avo::ObstacleView::velocity),
+           arg("out") = py::none(), "(m, 2) float64, m/s, of the moving obstacles.");
+}
+#undef POINTS
+#undef NUMBERS
+
+}  // namespace avo_python

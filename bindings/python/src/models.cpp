@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion models, walls and obstacles: values, whose fields cannot be changed.
+#include <pybind11/operators.h>
+
+#include "bind.h"
+
+namespace avo_python {
+namespace {
+
+using py::arg;
+
+void bind_motion_models(py::module_& module) {
+  py::class_<avo::Holonomic>(module, "Holonomic", "Accelerates in every direction.")
+      .def(py::init<>())
+      .def(py::self == py::self)
+      .def("__repr__", [](const avo::Holonomic&) { return "Holonomic()"; });
+  py::class_<avo::CarBody>(module, "CarBody", "The disc that covers a car's body.")
+      .def(py::init([](double offset, double radius) {
+             return avo::CarBody{offset, radius};
+           }),
+           py::kw_only(), arg("offset") = 0.0, arg("radius") = 0.5,
+           "offset: m, of its center ahead of the rear axle; radius: m, > 0.")
+      .def(py::self == py::self)
+      .def_readonly("offset", &avo::CarBody::offset)
+      .def_readonly("radius", &avo::CarBody::radius);
+  py::class_<avo::Car>(module, "Car", "Car-like: its position is the center of its rear axle.")
+      .def(py::init([](double wheelbase, std::optional<double> max_curvature,
+                       std::optional<avo::CarBody> body, bool reverse, avo::AccelerationSet set) {
+             return avo::Car{wheelbase, max_curvature, body, reverse, set};
+           }),
+           py::kw_only(), arg("wheelbase") = 1.0, arg("max_curvature") = py::none(),
+           arg("body") = py::none(), arg("reverse") = false, arg("acceleration_set") = "incircle",
+           "wheelbase: m, > 0; max_curvature: 1/m, > 0, None: unbounded; body: None: a disc about "
+           "the axle; acceleration_set: \"incircle\" or \"exact\".")
+      .def(py::self == py::self)
+      .def_readonly("wheelbase", &avo::Car::wheelbase)
+      .def_readonly("max_curvature", &avo::Car::max_curvature)
+      .def_readonly("body", &avo::Car::body)
+      .def_readonly("reverse", &avo::Car::reverse)
+      .def_readonly("acceleration_set", &avo::Car::acceleration_set);
+  using Drive = avo::DifferentialDrive;
+  py::class_<Drive>(module, "DifferentialDrive", "Two wheels on one axle, each driven by itself.")
+      .def(py::init([](double track, double offset, double speed, double acceleration) {
+             return Drive{track, offset, speed, acceleration};
+           }),
+           py::kw_only(), arg("track") = 0.4, arg("offset") = 0.2, arg("wheel_speed") = 2.0,
+           arg("wheel_acceleration") = 3.0,
+           "track, offset: m, > 0; wheel_speed: m/s, > 0; wheel_acceleration: m/s^2, > 0.")
+      .def(py::self == py::self)
+      .def_readonly("track", &Drive::track)
+      .def_readonly("offset", &Drive::offset)
+      .def_readonly("wheel_speed", &Drive::wheel_speed)
+      .def_readonly("wheel_acceleration", &Drive::wheel_acceleration);
+  py::class_<avo::Airplane>(module, "Airplane", "Cannot stop; it falls back on circling.")
+      .def(py::init([](double min_speed, double lateral, avo::AfterGoal after_goal) {
+             return avo::Airplane{min_speed, lateral, after_goal};
+           }),
+           py::kw_only(), arg("min_speed") = 1.0, arg("lateral_acceleration") = 1.0,
+           arg("after_goal") = "loiter",
+           "min_speed: m/s, > 0; lateral_acceleration: m/s^2, > 0; after_goal: \"loiter\" or "
+           "\"leave\".")
+      .def(py::self == py::self)
+      .def_readonly("min_speed", &avo::Airplane::min_speed)
+      .def_readonly("lateral_acceleration", &avo::Airplane::lateral_acceleration)
+      .def_readonly("after_goal", &avo::Airplane::after_goal);
+  py::class_<avo::LoiterCircle>(module, "LoiterCircle",
+                                "The circle that an airplane falls back on.")
+      .def(py::init([](avo::Vec2 center, double radius) {
+             return avo::LoiterCircle{center, radius};
+           }),
+           py::kw_only(), arg("center"), arg("radius"), "center: m; radius: m, of the circle.")
+      .def(py::self == py::self)
+      .def_readonly("center", &avo::LoiterCircle::center)
+      .def_readonly("radius", &avo::LoiterCircle::radius);
+}
+
+void bind_walls(py::module_& module) {
+  py::class_<avo::Wall>(module, "Wall", "All within `radius` of the segment from a to b.")
+      .def(py::init([](avo::Vec2 a, avo::Vec2 b, double radius) {
+             return avo::Wall{a, b, radius};
+           }),
+           arg("a"), arg("b"), py::kw_only(), arg("radius") = 0.0,
+           "a, b: (x, y), m; radius: m, >= 0. A disc where a == b.")
+      .def_readonly("a", &avo::Wall::a)
+      .def_readonly("b", &avo::Wall::b)
+      .def_readonly("radius", &avo::Wall::radius);
+  py::class_<avo::Chain>(module, "Chain", "Walls from each point to the next one.")
+      .def(py::init([](std::vector<avo::Vec2> points, bool closed) {
+             return avo::Chain{std::move(points), closed};
+           }),
+           arg("points"), py::kw_only(), arg("closed") = false,
+           "points: one (x, y) or more, m; closed: also from the last one to the first.")
+      .def(py::self == py::self)
+      .def_readonly("points", &avo::Chain::points)
+      .def_readonly("closed", &avo::Chain::closed);
+  py::class_<avo::StaticObstacle>(module, "StaticObstacle", "What does not move.")
+      .def(py::init([](std::vector<avo::Chain> chains, double radius, avo::Fill fill) {
+             return avo::StaticObstacle{std::move(chains), radius, fill};
+           }),
+           arg("chains"), py::kw_only(), arg("radius") = 0.0, arg("fill") = "none",
+           "chains: of walls; radius: m, >= 0, of all its walls; fill: \"none\", \"solid\" (robots "
+           "may not start inside) or \"bounds\" (not outside).")
+      .def(py::self == py::self)
+      .def_readonly("chains", &avo::StaticObstacle::chains)
+      .def_readonly("radius", &avo::StaticObstacle::radius)
+      .def_readonly("fill", &avo::StaticObstacle::fill);
+  using Mover = avo::MovingObstacle;
+  py::class_<Mover>(module, "MovingObstacle", "A disc that reacts to nobody.")
+      .def_readonly("position", &Mover::position)
+      .def_readonly("velocity", &Mover::velocity)
+      .def_readonly("acceleration", &Mover::acceleration)
+      .def_readonly("radius", &Mover::radius)
+      .def_readonly("max_deviation", &Mover::max_deviation)
+      .def_readonly("max_speed", &Mover::max_speed)
+      .def_readonly("path", &Mover::path);
+}
+
+}  // namespace
+
+void bind_models(py::module_& module) {
+  bind_motion_models(module);
+  bind_walls(module);
+}
+
+}  // namespace avo_python

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot's decision.
+#include <fmt/format.h>
+#include <pybind11/operators.h>
+#include <tuple>
+
+#include "bind.h"
+#include "workspace.h"
+
+namespace avo_python {
+
+using avo::Planner;
+using py::arg;
+
+avo::PlanWorkspace& workspace() {
+  thread_local avo::PlanWorkspace one;
+  return one;
+}
+
+namespace {
+
+/// What is not given is customary for the method.
+Planner make(avo::Method method, avo::Motion motion, std::optional<double> control_time,
+             std::optional<double> time_horizon, double time_step, int samples,
+             std::optional<avo::Certificate> certificate, std::optional<int> max_neighbors,
+             std::pair<double, double> sensing_error,
+             std::tuple<double, double, double> sensing_noise, avo::Clock clock,
+             double longest_step, double arrival_distance) {
+  avo::PlannerOptions options = avo::default_options(method);
+  options.motion = motion;
+  options.control_time = control_time.value_or(options.control_time);
+  options.time_horizon = time_horizon.value_or(options.time_horizon);
+  options.time_step = time_step;
+  options.samples = samples;
+  options.certificate = certificate.value_or(options.certificate);
+  options.max_neighbors = max_neighbors;
+  options.sensing_error = {sensing_error.first, sensing_error.second};
+  const auto [position, velocity, quantile] = sensing_noise;
+  options.sensing_noise = {position, velocity, quantile};
+  options.clock = clock;
+  options.longest_step = longest_step;
+  options.arrival_distance = arrival_distance;
+  return Planner(options);
+}
+
+avo::Plan plan(const Planner& planner, const avo::Robot& robot,
+               const std::vector<avo::Neighbor>& neighbors, const std::vector<avo::Wall>& walls,
+               avo::Detour* detour) {
+  return planner.plan(robot, neighbors, workspace(), detour, walls);
+}
+
+avo::Plan plan_among_obstacles(const Planner& planner, const avo::Robot& robot,
+                               const std::vector<avo::Neighbor>& obstacles) {
+  return planner.plan_among_obstacles(robot, obstacles, workspace());
+}
+
+avo::SafetyReport state(const Planner& planner, const avo::Robot& robot,
+                        const std::vector<avo::Neighbor>& neighbors,
+                        const std::vector<avo::Wall>& walls) {
+  return planner.state(robot, neighbors, workspace(), walls);
+}
+
+void bind_results(py::module_& module) {
+  using avo::Plan;
+  py::class_<Plan>(module, "Plan", "A decision.")
+      .def_readonly("new_velocity", &Plan::new_velocity, "v', m/s, Eqs. (14), (23)")
+      .def_readonly("next_velocity", &Plan::next_velocity, "m/s, at the end of the step")
+      .def_readonly("acceleration", &Plan::acceleration, "m/s^2, at the start of the step")
+      .def_readonly("status", &Plan::status, "how it was made, one of PLAN_STATUS")
+      .def_readonly("state", &Plan::state, "in which it was made, one of SAFETY_STATE")
+      .def_readonly("violation", &Plan::violation, "m/s, 0 if optimal")
+      .def("__repr__", [](const Plan& plan) {
+        return fmt::format("<avo.Plan {}: acceleration ({:.6g}, {:.6g}) m/s^2>",
+                           avo::to_string(plan.status), plan.acceleration.x, plan.acceleration.y);
+      });
+  using avo::SafetyReport;
+  py::class_<SafetyReport>(module, "SafetyReport", "What is proved of a state.")
+      .def_readonly("state", &SafetyReport::state, "one of SAFETY_STATE")
+      .def_readonly("neighbor", &SafetyReport::neighbor, "index of whom it collides with, or -1")
+      .def_readonly("wall", &SafetyReport::wall, "index of what it collides with, or -1")
+      .def_readonly("time", &SafetyReport::time, "s: if doomed, when the two are in contact");
+}
+
+void bind_options(py::class_<Planner>& planner) {
+  planner.def(
+      py::init(&make), py::kw_only(), arg("method") = "avo", arg("motion") = "held",
+      arg("control_time") = py::none(), arg("time_horizon") = py::none(), arg("time_step") = 0.1,
+      arg("samples") = 0, arg("certificate") = py::none(), arg("max_neighbors") = py::none(),
+      arg("sensing_error") = std::pair(0.0, 0.0), arg("sensing_noise") = std::tuple(0.0, 0.0, 1.0),
+      arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
+      "method: \"avo\", \"avo_paper\", \"velocity_obstacle\" or \"orca\"; motion: \"held\" or "
+      "\"exponential\"; control_time, time_horizon: s, > 0, and certificate: \"none\", "
+      "\"stopping_capsules\" or \"braking_trajectories\", None: customary for the method; "
+      "time_step: s, > 0; samples: 0, or 2 to 1000; max_neighbors: >= 1, None: all; sensing_error: "
+      "(m, m/s); sensing_noise: (m, m/s, standard deviations); clock: \"common\" or \"free\"; "
+      "longest_step: s; arrival_distance: m, > 0. Raises Error on options out of range.");
+  const auto option = [&planner](const char* name, auto member) {
+    planner.def_property_readonly(name,
+                                  [member](const Planner& self) { return self.options().*member; });
+  };
+  using Options = avo::PlannerOptions;
+  option("method", &Options::method);
+  option("motion", &Options::motion);
+  option("control_time", &Options::control_time);
+  option("time_horizon", &Options::time_horizon);
+  option("time_step", &Options::time_step);
+  option("samples", &Options::samples);
+  option("certificate", &Options::certificate);
+  option("max_neighbors", &Options::max_neighbors);
+  option("clock", &Options::clock);
+  option("longest_step", &Options::longest_step);
+  option("arrival_distance", &Options::arrival_distance);
+}
+
+}  // namespace
+
+void bind_planner(py::module_& module) {
+  bind_results(module);
+  py::class_<Planner> planner(module, "Planner",
+                              "Decides for one robot. Cannot be changed; threads may share it.");
+  bind_options(planner);
+  const auto without_lock = py::call_guard<py::gil_scoped_release>();
+  planner
+      .def("plan", &plan, arg("robot"), arg("neighbors") = py::tuple(), arg("walls") = py::tuple(),
+           arg("detour") = py::none(),
+           "One decision of a Robot. neighbors: Neighbors, in any order; walls: Walls near the "
+           "robot; detour: what it remembers, updated, None: nothing. Bad numbers are the status "
+           "\"invalid_input\".")
+      .def("plan_among_obstacles", &plan_among_obstacles, arg("robot"), arg("obstacles"),
+           without_lock, "One robot among movers that do not react (paper III-C).")
+      .def("state", &state, arg("robot"), arg("neighbors") = py::tuple(),
+           arg("walls") = py::tuple(), without_lock,
+           "Whether the robot can go on without contact, as far as that is proved.");
+}
+
+}  // namespace avo_python

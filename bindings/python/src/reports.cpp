@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line says as JSON, as dicts: of decisions, recordings and runs.
+#include <chrono>
+#include <fmt/format.h>
+#include <optional>
+
+#include "avo/metrics.h"
+#include "avo_io/decision.h"
+#include "avo_io/judgement.h"
+#include "avo_io/recording.h"
+#include "simulation.h"
+
+namespace avo_python {
+namespace {
+
+using py::arg;
+
+py::object explain_scene(const py::object& scene, std::int64_t robot, double time, int threads) {
+  const avo::Scenario scenario = scenario_of(scene, py::none());
+  std::string json;
+  {
+    const py::gil_scoped_release release;
+    avo_io::require_explainable(scenario, robot, time);
+    avo::Simulation simulation(scenario, threads);
+    const auto go_on = [] {
+      const py::gil_scoped_acquire acquire;
+      return PyErr_CheckSignals() == 0;
+    };
+    const auto index = avo_io::approach_decision(scenario, robot, time, simulation, go_on);
+    if (index) json = to_json(avo_io::explain(simulation, scenario.name, *index));
+  }
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  return from_json(json);
+}
+
+py::object explain_now(SharedSimulation& self, std::int64_t id) {
+  return from_json(self.alone([&](const avo::Simulation& simulation) {
+    const auto index =
+        id < 0 ? std::nullopt : simulation.index_of({static_cast<std::uint64_t>(id)});
+    if (!index) throw avo::Error(fmt::format("robot {}: found none of that id", id));
+    if (simulation.fleet().setup[*index].parked)
+      throw avo::Error(
+          fmt::format("robot: found {}, which is parked, must be one that decides", id));
+    return to_json(avo_io::explain(simulation, self.name(), *index));
+  }));
+}
+
+/// The three limits are for recordings without a scene.
+void require_one_or_the_other(bool scene, const char* name, const std::optional<double>& value) {
+  if (scene && value)
+    throw avo::Error(fmt::format("{}: found besides scene, must be one or the other", name));
+  if (!scene && !value)
+    throw avo::Error(fmt::format(
+        "{}: found neither it nor scene, must be scene, or radius, max_acceleration and max_speed",
+        name));
+  if (value && !(*value > 0.0))
+    throw avo::Error(fmt::format("{}: found {}, must be > 0", name, *value));
+}
+
+py::object check(const py::object& recording, const py::object& scene, std::optional<double> radius,
+                 std::optional<double> max_acceleration, std::optional<double> max_speed,
+                 double tolerance, bool require_arrival) {
+  const bool has_scene = !scene.is_none();
+  require_one_or_the_other(has_scene, "radius", radius);
+  require_one_or_the_other(has_scene, "max_acceleration", max_acceleration);
+  require_one_or_the_other(has_scene, "max_speed", max_speed);
+  if (!has_scene && require_arrival)
+    throw avo::Error("require_arrival: found without scene, must be with it: goals are there");
+  if (!(tolerance >= 0.0 && tolerance < 1.0))
+    throw avo::Error(fmt::format("tolerance: found {}, must be >= 0 and < 1", tolerance));
+  avo_io::JudgeOptions options{.tolerance = tolerance, .require_arrival = require_arrival};
+  if (has_scene)
+    options.scenario = scenario_of(scene, py::none());
+  else
+    options.radius = *radius, options.max_acceleration = *max_acceleration,
+    options.max_speed = *max_speed;
+  const auto path = py::module_::import("os").attr("fspath")(recording).cast<std::string>();
+  std::string json;
+  {
+    const py::gil_scoped_release release;
+    json = to_json(avo_io::judge(path, options));
+  }
+  return from_json(json);
+}
+
+/// What `avo run` does: to the end of the scene, or until all have been at their goals.
+py::object run(const py::object& scene, int threads, const py::object& record) {
+  const avo::Scenario scenario = scenario_of(scene, py::none());
+  std::optional<avo_io::CsvRecording> recording;
+  if (!record.is_none())
+    recording.emplace(py::module_::import("os").attr("fspath")(record).cast<std::string>(),
+                      avo_io::has_headings(scenario));
+  std::string json;
+  {
+    using Clock = std::chrono::steady_clock;
+    const py::gil_scoped_release release;
+    avo::Simulation simulation(scenario, threads);
+    avo::Metrics metrics(scenario);
+    const auto observe = [&] {
+      metrics.observe(simulation);
+      if (recording) recording->add(simulation);
+    };
+    observe();
+    while (simulation.can_step_by(scenario.duration)) {
+      const Clock::time_point start = Clock::now();
+      simulation.step();
+      metrics.add_step_time(
+          std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+      observe();
+      const py::gil_scoped_acquire acquire;
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
+    if (recording) recording->commit();
+    json = avo_io::to_json(metrics.summary());
+  }
+  return from_json(json);
+}
+
+/// An observer, shared by threads as a simulation is.
+struct SharedMetrics {
+  std::mutex mutex;
+  avo::Metrics metrics;
+
+  explicit SharedMetrics(const py::object& scene) : metrics(scenario_of(scene, py::none())) {}
+  void observe(SharedSimulation& simulation) {
+    simulation.alone([&](const avo::Simulation& s) {
+      const std::lock_guard lock(mutex);
+      metrics.observe(s);
+    });
+  }
+  std::string summary() {
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(mutex);
+    return avo_io::to_json(metrics.summary());
+  }
+};
+
+}  // namespace
+
+void bind_reports(py::module_& module) {
+  module.def("explain", &explain_scene, arg("scene"), arg("robot"), arg("time") = 0.0,
+             arg("threads") = 0,
+             "Why the robot of that number chooses its velocity, in the last step by `time`, s: a "
+             "dict, as `avo explain --json`.");
+  const py::object simulation = module.attr("Simulation");
+  simulation.attr("explain") = py::cpp_function(
+      &explain_now, py::name("explain"), py::is_method(simulation), arg("robot"),
+      "Why the robot of that id would choose its velocity now: a dict, as `avo explain --json`.");
+  module.def("check", &check, arg("recording"), arg("scene") = py::none(), py::kw_only(),
+             arg("radius") = py::none(), arg("max_acceleration") = py::none(),
+             arg("max_speed") = py::none(), arg("tolerance") = 1e-9, arg("require_arrival") = false,
+             "Judges a recording: a dict, as `avo check --json`. Either a scene, or radius, m, "
+             "max_acceleration, m/s^2, and max_speed, m/s, of all robots.");
+  module.def("run", &run, arg("scene"), py::kw_only(), arg("threads") = 0,
+             arg("record") = py::none(),
+             "Runs a scene to its end: a dict, as `avo run --summary`. record: file of the "
+             "recording, which is whole or not there.");
+  py::class_<SharedMetrics>(module, "Metrics", "What a run did.")
+      .def(py::init<const py::object&>(), arg("scene"))
+      .def("observe", &SharedMetrics::observe, arg("simulation"),
+           "Once before the first step, and once after every step.")
+      .def(
+          "summary", [](SharedMetrics& self) { return from_json(self.summary()); },
+          "A dict, as `avo run --summary`.");
+}
+
+}  // namespace avo_python

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes, from wherever they come; all go through the reader of scene files.
+#include <pybind11/eval.h>
+#include <utility>
+
+#include "avo_io/scene.h"
+#include "bind.h"
+
+namespace avo_python {
+namespace {
+
+using avo::Scenario;
+using py::arg;
+
+/// As JSON, which is YAML; numpy's numbers and arrays become plain ones.
+std::string json_of(const py::handle& value) {
+  constexpr const char* kPlain = "lambda value: value.tolist()";
+  return py::module_::import("json")
+      .attr("dumps")(value, py::arg("ensure_ascii") = false, py::arg("default") = py::eval(kPlain))
+      .cast<std::string>();
+}
+
+std::vector<std::string> overrides_of(const py::object& overrides) {
+  std::vector<std::string> all;
+  if (overrides.is_none()) return all;
+  if (!py::isinstance<py::dict>(overrides)) return overrides.cast<std::vector<std::string>>();
+  for (const auto& [key, value] : overrides.cast<py::dict>())
+    all.push_back(py::str(key).cast<std::string>() + "=" +
+                  (py::isinstance<py::str>(value) ? value.cast<std::string>() : json_of(value)));
+  return all;
+}
+
+Scenario parse(const std::string& yaml, const std::string& file, const py::object& overrides) {
+  const auto all = overrides_of(overrides);
+  const py::gil_scoped_release release;
+  return avo_io::parse_scenario(yaml, file, all);
+}
+
+Scenario load(const std::string& name, const py::object& overrides) {
+  const auto all = overrides_of(overrides);
+  const py::gil_scoped_release release;
+  return avo_io::load_scenario(name, all);
+}
+
+py::dict options_of(const Scenario& scenario) {
+  const avo::PlannerOptions options = avo::planner_options(scenario);
+  py::dict all;
+  all["method"] = options.method;
+  all["motion"] = options.motion;
+  all["control_time"] = options.control_time;
+  all["time_horizon"] = options.time_horizon;
+  all["time_step"] = options.time_step;
+  all["samples"] = options.samples;
+  all["certificate"] = options.certificate;
+  all["max_neighbors"] = options.max_neighbors;
+  all["sensing_error"] =
+      py::make_tuple(options.sensing_error.position, options.sensing_error.velocity);
+  all["sensing_noise"] =
+      py::make_tuple(options.sensing_noise.position, options.sensing_noise.velocity,
+                     options.sensing_noise.quantile);
+  all["clock"] = options.clock;
+  all["longest_step"] = options.longest_step;
+  all["arrival_distance"] = options.arrival_distance;
+  return all;
+}
+
+py::dict broken_of(const Scenario& scenario) {
+  const avo::BrokenAssumptions broken = avo::broken_assumptions(scenario);
+  py::dict counts;
+  counts["starts"] = broken.start_count;
+  counts["beside"] = broken.beside_count;
+  counts["misplaced"] = broken.misplaced_count;
+  counts["fast"] = broken.fast_count;
+  if (broken.unseen)
+    counts["unseen"] = broken.unseen->range;
+  else
+    counts["unseen"] = py::none();
+  return counts;
+}
+
+std::vector<std::pair<std::string, std::string>> builtin_scenes() {
+  std::vector<std::pair<std::string, std::string>> scenes;
+  for (const avo_io::BuiltinScene& scene : avo_io::builtin_scenes())
+    scenes.emplace_back(scene.name, scene.description);
+  return scenes;
+}
+
+}  // namespace
+
+Scenario scenario_of(const py::object& source, const py::object& overrides) {
+  if (py::isinstance<Scenario>(source)) {
+    if (overrides.is_none()) return source.cast<Scenario>();
+    throw avo::Error("overrides: found beside a Scenario, must be given where it is made");
+  }
+  if (py::isinstance<py::dict>(source)) return parse(json_of(source), "dict", overrides);
+  return load(py::module_::import("os").attr("fspath")(source).cast<std::string>(), overrides);
+}
+
+void bind_scenario(py::module_& module) {
+  py::class_<Scenario>(module, "Scenario",
+                       "A scene: robots, obstacles, and how they are simulated. Read only.")
+      .def(py::init(&scenario_of), arg("source"), arg("overrides") = py::none(),
+           "source: name of a built-in scene, path of a scene file, or a dict with the keys of "
+           "scene files. overrides: {\"robots.0.radius\": 0.4}, or [\"robots.0.radius=0.4\"]. "
+           "Raises Error with the reader's message.")
+      .def_static("from_yaml", &parse, arg("text"), arg("file") = "text",
+                  arg("overrides") = py::none(),
+                  "From the text of a scene file. file: stands in front of messages, and files "
+                  "that the scene names are relative to it.")
+      .def_readonly("name", &Scenario::name)
+      .def_readonly("time_step", &Scenario::time_step, "s")
+      .def_readonly("duration", &Scenario::duration, "s")
+      .def_readonly("sensing_radius", &Scenario::sensing_radius, "m, between centers")
+      .def_readonly("method", &Scenario::method)
+      .def_readonly("motion", &Scenario::motion)
+      .def_readonly("clock", &Scenario::clock)
+      .def_readonly("right_of_way", &Scenario::right_of_way)
+      .def_readonly("arrival_distance", &Scenario::arrival_distance, "m")
+      .def_readonly("seed", &Scenario::seed)
+      .def_readonly("robots", &Scenario::robots, "list of RobotSetup, a copy")
+      .def_readonly("moving_obstacles", &Scenario::moving_obstacles, "list, a copy")
+      .def_readonly("obstacles", &Scenario::obstacles, "list of StaticObstacle, a copy")
+      .def_property_readonly(
+          "walls", [](const Scenario& scenario) { return avo::walls_of(scenario.obstacles); },
+          "list of Wall, of all obstacles")
+      .def("planner_options", &options_of,
+           "What its robots plan with: Planner(**scenario.planner_options()).")
+      .def("advice", &avo::advice, "One line for each setting that does not fit the robots.")
+      .def("broken_assumptions", &broken_of,
+           "How many robots or pairs break what the certificate assumes, and the sensing radius "
+           "that it needs, m, where that is too small: {\"starts\": 0, ..., \"unseen\": None}.")
+      .def("_repr_svg_",
+           [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
+      .def("__repr__", [](const Scenario& scenario) {
+        return "<avo.Scenario " + scenario.name + ": " + std::to_string(scenario.robots.size()) +
+               " robots>";
+      });
+  module.def("builtin_scenes", &builtin_scenes, "list of (name, description).");
+  module.def(
+      "schema", [] { return from_json(avo_io::scenario_schema()); },
+      "JSON Schema of scene files, a dict.");
+}
+
+}  // namespace avo_python

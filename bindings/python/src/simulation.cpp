@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fleet.
+#include "simulation.h"
+
+#include <chrono>
+#include <cstring>
+#include <fmt/format.h>
+#include <memory>
+
+#include "avo/planner.h"
+
+namespace avo_python {
+namespace {
+
+using avo::Simulation;
+using py::arg;
+
+std::span<const std::byte> bytes_of(const py::bytes& saved) {
+  char* data = nullptr;
+  Py_ssize_t size = 0;
+  if (PyBytes_AsStringAndSize(saved.ptr(), &data, &size) != 0) throw py::error_already_set();
+  return {reinterpret_cast<const std::byte*>(data), static_cast<std::size_t>(size)};
+}
+
+std::unique_ptr<SharedSimulation> make(const py::object& scene, int threads) {
+  const avo::Scenario scenario = scenario_of(scene, py::none());
+  const py::gil_scoped_release release;
+  return std::make_unique<SharedSimulation>(Simulation(scenario, threads), scenario.name);
+}
+
+std::unique_ptr<SharedSimulation> from_saved(const py::bytes& saved, int threads,
+                                             const std::string& name) {
+  const auto bytes = bytes_of(saved);
+  const py::gil_scoped_release release;
+  return std::make_unique<SharedSimulation>(Simulation(bytes, threads), name);
+}
+
+/// Many steps can take long: every now and then Python may handle its signals.
+void step(SharedSimulation& self, std::int64_t n) {
+  using Clock = std::chrono::steady_clock;
+  if (n < 0) throw avo::Error(fmt::format("n: found {}, must be >= 0", n));
+  if (n == 1) return self.alone([](Simulation& simulation) { simulation.step(); });
+  while (n > 0) {
+    n = self.alone([n](Simulation& simulation) {
+      const Clock::time_point end = Clock::now() + std::chrono::milliseconds(50);
+      std::int64_t left = n;
+      do simulation.step();
+      while (--left > 0 && Clock::now() < end);
+      return left;
+    });
+    if (n > 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+}
+
+py::bytes save(SharedSimulation& self) {
+  const auto saved = self.alone([](const Simulation& simulation) { return simulation.save(); });
+  return {reinterpret_cast<const char*>(saved.data()), saved.size()};
+}
+
+/// Index into the columns.
+std::size_t checked(const Simulation& simulation, std::int64_t robot) {
+  const auto n = static_cast<std::int64_t>(simulation.fleet().id.size());
+  if (robot < 0 || robot >= n)
+    throw avo::Error(fmt::format("index: found {}, must be 0 to {}", robot, n - 1));
+  return static_cast<std::size_t>(robot);
+}
+
+avo::RobotId robot_id(std::int64_t id) {
+  if (id < 0) throw avo::Error(fmt::format("robot {}: found none of that id", id));
+  return {static_cast<std::uint64_t>(id)};
+}
+
+avo::ObstacleId obstacle_id(std::int64_t id) {
+  if (id < 0) throw avo::Error(fmt::format("obstacle {}: found none of that id", id));
+  return {static_cast<std::uint64_t>(id)};
+}
+
+template <typename F>
+auto told(F f) {
+  return [f](SharedSimulation& self) { return self.briefly(f); };
+}
+
+void bind_run(SimulationClass& simulation) {
+  simulation
+      .def(py::init(&make), arg("scene"), arg("threads") = 0,
+           "scene: a Scenario, or what Scenario() takes; threads: 0 to 1024, 0: all processors.")
+      .def_static("from_saved", &from_saved, arg("saved"), arg("threads") = 0, arg("name") = "",
+                  "Goes on from what another one saved.")
+      .def("step", &step, arg("n") = 1,
+           "n steps of all robots; other Python threads run meanwhile.")
+      .def("save", &save, "The whole state as bytes, the same on every machine.")
+      .def(
+          "restore",
+          [](SharedSimulation& self, const py::bytes& saved) {
+            const auto bytes = bytes_of(saved);
+            self.alone([bytes](Simulation& s) { s.restore(bytes); });
+          },
+          arg("saved"), "Back, or forth, to what one of the same scene has saved.")
+      .def("__copy__",
+           [](SharedSimulation& self) { return from_saved(save(self), 0, self.name()); })
+      .def("__deepcopy__", [](SharedSimulation& self,
+                              const py::dict&) { return from_saved(save(self), 0, self.name()); })
+      .def(py::pickle(
+          [](SharedSimulation& self) {
+            const int threads = self.briefly([](const Simulation& s) { return s.threads(); });
+            return py::make_tuple(save(self), threads, self.name());
+          },
+          [](const py::tuple& state) {
+            return from_saved(state[0].cast<py::bytes>(), state[1].cast<int>(),
+                              state[2].cast<std::string>());
+          }));
+}
+
+void bind_state(SimulationClass& simulation) {
+  simulation.def("__len__", told([](const Simulation& s) { return s.fleet().id.size(); }))
+      .def_property_readonly("name", &SharedSimulation::name, "of the scene")
+      .def_property_readonly("time", told([](const Simulation& s) { return s.time(); }), "s")
+      .def_property_readonly("steps", told([](const Simulation& s) { return s.steps(); }))
+      .def_property_readonly("threads", told([](const Simulation& s) { return s.threads(); }),
+                             "that a step may use")
+      .def(
+          "can_step_by",
+          [](SharedSimulation& self, double time) {
+            return self.briefly([time](const Simulation& s) { return s.can_step_by(time); });
+          },
+          arg("time"), "Whether the next step ends by that time, s.")
+      .def(
+          "state_hash",
+          [](SharedSimulation& self) {
+            return self.alone([](const Simulation& s) { return s.state_hash(); });
+          },
+          "Equal for equal states, bit by bit.")
+      .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
+           "Whether all robots are within arrival_distance of their goals, in sight.")
+      .def(
+          "at_goal",
+          [](SharedSimulation& self) {
+            const auto at = self.briefly([](const Simulation& s) {
+              std::vector<std::uint8_t> all(s.fleet().id.size());
+              for (std::size_t k = 0; k < all.size(); ++k) all[k] = s.is_at_goal(k) ? 1 : 0;
+              return all;
+            });
+            py::array_t<bool> array(static_cast<py::ssize_t>(at.size()));
+            std::copy(at.begin(), at.end(), array.mutable_data());
+            return array;
+          },
+          "(n,) bool: who is within arrival_distance, in sight.")
+      .def(
+          "unreachable",
+          [](SharedSimulation& self) {
+            std::vector<std::uint64_t> ids;
+            for (const avo::RobotId id :
+                 self.briefly([](const Simulation& s) { return s.unreachable(); }))
+              ids.push_back(id.value);
+            return ids;
+          },
+          "Ids of robots that walls keep from their goals.")
+      .def("_repr_svg_",
+           [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
+      .def("__repr__", [](SharedSimulation& self) {
+        const auto [n, time] = self.briefly(
+            [](const Simulation& s) { return std::pair(s.fleet().id.size(), s.time()); });
+        return fmt::format("<avo.Simulation {}: {} robots at {:.9g} s>", self.name(), n, time);
+      });
+}
+
+void bind_edits(SimulationClass& simulation) {
+  simulation
+      .def(
+          "add_robot",
+          [](SharedSimulation& self, const avo::RobotSetup& setup) {
+            return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
+          },
+          arg("setup"), "Returns its id.")
+      .def(
+          "remove_robot",
+          [](SharedSimulation& self, std::int64_t id) {
+            self.alone([&](Simulation& s) { s.remove_robot(robot_id(id)); });
+          },
+          arg("id"), "Its id is never used again.")
+      .def(
+          "set_goal",
+          [](SharedSimulation& self, std::int64_t id, avo::Vec2 goal) {
+            self.alone([&](Simulation& s) { s.set_goal(robot_id(id), goal); });
+          },
+          arg("id"), arg("goal"), "goal: (x, y), m.")
+      .def(
+          "add_obstacle",
+          [](SharedSimulation& self, const avo::StaticObstacle& obstacle) {
+            return self.alone([&](Simulation& s) { return s.add_obstacle(obstacle).value; });
+          },
+          arg("obstacle"), "A door closes. Returns its id.")
+      .def(
+          "remove_obstacle",
+          [](SharedSimulation& self, std::int64_t id) {
+            self.alone([&](Simulation& s) { s.remove_obstacle(obstacle_id(id)); });
+          },
+          arg("id"), "A door opens.")
+      .def(
+          "obstacles",
+          [](SharedSimulation& self) {
+            return self.alone([](const Simulation& s) {
+              const avo::StaticObstacleView view = s.static_obstacles();
+              std::vector<std::pair<std::uint64_t, avo::StaticObstacle>> all;
+              for (std::size_t k = 0; k < view.id.size(); ++k)
+                all.emplace_back(view.id[k].value, view.setup[k]);
+              return all;
+            });
+          },
+          "list of (id, StaticObstacle).")
+      .def("moving_obstacles", told([](const Simulation& s) {
+             const auto setup = s.obstacles().setup;
+             return std::vector<avo::MovingObstacle>(setup.begin(), setup.end());
+           }),
+           "list of MovingObstacle, as the scene has them.")
+      .def(
+          "index_of",
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.index_of(robot_id(id)); });
+          },
+          arg("id"), "Row of the robot in the arrays; None where it is gone.")
+      .def(
+          "setup",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.fleet().setup[checked(s, index)]; });
+          },
+          arg("index"), "RobotSetup of the robot in that row of the arrays, a copy.");
+}
+
+void bind_perception(py::module_& module, SimulationClass& simulation) {
+  using Perception = Simulation::Perception;
+  py::class_<Perception>(module, "Perception", "What a robot sees, and decides from.")
+      .def_readonly("robot", &Perception::robot)
+      .def_readonly("neighbors", &Perception::neighbors, "list of Neighbor, a copy")
+      .def_readonly("source", &Perception::source, "their ids, or -1 - k of moving obstacle k")
+      .def_readonly("detour", &Perception::detour)
+      .def_readonly("among_movers", &Perception::among_movers)
+      .def_readonly("walls", &Perception::walls, "list of Wall, a copy");
+  simulation
+      .def(
+          "perceive",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.alone([&](const Simulation& s) { return s.perceive(checked(s, index)); });
+          },
+          arg("index"), "What the robot in that row of the arrays would see now.")
+      .def(
+          "planner",
+          [](SharedSimulation& self, std::int64_t index) {
+            return self.briefly([&](const Simulation& s) { return s.planner(checked(s, index)); });
+          },
+          arg("index"), "The Planner of the robot in that row of the arrays.");
+}
+
+}  // namespace
+
+void bind_simulation(py::module_& module) {
+  SimulationClass simulation(
+      module, "Simulation",
+      "A fleet of robots that all plan alone. Threads may share it: one uses "
+      "it at a time, the others wait.");
+  bind_run(simulation);
+  bind_state(simulation);
+  bind_edits(simulation);
+  bind_perception(module, simulation);
+  bind_columns(simulation);
+}
+
+}  // namespace avo_python

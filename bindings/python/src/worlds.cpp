@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many worlds at once for learning: robots that are told their preferred velocities from outside,
+// each of which decides by a planner, as in a simulation.
+#include <algorithm>
+#include <atomic>
+#include <fmt/format.h>
+#include <memory>
+#include <vector>
+
+#include "arrays.h"
+#include "workspace.h"
+
+namespace avo_python {
+namespace {
+
+using py::arg;
+
+/// Throws Error on what worlds do not know.
+void require_plain(const avo::Scenario& scenario) {
+  const auto refuse = [](const char* what, std::string_view found, const char* allowed) {
+    throw avo::Error(fmt::format("{}: found {}, must be {} in these worlds", what, found, allowed));
+  };
+  if (!scenario.moving_obstacles.empty()) refuse("moving_obstacles", "some", "none");
+  if (scenario.clock != avo::Clock::common) refuse("clock", "free", "common");
+  if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
+    const avo::RobotSetup& robot = scenario.robots[k];
+    const std::string name = fmt::format("robots.{}", k);
+    if (!is_holonomic(robot.model)) refuse((name + ".model").c_str(), "another one", "holonomic");
+    if (robot.parked) refuse((name + ".parked").c_str(), "true", "false");
+    if (robot.layers != avo::LayerSet{1} || !avoids(robot, robot))
+      refuse((name + ".layers").c_str(), "others", "the usual ones");
+  }
+}
+
+struct World {
+  std::vector<avo::Robot> robots;
+  std::vector<avo::Vec2> goals;
+  std::vector<avo::Wall> walls;
+};
+
+avo::Robot robot_of(const avo::RobotSetup& setup) {
+  return {.position = setup.position,
+          .velocity = setup.velocity,
+          .radius = setup.radius,
+          .max_acceleration = setup.max_acceleration,
+          .max_speed = setup.max_speed,
+          .priority = setup.priority,
+          .max_braking = setup.max_braking};
+}
+
+avo::Neighbor seen(const avo::Robot& robot) {
+  return {.position = robot.position,
+          .velocity = robot.velocity,
+          .radius = robot.radius,
+          .max_acceleration = robot.max_acceleration,
+          .priority = robot.priority,
+          .max_braking = robot.max_braking};
+}
+
+/// Keeps two threads from using the same worlds. Throws Error where one does already.
+class InUse {
+ public:
+  explicit InUse(std::atomic<bool>& used) : used_(used) {
+    if (used_.exchange(true))
+      throw avo::Error("worlds: found in use by another thread, must be used by one at a time");
+  }
+  InUse(const InUse&) = delete;
+  InUse& operator=(const InUse&) = delete;
+  ~InUse() { used_ = false; }
+
+ private:
+  std::atomic<bool>& used_;
+};
+
+/// E worlds of N robots each, with the settings of one scene.
+class Worlds {
+ public:
+  Worlds(std::size_t worlds, const avo::Scenario& scenario)
+      : planner_(planner_options(scenario)),
+        sensing_radius_(scenario.sensing_radius),
+        robots_(scenario.robots.size()) {
+    if (worlds == 0) throw avo::Error("num_envs: found 0, must be >= 1");
+    all_.resize(worlds);
+    for (std::size_t e = 0; e < worlds; ++e) place(e, scenario);
+  }
+
+  void place(std::size_t world, const avo::Scenario& scenario) {
+    require_plain(scenario);
+    if (world >= all_.size())
+      throw avo::Error(fmt::format("world: found {}, must be 0 to {}", world, all_.size() - 1));
+    if (scenario.robots.size() != robots_)
+      throw avo::Error(fmt::format("robots: found {} of them, must be {} as in the other worlds",
+                                   scenario.robots.size(), robots_));
+    World placed;
+    for (const avo::RobotSetup& setup : scenario.robots) {
+      placed.robots.push_back(robot_of(setup));
+      placed.goals.push_back(setup.goal);
+    }
+    placed.walls = avo::walls_of(scenario.obstacles);
+    all_[world] = std::move(placed);
+  }
+
+  /// preferred: of all robots of all worlds, m/s. moving: which worlds take part.
+  void step(std::span<const avo::Vec2> preferred, const std::vector<char>& moving) {
+    for (std::size_t e = 0; e < all_.size(); ++e)
+      if (moving[e] != 0) step(all_[e], preferred.subspan(e * robots_, robots_));
+  }
+
+  [[nodiscard]] std::size_t worlds() const { return all_.size(); }
+  [[nodiscard]] std::size_t robots() const { return robots_; }
+  [[nodiscard]] const World& world(std::size_t e) const { return all_[e]; }
+  [[nodiscard]] std::atomic<bool>& used() const { return used_; }
+
+  /// Those whom robot i of the world senses: squared distances, m^2, and numbers, nearest first.
+  void find_near(const World& world, std::size_t i,
+                 std::vector<std::pair<double, std::size_t>>& near) const {
+    near.clear();
+    for (std::size_t j = 0; j < robots_; ++j) {
+      const double squared = norm_squared(world.robots[j].position - world.robots[i].position);
+      if (j != i && squared <= sensing_radius_ * sensing_radius_) near.emplace_back(squared, j);
+    }
+    std::sort(near.begin(), near.end());
+  }
+
+ private:
+  /// All decide from the same states, then all move.
+  void step(World& world, std::span<const avo::Vec2> preferred) {
+    const double h = planner_.options().time_step, lag = planner_.step_lag();
+    next_.clear();
+    for (std::size_t i = 0; i < robots_; ++i) {
+      avo::Robot& self = world.robots[i];
+      self.preferred_velocity = preferred[i];
+      find_near(world, i, near_);
+      neighbors_.clear();
+      for (const auto& [squared, j] : near_) neighbors_.push_back(seen(world.robots[j]));
+      next_.push_back(
+          planner_.plan(self, neighbors_, workspace(), nullptr, world.walls).next_velocity);
+    }
+    for (std::size_t i = 0; i < robots_; ++i) {
+      avo::Robot& robot = world.robots[i];
+      robot.position = robot.position + lag * robot.velocity + (h - lag) * next_[i];
+      robot.velocity = next_[i];
+    }
+  }
+
+  avo::Planner planner_;
+  double sensing_radius_;
+  std::size_t robots_;
+  std::vector<World> all_;
+  mutable std::atomic<bool> used_ = false;
+  std::vector<avo::Vec2> next_;
+  std::vector<std::pair<double, std::size_t>> near_;
+  std::vector<avo::Neighbor> neighbors_;
+};
+
+template <typename Of>  // Vec2 of(world, robot)
+auto points(Of of) {
+  return [of](const Worlds& self) {
+    const InUse use(self.used());
+    const auto e = static_cast<py::ssize_t>(self.worlds()),
+               n = static_cast<py::ssize_t>(self.robots());
+    py::array_t<double> array({e, n, py::ssize_t{2}});
+    auto rows = array.mutable_unchecked<3>();
+    for (py::ssize_t i = 0; i < e; ++i)
+      for (py::ssize_t k = 0; k < n; ++k) {
+        const avo::Vec2 v =
+            of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
+        rows(i, k, 0) = v.x;
+        rows(i, k, 1) = v.y;
+      }
+    return array;
+  };
+}
+
+template <typename Of>  // double of(world, robot)
+auto numbers(Of of) {
+  return [of](const Worlds& self) {
+    const InUse use(self.used());
+    py::array_t<double> array({self.worlds(), self.robots()});
+    auto rows = array.mutable_unchecked<2>();
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+      for (py::ssize_t k = 0; k < rows.shape(1); ++k)
+        rows(i, k) = of(self.world(static_cast<std::size_t>(i)), static_cast<std::size_t>(k));
+    return array;
+  };
+}
+
+/// Relative position and velocity, sum of radii, and 1 of each of the k nearest; 0 where there are
+/// fewer.
+py::array_t<float> nearest(const Worlds& self, std::size_t k) {
+  constexpr std::size_t kNumbers = 6;
+  py::array_t<float> array({self.worlds(), self.robots(), k, kNumbers});
+  float* out = array.mutable_data();
+  std::fill_n(out, array.size(), 0.0F);
+  const InUse use(self.used());
+  const py::gil_scoped_release release;
+  std::vector<std::pair<double, std::size_t>> near;
+  for (std::size_t e = 0; e < self.worlds(); ++e) {
+    const World& world = self.world(e);
+    for (std::size_t i = 0; i < self.robots(); ++i, out += k * kNumbers) {
+      self.find_near(world, i, near);
+      for (std::size_t n = 0; n < std::min(k, near.size()); ++n) {
+        const avo::Robot &a = world.robots[i], &b = world.robots[near[n].second];
+        const avo::Vec2 p = b.position - a.position, v = b.velocity - a.velocity;
+        const double row[kNumbers] = {p.x, p.y, v.x, v.y, a.radius + b.radius, 1.0};
+        std::transform(row, row + kNumbers, out + n * kNumbers,
+                       [](double number) { return static_cast<float>(number); });
+      }
+    }
+  }
+  return array;
+}
+
+void step(Worlds& self, const Numbers& preferred, const std::vector<bool>& moving) {
+  if (preferred.ndim() != 3 || preferred.shape(0) != static_cast<py::ssize_t>(self.worlds()) ||
+      preferred.shape(1) != static_cast<py::ssize_t>(self.robots()) || preferred.shape(2) != 2)
+    throw avo::Error(fmt::format("actions: found shape {}, must be ({}, {}, 2)",
+                                 shape_of(preferred), self.worlds(), self.robots()));
+  if (moving.size() != self.worlds())
+    throw avo::Error(
+        fmt::format("moving: found {} of them, must be {}", moving.size(), self.worlds()));
+  const auto all = rows("actions", preferred);
+  if (!std::all_of(all.begin(), all.end(), [](avo::Vec2 v) { return is_finite(v); }))
+    throw avo::Error("actions: found a number that is not finite, must be finite");
+  const std::vector<char> which(moving.begin(), moving.end());
+  const InUse use(self.used());
+  const py::gil_scoped_release release;
+  self.step(all, which);
+}
+
+}  // namespace
+
+void bind_worlds(py::module_& module) {
+  py::class_<Worlds>(module, "Worlds", "E worlds of N holonomic robots; avo.env is made of them.")
+      .def(py::init([](std::int64_t worlds, const avo::Scenario& scenario) {
+             if (worlds < 1)
+               throw avo::Error(fmt::format("num_envs: found {}, must be >= 1", worlds));
+             return std::make_unique<Worlds>(static_cast<std::size_t>(worlds), scenario);
+           }),
+           arg("worlds"), arg("scenario"))
+      .def(
+          "place",
+          [](Worlds& self, std::size_t world, const avo::Scenario& scenario) {
+            const InUse use(self.used());
+            self.place(world, scenario);
+          },
+          arg("world"), arg("scenario"),
+          "Puts the robots, goals and walls of the scenario into that world.")
+      .def("step", &step, arg("preferred"), arg("moving"),
+           "preferred: (E, N, 2), m/s; moving: (E,) bool, the worlds that take part.")
+      .def("nearest", &nearest, arg("k"),
+           "(E, N, k, 6) float32: relative position, m, and velocity, m/s, sum of radii, m, and 1 "
+           "of the k nearest within the sensing radius, nearest first; 0 where there are fewer.")
+      .def("position", points([](const World& w, std::size_t k) { return w.robots[k].position; }),
+           "(E, N, 2) float64, m.")
+      .def("velocity", points([](const World& w, std::size_t k) { return w.robots[k].velocity; }),
+           "(E, N, 2) float64, m/s.")
+      .def("goal", points([](const World& w, std::size_t k) { return w.goals[k]; }),
+           "(E, N, 2) float64, m.")
+      .def("radius", numbers([](const World& w, std::size_t k) { return w.robots[k].radius; }),
+           "(E, N) float64, m.")
+      .def("max_speed",
+           numbers([](const World& w, std::size_t k) { return w.robots[k].max_speed; }),
+           "(E, N) float64, m/s.")
+      .def("max_acceleration",
+           numbers([](const World& w, std::size_t k) { return w.robots[k].max_acceleration; }),
+           "(E, N) float64, m/s^2.");
+}
+
+}  // namespace avo_python

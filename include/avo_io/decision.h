@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// One decision of a robot, and all that it was made from: what `avo explain` says.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "avo/export.h"
+#include "avo/simulation.h"
+
+namespace avo_io {
+
+/// All that there is to say of one decision.
+struct Decision {
+  std::string scene;
+  std::int64_t robot = 0;
+  double time = 0.0;
+  avo::Vec2 goal;
+  avo::Method method{};
+  avo::Simulation::Perception seen;
+  bool by_half_planes = true;  ///< else outside the union of the obstacles (§III-C)
+  avo::HalfPlanes half_planes;
+  std::vector<double> risks;  ///< of each neighbor seen, see Planner::half_plane_risk(); or none
+  std::vector<avo::CertificateConstraint> constraints;
+  avo::WallPlanes wall_planes;
+  std::vector<avo::WallConstraint> wall_constraints;
+  avo::Certificate certificate{};
+  avo::Plan plan;
+  avo::SafetyReport state;  ///< of the state in which it decides
+  avo::Disc acceleration_disc, speed_disc;
+};
+
+/// What the robot (an index into the fleet) would decide now. `scene`: what the scene is called.
+AVO_API Decision explain(const avo::Simulation& simulation, const std::string& scene,
+                         std::size_t robot);
+
+/// Throws Error unless the scene has that robot, it decides, and the scene lasts until `time`, s.
+AVO_API void require_explainable(const avo::Scenario& scenario, std::int64_t robot, double time);
+/// Steps to the last decision of the robot by `time`, s, as long as go_on(), where it is given,
+/// says so before each step, and returns the robot's index into the fleet; none where it did not
+/// say so. Throws Error where there is no such decision.
+AVO_API std::optional<std::size_t> approach_decision(const avo::Scenario& scenario,
+                                                     std::int64_t robot, double time,
+                                                     avo::Simulation& simulation,
+                                                     const std::function<bool()>& go_on = {});
+
+/// A line on each thing.
+AVO_API std::string readable(const Decision& decision);
+/// One JSON object (docs/scenes.md).
+AVO_API std::string to_json(const Decision& decision);
+
+}  // namespace avo_io

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recording judged, whoever made it: what `avo check` says.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "avo/check.h"
+#include "avo/export.h"
+#include "avo/scenario.h"
+
+namespace avo_io {
+
+/// What the robots are held to: what a scene says of them or, without one, these three for all.
+struct JudgeOptions {
+  std::optional<avo::Scenario> scenario = {};
+  double radius = 0.0;            ///< m, > 0, without a scene
+  double max_acceleration = 0.0;  ///< m/s^2, > 0, likewise
+  double max_speed = 0.0;         ///< m/s, > 0, likewise
+  double tolerance = 1e-9;        ///< see avo::CheckOptions::relative_tolerance
+  bool require_arrival = false;   ///< at the goals of the scene
+};
+
+/// What is found of a recording, and what it was held to.
+struct Judgement {
+  avo::CheckReport report;
+  std::string recording;
+  std::optional<std::string> scene;
+  std::optional<double> time_step;             ///< s, of the scene
+  std::vector<std::int64_t> numbers;           ///< of the robots by index; empty: their indices
+  std::vector<std::int64_t> obstacle_of_wall;  ///< number of the static obstacle
+  double tolerance = 0.0;
+  std::int64_t uneven_steps = 0;   ///< not time_step long
+  std::int64_t uneven_judged = 0;  ///< of them, those that lack no rows
+  std::int64_t every = 1;          ///< the recording has rows of every so many steps, as it says
+  bool require_arrival = false;
+  bool free_clocks = false;  ///< in the scene
+
+  [[nodiscard]] bool passed() const {
+    return report.safe() && (!require_arrival || report.arrived == report.with_goal);
+  }
+  /// Rows are missing, and those that are there break no rule.
+  [[nodiscard]] bool incomplete() const { return !report.broken() && report.unjudged_steps > 0; }
+};
+
+/// Judges the recording in that file; "-" is the standard input. Throws FileError, RecordingError,
+/// and Error on options out of range.
+AVO_API Judgement judge(const std::string& recording, const JudgeOptions& options);
+
+/// A short table.
+AVO_API std::string readable(const Judgement& judgement);
+/// One JSON object, keys in a fixed order; what there is not is null.
+AVO_API std::string to_json(const Judgement& judgement);
+
+}  // namespace avo_io

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which decision of a robot is explained, and what there is to say of it.
+#include <cmath>
+#include <fmt/format.h>
+#include <variant>
+
+#include "avo/error.h"
+#include "avo_io/decision.h"
+
+namespace avo_io {
+namespace {
+
+bool leaves_at_goal(const avo::RobotSetup& robot) {
+  const auto* airplane = std::get_if<avo::Airplane>(&robot.model);
+  return airplane != nullptr && airplane->after_goal == avo::AfterGoal::leave;
+}
+
+/// Of the robot, into the fleet, where others may be missing. One that is to leave decides no more.
+std::size_t index_of(const avo::Scenario& scenario, std::int64_t robot, double time,
+                     const avo::Simulation& simulation) {
+  const auto number = static_cast<std::size_t>(robot);
+  const auto index = simulation.index_of({number});
+  if (index && !(leaves_at_goal(scenario.robots[number]) && simulation.is_at_goal(*index)))
+    return *index;
+  throw avo::Error(fmt::format("time: found {} s, must be < {:.9g} s, when robot {} left", time,
+                               simulation.time(), robot));
+}
+
+}  // namespace
+
+void require_explainable(const avo::Scenario& scenario, std::int64_t robot, double time) {
+  const auto robots = static_cast<std::int64_t>(scenario.robots.size());
+  if (robot < 0 || robot >= robots)
+    throw avo::Error(fmt::format("robot: found {}, must be 0 to {}", robot, robots - 1));
+  if (scenario.robots[static_cast<std::size_t>(robot)].parked)
+    throw avo::Error(
+        fmt::format("robot: found {}, which is parked, must be one that decides", robot));
+  if (!std::isfinite(time) || time < 0.0)
+    throw avo::Error(fmt::format("time: found {}, must be finite and >= 0 s", time));
+  if (time > scenario.duration * (1.0 + 1e-12))
+    throw avo::Error(
+        fmt::format("time: found {} s, must be <= duration = {} s", time, scenario.duration));
+}
+
+std::optional<std::size_t> approach_decision(const avo::Scenario& scenario, std::int64_t robot,
+                                             double time, avo::Simulation& simulation,
+                                             const std::function<bool()>& go_on) {
+  const double step = time_step_of(scenario, scenario.robots[static_cast<std::size_t>(robot)]);
+  const auto next = [&] {
+    return simulation.next_decision(index_of(scenario, robot, time, simulation));
+  };
+  const bool is_free = scenario.clock == avo::Clock::free;
+  if (is_free && next() > time)
+    throw avo::Error(fmt::format("time: found {} s, must be >= {} s, when robot {} first decides",
+                                 time, next(), robot));
+  const auto is_there = [&] {
+    const double decides = next();
+    return is_free && decides == simulation.time() && decides + step > time * (1.0 + 1e-12);
+  };
+  while (!is_there() && simulation.can_step_by(time)) {
+    if (go_on && !go_on()) return std::nullopt;
+    simulation.step();
+  }
+  return index_of(scenario, robot, time, simulation);
+}
+
+Decision explain(const avo::Simulation& simulation, const std::string& scene, std::size_t index) {
+  const avo::Planner& planner = simulation.planner(index);
+  Decision decision;
+  decision.scene = scene;
+  decision.robot = static_cast<std::int64_t>(simulation.fleet().id[index].value);
+  decision.time = simulation.time();
+  decision.goal = simulation.fleet().goal[index];
+  decision.method = planner.options().method;
+  decision.seen = simulation.perceive(index);
+  const auto& [self, neighbors, source, detour, among_movers, walls] = decision.seen;
+  avo::Detour next_detour = detour;
+  decision.by_half_planes = !among_movers;
+  avo::PlanWorkspace workspace;
+  decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
+  decision.state = planner.state(self, neighbors, workspace, walls);
+  if (decision.by_half_planes)
+    planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);
+  const avo::SensingNoise& noise = planner.options().sensing_noise;
+  if (decision.by_half_planes && (noise.position > 0.0 || noise.velocity > 0.0)) {
+    const bool is_avo = decision.method == avo::Method::avo;
+    const avo::Vec2 v = is_avo ? decision.plan.next_velocity : decision.plan.new_velocity;
+    for (const avo::Neighbor& neighbor : neighbors)
+      decision.risks.push_back(planner.half_plane_risk(self, neighbor, v));
+  }
+  planner.collect_half_planes(self, walls, decision.wall_planes);
+  decision.certificate = planner.options().certificate;
+  if (decision.method == avo::Method::avo)
+    planner.collect_certificate(self, neighbors, workspace, decision.constraints, walls);
+  planner.collect_certificate(self, walls, workspace, decision.wall_constraints);
+  decision.acceleration_disc = planner.acceleration_disc(self);
+  decision.speed_disc = planner.speed_disc(self);
+  return decision;
+}
+
+}  // namespace avo_io

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One robot's decision, and batches of them."""
+import math
+
+import avo
+import numpy as np
+import pytest
+
+N = 60
+
+
+def crowd(seed=7):
+    """A dense crowd in which robots hinder each other."""
+    random = np.random.default_rng(seed)
+    grid = np.stack(np.meshgrid(np.arange(10), np.arange(6)), axis=-1).reshape(-1, 2) * 1.6
+    return avo.Robots(position=grid + random.uniform(-0.2, 0.2, (N, 2)), velocity=random.uniform(-0.5, 0.5, (N, 2)),
+                      preferred_velocity=random.uniform(-1.5, 1.5, (N, 2)), radius=random.uniform(0.3, 0.5, N),
+                      max_acceleration=1.5, distance_to_goal=10.0)
+
+
+def same(plans, k, plan):
+    assert tuple(plans.new_velocity()[k]) == plan.new_velocity
+    assert tuple(plans.next_velocity()[k]) == plan.next_velocity
+    assert tuple(plans.acceleration()[k]) == plan.acceleration
+    assert plans.violation()[k] == plan.violation
+    assert avo.PLAN_STATUS[plans.status()[k]] == plan.status
+    assert avo.SAFETY_STATE[plans.state()[k]] == plan.state
+
+
+def test_one_robot_gives_way_to_one_that_comes():
+    plan = avo.Planner().plan(avo.Robot(position=(0, 0), velocity=(1.5, 0), preferred_velocity=(1.5, 0)),
+                              [avo.Neighbor(position=(6, 0.1), velocity=(-1.5, 0))])
+    assert plan.status == "optimal" and plan.state == "safe"
+    assert plan.acceleration[1] < -0.5
+    assert math.hypot(*plan.acceleration) <= 1.0 + 1e-12
+
+
+@pytest.mark.parametrize("method", ["avo", "avo_paper", "velocity_obstacle", "orca"])
+def test_batches_have_the_bits_of_single_decisions(method):
+    planner, robots = avo.Planner(method=method), crowd()
+    neighbors = avo.Neighbors.among(robots, 5.0)
+    walls = [avo.Wall((-1, -1), (20, -1)), avo.Wall((3.0, 12.0), (3.0, 12.0), radius=0.5)]
+    plans = planner.plan(robots, neighbors, walls)
+    for k in range(N):
+        same(plans, k, planner.plan(robots[k], neighbors.of(k), walls))
+    if method == "avo":
+        assert len(set(plans.status().tolist())) > 1, "the crowd is too easy to tell batches apart"
+
+
+def test_batches_remember_as_single_robots_do():
+    planner, robots = avo.Planner(), crowd()
+    neighbors = avo.Neighbors.among(robots, 5.0)
+    detours, single = avo.Detours(N), [avo.Detour() for _ in range(N)]
+    for _ in range(20):
+        plans = planner.plan(robots, neighbors, detour=detours)
+        for k in range(N):
+            same(plans, k, planner.plan(robots[k], neighbors.of(k), detour=single[k]))
+            assert (detours[k].angle, detours[k].congestion) == (single[k].angle, single[k].congestion)
+    assert any(detour.angle > 0.0 or detour.congestion > 0.0 for detour in single)
+
+
+def test_neighbors_in_csr_form_are_those_within_the_radius():
+    robots = crowd()
+    position = np.array([robots[k].position for k in range(N)])
+    velocity = np.array([robots[k].velocity for k in range(N)])
+    radius = np.array([robots[k].radius for k in range(N)])
+    rows, offsets = [], [0]
+    for k in range(N):
+        away = np.linalg.norm(position - position[k], axis=1)
+        near = [j for j in np.argsort(away, kind="stable") if j != k and away[j] <= 5.0]
+        rows += near
+        offsets.append(len(rows))
+    mine = avo.Neighbors(position=position[rows], velocity=velocity[rows], offsets=offsets, radius=radius[rows],
+                         max_acceleration=1.5)
+    theirs = avo.Neighbors.among(robots, 5.0)
+    assert np.array_equal(mine.offsets, theirs.offsets)
+    assert np.array_equal(avo.Planner().plan(robots, mine).new_velocity(),
+                          avo.Planner().plan(robots, theirs).new_velocity())
+
+
+def test_movers_of_a_batch_move_on():
+    robot = avo.Robots(position=[[0, 0]], velocity=[[1, 0]], preferred_velocity=[[1, 0]])
+    mover = dict(position=[[4, 0.2]], velocity=[[-1, 0]], offsets=[0, 1])
+    one = avo.Neighbor(position=(4, 0.2), velocity=(-1, 0), behavior="moves_on", acceleration=(0.1, 0))
+    plans = avo.Planner().plan(robot, avo.Neighbors(**mover, moves_on=True, acceleration=[[0.1, 0]]))
+    same(plans, 0, avo.Planner().plan(robot[0], [one]))
+    assert plans[0].acceleration != avo.Planner().plan(robot, avo.Neighbors(**mover))[0].acceleration
+
+
+def test_a_planner_decides_what_the_simulation_decides():
+    scene = avo.Scenario("circle-20")
+    simulation = avo.Simulation(scene, threads=1)
+    simulation.step(60)
+    planner = avo.Planner(**scene.planner_options())
+    seen = [simulation.perceive(k) for k in range(20)]
+    simulation.step()
+    for k, perception in enumerate(seen):
+        plan = planner.plan(perception.robot, perception.neighbors, perception.walls, perception.detour)
+        assert plan.acceleration == tuple(simulation.acceleration()[k])
+
+
+def test_options_are_those_customary_for_the_method():
+    assert (avo.Planner().control_time, avo.Planner().certificate) == (2.0, "braking_trajectories")
+    orca = avo.Planner(method="orca")
+    assert (orca.control_time, orca.time_horizon, orca.certificate) == (4.0, 10.0, "none")
+
+
+def test_out_is_written_and_returned():
+    robots = crowd()
+    plans = avo.Planner().plan(robots, avo.Neighbors.among(robots, 5.0))
+    out = np.zeros((N, 2))
+    assert plans.new_velocity(out=out) is out
+    assert np.array_equal(out, plans.new_velocity()) and np.any(out != 0.0)
+
+
+def test_bad_numbers_of_a_situation_are_an_outcome():
+    assert avo.Planner().plan(avo.Robot(position=(math.nan, 0))).status == "invalid_input"
+
+
+@pytest.mark.parametrize("make, message", [
+    (lambda: avo.Planner(method="avo_papr"), 'method: found "avo_papr", must be one of avo, avo_paper, '
+     'velocity_obstacle, orca; did you mean "avo_paper"?'),
+    (lambda: avo.Planner(time_step=-1.0), "time_step: found -1"),
+    (lambda: avo.Planner(method="orca", certificate="stopping_capsules"), "must be none with method orca"),
+    (lambda: avo.Robot(position=(1, 2, 3)), "point: found 3 numbers, must be 2: (x, y)"),
+    (lambda: avo.Robots(position=[1, 2], velocity=[[0, 0]], preferred_velocity=[[0, 0]]),
+     "position: found shape (2,), must be (n, 2)"),
+    (lambda: avo.Robots(position=[[1, 2]], velocity=[[0, 0]] * 2, preferred_velocity=[[0, 0]]),
+     "velocity: found 2 rows, must be 1 as of position"),
+    (lambda: avo.Robots(position=[[1, 2]], velocity=[[0, 0]], preferred_velocity=[[0, 0]], radius=[1, 2]),
+     "radius: found shape (2,), must be one number, or 1 of them"),
+    (lambda: avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 2]),
+     "offsets: found [0 2], must ascend from 0 to the 1 rows of position, one more than robots"),
+    (lambda: avo.Planner().plan(crowd(), avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1])),
+     f"neighbors: found those of 1 robots, must be those of {N}"),
+])
+def test_wrong_use_is_a_value_error(make, message):
+    with pytest.raises(ValueError) as error:
+        make()
+    assert message in str(error.value) and isinstance(error.value, avo.Error)

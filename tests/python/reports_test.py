@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Decisions, recordings and runs are told as the command line tells them."""
+import json
+
+import avo
+import pytest
+
+
+@pytest.mark.parametrize("scene, robot, time", [("circle-10", 3, 8.0), ("office", 5, 3.0), ("person", 0, 2.0),
+                                                ("planes-12", 2, 5.0)])
+def test_explain_is_the_command_lines(command_line, scene, robot, time):
+    said = command_line("explain", scene, "--robot", robot, "--time", time, "--json").stdout
+    told = avo.explain(scene, robot, time)
+    assert json.dumps(told) == json.dumps(json.loads(said))
+    simulation = avo.Simulation(scene)
+    while simulation.can_step_by(time):
+        simulation.step()
+    assert simulation.explain(robot) == told
+
+
+@pytest.mark.parametrize("robot, time", [(10, 0.0), (-1, 0.0), (0, 1e6), (0, -1.0), (0, float("nan"))])
+def test_what_cannot_be_explained_is_refused_alike(command_line, robot, time):
+    with pytest.raises(ValueError) as error:
+        avo.explain("circle-10", robot, time)
+    said = command_line("explain", "circle-10", f"--robot={robot}", f"--time={time}")
+    assert said.stderr == f"avo: --{error.value}\n"
+
+
+@pytest.mark.parametrize("scene", ["circle-10", "cars-100"])
+def test_check_is_the_command_lines(command_line, tmp_path, scene):
+    recording = tmp_path / "run.csv"
+    avo.run(scene, record=recording)
+    said = command_line("check", recording, "--scene", scene, "--json")
+    assert avo.check(recording, scene) == json.loads(said.stdout) and said.returncode == 0
+    assert avo.check(str(recording), scene, require_arrival=True)["passed"]
+
+
+def test_check_finds_what_is_broken(command_line, tmp_path):
+    recording = tmp_path / "run.csv"
+    recording.write_text("time,robot,x,y,vx,vy\n0,0,0,0,1,0\n0,1,3,0,-1,0\n1,0,1,0,1,0\n1,1,1.5,0,-1,0\n")
+    report = avo.check(recording, radius=0.5, max_acceleration=1, max_speed=2)
+    said = command_line("check", recording, "--radius", 0.5, "--max-acceleration", 1, "--max-speed", 2, "--json")
+    assert report == json.loads(said.stdout) and said.returncode == 1
+    assert report["overlaps"]["count"] == 1 and not report["safe"]
+
+
+def test_wrong_recordings_are_refused_alike(command_line, tmp_path):
+    recording = tmp_path / "run.csv"
+    for text in ("time,robot,x,y,vx\n", "time,robot,x,y,vx,vy\n0,0,0,0,nan,0\n1,0,0,0,0,0\n", ""):
+        recording.write_text(text)
+        with pytest.raises(ValueError) as error:
+            avo.check(recording, "circle-10")
+        said = command_line("check", recording, "--scene", "circle-10")
+        assert said.stderr.removeprefix("avo: ") == f"{error.value}\n"
+    with pytest.raises(avo.Error, match="^radius: found besides scene"):
+        avo.check(recording, "circle-10", radius=1.0)
+    with pytest.raises(avo.Error, match="^radius: found neither it nor scene"):
+        avo.check(recording)
+    with pytest.raises(avo.Error, match="^tolerance: found 1"):
+        avo.check(recording, "circle-10", tolerance=1.0)
+
+
+def without_times(summary):
+    return {key: value for key, value in summary.items() if key != "step_milliseconds_median"}
+
+
+def test_summaries_are_the_command_lines(command_line, tmp_path):
+    path, by_command, by_python = tmp_path / "out.json", tmp_path / "command.csv", tmp_path / "python.csv"
+    command_line("run", "circle-10", "--summary", path, "--record", by_command)
+    said = json.loads(path.read_text())
+    told = avo.run("circle-10", record=by_python)
+    assert without_times(told) == without_times(said) and list(told) == list(said)
+    assert told["step_milliseconds_median"] > 0.0
+    assert by_python.read_bytes() == by_command.read_bytes()
+    scene = avo.Scenario("circle-10")
+    simulation, metrics = avo.Simulation(scene), avo.Metrics(scene)
+    metrics.observe(simulation)
+    while simulation.can_step_by(scene.duration):
+        simulation.step()
+        metrics.observe(simulation)
+    assert without_times(metrics.summary()) == without_times(said)
+
+
+def test_a_recording_that_cannot_be_written_is_refused(tmp_path):
+    with pytest.raises(avo.Error, match="nowhere"):
+        avo.run("circle-2", record=tmp_path / "nowhere" / "run.csv")

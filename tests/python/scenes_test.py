@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes, wherever they come from."""
+import json
+
+import avo
+import numpy as np
+import pytest
+
+YAML = """
+version: 1
+name: two
+robots:
+  - {position: [-10, 0], goal: [10, 0], radius: 0.5}
+  - {position: [10, 0], goal: [-10, 0], radius: 0.5}
+"""
+TWO = {"version": 1, "name": "two",
+       "robots": [{"position": [-10, 0], "goal": [10, 0], "radius": 0.5},
+                  {"position": [10, 0], "goal": [-10, 0], "radius": 0.5}]}
+
+
+def bits(scene):
+    simulation = avo.Simulation(scene, threads=1)
+    simulation.step(50)
+    return simulation.state_hash()
+
+
+def test_all_sources_make_the_same_scene(tmp_path):
+    path = tmp_path / "two.yaml"
+    path.write_text(YAML)
+    arrays = dict(TWO, robots=[dict(TWO["robots"][0], position=np.array([-10.0, 0.0]), radius=np.float64(0.5)),
+                               TWO["robots"][1]])
+    scenes = [avo.Scenario(path), avo.Scenario(str(path)), avo.Scenario.from_yaml(YAML), avo.Scenario(TWO),
+              avo.Scenario(arrays)]
+    assert len({bits(scene) for scene in scenes}) == 1
+    assert [scene.name for scene in scenes] == ["two"] * 5
+    assert bits(TWO) == bits(avo.Scenario(TWO)) == bits(path)
+
+
+def test_overrides_are_those_of_the_command_line():
+    by_dict = avo.Scenario("circle-10", overrides={"method": "orca", "robots.0.radius": 0.4, "robots.1.goal": [1, 2]})
+    by_list = avo.Scenario("circle-10", ["method=orca", "robots.0.radius=0.4", "robots.1.goal=[1, 2]"])
+    for scene in (by_dict, by_list):
+        assert scene.method == "orca" and scene.robots[0].radius == 0.4 and scene.robots[1].goal == (1.0, 2.0)
+
+
+def test_errors_have_the_text_of_the_command_line(tmp_path, command_line):
+    path = tmp_path / "bad.yaml"
+    for text in ("version: 1\nrobots: [{position: [0, 0], goal: [1, 2], radius: -1}]\n",
+                 "version: 1\nrobots: [{position: [0, 0], gaol: [1, 2]}]\n", "version: 2\n", "[", ""):
+        path.write_text(text)
+        with pytest.raises(ValueError) as error:
+            avo.Scenario(path)
+        assert command_line("validate", path).stderr.removeprefix("avo: ") == f"{error.value}\n"
+    for name in ("circle", "circle-1", str(tmp_path / "nowhere.yaml")):
+        with pytest.raises(ValueError) as error:
+            avo.Scenario(name)
+        assert command_line("validate", name).stderr.removeprefix("avo: ") == f"{error.value}\n"
+    with pytest.raises(ValueError) as error:
+        avo.Scenario("circle-10", {"methd": "orca"})
+    assert command_line("run", "circle-10", "--set", "methd=orca").stderr.removeprefix("avo: ") == f"{error.value}\n"
+
+
+def test_dicts_are_refused_by_the_reader():
+    with pytest.raises(avo.Error, match=r'^dict:1:\d+: robots.0.radius: found -1, must be > 0 m$'):
+        avo.Scenario({"version": 1, "robots": [{"position": [0, 0], "goal": [1, 2], "radius": -1}]})
+    with pytest.raises(avo.Error, match="NaN"):
+        avo.Scenario({"version": 1, "robots": [{"position": [float("nan"), 0], "goal": [1, 2]}]})
+    assert avo.Scenario(dict(TWO, name='é "quoted" \U0001f600')).name == 'é "quoted" \U0001f600'
+
+
+def test_a_scenario_beside_overrides_is_refused():
+    with pytest.raises(avo.Error, match="^overrides: found beside a Scenario"):
+        avo.Scenario(avo.Scenario(TWO), {"method": "orca"})
+
+
+def test_what_a_scene_says_is_told():
+    scene = avo.Scenario("office")
+    assert len(scene.robots) == 20 and len(scene.walls) >= len(scene.obstacles) > 0
+    assert scene.broken_assumptions() == {"starts": 0, "beside": 0, "misplaced": 0, "fast": 0, "unseen": None}
+    assert avo.Scenario("circle-10", {"sensing_radius": 2}).broken_assumptions()["unseen"] > 2.0
+    assert scene.advice() == []
+    assert ("office" in dict(avo.builtin_scenes())) and avo.schema()["type"] == "object"
+    assert avo.Scenario("cars-100").robots[0].model.wheelbase > 0.0
+
+
+def test_schema_is_the_command_lines(command_line):
+    assert avo.schema() == json.loads(command_line("schema").stdout)

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Worlds for learning: shapes, determinism, safety, episodes."""
+import avo
+import avo.env
+import numpy as np
+import pytest
+
+E, N, K = 3, 12, 4
+SCENE = "uniform-12"
+
+
+def made(**options):
+    return avo.env.VectorEnv(SCENE, E, neighbors=K, **options)
+
+
+def test_shapes_are_those_of_vector_environments():
+    env = made()
+    observations, infos = env.reset(seed=1)
+    assert observations.shape == env.observation_space.shape == (E, N, 6 + 6 * K) and infos == {}
+    assert env.single_observation_space.shape == (N, 6 + 6 * K) and observations.dtype == np.float32
+    assert env.observation_space.contains(observations) and env.num_envs == E
+    actions = env.action_space.sample()
+    assert actions.shape == (E, N, 2) and env.action_space.contains(actions)
+    observations, rewards, terminated, truncated, infos = env.step(actions)
+    assert observations.shape == (E, N, 6 + 6 * K) and infos == {}
+    assert [a.shape for a in (rewards, terminated, truncated)] == [(E, N)] * 3
+    assert rewards.dtype == np.float64 and terminated.dtype == truncated.dtype == bool
+
+
+def test_observations_are_what_is_documented():
+    env = made()
+    seen, _ = env.reset(seed=5)
+    for _ in range(30):
+        seen = env.step(np.ones((E, N, 2)))[0]
+    position, velocity = env.position(), env.velocity()
+    scene = avo.Scenario(SCENE)
+    for e in range(E):
+        for n in range(N):
+            assert np.allclose(seen[e, n, :2], env.goal()[e, n] - position[e, n], atol=1e-4)
+            assert np.allclose(seen[e, n, 2:4], velocity[e, n], atol=1e-6)
+            assert np.allclose(seen[e, n, 4:6], [scene.robots[n].radius, scene.robots[n].max_speed])
+            away = np.linalg.norm(position[e] - position[e, n], axis=1)
+            near = [j for j in np.argsort(away) if j != n and away[j] <= scene.sensing_radius][:K]
+            others = seen[e, n, 6:].reshape(K, 6)
+            assert others[:, 5].tolist() == [1.0] * len(near) + [0.0] * (K - len(near))
+            assert not np.any(others[len(near):])
+            for row, j in zip(others, near):
+                assert np.allclose(row[:2], position[e, j] - position[e, n], atol=1e-4)
+                assert np.allclose(row[2:4], velocity[e, j] - velocity[e, n], atol=1e-5)
+                assert np.isclose(row[4], env.radius()[e, n] + env.radius()[e, j])
+
+
+def test_the_same_seed_gives_the_same_bits():
+    def rollout(seed):
+        env, random, all_seen = made(max_steps=20), np.random.default_rng(0), []
+        all_seen.append(env.reset(seed=seed)[0])
+        for _ in range(50):  # beyond two ends of episodes
+            seen, rewards, *_ = env.step(random.uniform(-2, 2, (E, N, 2)))
+            all_seen += [seen, rewards]
+        return b"".join(array.tobytes() for array in all_seen)
+    assert rollout(3) == rollout(3) != rollout(4)
+
+
+def test_nobody_need_be_observed():
+    assert avo.env.VectorEnv(SCENE, E, neighbors=0).reset(seed=1)[0].shape == (E, N, 6)
+
+
+def test_worlds_differ_and_a_reset_without_seed_goes_on():
+    env = made()
+    first = env.reset(seed=3)[0]
+    assert not np.array_equal(first[0], first[1])
+    assert not np.array_equal(first, env.reset()[0])
+
+
+def test_robots_do_not_touch_whatever_the_actions_are():
+    env, random = made(), np.random.default_rng(2)
+    env.reset(seed=2)
+    for k in range(150):
+        # all to one place, then anywhere
+        actions = -3.0 * env.position() if k < 100 else random.uniform(-9, 9, (E, N, 2))
+        before = env.velocity()
+        env.step(actions)
+        away = np.linalg.norm(env.position()[:, :, None] - env.position()[:, None], axis=3)
+        touch = env.radius()[:, :, None] + env.radius()[:, None]
+        assert np.all((away >= touch - 1e-9) | np.eye(N, dtype=bool))
+        assert np.all(np.linalg.norm(env.velocity() - before, axis=2) <= 1.0 * env.time_step + 1e-9)
+    assert np.min(away + 100.0 * np.eye(N)) < 5.0, "nobody was in anybody's way"
+
+
+def test_robots_move_as_those_of_a_simulation():
+    overrides = {"method": "avo_paper", "seed": 9}  # remembers nothing
+    scene = avo.Scenario(SCENE, overrides)
+    simulation, worlds = avo.Simulation(scene, threads=1), avo.Worlds(1, scene)
+    for _ in range(60):
+        preferred = [simulation.perceive(n).robot.preferred_velocity for n in range(N)]
+        simulation.step()
+        worlds.step([preferred], [True])
+        assert np.allclose(worlds.position()[0], simulation.position(), atol=1e-9)
+        assert np.allclose(worlds.velocity()[0], simulation.velocity(), atol=1e-9)
+
+
+def test_rewards_are_progress_and_arrival():
+    env = avo.env.VectorEnv({"version": 1, "arrival_distance": 0.5, "robots": [
+        {"position": [0, 0], "goal": [3, 0]}, {"position": [0, 50], "goal": [9, 50]}]}, 1, neighbors=1, max_steps=120)
+    env.reset(seed=0)
+    total, ended = np.zeros(2), None
+    for k in range(120):
+        _, rewards, terminated, truncated, _ = env.step([[[2.0, 0.0], [0.0, 0.0]]])
+        total += rewards[0]
+        if terminated[0, 0] and ended is None:
+            ended, position = k, env.position()[0, 0]
+            assert rewards[0, 0] > 1.0 and np.linalg.norm(position - [3, 0]) <= 0.5
+            assert total[0] == pytest.approx(1.0 + 3.0 - np.linalg.norm(position - [3, 0]))
+        assert truncated[0].tolist() == [False, k == 119]
+    assert ended is not None and total[0] == pytest.approx(1.0 + 3.0, abs=0.5) and total[1] == 0.0
+    assert np.linalg.norm(env.position()[0, 0] - [3, 0]) < 0.1, "it goes to its goal by itself"
+    rewards, terminated, truncated = env.step([[[2.0, 0.0], [2.0, 0.0]]])[1:4]
+    assert not terminated.any() and not truncated.any() and not rewards.any()
+    assert np.array_equal(env.position()[0], [[0, 0], [0, 50]]), "it has begun anew"
+
+
+def test_parallel_environments_have_agents():
+    env = avo.env.ParallelEnv(SCENE, neighbors=K, max_steps=15)
+    observations, infos = env.reset(seed=4)
+    assert env.agents == env.possible_agents == [f"robot_{k}" for k in range(N)]
+    assert set(observations) == set(infos) == set(env.agents)
+    vector = avo.env.VectorEnv(SCENE, 1, neighbors=K, max_steps=15)
+    assert np.array_equal(vector.reset(seed=4)[0][0], [observations[a] for a in env.agents])
+    for k in range(15):
+        actions = {a: env.action_space(a).sample() for a in env.agents}
+        acting = list(env.agents)
+        observations, rewards, terminations, truncations, infos = env.step(actions)
+        for result in (observations, rewards, terminations, truncations, infos):
+            assert list(result) == acting
+        assert all(observations[a].shape == env.observation_space(a).shape == (6 + 6 * K,) for a in acting)
+        assert env.agents == [a for a in acting if not (terminations[a] or truncations[a])]
+    assert env.agents == [] and env.num_agents == 0 and env.max_num_agents == N
+    with pytest.raises(avo.Error, match="^step: found no agents"):
+        env.step({})
+
+
+@pytest.mark.parametrize("make, message", [
+    (lambda: avo.env.VectorEnv("cars-100"), "robots.0.model: found another one, must be holonomic"),
+    (lambda: avo.env.VectorEnv("person"), "moving_obstacles: found some, must be none"),
+    (lambda: avo.env.VectorEnv(SCENE, 0), "num_envs: found 0, must be >= 1"),
+    (lambda: avo.env.VectorEnv(SCENE, max_steps=0), "max_steps: found 0, must be >= 1"),
+    (lambda: avo.env.VectorEnv(avo.Scenario(SCENE)), "scene: found a Scenario"),
+    (lambda: made().step(np.zeros((E, N, 3))), f"actions: found shape ({E}, {N}, 3), must be ({E}, {N}, 2)"),
+    (lambda: made().step(np.full((E, N, 2), np.nan)), "actions: found a number that is not finite"),
+])
+def test_wrong_use_is_a_value_error(make, message):
+    with pytest.raises(ValueError) as error:
+        make()
+    assert message in str(error.value)
