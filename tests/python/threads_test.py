@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python's lock is given up while the library computes, and threads that share a simulation wait for each other."""
+import sys
 import threading
 
 import avo
@@ -26,8 +27,11 @@ def in_thread(act):
 
 
 def counted_while(act):
-    """How often this thread gets to run from the beginning to the end of act() in another one."""
+    """How often this thread gets to run from the beginning to the end of act() in another one: not at all, if that
+    keeps Python's lock. Python takes the lock away from nobody before the switch interval is over."""
     count, seen = [0], []
+    usual = sys.getswitchinterval()
+    sys.setswitchinterval(0.5)
 
     def run():
         seen.append(count[0])
@@ -37,7 +41,13 @@ def counted_while(act):
     while thread.is_alive():
         count[0] += 1
     wait()
+    sys.setswitchinterval(usual)
     return seen[1] - seen[0]
+
+
+def test_what_keeps_the_lock_is_told_from_what_does_not():
+    numbers = list(range(1000000))
+    assert counted_while(lambda: sorted(numbers)) == 0
 
 
 def test_other_threads_run_during_a_step():
