@@ -8,6 +8,7 @@
 
 namespace avo {
 
+/// Threads of a host, or the library's own.
 class AVO_API Executor {
  public:
   /// Throws nothing.
