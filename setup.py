@@ -28,7 +28,7 @@ class BuildByCMake(build_ext):
 
     def configured(self):
         tree = str(ROOT / "build" / "python")
-        options = ["TESTS", "BENCH", "CLI", "INSTALL"]
+        options = ["TESTS", "BENCH", "CLI", "C", "INSTALL"]
         ninja = ["-G", "Ninja"] if self.has_ninja() and not (pathlib.Path(tree) / "CMakeCache.txt").exists() else []
         subprocess.run(
             ["cmake", "-S", str(ROOT), "-B", tree, *ninja, "-DCMAKE_BUILD_TYPE=Release", "-DAVO_PYTHON=ON",
