@@ -223,19 +223,21 @@ TEST(Edits, perceive_is_what_the_step_decides_on) {
 }
 
 }  // namespace
-// It has stood beside another one for a minute; what that taught it is about the old goal.
+// It has stood in the midst of four others for a minute; what that taught it is about the old goal.
 TEST(Edits, a_new_goal_begins_anew) {
   Scenario scene;
-  scene.robots = {{.position = {-3, 0}, .goal = {0, 0}}, {.position = {3.6, 0}, .goal = {0.6, 0}}};
+  scene.robots = {{}};
+  for (const Vec2 place : {Vec2{1.05, 0}, {-1.05, 0}, {0, 1.05}, {0, -1.05}})
+    scene.robots.push_back({.position = place, .goal = place});
   Simulation simulation(scene, 1);
   for (int i = 0; i < 600; ++i) simulation.step();
-  EXPECT_GT(simulation.fleet().detour[0].beside, 10.0F);
-  simulation.remove_robot({1});
+  EXPECT_GT(simulation.fleet().detour[0].beside, 20.0F);
+  for (std::uint64_t other = 1; other <= 4; ++other) simulation.remove_robot({other});
   const Vec2 goal = simulation.fleet().position[0] + Vec2{0.0, 0.4};
   simulation.set_goal({0}, goal);
   EXPECT_EQ(simulation.fleet().detour[0].beside, 0.0F);
   for (int i = 0; i < 25; ++i) simulation.step();
-  EXPECT_EQ(simulation.fleet().position[0], goal);
+  EXPECT_NEAR(norm(simulation.fleet().position[0] - goal), 0.0, 1e-12);
   EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
 }
 
