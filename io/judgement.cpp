@@ -145,7 +145,7 @@ std::string readable(const Judgement& judgement) {
   std::string text = fmt::format(
       "{}: {} robots, {} steps from {:.6g} s to {:.6g} s: {}{}\n",
       avo_io::printable(judgement.recording), report.robots, report.steps, report.from, report.to,
-      verdict(judgement), report.safe() && !judgement.passed() ? ", but not all arrived" : "");
+      verdict(judgement), judgement.safe() && !judgement.passed() ? ", but not all arrived" : "");
   const auto line = [&text](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
@@ -190,7 +190,7 @@ std::string to_json(const Judgement& judgement) {
   json["recording"] = judgement.recording;
   json["scene"] = or_null(judgement.scene);
   json["passed"] = judgement.passed();
-  json["safe"] = report.safe();
+  json["safe"] = judgement.safe();
   json["verdict"] = verdict(judgement);
   json["robots"] = report.robots;
   json["rows"] = report.rows;

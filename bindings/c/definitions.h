@@ -53,18 +53,12 @@ void write(Def* to, const Def& from, const Where& where) {
   to->size = size;
 }
 
-/// More are a number that was never set.
-inline constexpr std::size_t kMostEntries = 10'000'000;
-
 /// take(definition, where) for each of an array of definitions.
 template <typename Def, typename Take>
 void for_each(const Def* defs, std::size_t count, const char* list, const Def& defaults,
               const Take& take) {
   require_array(defs, count, list);
   if (count == 0) return;
-  if (count > kMostEntries)
-    fail(AVO_ERROR_INVALID_ARGUMENT, std::string(list) + ": found " + std::to_string(count) +
-                                         ", must be at most " + std::to_string(kMostEntries));
   const std::size_t stride = size_of(defs, {list, 0});
   const auto* bytes = reinterpret_cast<const std::byte*>(defs);
   for (std::size_t k = 0; k < count; ++k, bytes += stride) {

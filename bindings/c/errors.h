@@ -24,12 +24,18 @@ T& at(T* pointer, const char* name) {
   return *pointer;
 }
 
+/// More are a number that was never set.
+inline constexpr std::size_t kMostEntries = 10'000'000;
+
 /// The same of an array, which may be null where it is empty.
 template <typename T>
 void require_array(const T* array, std::size_t count, const char* name) {
   if (array == nullptr && count > 0)
     fail(AVO_ERROR_INVALID_ARGUMENT,
          std::string(name) + ": found null, must point to " + std::to_string(count));
+  if (count > kMostEntries)
+    fail(AVO_ERROR_INVALID_ARGUMENT, std::string(name) + ": found " + std::to_string(count) +
+                                         ", must be at most " + std::to_string(kMostEntries));
 }
 
 /// What the exception that is being handled means to the caller; remembers its message.

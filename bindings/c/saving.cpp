@@ -40,7 +40,11 @@ avo_result avo_simulation_restore(avo_simulation_id simulation, const void* save
     Simulation& own = simulations.at(simulation);
     own.simulation.restore(bytes_of(saved, size));
     own.has_ids.store(false, std::memory_order_relaxed);
-    restart_metrics(own);
+    try {
+      restart_metrics(own);
+    } catch (...) {
+      lose_metrics(own);
+    }
   });
 }
 

@@ -24,6 +24,8 @@ avo::Scenario read_scene(const Read& read) {
 
 avo::Scenario load_scene(const std::string& name_or_path,
                          const std::vector<std::string>& overrides) {
+  if (name_or_path == "-")
+    fail(AVO_ERROR_INVALID_SCENE, "name_or_path: found \"-\", must be a name or a file");
   return read_scene([&] { return avo_io::load_scenario(name_or_path, overrides); });
 }
 

@@ -13,7 +13,22 @@ void restart_metrics(Simulation& simulation) {
   simulation.metrics = std::move(metrics);
 }
 
+void lose_metrics(Simulation& simulation) {
+  simulation.metrics.reset();
+  simulation.judged.reset();
+  fail(AVO_ERROR_OUT_OF_MEMORY, "metrics: memory ran out, what was called for is done, they end");
+}
+
 namespace {
+
+void observe(Simulation& simulation) {
+  if (!simulation.metrics) return;
+  try {
+    simulation.metrics->observe(simulation.simulation);
+  } catch (...) {
+    lose_metrics(simulation);
+  }
+}
 
 // change(simulation) of the one with that id, of which no columns are lent any more.
 template <typename Change>
@@ -66,7 +81,7 @@ bool avo_simulation_is_valid(avo_simulation_id simulation) {
 avo_result avo_simulation_step(avo_simulation_id simulation) {
   return changed(simulation, [](Simulation& own) {
     own.simulation.step();
-    if (own.metrics) own.metrics->observe(own.simulation);
+    observe(own);
   });
 }
 

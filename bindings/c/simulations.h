@@ -43,6 +43,9 @@ std::size_t index_of(const avo::FleetView& fleet, avo_robot_id robot);
 /// Metrics begin anew, where there are any.
 void restart_metrics(Simulation& simulation);
 
+/// They end, because what they could not follow has been done. Throws Failure that says so.
+[[noreturn]] void lose_metrics(Simulation& simulation);
+
 /// Who does the steps: the host, or as many threads as the definition says.
 avo::Simulation make(const avo::Scenario& scenario, const avo_simulation_def& def);
 avo::Simulation make(std::span<const std::byte> saved, const avo_simulation_def& def);

@@ -38,10 +38,12 @@ struct Judgement {
   bool free_clocks = false;  ///< in the scene
 
   [[nodiscard]] bool passed() const {
-    return report.safe() && (!require_arrival || report.arrived == report.with_goal);
+    return safe() && (!require_arrival || report.arrived == report.with_goal);
   }
-  /// Rows are missing, and those that are there break no rule.
-  [[nodiscard]] bool incomplete() const { return !report.broken() && report.unjudged_steps > 0; }
+  /// No rule is broken, and nobody's rows are missing.
+  [[nodiscard]] bool safe() const { return report.safe() && report.gaps == 0; }
+  /// Rows are missing, of all robots or of one, and those that are there break no rule.
+  [[nodiscard]] bool incomplete() const { return !report.broken() && !safe(); }
 };
 
 /// Judges the recording in that file; "-" is the standard input. Throws FileError, RecordingError,

@@ -248,6 +248,7 @@ static void check_scenes(void) {
           "robots.0.radius");
   CHECK(avo_load_scene("circle-10", none, 1, &scene) == AVO_ERROR_INVALID_ARGUMENT);
   CHECK(avo_load_scene(NULL, NULL, 0, &scene) == AVO_ERROR_INVALID_ARGUMENT);
+  REFUSES(avo_load_scene("-", NULL, 0, &scene), AVO_ERROR_INVALID_SCENE, "found \"-\"");
   REFUSES(avo_parse_scene(text, sizeof text - 1, "mine.yaml", NULL, 0, &scene),
           AVO_ERROR_INVALID_SCENE, "mine.yaml:2:1: ");
   CHECK(avo_scene_get_def(scene, &def) == AVO_ERROR_INVALID_ID);

@@ -41,6 +41,23 @@ TEST(Check, says_what_it_found_in_words) {
                 "  gaps               1 in the rows of a robot, not judged\n");
 }
 
+// Nobody knows where it was in between.
+TEST(Check, calls_nobody_safe_whose_rows_are_missing) {
+  const std::string rows = kHeader +
+                           "0,1,0,0,0,0\n0,2,9,0,0,0\n0.1,1,0,0,0,0\n"
+                           "0.2,1,0,0,0,0\n0.2,2,9,0,0,0\n0.3,1,0,0,0,0\n0.3,2,9,0,0,0\n";
+  const ProcessResult found = check(rows);
+  EXPECT_EQ(found.exit_code, 7);
+  EXPECT_NE(found.out.find(": incomplete\n"), std::string::npos) << found.out;
+  Strings words = kLimits;
+  words.push_back("--json");
+  const Json json = Json::parse(check(rows, words).out);
+  EXPECT_EQ(json["verdict"], "incomplete");
+  EXPECT_EQ(json["safe"], false);
+  EXPECT_EQ(json["passed"], false);
+  EXPECT_EQ(json["gaps"], 1);
+}
+
 TEST(Check, json_has_all_keys_in_order) {
   const Json json = verdict(kGood);
   Strings keys;

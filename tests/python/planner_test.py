@@ -131,6 +131,12 @@ def test_bad_numbers_of_a_situation_are_an_outcome():
      "radius: found shape (2,), must be one number, or 1 of them"),
     (lambda: avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 2]),
      "offsets: found [0 2], must ascend from 0 to the 1 rows of position, one more than robots"),
+    (lambda: avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1.0]),
+     "offsets: found [0, 1.0], must be whole numbers"),
+    (lambda: avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1], acceleration=5.0),
+     "acceleration: found one number, must be (m, 2), or 0"),
+    (lambda: avo.Scenario("-"), 'scene: found "-", must be a name or a file'),
+    (lambda: avo.RobotSetup(layers=[10**30]), f"layers: found {10**30}, must be 0 to 31"),
     (lambda: avo.Planner().plan(crowd(), avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1])),
      f"neighbors: found those of 1 robots, must be those of {N}"),
 ])

@@ -65,7 +65,12 @@ Robots make_robots(const Numbers& position, const Numbers& velocity,
 }
 
 /// Offsets of CSR form. Throws Error unless they ascend from 0 to m.
-std::vector<std::size_t> checked_offsets(const Whole& offsets, std::size_t m) {
+std::vector<std::size_t> checked_offsets(const py::object& object, std::size_t m) {
+  const py::array any = py::array::ensure(object);
+  const char kind = any ? any.dtype().kind() : '?';
+  if (kind != 'i' && kind != 'u')
+    throw avo::Error("offsets: found " + std::string(py::repr(object)) + ", must be whole numbers");
+  const Whole offsets(any);
   const std::span<const std::int64_t> given(offsets.data(),
                                             static_cast<std::size_t>(offsets.size()));
   const bool good = offsets.ndim() == 1 && !given.empty() && given.front() == 0 &&
@@ -78,16 +83,18 @@ std::vector<std::size_t> checked_offsets(const Whole& offsets, std::size_t m) {
   return {given.begin(), given.end()};
 }
 
-Neighbors make_neighbors(const Numbers& position, const Numbers& velocity, const Whole& offsets,
-                         const Numbers& radius, const Numbers& max_acceleration,
-                         const Numbers& priority, const Numbers& acceleration,
-                         const Numbers& moves_on, const Numbers& max_deviation,
-                         const Numbers& max_speed) {
+Neighbors make_neighbors(const Numbers& position, const Numbers& velocity,
+                         const py::object& offsets, const Numbers& radius,
+                         const Numbers& max_acceleration, const Numbers& priority,
+                         const Numbers& acceleration, const Numbers& moves_on,
+                         const Numbers& max_deviation, const Numbers& max_speed) {
   const auto p = rows("position", position), v = rows("velocity", velocity);
   const auto m = static_cast<py::ssize_t>(p.size());
   if (v.size() != p.size())
     throw avo::Error(
         fmt::format("velocity: found {} rows, must be {} as of position", v.size(), p.size()));
+  if (acceleration.ndim() == 0 && *acceleration.data() != 0.0)
+    throw avo::Error("acceleration: found one number, must be (m, 2), or 0");
   std::vector<avo::Vec2> none(acceleration.ndim() == 0 ? p.size() : 0);
   const auto a = acceleration.ndim() == 0 ? none : rows("acceleration", acceleration);
   if (a.size() != p.size())

@@ -93,9 +93,10 @@ struct type_caster<avo::LayerSet> {
     value = {};
     for (const handle layer : reinterpret_borrow<sequence>(source)) {
       if (!PyLong_Check(layer.ptr())) return false;
-      const auto number = layer.cast<long long>();
-      if (number < 0 || number > 31)
-        throw avo::Error("layers: found " + std::to_string(number) + ", must be 0 to 31");
+      int overflow = 0;
+      const long long number = PyLong_AsLongLongAndOverflow(layer.ptr(), &overflow);
+      if (overflow != 0 || number < 0 || number > 31)
+        throw avo::Error("layers: found " + std::string(str(layer)) + ", must be 0 to 31");
       value.bits |= 1U << static_cast<unsigned>(number);
     }
     return true;

@@ -49,14 +49,18 @@ avo::Plan plan(const Planner& planner, const avo::Robot& robot,
   return planner.plan(robot, neighbors, workspace(), detour, walls);
 }
 
-avo::Plan plan_among_obstacles(const Planner& planner, const avo::Robot& robot,
+// Robots are taken by value: another thread may change the caller's while Python's lock is
+// released.
+avo::Plan plan_among_obstacles(const Planner& planner, const avo::Robot robot,
                                const std::vector<avo::Neighbor>& obstacles) {
+  const py::gil_scoped_release release;
   return planner.plan_among_obstacles(robot, obstacles, workspace());
 }
 
-avo::SafetyReport state(const Planner& planner, const avo::Robot& robot,
+avo::SafetyReport state(const Planner& planner, const avo::Robot robot,
                         const std::vector<avo::Neighbor>& neighbors,
                         const std::vector<avo::Wall>& walls) {
+  const py::gil_scoped_release release;
   return planner.state(robot, neighbors, workspace(), walls);
 }
 
@@ -119,7 +123,6 @@ void bind_planner(py::module_& module) {
   py::class_<Planner> planner(module, "Planner",
                               "Decides for one robot. Cannot be changed; threads may share it.");
   bind_options(planner);
-  const auto without_lock = py::call_guard<py::gil_scoped_release>();
   planner
       .def("plan", &plan, arg("robot"), arg("neighbors") = py::tuple(), arg("walls") = py::tuple(),
            arg("detour") = py::none(),
@@ -127,9 +130,9 @@ void bind_planner(py::module_& module) {
            "robot; detour: what it remembers, updated, None: nothing. Bad numbers are the status "
            "\"invalid_input\".")
       .def("plan_among_obstacles", &plan_among_obstacles, arg("robot"), arg("obstacles"),
-           without_lock, "One robot among movers that do not react (paper III-C).")
+           "One robot among movers that do not react (paper III-C).")
       .def("state", &state, arg("robot"), arg("neighbors") = py::tuple(),
-           arg("walls") = py::tuple(), without_lock,
+           arg("walls") = py::tuple(),
            "Whether the robot can go on without contact, as far as that is proved.");
 }
 

@@ -83,7 +83,7 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
   return from_json(json);
 }
 
-/// What `avo run` does: to the end of the scene, or until all have been at their goals.
+/// What `avo run` does: to the end of the scene.
 py::object run(const py::object& scene, int threads, const py::object& record) {
   const avo::Scenario scenario = scenario_of(scene, py::none());
   std::optional<avo_io::CsvRecording> recording;

@@ -37,6 +37,8 @@ Scenario parse(const std::string& yaml, const std::string& file, const py::objec
 }
 
 Scenario load(const std::string& name, const py::object& overrides) {
+  if (name == "-")
+    throw avo::Error("scene: found \"-\", must be a name or a file; see from_yaml()");
   const auto all = overrides_of(overrides);
   const py::gil_scoped_release release;
   return avo_io::load_scenario(name, all);

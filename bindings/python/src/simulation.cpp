@@ -80,6 +80,14 @@ auto told(F f) {
   return [f](SharedSimulation& self) { return self.briefly(f); };
 }
 
+int threads_of(SharedSimulation& simulation) {
+  return simulation.briefly([](const Simulation& s) { return s.threads(); });
+}
+
+auto copy_of(SharedSimulation& simulation) {
+  return from_saved(save(simulation), threads_of(simulation), simulation.name());
+}
+
 void bind_run(SimulationClass& simulation) {
   simulation
       .def(py::init(&make), arg("scene"), arg("threads") = 0,
@@ -96,14 +104,11 @@ void bind_run(SimulationClass& simulation) {
             self.alone([bytes](Simulation& s) { s.restore(bytes); });
           },
           arg("saved"), "Back, or forth, to what one of the same scene has saved.")
-      .def("__copy__",
-           [](SharedSimulation& self) { return from_saved(save(self), 0, self.name()); })
-      .def("__deepcopy__", [](SharedSimulation& self,
-                              const py::dict&) { return from_saved(save(self), 0, self.name()); })
+      .def("__copy__", &copy_of)
+      .def("__deepcopy__", [](SharedSimulation& self, const py::dict&) { return copy_of(self); })
       .def(py::pickle(
           [](SharedSimulation& self) {
-            const int threads = self.briefly([](const Simulation& s) { return s.threads(); });
-            return py::make_tuple(save(self), threads, self.name());
+            return py::make_tuple(save(self), threads_of(self), self.name());
           },
           [](const py::tuple& state) {
             return from_saved(state[0].cast<py::bytes>(), state[1].cast<int>(),
@@ -168,7 +173,7 @@ void bind_edits(SimulationClass& simulation) {
   simulation
       .def(
           "add_robot",
-          [](SharedSimulation& self, const avo::RobotSetup& setup) {
+          [](SharedSimulation& self, const avo::RobotSetup setup) {  // another thread may change it
             return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
           },
           arg("setup"), "Returns its id.")

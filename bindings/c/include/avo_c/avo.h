@@ -494,7 +494,8 @@ AVO_C_API bool avo_simulation_is_valid(avo_simulation_id simulation);
 /// One sensing-acting cycle of all robots. The same bits for any number of threads or workers. A
 /// fleet of less than 256 is stepped by the calling thread alone. Airplanes that have arrived may
 /// leave. Where memory runs out nobody has moved, or every later step fails until a state is
-/// restored. Where run_tasks breaks its contract, likewise.
+/// restored. Where run_tasks breaks its contract, likewise. Where it runs out for metrics alone, the
+/// step is done, and they end.
 AVO_C_API avo_result avo_simulation_step(avo_simulation_id simulation);
 
 /// The new robot's number is greater than all before.
@@ -517,7 +518,8 @@ AVO_C_API avo_result avo_simulation_remove_obstacle(avo_simulation_id simulation
 AVO_C_API avo_result avo_simulation_save(avo_simulation_id simulation, void* buffer,
                                          size_t capacity, size_t* size);
 /// Back, or forth, to what this simulation or another one of the same settings and moving obstacles
-/// has saved. Changes nothing where it fails. Metrics begin anew.
+/// has saved. Changes nothing where it fails. Metrics begin anew, or end where memory runs out for
+/// them.
 AVO_C_API avo_result avo_simulation_restore(avo_simulation_id simulation, const void* saved,
                                             size_t size);
 /// A simulation that goes on from what another one has saved. Of def only threads, workers,
