@@ -136,7 +136,7 @@ def test_bad_numbers_of_a_situation_are_an_outcome():
     (lambda: avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1], acceleration=5.0),
      "acceleration: found one number, must be (m, 2), or 0"),
     (lambda: avo.Scenario("-"), 'scene: found "-", must be a name or a file'),
-    (lambda: avo.RobotSetup(layers=[10**30]), f"layers: found {10**30}, must be 0 to 31"),
+    (lambda: avo.RobotSetup(position=(0, 0), goal=(1, 0), layers=[10**30]), f"layers: found {10**30}, must be 0 to 31"),
     (lambda: avo.Planner().plan(crowd(), avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1])),
      f"neighbors: found those of 1 robots, must be those of {N}"),
 ])
