@@ -6,24 +6,17 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 
 #include "avo/half_plane.h"
 #include "avo_io/printable.h"
+#include "json.h"
 
 namespace avo_io {
 namespace {
 
 using avo::Vec2;
-using Json = nlohmann::ordered_json;
-
-/// Robot I, or moving obstacle K as "moving_obstacles.K".
-Json name_of(std::int64_t source) {
-  if (source >= 0) return source;
-  return fmt::format("moving_obstacles.{}", -1 - source);
-}
 
 Json to_json(Vec2 v) {
   return Json::array({v.x, v.y});

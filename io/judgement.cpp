@@ -4,21 +4,14 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "avo/version.h"
 #include "avo_io/printable.h"
+#include "json.h"
 
 namespace avo_io {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <typename Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
 
 std::int64_t number_of(const Judgement& judgement, std::int64_t index) {
   return judgement.numbers.empty() ? index : judgement.numbers[static_cast<std::size_t>(index)];

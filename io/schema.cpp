@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of fields as JSON Schema (draft 2020-12), for editors and other programs.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 #include <variant>
 
 #include "avo_io/scene.h"
 #include "fields.h"
+#include "json.h"
 
 namespace avo_io {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json number_schema(const avo::Range& range) {
   Json json{{"type", "number"}};
@@ -46,7 +44,7 @@ Json names_schema(const Names& names) {
 }
 
 template <class Names, class Value>
-std::string name_of(const Names& names, Value value) {
+std::string value_name(const Names& names, Value value) {
   for (const auto& [name, candidate] : names)
     if (candidate == value) return std::string(name);
   return "";
@@ -81,25 +79,25 @@ ValueSchema describe(avo::Vec2 value, const avo::Range& range) {
   return {point_schema(range), Json::array({value.x, value.y})};
 }
 ValueSchema describe(avo::Method value, const avo::Range&) {
-  return {names_schema(kMethods), name_of(kMethods, value)};
+  return {names_schema(kMethods), value_name(kMethods, value)};
 }
 ValueSchema describe(avo::Motion value, const avo::Range&) {
-  return {names_schema(kMotions), name_of(kMotions, value)};
+  return {names_schema(kMotions), value_name(kMotions, value)};
 }
 ValueSchema describe(avo::Clock value, const avo::Range&) {
-  return {names_schema(kClocks), name_of(kClocks, value)};
+  return {names_schema(kClocks), value_name(kClocks, value)};
 }
 ValueSchema describe(avo::RightOfWay value, const avo::Range&) {
-  return {names_schema(kRightsOfWay), name_of(kRightsOfWay, value)};
+  return {names_schema(kRightsOfWay), value_name(kRightsOfWay, value)};
 }
 ValueSchema describe(avo::NoiseDistribution value, const avo::Range&) {
-  return {names_schema(kDistributions), name_of(kDistributions, value)};
+  return {names_schema(kDistributions), value_name(kDistributions, value)};
 }
 ValueSchema describe(avo::AccelerationSet value, const avo::Range&) {
-  return {names_schema(kAccelerationSets), name_of(kAccelerationSets, value)};
+  return {names_schema(kAccelerationSets), value_name(kAccelerationSets, value)};
 }
 ValueSchema describe(avo::AfterGoal value, const avo::Range&) {
-  return {names_schema(kAfterGoals), name_of(kAfterGoals, value)};
+  return {names_schema(kAfterGoals), value_name(kAfterGoals, value)};
 }
 ValueSchema describe(const std::optional<avo::Certificate>&, const avo::Range&) {
   return {names_schema(kCertificates), nullptr};
@@ -119,7 +117,7 @@ ValueSchema describe(const std::optional<bool>&, const avo::Range&) {
   return {{{"type", "boolean"}}, nullptr};
 }
 ValueSchema describe(avo::Fill value, const avo::Range&) {
-  return {names_schema(kFills), name_of(kFills, value)};
+  return {names_schema(kFills), value_name(kFills, value)};
 }
 ValueSchema describe(const std::vector<avo::Vec2>&, const avo::Range& range) {
   return {{{"type", "array"}, {"items", point_schema(range)}, {"minItems", 2}}, nullptr};

@@ -10,7 +10,7 @@ namespace avo_cli {
 namespace {
 
 /// Fit for the description of an option in single quotes.
-std::string escaped(std::string_view text) {
+std::string escaped_for_zsh(std::string_view text) {
   std::string result;
   for (const char c : text) {
     if (c == '\'')
@@ -47,7 +47,7 @@ std::string action_of(const OptionText& option) {
 
 /// One argument of _arguments for each of its names.
 std::string arguments_of(const OptionText& option) {
-  const std::string value = fmt::format(":{}:{}", escaped(option.value), action_of(option));
+  const std::string value = fmt::format(":{}:{}", escaped_for_zsh(option.value), action_of(option));
   if (option.is_operand)
     return fmt::format(" \\\n        '{}{}'", option.is_required ? "" : ":", value);
   std::string text;
@@ -56,7 +56,7 @@ std::string arguments_of(const OptionText& option) {
         option.repeats ? "*" : fmt::format("({})", fmt::join(option.names, " "));
     const bool has_value = option.kind != ValueKind::none;
     text += fmt::format(" \\\n        '{}{}{}[{}]{}'", others, name, has_value ? "=" : "",
-                        escaped(option.description), has_value ? value : "");
+                        escaped_for_zsh(option.description), has_value ? value : "");
   }
   return text;
 }
@@ -72,7 +72,7 @@ std::string arguments_of(const VerbText& verb) {
 std::string zsh_completion(const ProgramText& text) {
   std::string verbs, cases, keys, values;
   for (const VerbText& verb : text.verbs) {
-    verbs += fmt::format("    '{}:{}'\n", verb.name, escaped(verb.description));
+    verbs += fmt::format("    '{}:{}'\n", verb.name, escaped_for_zsh(verb.description));
     cases += fmt::format("    {})\n      _arguments -s -S{} ;;\n", verb.name, arguments_of(verb));
   }
   for (const SettingText& setting : text.settings) {

@@ -8,16 +8,13 @@
 
 #include "avo/half_plane.h"
 #include "certificate/kernels.h"
+#include "core/plane.h"
 #include "walls/segment.h"
 
 namespace avo {
 namespace {
 
 constexpr double kLoitering = 4.0;  // roundings of a circle that is remembered, in steps of braking
-
-double length_1(Vec2 a) {
-  return std::abs(a.x) + std::abs(a.y);
-}
 
 Footprint braking_footprint(Vec2 position, Vec2 velocity, double radius, const Ability& ability,
                             const StepLaw& law) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/plane.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -69,10 +70,6 @@ std::optional<double> find_contact(const Approach& approach, double contact) {
     return norm(approach.at(t)) + approach.spread.at(t) - contact;
   };
   return find_negative(depth, end);
-}
-
-double length_1(Vec2 a) {
-  return std::abs(a.x) + std::abs(a.y);
 }
 
 double top_speed(const Robot& robot) {

@@ -8,14 +8,11 @@
 #include <limits>
 #include <optional>
 
+#include "core/plane.h"
 #include "robots/model.h"
 
 namespace avo {
 namespace {
-
-double length_1(Vec2 a) {
-  return std::abs(a.x) + std::abs(a.y);
-}
 
 // A's candidate as segments, relative to p_A: where it stops from p_1 on, and the sides of the
 // triangle of its step. The side from p lies in the present capsule, but where the disc swings.

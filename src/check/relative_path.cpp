@@ -156,7 +156,7 @@ std::optional<double> first_below(const RelativePath& path, double limit) {
 
 std::optional<double> last_below(const RelativePath& path, double limit) {
   const auto& c = path.control;
-  const std::optional<double> first = first_below({{c[3], c[2], c[1], c[0]}}, limit);
+  const std::optional<double> first = first_below(RelativePath{{c[3], c[2], c[1], c[0]}}, limit);
   if (!first) return first;
   return 1.0 - *first;
 }

@@ -37,6 +37,12 @@ bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
 
 }  // namespace
 
+double widest_of(std::span<const Wall> walls) {
+  double widest = 0.0;
+  for (const Wall& wall : walls) widest = std::max(widest, wall.radius);
+  return widest;
+}
+
 bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room) {
   return comes_nearer({p, q}, wall, room + wall.radius);
 }

@@ -10,6 +10,9 @@
 
 namespace avo {
 
+/// m, the radius of the widest.
+double widest_of(std::span<const Wall> walls);
+
 /// Whether the wall's surface is nearer than `room` to the straight way from p to q.
 bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room);
 

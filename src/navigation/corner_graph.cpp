@@ -20,12 +20,6 @@ bool are_joined(const CornerGraph& graph, std::size_t i, std::size_t k) {
          graph.grid.is_clear(p, q, std::min(graph.room[i], graph.room[k]));
 }
 
-double widest_of(std::span<const Wall> walls) {
-  double widest = 0.0;
-  for (const Wall& wall : walls) widest = std::max(widest, wall.radius);
-  return widest;
-}
-
 // Joins all corners between which a shortest way may lead straight.
 void join(CornerGraph& graph, const CornerGraph* before) {
   const std::size_t count = graph.points.size();

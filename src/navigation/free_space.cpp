@@ -22,12 +22,6 @@ std::int32_t crossing(Vec2 a, Vec2 b, Vec2 p) {
   return side < 0.0 ? -1 : 0;
 }
 
-double widest_of(std::span<const Wall> walls) {
-  double widest = 0.0;
-  for (const Wall& wall : walls) widest = std::max(widest, wall.radius);
-  return widest;
-}
-
 }  // namespace
 
 FreeSpace::FreeSpace(std::span<const Wall> walls, double radius)

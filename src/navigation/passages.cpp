@@ -16,12 +16,6 @@ namespace {
 constexpr double kBeside = 0.5;   // radii: nearer to the walls nobody is in the way in
 constexpr double kAtBends = 1.4;  // of half the width: nobody behind a wall is as near to the axis
 
-double widest_of(std::span<const Wall> walls) {
-  double widest = 0.0;
-  for (const Wall& wall : walls) widest = std::max(widest, wall.radius);
-  return widest;
-}
-
 // Around the whole axis.
 Wall capsule_of(const Passage& passage) {
   Wall capsule{passage.axis.front(), passage.axis.back(), 0.0};

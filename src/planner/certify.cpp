@@ -121,13 +121,13 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   return choice;
 }
 
-PlanStatus status_of(Chosen chosen, double violation, const CertificateConstraints& constraints,
-                     bool overlapping) {
+PlanStatus certified_status(Chosen chosen, double violation,
+                            const CertificateConstraints& constraints, bool overlapping) {
   const Invariant& invariant = constraints.invariant;
   if (overlapping || invariant.broken >= 0 || invariant.touched || constraints.walls.broken)
     return PlanStatus::overlapping;
   if (chosen == Chosen::backup) return PlanStatus::braking;
-  return chosen == Chosen::candidate ? PlanStatus::candidate : avo::status_of(false, violation);
+  return chosen == Chosen::candidate ? PlanStatus::candidate : status_of(false, violation);
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColum
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
   return plan_under(
       law, robot, choice.next_velocity,
-      status_of(choice.chosen, wished.violation, certified.constraints, wished.overlapping),
+      certified_status(choice.chosen, wished.violation, certified.constraints, wished.overlapping),
       wished.violation);
 }
 
@@ -169,10 +169,10 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   const double u = increment(robot.max_acceleration, law.step);
   const Vec2 wanted = approach(robot.velocity, target.velocity, reach_of(robot.model) * u);
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  Plan plan =
-      plan_under(law, robot, choice.next_velocity,
-                 status_of(choice.chosen, target.violation, certified.constraints, overlapping),
-                 target.violation);
+  Plan plan = plan_under(
+      law, robot, choice.next_velocity,
+      certified_status(choice.chosen, target.violation, certified.constraints, overlapping),
+      target.violation);
   plan.state =
       state_of(robot, certified.constraints.alone.neighbors[0], walls, law, certified.constraints)
           .state;

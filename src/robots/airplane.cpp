@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/elementary.h"
+#include "core/plane.h"
 
 namespace avo {
 namespace {
@@ -19,15 +19,6 @@ namespace {
 constexpr double kReserve = 1e-6;
 // Goals are steered to where a circle leads there that is so much wider than the least one.
 constexpr double kWiderCircle = 1.05;
-
-double wrapped(double angle) {
-  return std::remainder(angle, 2.0 * std::numbers::pi);
-}
-
-// a turned by the angle of a unit vector.
-Vec2 turned(Vec2 a, Vec2 by) {
-  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
-}
 
 // From the start to where so much of the arc is behind it.
 Vec2 chord(const Arc& arc, double length) {

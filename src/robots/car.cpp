@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "core/plane.h"
 
 namespace avo {
 namespace {
@@ -36,15 +37,6 @@ struct Driving {
   double speed;   // [v] m/s, >= 0
   double offset;  // [e] m
 };
-
-double wrapped(double angle) {
-  return std::remainder(angle, 2.0 * std::numbers::pi);
-}
-
-// a turned by the angle of a unit vector.
-Vec2 turned(Vec2 a, Vec2 by) {
-  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
-}
 
 // Whether it drives backwards; one at rest, if that is where it is to go.
 bool is_reversing(const Car& car, Vec2 heading, Vec2 velocity, Vec2 wanted) {

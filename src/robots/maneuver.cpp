@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "core/plane.h"
 #include "robots/car.h"
 
 namespace avo {
@@ -53,10 +54,6 @@ struct Way {
   Move second;
   Leg rest;
 };
-
-Vec2 turned(Vec2 a, Vec2 by) {
-  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
-}
 
 Pose after(const Pose& pose, const Move& move, double length) {
   const Vec2 ahead = move.gear * pose.heading;

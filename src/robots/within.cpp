@@ -2,18 +2,14 @@
 // Robots in the midst of a step, from its ends: for those who decide while others are on their way.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/elementary.h"
+#include "core/plane.h"
 #include "robots/car.h"
 #include "robots/motion.h"
 
 namespace avo {
 namespace {
-
-Vec2 turned(Vec2 a, Vec2 by) {
-  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
-}
 
 // m/s, negative backwards.
 double signed_speed(const MotionState& state) {
@@ -31,13 +27,12 @@ double sine_ratio(double x) {
 MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool swings,
                             double time, double duration) {
   const double speed = signed_speed(from), next_speed = signed_speed(to);
-  const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
+  const double turn = wrapped(to.heading - from.heading);
   const double length = 0.5 * (speed + next_speed) * duration;
   MotionState state = from;
   if (length == 0.0) {  // in place, or not at all
     const double part = time / duration;
-    state.heading =
-        std::remainder(from.heading + turn * (swings ? part * part : part), 2.0 * std::numbers::pi);
+    state.heading = wrapped(from.heading + turn * (swings ? part * part : part));
     return state;
   }
   const double change = (next_speed - speed) / duration;
@@ -46,7 +41,7 @@ MotionState within_axle_arc(const MotionState& from, const MotionState& to, bool
   const Vec2 half = elementary::direction(half_turn);
   const Vec2 middle = turned(elementary::direction(from.heading), half);
   state.position = from.position + (covered * sine_ratio(half_turn)) * middle;
-  state.heading = std::remainder(from.heading + 2.0 * half_turn, 2.0 * std::numbers::pi);
+  state.heading = wrapped(from.heading + 2.0 * half_turn);
   state.velocity = (speed + time * change) * turned(middle, half);
   return state;
 }

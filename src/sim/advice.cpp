@@ -11,7 +11,7 @@
 namespace avo {
 namespace {
 
-std::string text(double value) {
+std::string in_short(double value) {
   char buffer[32];
   const auto format = std::chars_format::general;
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, 6).ptr};
@@ -52,8 +52,8 @@ double usual_control_time(const RobotSetup& robot) {
 }
 
 std::string usual_control_time_of(const RobotSetup& robot, std::size_t index) {
-  return "2 max_speed / max_acceleration = 2 * " + text(robot.max_speed) + " / " +
-         text(robot.max_acceleration) + " = " + text(usual_control_time(robot)) + " s of " +
+  return "2 max_speed / max_acceleration = 2 * " + in_short(robot.max_speed) + " / " +
+         in_short(robot.max_acceleration) + " = " + in_short(usual_control_time(robot)) + " s of " +
          robot_name(index);
 }
 
@@ -67,20 +67,21 @@ void advise_control_time(const Scenario& scenario, std::vector<std::string>& lin
       worst(robots, [&](const RobotSetup& r) { return usual_control_time(r) / delta; });
   if (shortest.value > 2.0) {
     const RobotSetup& robot = robots[shortest.robot];
-    lines.push_back("control_time " + text(delta) + " s is less than half of " +
+    lines.push_back("control_time " + in_short(delta) + " s is less than half of " +
                     usual_control_time_of(robot, shortest.robot) + ": a decision changes its " +
-                    "velocity by at most " + text(delta) + " * " + text(robot.max_acceleration) +
-                    " = " + text(delta * robot.max_acceleration) + " m/s");
+                    "velocity by at most " + in_short(delta) + " * " +
+                    in_short(robot.max_acceleration) + " = " +
+                    in_short(delta * robot.max_acceleration) + " m/s");
   }
   const Worst longest =
       worst(robots, [&](const RobotSetup& r) { return delta / usual_control_time(r); });
   if (longest.value > 2.0)
-    lines.push_back("control_time " + text(delta) + " s is more than twice " +
+    lines.push_back("control_time " + in_short(delta) + " s is more than twice " +
                     usual_control_time_of(robots[longest.robot], longest.robot) +
                     ": it responds slowly");
   if (scenario.time_step > 0.5 * delta)
-    lines.push_back("time_step " + text(scenario.time_step) + " s is more than half of " +
-                    "control_time = " + text(delta) + " s: the control is coarse");
+    lines.push_back("time_step " + in_short(scenario.time_step) + " s is more than half of " +
+                    "control_time = " + in_short(delta) + " s: the control is coarse");
 }
 
 void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -90,10 +91,10 @@ void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines)
   if (jump.value <= 1.0) return;
   const RobotSetup& robot = scenario.robots[jump.robot];
   const double dt = time_step_of(scenario, robot);
-  lines.push_back("time_step " + text(dt) + " s lets " + robot_name(jump.robot) + " travel " +
-                  text(robot.max_speed) + " * " + text(dt) + " = " + text(robot.max_speed * dt) +
-                  " m between decisions, more than its radius = " + text(disc_radius(robot)) +
-                  " m");
+  lines.push_back(
+      "time_step " + in_short(dt) + " s lets " + robot_name(jump.robot) + " travel " +
+      in_short(robot.max_speed) + " * " + in_short(dt) + " = " + in_short(robot.max_speed * dt) +
+      " m between decisions, more than its radius = " + in_short(disc_radius(robot)) + " m");
 }
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -103,10 +104,10 @@ void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lin
   const double tau = planner_options(scenario).time_horizon;
   if (tau >= slowest.value) return;
   const RobotSetup& robot = scenario.robots[slowest.robot];
-  lines.push_back("time_horizon " + text(tau) + " s is shorter than " + robot_name(slowest.robot) +
-                  " needs to stop, max_speed / " + braking_key(robot) + " = " +
-                  text(robot.max_speed) + " / " + text(braking_limit(robot)) + " = " +
-                  text(slowest.value) + " s");
+  lines.push_back("time_horizon " + in_short(tau) + " s is shorter than " +
+                  robot_name(slowest.robot) + " needs to stop, max_speed / " + braking_key(robot) +
+                  " = " + in_short(robot.max_speed) + " / " + in_short(braking_limit(robot)) +
+                  " = " + in_short(slowest.value) + " s");
 }
 
 /// A certificate does not warn of what it assumes: broken_assumptions() tells.
@@ -139,19 +140,19 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
   const double needed = first.value + second.value;
   if (scenario.sensing_radius >= needed) return;
   const std::size_t other = second.robot + (second.robot >= first.robot ? 1 : 0);
-  lines.push_back("sensing_radius " + text(scenario.sensing_radius) + " m is less than " +
+  lines.push_back("sensing_radius " + in_short(scenario.sensing_radius) + " m is less than " +
                   robot_name(first.robot) + " and " + robot_name(other) +
                   " need to keep clear of each other, radius + max_speed * time_step + " +
-                  fallback_term(scenario.robots[first.robot]) + " = " + text(first.value) + " + " +
-                  text(second.value) + " = " + text(needed) + " m");
+                  fallback_term(scenario.robots[first.robot]) + " = " + in_short(first.value) +
+                  " + " + in_short(second.value) + " = " + in_short(needed) + " m");
 }
 
 void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {
   const auto advise = [&](const Worst& slow, const char* then) {
     const RobotSetup& robot = scenario.robots[slow.robot];
     lines.push_back(
-        "preferred_speed " + text(robot.preferred_speed) + " m/s of " + robot_name(slow.robot) +
-        " is less than its min_speed = " + text(least_speed(robot.model)) + " m/s" + then);
+        "preferred_speed " + in_short(robot.preferred_speed) + " m/s of " + robot_name(slow.robot) +
+        " is less than its min_speed = " + in_short(least_speed(robot.model)) + " m/s" + then);
   };
   const Worst circling = worst(scenario.robots, [](const RobotSetup& r) {
     return r.preferred_speed > 0.0 ? 0.0 : least_speed(r.model);
@@ -167,18 +168,18 @@ void advise_speeds(const Scenario& scenario, std::vector<std::string>& lines) {
   const Worst wish =
       worst(scenario.robots, [](const RobotSetup& r) { return r.preferred_speed / r.max_speed; });
   if (wish.value > 1.0)
-    lines.push_back("preferred_speed " + text(scenario.robots[wish.robot].preferred_speed) +
+    lines.push_back("preferred_speed " + in_short(scenario.robots[wish.robot].preferred_speed) +
                     " m/s of " + robot_name(wish.robot) + " is more than its max_speed = " +
-                    text(scenario.robots[wish.robot].max_speed) + " m/s");
+                    in_short(scenario.robots[wish.robot].max_speed) + " m/s");
   advise_slow_flights(scenario, lines);
   if (is_certified(scenario)) return;
   const Worst start =
       worst(scenario.robots, [](const RobotSetup& r) { return norm(r.velocity) / r.max_speed; });
   if (start.value > 1.0)
     lines.push_back("velocity of " + robot_name(start.robot) + " is " +
-                    text(norm(scenario.robots[start.robot].velocity)) +
+                    in_short(norm(scenario.robots[start.robot].velocity)) +
                     " m/s at the start, more than its max_speed = " +
-                    text(scenario.robots[start.robot].max_speed) + " m/s: it brakes first");
+                    in_short(scenario.robots[start.robot].max_speed) + " m/s: it brakes first");
 }
 
 struct StartDisc {
@@ -238,8 +239,8 @@ void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) 
       if (++advised > kNamed) continue;
       if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
       lines.push_back(name(a->source) + " and " + name(b->source) + " overlap at the start: " +
-                      text(distance) + " m between the centers, radii " + text(a->radius) + " + " +
-                      text(b->radius) + " = " + text(touching) + " m");
+                      in_short(distance) + " m between the centers, radii " + in_short(a->radius) +
+                      " + " + in_short(b->radius) + " = " + in_short(touching) + " m");
     }
   }
   if (advised > kNamed)

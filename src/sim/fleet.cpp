@@ -17,12 +17,12 @@
 namespace avo {
 namespace {
 
-std::uint64_t mixed(std::uint64_t hash, double value) {
-  return avo::mixed(hash, std::bit_cast<std::uint64_t>(value));
+std::uint64_t hashed(std::uint64_t hash, double value) {
+  return mixed(hash, std::bit_cast<std::uint64_t>(value));
 }
 
-std::uint64_t mixed(std::uint64_t hash, Vec2 value) {
-  return mixed(mixed(hash, value.x), value.y);
+std::uint64_t hashed(std::uint64_t hash, Vec2 value) {
+  return hashed(hashed(hash, value.x), value.y);
 }
 
 }  // namespace
@@ -264,12 +264,12 @@ void ObstacleColumns::advance(double time_step) {
 namespace {
 
 // When it decides again, and all that tells where it is until then.
-std::uint64_t mixed(std::uint64_t hash, const OwnClock& clock) {
-  hash = avo::mixed(hash, static_cast<std::uint64_t>(clock.begin));
-  hash = avo::mixed(hash, static_cast<std::uint64_t>(clock.end));
+std::uint64_t hashed(std::uint64_t hash, const OwnClock& clock) {
+  hash = mixed(hash, static_cast<std::uint64_t>(clock.begin));
+  hash = mixed(hash, static_cast<std::uint64_t>(clock.end));
   for (const MotionState* state : {&clock.from, &clock.to})
-    hash = mixed(mixed(mixed(hash, state->position), state->velocity), state->heading);
-  return mixed(hash, clock.time_step);
+    hash = hashed(hashed(hashed(hash, state->position), state->velocity), state->heading);
+  return hashed(hash, clock.time_step);
 }
 
 }  // namespace
@@ -278,19 +278,19 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
   std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(steps));
   for (const std::uint32_t i : fleet.slot_of) {
     hash = mixed(hash, fleet.id[i].value);
-    hash = mixed(mixed(hash, fleet.position[i]), fleet.velocity[i]);
-    hash = mixed(hash, fleet.heading[i]);
+    hash = hashed(hashed(hash, fleet.position[i]), fleet.velocity[i]);
+    hash = hashed(hash, fleet.heading[i]);
     const Detour& detour = fleet.detour[i];
-    hash = mixed(mixed(hash, detour.angle), detour.beside);
-    hash = mixed(mixed(hash, detour.congestion), detour.has_arrived ? 1.0 : 0.0);
-    if (fleet.has_clocks) hash = mixed(hash, fleet.clock_of(i));
+    hash = hashed(hashed(hash, detour.angle), detour.beside);
+    hash = hashed(hashed(hash, detour.congestion), detour.has_arrived ? 1.0 : 0.0);
+    if (fleet.has_clocks) hash = hashed(hash, fleet.clock_of(i));
     if (const Flight* own = fleet.flight(i)) {
-      hash = mixed(mixed(hash, own->circle.center), own->circle.radius);
-      hash = mixed(hash, own->has_arrived ? 1.0 : 0.0);
+      hash = hashed(hashed(hash, own->circle.center), own->circle.radius);
+      hash = hashed(hash, own->has_arrived ? 1.0 : 0.0);
     }
   }
   for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
-    hash = mixed(mixed(hash, obstacles.position[k]), obstacles.velocity[k]);
+    hash = hashed(hashed(hash, obstacles.position[k]), obstacles.velocity[k]);
     if (!obstacles.setup[k].path.empty()) hash = mixed(hash, std::uint64_t{obstacles.target[k]});
   }
   return hash;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is asked of plane vectors in several layers and is no part of the interface.
+#pragma once
+#include <cmath>
+#include <numbers>
+
+#include "avo/vec.h"
+
+namespace avo {
+
+/// a turned by the angle of a unit vector.
+constexpr Vec2 turned(Vec2 a, Vec2 by) {
+  return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x};
+}
+/// rad: the same direction in [-pi, pi].
+inline double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+/// At least the length, and at most sqrt(2) times it.
+inline double length_1(Vec2 a) {
+  return std::abs(a.x) + std::abs(a.y);
+}
+
+}  // namespace avo
