@@ -103,61 +103,6 @@ static void check_many(void) {
   for (int k = 1; k < COUNT; k += 2) REQUIRE(avo_destroy_planner(planners[k]));
 }
 
-static void check_sizes(void) {
-  avo_simulation_def def = two_robots();
-  avo_simulation_id simulation = {0, 0};
-  avo_robot_def robots[2];
-  memcpy(robots, def.robots, sizeof robots);
-  def.robots = robots;
-  def.size = 0;
-  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_DEFINITION,
-          "def.size: found 0, must be what avo_default_*() sets");
-  def.size = sizeof def + 8;
-  CHECK(avo_create_simulation(&def, &simulation) == AVO_ERROR_INVALID_DEFINITION);
-  def.size = sizeof def - 1;
-  CHECK(avo_create_simulation(&def, &simulation) == AVO_ERROR_INVALID_DEFINITION);
-  def.size = sizeof def;
-  robots[1].size = 0;
-  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_DEFINITION,
-          "robots.1.size: found 0");
-  robots[1].size = sizeof(avo_robot_def) - 8;
-  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_DEFINITION,
-          "robots.1.size: found another one");
-  CHECK(simulation.index == 0 && simulation.generation == 0);
-}
-
-/* A definition as of an older header, which ends before `layers`: those have their defaults. */
-static void check_older_definitions(void) {
-  struct older {
-    size_t size;
-    char members[sizeof(avo_robot_def)];
-  };
-  const size_t length = offsetof(avo_robot_def, model);
-  char robots[2 * sizeof(avo_robot_def)];
-  avo_simulation_def def = two_robots();
-  avo_simulation_id simulation;
-  avo_robot_def told = avo_default_robot_def();
-  const avo_robot_id second = {2};
-  memset(robots, 0xee, sizeof robots);
-  for (size_t k = 0; k < 2; ++k) { /* one close behind the other */
-    memcpy(robots + k * length, &def.robots[k], length);
-    memcpy(robots + k * length, &length, sizeof length);
-  }
-  def.robots = (const avo_robot_def*)(const void*)robots;
-  REQUIRE(avo_create_simulation(&def, &simulation));
-  REQUIRE(avo_simulation_get_robot_def(simulation, second, &told));
-  CHECK(told.position.x == 10.0 && told.model == AVO_MODEL_HOLONOMIC);
-  CHECK(told.layers == 1 && told.avoids == 0xffffffff && !told.parked);
-
-  /* what is told is cut likewise */
-  memset(robots, 0xee, sizeof robots);
-  memcpy(robots, &length, sizeof length);
-  REQUIRE(avo_simulation_get_robot_def(simulation, second, (avo_robot_def*)(void*)robots));
-  CHECK(memcmp(robots + sizeof length, (char*)&told + sizeof length, length - sizeof length) == 0);
-  CHECK((unsigned char)robots[length] == 0xee);
-  REQUIRE(avo_destroy_simulation(simulation));
-}
-
 static void check_values(void) {
   avo_simulation_def def = two_robots();
   avo_simulation_id simulation = {0, 0};
@@ -347,8 +292,6 @@ int main(void) {
   check_ids();
   check_robots_that_go();
   check_many();
-  check_sizes();
-  check_older_definitions();
   check_values();
   check_pointers();
   check_scenes();
