@@ -150,9 +150,20 @@ def one_agent(action):
     env.step({"robot_0": action})
 
 
+def test_worlds_leave_the_way_around_walls_to_the_learner():
+    for settings in {}, {"navigation": False}, {"right_of_way": "none"}:
+        env = avo.env.VectorEnv(with_wall(**settings), neighbors=0)
+        env.reset(seed=np.int64(1))
+        for _ in range(100):
+            env.step([[[2.0, 0.0]]])
+        assert 3.0 < env.position()[0, 0, 0] < 5.0 - env.radius()[0, 0], "it does not go around, nor through"
+
+
 @pytest.mark.parametrize("make, message", [
     (lambda: avo.env.VectorEnv("cars-100"), "robots.0.model: found another one, must be holonomic"),
     (lambda: avo.env.VectorEnv("person"), "moving_obstacles: found some, must be none"),
+    (lambda: avo.env.VectorEnv(with_wall(navigation=True)), "navigation: found true, must be false or left out in"),
+    (lambda: avo.env.VectorEnv(with_wall(right_of_way="told")), "right_of_way: found told, must be none or left out"),
     (lambda: avo.env.VectorEnv(SCENE, 0), "num_envs: found 0, must be >= 1"),
     (lambda: avo.env.VectorEnv(SCENE, max_steps=0), "max_steps: found 0, must be >= 1"),
     (lambda: avo.env.VectorEnv(avo.Scenario(SCENE)), "scene: found a Scenario"),

@@ -23,6 +23,10 @@ void require_plain(const avo::Scenario& scenario) {
   if (!scenario.moving_obstacles.empty()) refuse("moving_obstacles", "some", "none");
   if (scenario.clock != avo::Clock::common) refuse("clock", "free", "common");
   if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
+  // where robots go, and who waits at a passage, is up to the learner
+  if (scenario.navigation == true) refuse("navigation", "true", "false or left out");
+  if (scenario.right_of_way == avo::RightOfWay::told)
+    refuse("right_of_way", "told", "none or left out");
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const avo::RobotSetup& robot = scenario.robots[k];
     const std::string name = fmt::format("robots.{}", k);
