@@ -69,6 +69,22 @@ static void check_scene(void) {
   TAKES_ITS_SIZE_ALONE(summary, "summary", avo_simulation_summary(simulation, &summary));
 }
 
+/* Definitions that the library writes, and those of which it reads a part. */
+static void check_loaded(void) {
+  avo_scene_id scene = {0, 0};
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_simulation_id simulation, copy;
+  char saved[4096];
+  size_t size = 0;
+  CHECK(avo_scene_get_def(scene, &def) == AVO_ERROR_INVALID_ID);
+  REQUIRE(avo_load_scene("circle-2", NULL, 0, &scene));
+  TAKES_ITS_SIZE_ALONE(def, "def", avo_scene_get_def(scene, &def));
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  REQUIRE(avo_simulation_save(simulation, saved, sizeof saved, &size));
+  TAKES_ITS_SIZE_ALONE(def, "def", avo_create_simulation_from_saved(saved, size, &def, &copy));
+  REQUIRE(avo_destroy_scene(scene));
+}
+
 /* Those of an array have one size, and nothing has been made where they have not. */
 static void check_arrays(void) {
   avo_robot_def robots[2] = {avo_default_robot_def(), avo_default_robot_def()};
@@ -87,6 +103,7 @@ static void check_arrays(void) {
 int main(void) {
   check_planner();
   check_scene();
+  check_loaded();
   check_arrays();
   return 0;
 }

@@ -187,7 +187,6 @@ static void check_scenes(void) {
   const char* const override = "robots.0.radius=-1";
   const char* const none[] = {NULL};
   avo_scene_id scene = {0, 0};
-  avo_simulation_def def = avo_default_simulation_def();
   REFUSES(avo_load_scene("circle-ten", NULL, 0, &scene), AVO_ERROR_FILE, "circle-ten");
   REFUSES(avo_load_scene("circle-10", &override, 1, &scene), AVO_ERROR_INVALID_SCENE,
           "robots.0.radius");
@@ -196,10 +195,7 @@ static void check_scenes(void) {
   REFUSES(avo_load_scene("-", NULL, 0, &scene), AVO_ERROR_INVALID_SCENE, "found \"-\"");
   REFUSES(avo_parse_scene(text, sizeof text - 1, "mine.yaml", NULL, 0, &scene),
           AVO_ERROR_INVALID_SCENE, "mine.yaml:2:1: ");
-  CHECK(avo_scene_get_def(scene, &def) == AVO_ERROR_INVALID_ID);
   REQUIRE(avo_load_scene("circle-10", NULL, 0, &scene));
-  def.size = 0;
-  CHECK(avo_scene_get_def(scene, &def) == AVO_ERROR_INVALID_DEFINITION);
   REQUIRE(avo_destroy_scene(scene));
   CHECK(!avo_scene_is_valid(scene) && avo_destroy_scene(scene) == AVO_ERROR_INVALID_ID);
 }
