@@ -261,9 +261,12 @@ Scenario load_scenario(const std::string& name_or_path, const std::vector<std::s
       files_read->insert(files_read->end(), files.read.begin(), files.read.end());
     return scenario;
   };
-  if (name_or_path == "-") return build_and_tell(read_standard_input(), kStandardInput);
+  if (name_or_path == "-") {
+    files.builtin = BuiltinFiles::last;
+    return build_and_tell(read_standard_input(), kStandardInput);
+  }
   if (const std::optional<std::string> yaml = builtin_text(name_or_path)) {
-    files.builtin = true;
+    files.builtin = BuiltinFiles::first;
     return build_and_tell(*yaml, name_or_path);
   }
   std::error_code error;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fmt/format.h>
+#include <system_error>
 
 #include "avo_io/errors.h"
 #include "avo_io/scene.h"
@@ -14,12 +15,20 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
 
+bool is_missing(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found;
+}
+
 }  // namespace
 
 SourceText read_named_file(const Reader& reader, const YamlNode& node, const std::string& path,
                            const std::string& file, SceneFiles& files) {
-  if (files.builtin && !builtin_file(file).empty()) return {file, std::string(builtin_file(file))};
   const std::string name = (std::filesystem::path(files.folder) / file).string();
+  const std::string_view builtin = builtin_file(file);
+  if (!builtin.empty() && (files.builtin == BuiltinFiles::first ||
+                           (files.builtin == BuiltinFiles::last && is_missing(name))))
+    return {file, std::string(builtin)};
   std::string text;
   try {
     text = read_regular_file(name);

@@ -10,10 +10,14 @@
 
 namespace avo_io {
 
+/// Whether a scene's files may be those that are built in: of a built-in scene before those of the
+/// folder; of one that may be the text of such a scene, where the folder has none of that name.
+enum class BuiltinFiles { none, first, last };
+
 /// Where a scene finds its files, and which ones it has read.
 struct SceneFiles {
-  std::string folder;               ///< of the scene's file
-  bool builtin = false;             ///< files that are built in come first
+  std::string folder;  ///< of the scene's file
+  BuiltinFiles builtin = BuiltinFiles::none;
   std::size_t bytes = 0;            ///< read so far
   std::vector<std::string> read{};  ///< paths
 };

@@ -2,6 +2,7 @@
 // Definitions as a program gives them, which may be compiled with an older header than the library.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -25,12 +26,21 @@ struct Where {
   }
 };
 
+/// Bytes of the definition in every version that was released; the last one is today's. A version
+/// that appends members specializes this for the definition that grows: the sizes until then, then
+/// sizeof(Def). Its members begin behind the padding of the definition before, which programs leave
+/// unset.
+template <typename Def>
+inline constexpr std::array kReleasedSizes{sizeof(Def)};
+
 /// Bytes of the definition. Throws Failure where no version of it has as many.
 template <typename Def>
 std::size_t size_of(const Def* def, const Where& where) {
+  constexpr auto& kSizes = kReleasedSizes<Def>;
+  static_assert(kSizes.back() == sizeof(Def));
   std::size_t size = 0;
   std::memcpy(&size, &at(def, where.list), sizeof size);
-  if (size <= sizeof size || size > sizeof(Def) || size % alignof(Def) != 0)
+  if (std::find(kSizes.begin(), kSizes.end(), size) == kSizes.end())
     fail(AVO_ERROR_INVALID_DEFINITION, where / "size" + ": found " + std::to_string(size) +
                                            ", must be what avo_default_*() sets, " +
                                            std::to_string(sizeof(Def)) + " bytes in this version");

@@ -103,61 +103,6 @@ static void check_many(void) {
   for (int k = 1; k < COUNT; k += 2) REQUIRE(avo_destroy_planner(planners[k]));
 }
 
-static void check_sizes(void) {
-  avo_simulation_def def = two_robots();
-  avo_simulation_id simulation = {0, 0};
-  avo_robot_def robots[2];
-  memcpy(robots, def.robots, sizeof robots);
-  def.robots = robots;
-  def.size = 0;
-  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_DEFINITION,
-          "def.size: found 0, must be what avo_default_*() sets");
-  def.size = sizeof def + 8;
-  CHECK(avo_create_simulation(&def, &simulation) == AVO_ERROR_INVALID_DEFINITION);
-  def.size = sizeof def - 1;
-  CHECK(avo_create_simulation(&def, &simulation) == AVO_ERROR_INVALID_DEFINITION);
-  def.size = sizeof def;
-  robots[1].size = 0;
-  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_DEFINITION,
-          "robots.1.size: found 0");
-  robots[1].size = sizeof(avo_robot_def) - 8;
-  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_DEFINITION,
-          "robots.1.size: found another one");
-  CHECK(simulation.index == 0 && simulation.generation == 0);
-}
-
-/* A definition as of an older header, which ends before `layers`: those have their defaults. */
-static void check_older_definitions(void) {
-  struct older {
-    size_t size;
-    char members[sizeof(avo_robot_def)];
-  };
-  const size_t length = offsetof(avo_robot_def, model);
-  char robots[2 * sizeof(avo_robot_def)];
-  avo_simulation_def def = two_robots();
-  avo_simulation_id simulation;
-  avo_robot_def told = avo_default_robot_def();
-  const avo_robot_id second = {2};
-  memset(robots, 0xee, sizeof robots);
-  for (size_t k = 0; k < 2; ++k) { /* one close behind the other */
-    memcpy(robots + k * length, &def.robots[k], length);
-    memcpy(robots + k * length, &length, sizeof length);
-  }
-  def.robots = (const avo_robot_def*)(const void*)robots;
-  REQUIRE(avo_create_simulation(&def, &simulation));
-  REQUIRE(avo_simulation_get_robot_def(simulation, second, &told));
-  CHECK(told.position.x == 10.0 && told.model == AVO_MODEL_HOLONOMIC);
-  CHECK(told.layers == 1 && told.avoids == 0xffffffff && !told.parked);
-
-  /* what is told is cut likewise */
-  memset(robots, 0xee, sizeof robots);
-  memcpy(robots, &length, sizeof length);
-  REQUIRE(avo_simulation_get_robot_def(simulation, second, (avo_robot_def*)(void*)robots));
-  CHECK(memcmp(robots + sizeof length, (char*)&told + sizeof length, length - sizeof length) == 0);
-  CHECK((unsigned char)robots[length] == 0xee);
-  REQUIRE(avo_destroy_simulation(simulation));
-}
-
 static void check_values(void) {
   avo_simulation_def def = two_robots();
   avo_simulation_id simulation = {0, 0};
@@ -242,7 +187,6 @@ static void check_scenes(void) {
   const char* const override = "robots.0.radius=-1";
   const char* const none[] = {NULL};
   avo_scene_id scene = {0, 0};
-  avo_simulation_def def = avo_default_simulation_def();
   REFUSES(avo_load_scene("circle-ten", NULL, 0, &scene), AVO_ERROR_FILE, "circle-ten");
   REFUSES(avo_load_scene("circle-10", &override, 1, &scene), AVO_ERROR_INVALID_SCENE,
           "robots.0.radius");
@@ -251,10 +195,7 @@ static void check_scenes(void) {
   REFUSES(avo_load_scene("-", NULL, 0, &scene), AVO_ERROR_INVALID_SCENE, "found \"-\"");
   REFUSES(avo_parse_scene(text, sizeof text - 1, "mine.yaml", NULL, 0, &scene),
           AVO_ERROR_INVALID_SCENE, "mine.yaml:2:1: ");
-  CHECK(avo_scene_get_def(scene, &def) == AVO_ERROR_INVALID_ID);
   REQUIRE(avo_load_scene("circle-10", NULL, 0, &scene));
-  def.size = 0;
-  CHECK(avo_scene_get_def(scene, &def) == AVO_ERROR_INVALID_DEFINITION);
   REQUIRE(avo_destroy_scene(scene));
   CHECK(!avo_scene_is_valid(scene) && avo_destroy_scene(scene) == AVO_ERROR_INVALID_ID);
 }
@@ -347,8 +288,6 @@ int main(void) {
   check_ids();
   check_robots_that_go();
   check_many();
-  check_sizes();
-  check_older_definitions();
   check_values();
   check_pointers();
   check_scenes();

@@ -142,6 +142,53 @@ static void check_wrong_host(avo_run_tasks* run, const char* text) {
   REQUIRE(avo_destroy_simulation(simulation));
 }
 
+/* One that leaves out a task in one of its runs, and is right before and after. */
+typedef struct faulty {
+  int runs, fails_at;
+} faulty;
+
+static void skip_one_once(void* run_context, size_t count, avo_task* task, void* task_context) {
+  faulty* h = run_context;
+  for (size_t k = ++h->runs == h->fails_at ? 1 : 0; k < count; ++k) task(task_context, k, 0);
+}
+
+/* Whichever run it is: nobody has moved, or every step is refused until a state is restored. */
+static void check_recovery(uint64_t expected) {
+  int refused = 0, unmoved = 0;
+  for (int fails_at = 1; fails_at <= 8; ++fails_at) {
+    faulty h = {0, fails_at};
+    avo_simulation_id simulation = make(skip_one_once, &h, 2);
+    const uint64_t before = hash_of(simulation);
+    avo_result result;
+    size_t size = 0;
+    void* saved;
+    int64_t steps = 0;
+    REQUIRE(avo_simulation_save(simulation, NULL, 0, &size));
+    saved = malloc(size);
+    REQUIRE(avo_simulation_save(simulation, saved, size, &size));
+    do result = avo_simulation_step(simulation);
+    while (result == AVO_OK);
+    CHECK(result == AVO_ERROR_INVALID_ARGUMENT && h.runs == fails_at);
+    REQUIRE(avo_simulation_get_steps(simulation, &steps));
+    if (avo_simulation_step(simulation) == AVO_OK) {
+      ++unmoved;
+    } else {
+      ++refused;
+      REFUSES(avo_simulation_step(simulation), AVO_ERROR_INVALID_VALUE, "earlier step");
+      REFUSES(avo_simulation_save(simulation, saved, size, &size), AVO_ERROR_INVALID_VALUE,
+              "earlier step");
+      REQUIRE(avo_simulation_restore(simulation, saved, size));
+      CHECK(hash_of(simulation) == before);
+      steps = -1;
+    }
+    steps_of(simulation, STEPS - (int)steps - 1);
+    CHECK(hash_of(simulation) == expected);
+    free(saved);
+    REQUIRE(avo_destroy_simulation(simulation));
+  }
+  CHECK(refused > 0 && unmoved > 0);
+}
+
 int main(void) {
   const uint64_t expected = cpp_scene_hash("uniform-1000", NULL, STEPS);
   avo_simulation_def def = avo_default_simulation_def();
@@ -152,6 +199,7 @@ int main(void) {
   check_wrong_host(skip_one, " tasks done when it returned, must do each once");
   check_wrong_host(do_one_twice, "and calls of wrong index or worker");
   check_wrong_host(take_a_wrong_worker, "run_tasks: found 0 of ");
+  check_recovery(expected);
   def.run_tasks = run_tasks;
   def.workers = 0;
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE, "workers: found 0");

@@ -2,6 +2,7 @@
 // When a run ends, which scenes it reads, and how much it says.
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
 #include <unistd.h>
@@ -19,10 +20,11 @@ Json summary_of(Strings arguments) {
   return Json::parse(result.out);
 }
 
-/// avo with that text as its standard input.
+/// avo with that text as its standard input, in the folder of the test.
 ProcessResult fed(const std::string& text, const Strings& arguments) {
   const std::string file = recording(text, "stdin.txt");
-  return run_avo(arguments, {.before = [file] {
+  return run_avo(arguments, {.before = [file, here = folder()] {
+                   if (chdir(here.c_str()) != 0) _exit(97);
                    const int input = open(file.c_str(), O_RDONLY);
                    if (input < 0 || dup2(input, STDIN_FILENO) < 0) _exit(97);
                  }});
@@ -117,6 +119,24 @@ TEST(StandardInput, is_a_scene_for_every_verb) {
   fed(scene, {"run", "-", "--record", path_of("x.csv")});
   EXPECT_EQ(fed(scene, {"check", path_of("x.csv"), "--scene", "-"}).exit_code, 0);
   EXPECT_EQ(fed(scene, {"run", "-", "--set", "robots.0.radius=-1"}).exit_code, 2);
+}
+
+TEST(StandardInput, has_the_built_in_maps_that_the_folder_has_not) {
+  const std::string scene = run_avo({"scenes", "arena"}).out;
+  const Strings by_text{"run", "-", "--duration=3", "--record", "-", "-q"};
+  const ProcessResult run = fed(scene, by_text);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, run_avo({"run", "arena", "--duration=3", "--record", "-", "-q"}).out);
+  EXPECT_NE(fed(scene, {"validate", "-", "--set", "robots_from.scen=arna.scen"}).exit_code, 0);
+
+  write_file(path_of("arena.map"), "type octile\nheight none\n");  // its own
+  const ProcessResult own = fed(scene, by_text);
+  EXPECT_EQ(own.exit_code, 3);
+  EXPECT_TRUE(own.err.starts_with("arena.map:2:8: found \"none\"")) << own.err;
+
+  std::filesystem::create_directory(path_of("elsewhere"));  // a file has its folder
+  write_file(path_of("elsewhere/arena.yaml"), scene);
+  EXPECT_EQ(run_avo({"validate", path_of("elsewhere/arena.yaml")}).exit_code, 4);
 }
 
 TEST(StandardInput, errors_say_where) {

@@ -6,8 +6,8 @@ usage: snippets.py PREFIX AVO --folder FOLDER [--compiler COMPILER] [--flags FLA
 
 PREFIX has the installed library, AVO is the command line, FOLDER is emptied and gets a folder for each document,
 --python says where the built module is. C++ is compiled by README.md's line of pkg-config and run, C likewise,
-scenes are validated, commands are run one after the other, Python is run. A comment before a block, which nobody is
-shown, may say:
+scenes are validated, Python is run. Commands are run one after the other, without those that build and install: other
+tests try these. A comment before a block, which nobody is shown, may say:
 
 <!-- file: NAME -->       the block is this file, or goes on with it; for all commands of the document
 <!-- frame: NAME -->      it is a part: it stands in place of the line that says so in tests/manual/frames/NAME
@@ -31,8 +31,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs/manual/figures"
 FRAMES = pathlib.Path(__file__).resolve().parent / "frames"
 PLAIN = {"", "text", "json", "cmake"}  # shown, not tried
-BUILDS = ("apt-get", "cmake", "git", "pip", "sudo", "./scripts/", "cd", "export")  # they begin blocks that other tests try
-RUN = {"avo", "g++", "gcc", "cc", "for", "zcat", "python3"}  # and programs of the document's folder
+# commands that build and install
+BUILDS = re.compile(r"(apt-get|cmake|git|sudo|cd|export|(\S*/)?pip|\./scripts/\S+|/usr/bin/python3 -m venv)(\s|$)")
+RUN = {"avo", "g++", "gcc", "c++", "cc", "for", "zcat", "python3"}  # and programs of the document's folder
+CLONE = ("bindings", "examples")  # what commands name of it
 
 
 class Failed(Exception):
@@ -68,6 +70,8 @@ class Trial:
         self.arguments, self.document = arguments, document
         self.folder = arguments.folder / document.replace("/", "_").removesuffix(".md")
         self.folder.mkdir(parents=True)
+        for name in CLONE:
+            (self.folder / name).symlink_to(ROOT / name)
         self.environment = environment_of(arguments)
         self.said = None  # by what was last run
         self.blocks = blocks(ROOT / document)
@@ -155,11 +159,12 @@ class Trial:
 
     def sh(self, block):
         lines = [line for line in re.sub(r"\\\n\s*", "", block.text).splitlines() if line.split("#")[0].strip()]
+        lines = [line for line in lines if not BUILDS.match(line)]
+        if not lines:
+            return
         said = []
         for line in lines:
             word = re.sub(r"^(\w+=\S+ )+", "", line).split()[0]
-            if word.startswith(BUILDS):
-                return
             if word not in RUN and not (self.folder / word).exists():
                 raise Failed(f"nobody knows how to try {word}")
             if word == "python3" and not self.arguments.python:
@@ -173,7 +178,7 @@ class Trial:
         line = re.sub(r"\bavo bench (?!.*--steps)", "avo bench --steps 1 ", line)
         line = re.sub(r"\bAVO_SIMD=\w+", "AVO_SIMD=auto", line)
         line = re.sub(r"^python3 ", "/usr/bin/python3 ", line)
-        return re.sub(r"^g\+\+ ", f"{self.arguments.compiler} {self.arguments.flags} -Wall -Wextra -Werror ", line)
+        return re.sub(r"^[gc]\+\+ ", f"{self.arguments.compiler} {self.arguments.flags} -Wall -Wextra -Werror ", line)
 
     def compare(self, text):
         if self.said is None:

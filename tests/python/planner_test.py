@@ -87,6 +87,38 @@ def test_movers_of_a_batch_move_on():
     assert plans[0].acceleration != avo.Planner().plan(robot, avo.Neighbors(**mover))[0].acceleration
 
 
+def test_batches_have_the_fields_of_single_robots():
+    """Each column changes decisions, and as it does for one robot."""
+    n = 6
+    at = dict(position=[[0.0, 0.0]] * n, velocity=[[1.2, 0.0]] * n)
+    others = dict(position=[[2.2, 0.3]] * n, velocity=[[-0.6, 0.0]] * n)
+    braking, ages, errors = np.linspace(0.3, 1.0, n), 2 * np.arange(n), np.linspace(0.0, 0.5, n)
+    columns = [({"max_braking": braking}, {}), ({}, {"max_braking": braking}), ({}, {"age": ages}),
+               ({}, {"position_error": errors}), ({"max_braking": 0.5}, {"max_braking": 0.4, "age": 2})]
+    planner = avo.Planner()
+    plain = planner.plan(avo.Robots(preferred_velocity=at["velocity"], **at),
+                         avo.Neighbors(offsets=range(n + 1), **others)).acceleration()
+    for of_robots, of_neighbors in columns:
+        robots = avo.Robots(preferred_velocity=at["velocity"], **at, **of_robots)
+        neighbors = avo.Neighbors(offsets=range(n + 1), **others, **of_neighbors)
+        plans = planner.plan(robots, neighbors)
+        assert not np.array_equal(plans.acceleration(), plain), (of_robots, of_neighbors)
+        for k in range(n):
+            def own(columns):
+                return {name: column if np.ndim(column) == 0 else column[k].item() for name, column in columns.items()}
+            one = avo.Robot(position=(0, 0), velocity=(1.2, 0), preferred_velocity=(1.2, 0), **own(of_robots))
+            seen = avo.Neighbor(position=(2.2, 0.3), velocity=(-0.6, 0), **own(of_neighbors))
+            assert neighbors.of(k)[0].age == seen.age and robots[k].max_braking == one.max_braking
+            same(plans, k, planner.plan(one, [seen]))
+
+
+def test_those_who_sense_each_other_know_how_they_brake():
+    robots = avo.Robots(position=[[0, 0], [4, 0]], velocity=[[0, 0]] * 2, preferred_velocity=[[0, 0]] * 2,
+                        max_braking=[0.5, 0.7])
+    neighbors = avo.Neighbors.among(robots, 5.0)
+    assert [neighbors.of(k)[0].max_braking for k in range(2)] == [0.7, 0.5]
+
+
 def test_a_planner_decides_what_the_simulation_decides():
     scene = avo.Scenario("circle-20")
     simulation = avo.Simulation(scene, threads=1)
@@ -117,6 +149,14 @@ def test_bad_numbers_of_a_situation_are_an_outcome():
     assert avo.Planner().plan(avo.Robot(position=(math.nan, 0))).status == "invalid_input"
 
 
+def one_robot(**fields):
+    return avo.Robots(**{"position": [[0, 0]], "velocity": [[0, 0]], "preferred_velocity": [[0, 0]], **fields})
+
+
+def one_neighbor(**fields):
+    return avo.Neighbors(**{"position": [[0, 0]], "velocity": [[0, 0]], "offsets": [0, 1], **fields})
+
+
 @pytest.mark.parametrize("make, message", [
     (lambda: avo.Planner(method="avo_papr"), 'method: found "avo_papr", must be one of avo, avo_paper, '
      'velocity_obstacle, orca; did you mean "avo_paper"?'),
@@ -135,6 +175,25 @@ def test_bad_numbers_of_a_situation_are_an_outcome():
      "offsets: found [0, 1.0], must be whole numbers"),
     (lambda: avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1], acceleration=5.0),
      "acceleration: found one number, must be (m, 2), or 0"),
+    (lambda: one_neighbor(age=1.5), "age: found 1.5, must be a whole number, 0 to 1000000"),
+    (lambda: one_neighbor(age=-1), "age: found -1, must be a whole number"),
+    (lambda: one_neighbor(loiter=None), "loiter: found in a batch, must be left out: robots of other models than"),
+    (lambda: one_robot(model=avo.Holonomic()), "model: found in a batch, must be left out"),
+    (lambda: one_robot(heading=[0.0]), "heading: found in a batch, must be left out"),
+    (lambda: one_robot(max_breaking=1.0), 'field: found "max_breaking", must be one of position, velocity, '
+     'preferred_velocity, radius, max_acceleration, max_speed, distance_to_goal, priority, max_braking; '
+     'did you mean "max_braking"?'),
+    (lambda: one_neighbor(behavior="decides"), 'field: found "behavior", must be one of position, velocity, offsets'),
+    (lambda: one_robot(radius=1j), "radius: found an array of complex128, must be real numbers"),
+    (lambda: one_robot(position=[[1j, 2]]), "position: found an array of complex128, must be real numbers"),
+    (lambda: one_robot(velocity=[["1", "2"]]), "velocity: found an array of <U1, must be real numbers"),
+    (lambda: one_robot(velocity=[[None, 2]]), "velocity: found an array of object, must be real numbers"),
+    (lambda: one_robot(velocity=[[1, 2], [3]]), "velocity: found "),
+    (lambda: one_robot(max_braking="strong"), "max_braking: found an array of <U6, must be real numbers"),
+    (lambda: one_neighbor(acceleration=[[0j, 0]]), "acceleration: found an array of complex128, must be real numbers"),
+    (lambda: one_neighbor(moves_on="no"), "moves_on: found an array of <U2, must be real numbers"),
+    (lambda: avo.Worlds(1, avo.Scenario("circle-2")).step([[[1j, 0]] * 2], [True]),
+     "actions: found an array of complex128, must be real numbers"),
     (lambda: avo.Scenario("-"), 'scene: found "-", must be a name or a file'),
     (lambda: avo.RobotSetup(position=(0, 0), goal=(1, 0), layers=[10**30]), f"layers: found {10**30}, must be 0 to 31"),
     (lambda: avo.Planner().plan(crowd(), avo.Neighbors(position=[[1, 2]], velocity=[[0, 0]], offsets=[0, 1])),
@@ -144,3 +203,11 @@ def test_wrong_use_is_a_value_error(make, message):
     with pytest.raises(ValueError) as error:
         make()
     assert message in str(error.value) and isinstance(error.value, avo.Error)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("point", [(1j, 0), np.array([1j, 0]), np.array([1, 1j], dtype="complex64"), ("1", "2"),
+                                   np.array(["1", "2"])])
+def test_points_are_real(point):
+    with pytest.raises(TypeError):
+        avo.Robot(position=point)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Decisions, recordings and runs are told as the command line tells them."""
 import json
+import math
 
 import avo
 import pytest
@@ -58,6 +59,18 @@ def test_wrong_recordings_are_refused_alike(command_line, tmp_path):
         avo.check(recording)
     with pytest.raises(avo.Error, match="^tolerance: found 1"):
         avo.check(recording, "circle-10", tolerance=1.0)
+
+
+@pytest.mark.parametrize("limits", [(math.inf, 1, 1), (0, 1, 1), (math.nan, 1, 1), (1, -1, 1), (1, 1, 0)])
+def test_wrong_limits_are_refused_alike(command_line, tmp_path, limits):
+    recording = tmp_path / "run.csv"
+    recording.write_text("time,robot,x,y,vx,vy\n0,0,0,0,1,0\n1,0,1,0,1,0\n")
+    names = ("radius", "max_acceleration", "max_speed")
+    with pytest.raises(ValueError) as error:
+        avo.check(recording, **dict(zip(names, limits)))
+    options = [f"--{name.replace('_', '-')}={value}" for name, value in zip(names, limits)]
+    said = command_line("check", recording, *options)
+    assert said.stderr.replace("-", "_") == f"avo: __{str(error.value).replace('-', '_')}\n" and said.returncode == 2
 
 
 def without_times(summary):

@@ -101,6 +101,32 @@ def test_threads_may_share_a_simulation():
     assert simulation.steps == 150 and len(simulation) == 50
 
 
+def test_threads_may_share_what_a_batch_remembers():
+    """Each of their decisions updates the whole of it, so that twice as many by one thread have the same bits."""
+    n, rounds = 300, 40
+    random = np.random.default_rng(1)
+    position = np.stack(np.meshgrid(np.arange(20), np.arange(15)), axis=-1).reshape(-1, 2) * 1.3
+    robots = avo.Robots(position=position, velocity=random.uniform(-0.3, 0.3, (n, 2)), radius=0.4,
+                        preferred_velocity=random.uniform(-1.5, 1.5, (n, 2)), distance_to_goal=10.0)
+    neighbors, planner = avo.Neighbors.among(robots, 5.0), avo.Planner()
+    shared, alone = avo.Detours(n), avo.Detours(n)
+
+    def remembered(detours):
+        return [(d.angle, d.beside, d.congestion, d.has_arrived) for d in map(detours.__getitem__, range(n))]
+
+    def decide():
+        for _ in range(rounds):
+            planner.plan(robots, neighbors, detour=shared)
+            assert shared[n - 1].angle >= 0.0
+    for k in range(2 * rounds):
+        planner.plan(robots, neighbors, detour=alone)
+        if k == rounds:
+            halfway = remembered(alone)
+    for _, wait in [in_thread(decide) for _ in range(2)]:
+        wait()
+    assert remembered(shared) == remembered(alone) != halfway
+
+
 def test_two_simulations_in_two_threads_have_their_bits():
     simulations = [avo.Simulation("circle-50", threads=1) for _ in range(2)]
     alone = avo.Simulation("circle-50", threads=1)

@@ -139,14 +139,46 @@ def test_parallel_environments_have_agents():
         env.step({})
 
 
+def with_wall(**settings):
+    return {"version": 1, "robots": [{"position": [0, 0], "goal": [9, 0]}],
+            "obstacles": [{"polyline": [[5, -2], [5, 2]]}], **settings}
+
+
+def one_agent(action):
+    env = avo.env.ParallelEnv(with_wall())
+    env.reset(seed=1)
+    env.step({"robot_0": action})
+
+
+def test_worlds_leave_the_way_around_walls_to_the_learner():
+    for settings in {}, {"navigation": False}, {"right_of_way": "none"}:
+        env = avo.env.VectorEnv(with_wall(**settings), neighbors=0)
+        env.reset(seed=np.int64(1))
+        for _ in range(100):
+            env.step([[[2.0, 0.0]]])
+        assert 3.0 < env.position()[0, 0, 0] < 5.0 - env.radius()[0, 0], "it does not go around, nor through"
+
+
 @pytest.mark.parametrize("make, message", [
     (lambda: avo.env.VectorEnv("cars-100"), "robots.0.model: found another one, must be holonomic"),
     (lambda: avo.env.VectorEnv("person"), "moving_obstacles: found some, must be none"),
+    (lambda: avo.env.VectorEnv(with_wall(navigation=True)), "navigation: found true, must be false or left out in"),
+    (lambda: avo.env.VectorEnv(with_wall(right_of_way="told")), "right_of_way: found told, must be none or left out"),
     (lambda: avo.env.VectorEnv(SCENE, 0), "num_envs: found 0, must be >= 1"),
     (lambda: avo.env.VectorEnv(SCENE, max_steps=0), "max_steps: found 0, must be >= 1"),
     (lambda: avo.env.VectorEnv(avo.Scenario(SCENE)), "scene: found a Scenario"),
     (lambda: made().step(np.zeros((E, N, 3))), f"actions: found shape ({E}, {N}, 3), must be ({E}, {N}, 2)"),
     (lambda: made().step(np.full((E, N, 2), np.nan)), "actions: found a number that is not finite"),
+    (lambda: made().step(np.full((E, N, 2), 1j)), "actions: found an array of complex128, must be real numbers"),
+    (lambda: made().step(np.full((E, N, 2), "1")), "actions: found an array of <U1, must be real numbers"),
+    (lambda: made().step([[1.0], [1.0, 2.0]]), "actions: found "),
+    (lambda: made().reset(seed=-1), "seed: found -1, must be a whole number >= 0"),
+    (lambda: made().reset(seed=0.5), "seed: found 0.5, must be a whole number >= 0"),
+    (lambda: made().reset(seed="1"), "seed: found '1', must be a whole number >= 0"),
+    (lambda: made().action_space.seed(-1), "seed: found -1, must be a whole number >= 0"),
+    (lambda: avo.env.ParallelEnv(SCENE).reset(seed=-1), "seed: found -1, must be a whole number >= 0"),
+    (lambda: one_agent([1.0, 2.0, 3.0]), "actions of robot_0: found shape (3,), must be (2,)"),
+    (lambda: one_agent(["a", "b"]), "actions of robot_0: found an array of <U1, must be real numbers"),
 ])
 def test_wrong_use_is_a_value_error(make, message):
     with pytest.raises(ValueError) as error:

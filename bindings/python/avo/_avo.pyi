@@ -337,6 +337,8 @@ class Planner:
     def arrival_distance(self) -> float: ...
 
 class Robots:
+    """Many holonomic robots; those of other models plan one by one."""
+
     def __init__(
         self,
         *,
@@ -348,11 +350,14 @@ class Robots:
         max_speed: npt.ArrayLike = 2.0,
         distance_to_goal: npt.ArrayLike = ...,
         priority: npt.ArrayLike = 1.0,
+        max_braking: npt.ArrayLike | None = None,
     ) -> None: ...
     def __len__(self) -> int: ...
     def __getitem__(self, k: int) -> Robot: ...
 
 class Neighbors:
+    """What they sense; those that sense airplanes plan one by one."""
+
     def __init__(
         self,
         *,
@@ -366,6 +371,9 @@ class Neighbors:
         moves_on: npt.ArrayLike = False,
         max_deviation: npt.ArrayLike = 0.0,
         max_speed: npt.ArrayLike = ...,
+        age: npt.ArrayLike = 0,
+        max_braking: npt.ArrayLike | None = None,
+        position_error: npt.ArrayLike = 0.0,
     ) -> None: ...
     @staticmethod
     def among(robots: Robots, sensing_radius: float) -> Neighbors: ...
@@ -514,6 +522,7 @@ class Worlds:
     def max_speed(self) -> _Floats: ...
     def max_acceleration(self) -> _Floats: ...
 
+def _numbers(name: str, given: npt.ArrayLike) -> _Floats: ...
 def builtin_scenes() -> list[tuple[str, str]]: ...
 def schema() -> dict[str, Any]: ...
 def explain(scene: _Source, robot: int, time: float = 0.0, threads: int = 0) -> dict[str, Any]: ...

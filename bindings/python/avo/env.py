@@ -25,13 +25,19 @@ from typing import Any, Callable, Mapping
 import numpy as np
 import numpy.typing as npt
 
-from ._avo import Error, Scenario, Worlds
+from ._avo import Error, Scenario, Worlds, _numbers
 
 Floats = npt.NDArray[np.float64]
 Observations = npt.NDArray[np.float32]
 Flags = npt.NDArray[np.bool_]
 Source = Any  # what Scenario() takes
 _OWN, _OTHER = 6, 6  # numbers
+
+
+def _generator(seed: int | None) -> np.random.Generator:
+    if seed is not None and not (isinstance(seed, (int, np.integer)) and seed >= 0):
+        raise Error(f"seed: found {seed!r}, must be a whole number >= 0")
+    return np.random.default_rng(seed)
 
 
 @dataclass
@@ -47,7 +53,7 @@ class Box:
         self.seed(None)
 
     def seed(self, seed: int | None = None) -> None:
-        self._random = np.random.default_rng(seed)
+        self._random = _generator(seed)
 
     def sample(self) -> npt.NDArray[Any]:
         """Uniform; of an axis without bounds normal."""
@@ -87,7 +93,7 @@ class VectorEnv:
         self._worlds = Worlds(num_envs, first)
         self.num_envs, self.num_robots = num_envs, len(first.robots)
         self.time_step, self.arrival_distance = first.time_step, first.arrival_distance
-        self._random = np.random.default_rng()
+        self._random = _generator(None)
         self._steps = np.zeros(num_envs, dtype=np.int64)
         self._arrived = np.zeros((num_envs, self.num_robots), dtype=bool)
         self._begins_anew = np.zeros(num_envs, dtype=bool)
@@ -104,7 +110,7 @@ class VectorEnv:
         """Begins all worlds anew. Returns observations (E, N, 6 + 6 k) and {}. With the same seed and the
         same actions all that follows is the same, bit by bit; None: goes on with the last seed."""
         if seed is not None:
-            self._random = np.random.default_rng(seed)
+            self._random = _generator(seed)
         for world in range(self.num_envs):
             self._begin(world)
         return self._observe(), {}
@@ -161,7 +167,7 @@ class VectorEnv:
 
     def _preferred(self, actions: npt.ArrayLike) -> Floats:
         """Actions within max_speed; those who have arrived come to rest at their goals."""
-        wanted = np.asarray(actions, dtype=np.float64)
+        wanted = _numbers("actions", actions)
         shape = (self.num_envs, self.num_robots, 2)
         if wanted.shape != shape:
             raise Error(f"actions: found shape {wanted.shape}, must be {shape}")
@@ -242,7 +248,10 @@ class ParallelEnv:
         for agent in self.agents:
             if agent not in actions:
                 raise Error(f"actions: found none of {agent}, must have one of each agent")
-            self._actions[0, self._number(agent)] = actions[agent]
+            action = _numbers(f"actions of {agent}", actions[agent])
+            if action.shape != (2,):
+                raise Error(f"actions of {agent}: found shape {action.shape}, must be (2,)")
+            self._actions[0, self._number(agent)] = action
         observations, rewards, terminated, truncated, _ = self._env.step(self._actions)
         result = (
             self._of_agents(lambda k: observations[0, k]),

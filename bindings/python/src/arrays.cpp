@@ -2,6 +2,7 @@
 #include "arrays.h"
 
 #include <fmt/format.h>
+#include <string_view>
 
 namespace avo_python {
 
@@ -20,6 +21,15 @@ std::string text_of(const std::vector<py::ssize_t>& shape) {
 
 std::string shape_of(const py::array& array) {
   return text_of({array.shape(), array.shape() + array.ndim()});
+}
+
+Numbers numbers(const char* name, const py::object& given) {
+  constexpr std::string_view kReal = "biuf";  // numpy's kinds
+  const py::array array = py::array::ensure(given);
+  if (array && kReal.find(array.dtype().kind()) != kReal.npos) return Numbers(array);
+  throw avo::Error(fmt::format(
+      "{}: found {}, must be real numbers", name,
+      array ? "an array of " + std::string(py::str(array.dtype())) : "what is no array"));
 }
 
 py::array_t<double> target(const Out& out, const std::vector<py::ssize_t>& shape) {
@@ -53,9 +63,9 @@ std::span<const avo::Vec2> rows(const char* name, const Numbers& array) {
           static_cast<std::size_t>(array.size() / 2)};
 }
 
-PerRobot::PerRobot(const char* name, Numbers array, py::ssize_t n)
-    : array_(std::move(array)), numbers_(array_.data()), each_(array_.ndim() > 0) {
-  if (each_ && array_.size() != n)
+PerRobot::PerRobot(const char* name, const py::object& given, std::size_t n)
+    : array_(numbers(name, given)), numbers_(array_.data()), each_(array_.ndim() > 0) {
+  if (each_ && static_cast<std::size_t>(array_.size()) != n)
     throw avo::Error(fmt::format("{}: found shape {}, must be one number, or {} of them", name,
                                  shape_of(array_), n));
 }

@@ -64,6 +64,8 @@ struct type_caster<avo::Vec2> {
 
   bool load(handle source, bool) {
     if (!PySequence_Check(source.ptr()) || PyUnicode_Check(source.ptr())) return false;
+    if (isinstance<array>(source) && reinterpret_borrow<array>(source).dtype().kind() == 'c')
+      return false;  // numpy would leave out the imaginary parts
     const auto pair = reinterpret_borrow<sequence>(source);
     if (pair.size() != 2)
       throw avo::Error("point: found " + std::to_string(pair.size()) +
@@ -71,6 +73,7 @@ struct type_caster<avo::Vec2> {
     double* const numbers[] = {&value.x, &value.y};
     for (std::size_t k = 0; k < 2; ++k) {
       const object number = pair[k];
+      if (PyComplex_Check(number.ptr())) return false;
       *numbers[k] = PyFloat_AsDouble(number.ptr());
       if (PyErr_Occurred() != nullptr) {
         PyErr_Clear();

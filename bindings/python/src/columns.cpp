@@ -51,7 +51,7 @@ auto points(Of of) {
 }
 
 template <typename Of>  // double of(fleet, k)
-auto numbers(Of of) {
+auto per_robot(Of of) {
   return [of](SharedSimulation& self, const Out& out) {
     return column(
         self, [&](py::ssize_t n) { return target(out, {n}); },
@@ -95,8 +95,8 @@ auto obstacle_points(std::span<const avo::Vec2> avo::ObstacleView::*which) {
 #define POINTS(NAME, OF, DOC)                                                 \
   def(NAME, points([](const FleetView& fleet, std::size_t k) { return OF; }), \
       arg("out") = py::none(), "(n, 2) float64, " DOC)
-#define NUMBERS(NAME, OF, DOC)                                                 \
-  def(NAME, numbers([](const FleetView& fleet, std::size_t k) { return OF; }), \
+#define NUMBERS(NAME, OF, DOC)                                                   \
+  def(NAME, per_robot([](const FleetView& fleet, std::size_t k) { return OF; }), \
       arg("out") = py::none(), "(n,) float64, " DOC)
 
 void bind_columns(SimulationClass& simulation) {

@@ -9,11 +9,7 @@ namespace {
 
 using py::arg;
 
-void bind_motion_models(py::module_& module) {
-  py::class_<avo::Holonomic>(module, "Holonomic", "Accelerates in every direction.")
-      .def(py::init<>())
-      .def(py::self == py::self)
-      .def("__repr__", [](const avo::Holonomic&) { return "Holonomic()"; });
+void bind_cars(py::module_& module) {
   py::class_<avo::CarBody>(module, "CarBody", "The disc that covers a car's body.")
       .def(py::init([](double offset, double radius) {
              return avo::CarBody{offset, radius};
@@ -38,6 +34,9 @@ void bind_motion_models(py::module_& module) {
       .def_readonly("body", &avo::Car::body)
       .def_readonly("reverse", &avo::Car::reverse)
       .def_readonly("acceleration_set", &avo::Car::acceleration_set);
+}
+
+void bind_drives(py::module_& module) {
   using Drive = avo::DifferentialDrive;
   py::class_<Drive>(module, "DifferentialDrive", "Two wheels on one axle, each driven by itself.")
       .def(py::init([](double track, double offset, double speed, double acceleration) {
@@ -51,6 +50,9 @@ void bind_motion_models(py::module_& module) {
       .def_readonly("offset", &Drive::offset)
       .def_readonly("wheel_speed", &Drive::wheel_speed)
       .def_readonly("wheel_acceleration", &Drive::wheel_acceleration);
+}
+
+void bind_airplanes(py::module_& module) {
   py::class_<avo::Airplane>(module, "Airplane", "Cannot stop; it falls back on circling.")
       .def(py::init([](double min_speed, double lateral, avo::AfterGoal after_goal) {
              return avo::Airplane{min_speed, lateral, after_goal};
@@ -72,6 +74,16 @@ void bind_motion_models(py::module_& module) {
       .def(py::self == py::self)
       .def_readonly("center", &avo::LoiterCircle::center)
       .def_readonly("radius", &avo::LoiterCircle::radius);
+}
+
+void bind_motion_models(py::module_& module) {
+  py::class_<avo::Holonomic>(module, "Holonomic", "Accelerates in every direction.")
+      .def(py::init<>())
+      .def(py::self == py::self)
+      .def("__repr__", [](const avo::Holonomic&) { return "Holonomic()"; });
+  bind_cars(module);
+  bind_drives(module);
+  bind_airplanes(module);
 }
 
 void bind_walls(py::module_& module) {

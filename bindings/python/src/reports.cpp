@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the command line says as JSON, as dicts: of decisions, recordings and runs.
 #include <chrono>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
@@ -64,6 +65,7 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
   require_one_or_the_other(has_scene, "radius", radius);
   require_one_or_the_other(has_scene, "max_acceleration", max_acceleration);
   require_one_or_the_other(has_scene, "max_speed", max_speed);
+  if (radius && !std::isfinite(*radius)) throw avo::Error("radius: found inf, must be finite");
   if (!has_scene && require_arrival)
     throw avo::Error("require_arrival: found without scene, must be with it: goals are there");
   if (!(tolerance >= 0.0 && tolerance < 1.0))

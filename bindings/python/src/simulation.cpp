@@ -200,7 +200,11 @@ void bind_edits(SimulationClass& simulation) {
           [](SharedSimulation& self, std::int64_t id) {
             self.alone([&](Simulation& s) { s.remove_obstacle(obstacle_id(id)); });
           },
-          arg("id"), "A door opens.")
+          arg("id"), "A door opens.");
+}
+
+void bind_inventory(SimulationClass& simulation) {
+  simulation
       .def(
           "obstacles",
           [](SharedSimulation& self) {
@@ -267,6 +271,7 @@ void bind_simulation(py::module_& module) {
   bind_run(simulation);
   bind_state(simulation);
   bind_edits(simulation);
+  bind_inventory(simulation);
   bind_perception(module, simulation);
   bind_columns(simulation);
 }

@@ -23,6 +23,10 @@ void require_plain(const avo::Scenario& scenario) {
   if (!scenario.moving_obstacles.empty()) refuse("moving_obstacles", "some", "none");
   if (scenario.clock != avo::Clock::common) refuse("clock", "free", "common");
   if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
+  // where robots go, and who waits at a passage, is up to the learner
+  if (scenario.navigation == true) refuse("navigation", "true", "false or left out");
+  if (scenario.right_of_way == avo::RightOfWay::told)
+    refuse("right_of_way", "told", "none or left out");
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const avo::RobotSetup& robot = scenario.robots[k];
     const std::string name = fmt::format("robots.{}", k);
@@ -174,7 +178,7 @@ auto points(Of of) {
 }
 
 template <typename Of>  // double of(world, robot)
-auto numbers(Of of) {
+auto per_robot(Of of) {
   return [of](const Worlds& self) {
     const InUse use(self.used());
     py::array_t<double> array({self.worlds(), self.robots()});
@@ -212,7 +216,8 @@ py::array_t<float> nearest(const Worlds& self, std::size_t k) {
   return array;
 }
 
-void step(Worlds& self, const Numbers& preferred, const std::vector<bool>& moving) {
+void step(Worlds& self, const py::object& actions, const std::vector<bool>& moving) {
+  const Numbers preferred = numbers("actions", actions);
   if (preferred.ndim() != 3 || preferred.shape(0) != static_cast<py::ssize_t>(self.worlds()) ||
       preferred.shape(1) != static_cast<py::ssize_t>(self.robots()) || preferred.shape(2) != 2)
     throw avo::Error(fmt::format("actions: found shape {}, must be ({}, {}, 2)",
@@ -232,6 +237,8 @@ void step(Worlds& self, const Numbers& preferred, const std::vector<bool>& movin
 }  // namespace
 
 void bind_worlds(py::module_& module) {
+  module.def("_numbers", &numbers, arg("name"), arg("given"),
+             "float64 of real numbers; raises Error on all else.");
   py::class_<Worlds>(module, "Worlds", "E worlds of N holonomic robots; avo.env is made of them.")
       .def(py::init([](std::int64_t worlds, const avo::Scenario& scenario) {
              if (worlds < 1)
@@ -258,13 +265,13 @@ void bind_worlds(py::module_& module) {
            "(E, N, 2) float64, m/s.")
       .def("goal", points([](const World& w, std::size_t k) { return w.goals[k]; }),
            "(E, N, 2) float64, m.")
-      .def("radius", numbers([](const World& w, std::size_t k) { return w.robots[k].radius; }),
+      .def("radius", per_robot([](const World& w, std::size_t k) { return w.robots[k].radius; }),
            "(E, N) float64, m.")
       .def("max_speed",
-           numbers([](const World& w, std::size_t k) { return w.robots[k].max_speed; }),
+           per_robot([](const World& w, std::size_t k) { return w.robots[k].max_speed; }),
            "(E, N) float64, m/s.")
       .def("max_acceleration",
-           numbers([](const World& w, std::size_t k) { return w.robots[k].max_acceleration; }),
+           per_robot([](const World& w, std::size_t k) { return w.robots[k].max_acceleration; }),
            "(E, N) float64, m/s^2.");
 }
 

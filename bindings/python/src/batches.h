@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What decisions of many robots at once are made from.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "avo/planner.h"
+#include "bind.h"
+#include "shared.h"
+
+namespace avo_python {
+
+struct Robots {
+  std::vector<avo::Robot> all;
+};
+
+/// Those of robot k are all[first[k]] to all[first[k + 1] - 1].
+struct Neighbors {
+  std::vector<avo::Neighbor> all;
+  std::vector<std::size_t> first{0};
+};
+
+/// As many as there are robots, always. Threads may share them.
+struct Detours : Shared<std::vector<avo::Detour>> {
+  explicit Detours(std::size_t n) : Shared(std::vector<avo::Detour>(n)), size(n) {}
+  const std::size_t size;
+};
+
+void bind_batch_inputs(py::module_& module);
+
+}  // namespace avo_python
