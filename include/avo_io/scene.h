@@ -13,11 +13,11 @@
 namespace avo_io {
 
 /// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), a
-/// file, or "-", the standard input, which is relative to the current folder. Each override is
-/// "key=value" on a key of the scene, e.g. "robots.0.radius=0.4"; robots that a group makes can be
-/// named as well. Files that the scene names (maps, plans) are relative to its own; their paths are
-/// appended to `files_read` where it is given. Throws SceneError, OverrideError or FileError; the
-/// scene returned has passed avo::validate.
+/// file, or "-", the standard input, which is relative to the current folder, and may name built-in
+/// files besides. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4";
+/// robots that a group makes can be named as well. Files that the scene names (maps, plans) are
+/// relative to its own; their paths are appended to `files_read` where it is given. Throws
+/// SceneError, OverrideError or FileError; the scene returned has passed avo::validate.
 AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
                                     const std::vector<std::string>& overrides = {},
                                     std::vector<std::string>* files_read = nullptr);

@@ -95,7 +95,9 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
 
 void require_whole(const World& world, const char* call) {
   if (!world.torn) return;
-  throw Error(std::string(call) + ": memory ran out in the midst of an earlier step");
+  throw Error(std::string(call) +
+              ": found an earlier step that ended in its midst, as memory or its "
+              "executor failed, must be restored first");
 }
 
 }  // namespace
