@@ -12,6 +12,8 @@
 namespace avo {
 namespace {
 
+using Real = scalar::Pack<double>;
+
 // Of the path of one that is seen moving for `time`, m.
 double error_at(const StepLaw& law, double time) {
   return law.sensing_error.position + law.sensing_error.velocity * time;
@@ -145,7 +147,6 @@ void collect_refusing(const Robot& robot, const CandidatePath& path, const StepL
   if (constraints.waiting.empty()) return;
   double ahead = constraints.deviation.most_ahead, aside = constraints.deviation.most_aside;
   if (is_holonomic(robot.model)) {
-    using Real = scalar::Pack<double>;
     const auto deviation = scalar::candidate_deviation(
         scalar::constant<Real>(constraints.own), scalar::constant<Real>(path.next_velocity), law);
     ahead = deviation.ahead.value, aside = deviation.aside.value;

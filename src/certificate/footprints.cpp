@@ -14,6 +14,8 @@
 namespace avo {
 namespace {
 
+using Real = scalar::Pack<double>;
+
 constexpr double kLoitering = 4.0;  // roundings of a circle that is remembered, in steps of braking
 
 Footprint braking_footprint(Vec2 position, Vec2 velocity, double radius, const Ability& ability,
@@ -35,7 +37,6 @@ Vec2 between(const Footprint& a, const Footprint& b) {
 
 // docs/certificate.md, "Rounding": a decision shrinks what has added up by a share.
 double margin_between(const Footprint& a, const Footprint& b, double share) {
-  using Real = scalar::Pack<double>;
   const double lengths =
       length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) + a.radius + b.radius;
   return scalar::rounding_margin<Real>(lengths, std::max(a.intervals, b.intervals),

@@ -54,7 +54,7 @@ std::optional<double> find_negative(const Function& f, double end) {
 }
 
 // Where A is relative to B, as far as that is known.
-struct Approach {
+struct Closing {
   Vec2 position, velocity, acceleration;  // of the middle
   Spread spread;                          // of where it may be around that
 
@@ -62,13 +62,11 @@ struct Approach {
 };
 
 // Whether at some time all that A can reach is within contact.
-std::optional<double> find_contact(const Approach& approach, double contact) {
-  const double end = approach.spread.time_of(contact);
-  const double way = end * (norm(approach.velocity) + 0.5 * end * norm(approach.acceleration));
-  if (!(norm(approach.position) < contact + way)) return std::nullopt;
-  const auto depth = [&](double t) {
-    return norm(approach.at(t)) + approach.spread.at(t) - contact;
-  };
+std::optional<double> find_contact(const Closing& closing, double contact) {
+  const double end = closing.spread.time_of(contact);
+  const double way = end * (norm(closing.velocity) + 0.5 * end * norm(closing.acceleration));
+  if (!(norm(closing.position) < contact + way)) return std::nullopt;
+  const auto depth = [&](double t) { return norm(closing.at(t)) + closing.spread.at(t) - contact; };
   return find_negative(depth, end);
 }
 
@@ -113,14 +111,14 @@ std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& nei
       kRounding * (length_1(robot.position) + length_1(neighbor.position) + robot.radius);
   const double contact = (1.0 - kRounding) * (robot.radius + neighbor.radius) - lost;
   // A may be off its present course by what its acceleration does, and off its place by its speed
-  const std::array approaches{
-      Approach{p,
-               robot.velocity - neighbor.velocity,
-               -kept,
-               {position, velocity, robot.max_acceleration + a_B}},
-      Approach{p, -neighbor.velocity, -kept, {position, velocity + top_speed(robot), a_B}}};
-  for (const Approach& approach : approaches) {
-    if (const auto time = find_contact(approach, contact)) return time;
+  const std::array closings{
+      Closing{p,
+              robot.velocity - neighbor.velocity,
+              -kept,
+              {position, velocity, robot.max_acceleration + a_B}},
+      Closing{p, -neighbor.velocity, -kept, {position, velocity + top_speed(robot), a_B}}};
+  for (const Closing& closing : closings) {
+    if (const auto time = find_contact(closing, contact)) return time;
   }
   return std::nullopt;
 }

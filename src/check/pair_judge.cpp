@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <string>
 
 #include "avo/error.h"
 #include "check/counts.h"
 #include "check/kinematics.h"
+#include "core/plane.h"
 
 namespace avo::judge {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A robot is at rest up to this part of max_speed (of 1 m/s where there is none).
 constexpr double kAtRest = 1e-9;
 constexpr std::size_t kMostPairs = 10'000'000;

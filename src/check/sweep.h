@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "avo/vec.h"
+#include "core/plane.h"
 
 namespace avo::judge {
 
@@ -51,7 +52,6 @@ inline Box hull(Box a, const Box& b) {
 
 /// The axis along which the boxes spread farther.
 inline std::size_t wider_axis(const std::vector<Box>& boxes) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> least{kInfinity, kInfinity}, most{-kInfinity, -kInfinity};
   for (const Box& box : boxes) {
     for (std::size_t k = 0; k < 2; ++k) {

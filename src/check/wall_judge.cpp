@@ -9,11 +9,10 @@
 
 #include "check/counts.h"
 #include "check/wall_path.h"
+#include "core/plane.h"
 
 namespace avo::judge {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Box box_of(const CheckedWall& wall, std::size_t owner) {
   return box_around(std::array{wall.a, wall.b}, wall.radius, owner);

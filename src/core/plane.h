@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of plane vectors in several layers and is no part of the interface.
+// What several layers ask of numbers and plane vectors, and is no part of the interface.
 #pragma once
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "avo/vec.h"
 
 namespace avo {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// a turned by the angle of a unit vector.
 constexpr Vec2 turned(Vec2 a, Vec2 by) {

@@ -9,8 +9,8 @@
 namespace avo {
 namespace {
 
-constexpr double kMostPieces = 1e5;  // besides one a wall
-constexpr double kRounding = 1e-9;   // of a distance
+constexpr double kMostPieces = 1e5;     // besides one a wall
+constexpr double kWallRounding = 1e-9;  // of a distance
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void WallSearch::cut(double distance) {
     }
     widest = std::max({widest, norm(a), norm(b)});
   }
-  grid_.build(middles, distance + 0.5 * longest + kRounding * (distance + longest + widest));
+  grid_.build(middles, distance + 0.5 * longest + kWallRounding * (distance + longest + widest));
 }
 
 std::span<const std::size_t> WallSearch::near(Vec2 position) {

@@ -10,6 +10,8 @@
 
 namespace avo {
 
+inline constexpr double kLengthRounding = 1e-9;  // of a length, more than is lost
+
 /// m, the radius of the widest.
 double widest_of(std::span<const Wall> walls);
 

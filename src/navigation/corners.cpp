@@ -19,7 +19,6 @@ constexpr double kPointAngle = kPi / 6.0;  // between neighboring points around 
 constexpr double kStretch = 1.0353;        // > 1 / cos(kPointAngle / 2)
 constexpr double kTouching = 1e-3;         // of the radius: walls as near as that are joined
 constexpr double kLeanSlack = 0.1;         // where neighbors of a point are cut off
-constexpr double kRounding = 1e-9;         // of the radius
 constexpr double kWidestGap = 1.15;        // of what points around ends need to pass
 
 struct Arc {
@@ -84,16 +83,17 @@ class CornerFinder {
     double widest = 0.0;
     const Arc arc = free_arc(end, widest);
     if (arc.angle < kLeastAngle) return;
-    const double count = std::ceil(arc.angle / kPointAngle - kRounding), step = arc.angle / count;
+    const double count = std::ceil(arc.angle / kPointAngle - kLengthRounding),
+                 step = arc.angle / count;
     const double cosine = elementary::direction(0.5 * step).x;
     const double lean = elementary::sin(0.5 * step) + kLeanSlack;
     for (double k = 0.5; k < count; k += 1.0) {
       const Vec2 outward = elementary::direction(arc.from + k * step);
       for (const double part : kSpareParts) {
         const double room = radius_ + part * kSpareRoom;
-        const Vec2 point = end + ((room + widest) / cosine * (1.0 + kRounding)) * outward;
+        const Vec2 point = end + ((room + widest) / cosine * (1.0 + kLengthRounding)) * outward;
         if (!(grid_.clearance(point) >= room)) continue;
-        corners_.push_back({point, room * (1.0 - kRounding), outward, lean});
+        corners_.push_back({point, room * (1.0 - kLengthRounding), outward, lean});
         break;
       }
     }
@@ -109,9 +109,9 @@ class CornerFinder {
   }
 
   void add_in_gap(Vec2 point) {
-    const double clearance = grid_.clearance(point) + kRounding * radius_;
+    const double clearance = grid_.clearance(point) + kLengthRounding * radius_;
     if (!(clearance >= radius_) || !is_new(point)) return;
-    const double room = std::min(clearance, radius_ + kSpareRoom) - 2.0 * kRounding * radius_;
+    const double room = std::min(clearance, radius_ + kSpareRoom) - 2.0 * kLengthRounding * radius_;
     corners_.push_back({point, room, {}, 1.0});
   }
 
@@ -131,7 +131,7 @@ class CornerFinder {
 
   // The middle of each gap between this end and another wall, and the places before and behind.
   void add_in_gaps(std::size_t wall, Vec2 end) {
-    const double own = grid_.walls()[wall].radius, rounding = kRounding * radius_;
+    const double own = grid_.walls()[wall].radius, rounding = kLengthRounding * radius_;
     const double widest = kWidestGap * (1.0 + kStretch) * (radius_ + kSpareRoom);
     std::vector<Gap> gaps;
     grid_.all_near(end, end, [&](std::size_t k) {

@@ -9,16 +9,15 @@
 namespace avo {
 namespace {
 
-constexpr double kOneLane = 4.4;    // radii: two robots with a tenth of their size to each side
-constexpr double kTwoLanes = 8.0;   // radii: wider ways need no lanes
-constexpr double kTouching = 1e-3;  // of the least radius: ends as near as that are joined
-constexpr double kStraight = 1e-6;  // rad: less is no bend
-constexpr double kRounding = 1e-9;  // of lengths
+constexpr double kOneLane = 4.4;        // radii: two robots with a tenth of their size to each side
+constexpr double kTwoLanes = 8.0;       // radii: wider ways need no lanes
+constexpr double kTouchingEnds = 1e-3;  // of the least radius: ends as near as that are joined
+constexpr double kStraight = 1e-6;      // rad: less is no bend
 
 class GapFinder {
  public:
   GapFinder(const ClearanceGrid& grid, std::span<const double> radii)
-      : grid_(grid), radii_(radii), touching_(kTouching * radii.front()) {}
+      : grid_(grid), radii_(radii), touching_(kTouchingEnds * radii.front()) {}
 
   std::vector<Gap> find() {
     const std::span<const Wall> walls = grid_.walls();
@@ -50,7 +49,7 @@ class GapFinder {
 
   // The gaps between this end and the walls around it, with nothing else in between.
   void add_at(Vec2 end, double end_radius) {
-    const double rounding = kRounding * radii_.back();
+    const double rounding = kLengthRounding * radii_.back();
     grid_.all_near(end, end, [&](std::size_t k) {
       const Wall& wall = grid_.walls()[k];
       const Vec2 nearest = nearest_on({wall.a, wall.b}, end);
@@ -90,7 +89,8 @@ class GapFinder {
         const Gap& other = gaps_[k];
         if (k == i) return true;
         if (is_same(gap, other)) return i < k;
-        if (shares_end(gap, other) || other.width() > (1.0 + kRounding) * gap.width()) return true;
+        if (shares_end(gap, other) || other.width() > (1.0 + kLengthRounding) * gap.width())
+          return true;
         return nearest_points({gap.a, gap.b}, {other.a, other.b}).distance > 0.0;
       });
       if (is_narrowest) kept.push_back(gap);

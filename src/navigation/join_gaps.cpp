@@ -22,11 +22,11 @@ constexpr double kJoint = 1e-3;    // radii: nobody sees through where pieces of
 constexpr std::array kRanges{16.0, 32.0, 64.0, 128.0, 256.0};
 constexpr std::size_t kMostNear = 500;
 
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kNoGap = 0xffffffff;
 
 // What a gap has on each of its sides: 0 is ahead, 1 behind.
 struct Links {
-  std::array<std::uint32_t, 2> gap{kNone, kNone};
+  std::array<std::uint32_t, 2> gap{kNoGap, kNoGap};
   std::array<int, 2> count{0, 0};
 };
 
@@ -73,7 +73,7 @@ class Joiner {
           passage_of_gap.push_back(number);
         }
         const std::uint32_t then = next(gap, side);
-        if (then == kNone || taken[then]) break;
+        if (then == kNoGap || taken[then]) break;
         side = 1 - side_towards(then, gap);
         gap = then;
       }
@@ -145,15 +145,15 @@ class Joiner {
   // The next gap of the passage; none where it ends or branches.
   std::uint32_t next(std::uint32_t i, std::size_t side) const {
     const std::uint32_t k = links_[i].gap[side];
-    if (links_[i].count[side] != 1) return kNone;
-    return links_[k].count[side_towards(k, i)] == 1 ? k : kNone;
+    if (links_[i].count[side] != 1) return kNoGap;
+    return links_[k].count[side_towards(k, i)] == 1 ? k : kNoGap;
   }
 
   // Where the passage of gap i begins, and on which side of that gap it goes on; of a ring, i.
   std::pair<std::uint32_t, std::size_t> first_of(std::uint32_t i) const {
     std::uint32_t gap = i;
     std::size_t back = 1;
-    for (std::uint32_t k = next(gap, back); k != kNone && k != i; k = next(gap, back)) {
+    for (std::uint32_t k = next(gap, back); k != kNoGap && k != i; k = next(gap, back)) {
       back = 1 - side_towards(k, gap);
       gap = k;
     }

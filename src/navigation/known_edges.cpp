@@ -9,7 +9,7 @@
 namespace avo {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kNoEdge = 0xffffffff;
 constexpr std::size_t kMostChanged = 16;  // walls; looking for edges anew is quicker then
 
 bool are_equal(const Wall& a, const Wall& b) {
@@ -19,7 +19,7 @@ bool are_equal(const Wall& a, const Wall& b) {
 }  // namespace
 
 KnownEdges::KnownEdges(const CornerGraph& graph, const CornerGraph* before)
-    : graph_(graph), before_(before), old_of_(graph.points.size(), kNone) {
+    : graph_(graph), before_(before), old_of_(graph.points.size(), kNoEdge) {
   if (before_ == nullptr) return;
   // all walls but those between the common beginning and the common end
   added_ = graph_.grid.walls(), removed_ = before_->grid.walls();
@@ -58,12 +58,11 @@ void KnownEdges::match_points() {
 
 // Whether the line through both meets a disc that is neither behind p nor beyond q.
 bool KnownEdges::may_have_opened(Vec2 p, Vec2 q) const {
-  constexpr double kRounding = 1e-9;
   const Vec2 way = q - p;
   const double length_squared = norm_squared(way);
   return std::any_of(opened_.begin(), opened_.end(), [&](const Disc& disc) {
     const Vec2 to = disc.center - p;
-    const double reach = disc.reach + kRounding * (std::abs(to.x) + std::abs(to.y));
+    const double reach = disc.reach + kLengthRounding * (std::abs(to.x) + std::abs(to.y));
     const double margin = reach * reach * length_squared;
     const double aside = cross(way, to), along = dot(way, to);
     if (aside * aside > margin) return false;
@@ -75,12 +74,12 @@ bool KnownEdges::may_have_opened(Vec2 p, Vec2 q) const {
 std::span<const std::uint32_t> KnownEdges::candidates(std::uint32_t i) {
   candidates_.clear();
   const std::uint32_t old = old_of_[i];
-  if (old != kNone) {
+  if (old != kNoEdge) {
     for (const CornerGraph::Edge& edge : before_->edges_of(old)) joined_to_[edge.to] = i + 1;
   }
   const Vec2 p = graph_.points[i];
   for (std::uint32_t k = i + 1; k < graph_.points.size(); ++k) {
-    const bool is_new = old == kNone || old_of_[k] == kNone;
+    const bool is_new = old == kNoEdge || old_of_[k] == kNoEdge;
     if (is_new || joined_to_[old_of_[k]] == i + 1 || may_have_opened(p, graph_.points[k]))
       candidates_.push_back(k);
   }
@@ -88,7 +87,7 @@ std::span<const std::uint32_t> KnownEdges::candidates(std::uint32_t i) {
 }
 
 std::optional<bool> KnownEdges::are_joined(std::uint32_t i, std::uint32_t k) const {
-  if (old_of_[i] == kNone || old_of_[k] == kNone) return std::nullopt;
+  if (old_of_[i] == kNoEdge || old_of_[k] == kNoEdge) return std::nullopt;
   const double room = std::min(graph_.room[i], graph_.room[k]);
   const auto is_blocking = [&](const Wall& wall) {
     return is_in_the_way(wall, graph_.points[i], graph_.points[k], room);

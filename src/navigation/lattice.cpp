@@ -14,7 +14,6 @@ constexpr double kSpacing = 1.4;
 constexpr double kMostCells = 1 << 20;
 constexpr double kHalfDiagonal = 0.7072;  // of a cell
 constexpr int kMostPushes = 6;
-constexpr double kRounding = 1e-9;  // of the radius
 
 struct NearestWall {
   double clearance;  // m
@@ -109,8 +108,8 @@ std::optional<Sample> sample_in(const Lattice& lattice, std::size_t cell, const 
     Vec2 p = middle;
     for (int push = 0; push <= kMostPushes; ++push) {
       const NearestWall nearest = nearest_wall(grid, p);
-      if (nearest.clearance >= room) return Sample{p, room - kRounding * radius};
-      p = p + (room * (1.0 + kRounding) - nearest.clearance) * nearest.away;
+      if (nearest.clearance >= room) return Sample{p, room - kLengthRounding * radius};
+      p = p + (room * (1.0 + kLengthRounding) - nearest.clearance) * nearest.away;
       p.x = std::clamp(p.x, middle.x - half, middle.x + half);
       p.y = std::clamp(p.y, middle.y - half, middle.y + half);
     }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <functional>
 
+#include "core/plane.h"
+
 namespace avo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;  // of the radius
 constexpr double kPassed = 0.3;     // of the radius: so near a corner counts as passed
 constexpr std::int64_t kRings = 3;  // of cells around a robot that are looked at
 
@@ -29,7 +29,7 @@ struct Lookout {
   // The same, which asks for no more room than the robot takes.
   Lookout closely() const {
     Lookout closest = *this;
-    closest.room = (1.0 - 2.0 * kRounding) * radius;
+    closest.room = (1.0 - 2.0 * kLengthRounding) * radius;
     return closest;
   }
   bool sees(std::uint32_t target) const {
@@ -143,8 +143,9 @@ std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool loo
 Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius,
              std::uint32_t target, bool looks_around, LegScratch& scratch) {
   // half of what corners keep, so that a robot slightly off its way still sees them
-  const double room = std::clamp(graph.grid.clearance(p) - kRounding * radius,
-                                 (1.0 - 2.0 * kRounding) * radius, graph.radius + 0.5 * kSpareRoom);
+  const double room =
+      std::clamp(graph.grid.clearance(p) - kLengthRounding * radius,
+                 (1.0 - 2.0 * kLengthRounding) * radius, graph.radius + 0.5 * kSpareRoom);
   const Lookout lookout{graph, map, p, radius, room, scratch};
   Leg leg{p, target_from(lookout, target, looks_around)};
   if (leg.target == PathMap::kNothing) return leg;

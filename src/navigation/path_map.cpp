@@ -7,15 +7,14 @@
 #include <queue>
 #include <utility>
 
+#include "core/plane.h"
 #include "navigation/field.h"
 
 namespace avo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTurnRoom = 0.3;   // of the radius: how far a robot may be carried off its way
-constexpr double kBraking = 1.6;    // of 2, the part of full braking that is counted upon
-constexpr double kRounding = 1e-9;  // of the radius
+constexpr double kTurnRoom = 0.3;  // of the radius: how far a robot may be carried off its way
+constexpr double kBraking = 1.6;   // of 2, the part of full braking that is counted upon
 
 // m, what v²/a may be at a turn, see speed_limit().
 double top_at(double turn, double radius) {
@@ -99,7 +98,7 @@ PathMap path_map(const CornerGraph& graph, Vec2 goal) {
   const double clearance = graph.grid.clearance(goal);
   map.is_free = clearance >= graph.radius;
   if (!map.is_free) return map;
-  map.room = std::min(clearance, graph.radius + kSpareRoom) - kRounding * graph.radius;
+  map.room = std::min(clearance, graph.radius + kSpareRoom) - kLengthRounding * graph.radius;
   if (graph.lattice.empty())
     spread_along_edges(graph, map);
   else

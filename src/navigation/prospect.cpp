@@ -6,7 +6,8 @@
 namespace avo {
 namespace {
 
-constexpr double kFarthest = 24.0;    // radii of the robot: passages farther off do not matter yet
+constexpr double kFarthestPassage =
+    24.0;                             // radii of the robot: passages farther off do not matter yet
 constexpr double kAhead = 3.0;        // radii, along the way, to where a lane is looked for
 constexpr double kLeavesLane = 6.0;   // radii before the next passage of one lane
 constexpr double kAlong = 0.5;        // cosine: a way that leads more across keeps no lane
@@ -24,7 +25,7 @@ template <typename Visit>
 void walk(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t target,
           const Visit& visit) {
   Piece piece{p, p};
-  while (target != PathMap::kNothing && piece.before <= kFarthest * graph.radius) {
+  while (target != PathMap::kNothing && piece.before <= kFarthestPassage * graph.radius) {
     piece.is_last = target == PathMap::kGoal;
     piece.to = piece.is_last ? map.goal : graph.points[target];
     piece.length = norm(piece.to - piece.from);

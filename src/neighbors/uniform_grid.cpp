@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/plane.h"
+
 namespace avo {
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of the far radius: no search begins with less.
 constexpr double kLeastGuess = 0.0625;
 

@@ -76,7 +76,7 @@ void offer_tip(Vec2 from_end, Vec2 from_other, Course& course) {
 // One side of the obstacle of one end, on the left of p (1) or on its right (-1). Where the line of
 // the side is nearest to w = 0, σ = -c tan(α + β): sin α = r/|y|, sin β = c/|y|, and c > 0 is the
 // miss distance where the side is the far one.
-struct Side {
+struct WallSide {
   double speed, t_m, c, r;  // m/s; s; m; m
 
   // m: how far the robot has come with v beyond the place where the line of the side would be
@@ -98,7 +98,7 @@ struct Side {
 // The first instant at which the line of the side is nearest to w = 0: Newton's iteration, guarded
 // by bisection where there is one for sure. On the far side there may be two or none: a step that
 // takes the rate for |v| never passes the first.
-std::optional<ResponseAt> turning_instant(const Side& side, const Horizon& horizon) {
+std::optional<ResponseAt> turning_instant(const WallSide& side, const Horizon& horizon) {
   const double last_lag = side.last_lag(), control_time = horizon.control_time();
   if (!(last_lag > 0.0)) return {};
   const auto ahead = [&](const ResponseAt& at) {

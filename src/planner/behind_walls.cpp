@@ -5,16 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "certificate/wall_constraints.h"
+#include "core/plane.h"
 #include "planner/decision.h"
 #include "walls/segment.h"
 
 namespace avo {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than all that is lost
 

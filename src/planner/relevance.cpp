@@ -2,20 +2,21 @@
 #include "planner/relevance.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 #include "avo/half_plane.h"
 #include "certificate/kernels.h"
 #include "certificate/pair.h"
+#include "core/plane.h"
 #include "planner/arrival.h"
 #include "planner/certify.h"
 
 namespace avo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;  // of a sum of lengths, generously
+using Real = scalar::Pack<double>;
+
+constexpr double kReachRounding = 1e-9;  // of a sum of lengths, generously
 
 // How a robot brakes that is as fast as it may be: the reach grows with the speed.
 Braking fastest(const Planner& planner, const Robot& robot) {
@@ -49,7 +50,6 @@ std::array<double, 3> certificate_range(const Planner& planner, const Robot& rob
   const double margin = 0x1p-48 * (1.0 + peers.intervals) / least_share;
   if (!(margin < 0.5)) return {kInfinity, 0.0, 0.0};
   const double wider = (1.0 + margin) / (1.0 - std::numbers::sqrt2 * margin);
-  using Real = scalar::Pack<double>;
   const auto [at_rest, slope, curvature] = scalar::reach_bound(
       Real(increment(robot.max_acceleration, law)), Real(decrement_of(robot, law)), law);
   const double others = robot.radius + peers.reach + error.position + error.velocity * time +
@@ -61,7 +61,6 @@ std::array<double, 3> certificate_range(const Planner& planner, const Robot& rob
 
 void include(Peers& peers, const Planner& planner, const Robot& robot) {
   const Braking braking = fastest(planner, robot);
-  using Real = scalar::Pack<double>;
   const Real later = scalar::later_intervals(
       Real(braking.increment), Real(braking.profile.decrement), certificate_law(planner).step);
   peers.radius = std::max(peers.radius, robot.radius);
@@ -80,8 +79,8 @@ RelevantRange relevant_range(const Planner& planner, const Robot& robot, const P
   if (!options.max_neighbors) return {kInfinity};
   if (options.certificate == Certificate::none) return {};
   RelevantRange range{arrival_range(robot, peers.radius), certificate_range(planner, robot, peers)};
-  range.least *= 1.0 + kRounding;
-  for (double& part : range.reach) part *= 1.0 + kRounding;
+  range.least *= 1.0 + kReachRounding;
+  for (double& part : range.reach) part *= 1.0 + kReachRounding;
   return range;
 }
 

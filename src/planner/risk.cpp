@@ -11,7 +11,7 @@ namespace avo {
 namespace {
 
 constexpr double kMostQuantile = 8.0;  // beyond it the probability is below 1e-15
-constexpr int kBisections = 40;
+constexpr int kRiskBisections = 40;
 constexpr double kKept = 1e-9;  // m/s, rounding of a choice on the half-plane
 
 // Of a standard normal variable to exceed q >= 0: by a series about 0, beyond by a continued
@@ -47,7 +47,7 @@ double Planner::half_plane_risk(const Robot& robot, const Neighbor& neighbor,
   };
   if (!keeps(0.0)) return 1.0;
   double kept = 0.0, broken = kMostQuantile;
-  for (int i = 0; i < kBisections; ++i) {
+  for (int i = 0; i < kRiskBisections; ++i) {
     const double q = 0.5 * (kept + broken);
     (keeps(q) ? kept : broken) = q;
   }

@@ -16,9 +16,9 @@ namespace avo {
 namespace {
 
 // Of a_lat: kept back, so that a controller can come back to a circle that it has left a little.
-constexpr double kReserve = 1e-6;
+constexpr double kLateralReserve = 1e-6;
 // Goals are steered to where a circle leads there that is so much wider than the least one.
-constexpr double kWiderCircle = 1.05;
+constexpr double kWiderLoiter = 1.05;
 
 // From the start to where so much of the arc is behind it.
 Vec2 chord(const Arc& arc, double length) {
@@ -57,7 +57,7 @@ LoiterCircle loiter_circle(const Airplane& airplane, Vec2 position, Vec2 velocit
 }
 
 double usable_acceleration(const Airplane& airplane) {
-  return (1.0 - kReserve) * airplane.lateral_acceleration;
+  return (1.0 - kLateralReserve) * airplane.lateral_acceleration;
 }
 
 // Where the way stops leading down, heading and n are at right angles. With σ the sign of κ it has
@@ -144,7 +144,7 @@ Vec2 steered(const Airplane& airplane, const Robot& robot) {
   const double across = std::abs(cross(h, to));
   const double radius = across > 0.0 ? robot.distance_to_goal / (2.0 * across)
                                      : std::numeric_limits<double>::infinity();
-  const double top = std::sqrt(usable_acceleration(airplane) * radius / kWiderCircle);
+  const double top = std::sqrt(usable_acceleration(airplane) * radius / kWiderLoiter);
   if (top < airplane.min_speed) return airplane.min_speed * h;
   const double fastest = std::min({std::max(wanted, airplane.min_speed), top, robot.max_speed});
   return within_steering(airplane, robot, fastest * to);

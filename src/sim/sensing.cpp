@@ -13,6 +13,7 @@
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
 #include "core/elementary.h"
+#include "core/plane.h"
 #include "planner/certify.h"
 #include "robots/model.h"
 #include "sim/assumptions.h"
@@ -22,7 +23,6 @@
 namespace avo {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // 5.4 m as a sum of decimal fractions may exceed 5.4 m by its rounding.
 constexpr double kRounding = 1e-12;
 
