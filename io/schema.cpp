@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "avo_io/scene.h"
 #include "fields.h"
@@ -239,9 +241,7 @@ Json entry_schema(const std::variant<Kinds...>*) {
   return {{"oneOf", kinds}};
 }
 
-}  // namespace
-
-std::string scenario_schema() {
+Json schema() {
   const Json alike = alike_schema();
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
             {"title", "avo scene"},
@@ -269,7 +269,27 @@ std::string scenario_schema() {
                    {"group", group_schema(alike)},
                    {"moving_obstacle", map_schema(fields<avo::MovingObstacle>())},
                    {"obstacle", entry_schema(static_cast<const ObstacleEntry*>(nullptr))}};
-  return json.dump(2) + "\n";
+  return json;
+}
+
+}  // namespace
+
+std::string scenario_schema() {
+  return schema().dump(2) + "\n";
+}
+
+std::vector<SceneSetting> scene_settings() {
+  std::vector<SceneSetting> settings;
+  const Json all = schema();
+  for (const auto& [key, value] : all["properties"].items()) {
+    const std::string type = value.value("type", "");
+    if (type == "array" || type == "object" || key == "version") continue;
+    SceneSetting setting{key, {}};
+    if (value.contains("enum")) setting.values = value["enum"].get<std::vector<std::string>>();
+    if (type == "boolean") setting.values = {"true", "false"};
+    settings.push_back(std::move(setting));
+  }
+  return settings;
 }
 
 }  // namespace avo_io

@@ -136,7 +136,7 @@ std::string bash_completion(const ProgramText& text) {
     options += options_of(verb);
     kinds += kinds_of(verb);
   }
-  for (const SettingText& setting : text.settings) {
+  for (const avo_io::SceneSetting& setting : text.settings) {
     keys.push_back(setting.key);
     if (!setting.values.empty()) values += case_of(setting.key, joined(setting.values));
   }

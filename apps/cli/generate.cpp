@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
@@ -75,23 +74,8 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
-/// The keys of the schema that --set can give a plain value.
-std::vector<SettingText> settings() {
-  std::vector<SettingText> result;
-  const auto schema = nlohmann::ordered_json::parse(avo_io::scenario_schema());
-  for (const auto& [key, value] : schema["properties"].items()) {
-    const std::string type = value.value("type", "");
-    if (type == "array" || type == "object" || key == "version") continue;
-    SettingText setting{key, {}};
-    if (value.contains("enum")) setting.values = value["enum"].get<std::vector<std::string>>();
-    if (type == "boolean") setting.values = {"true", "false"};
-    result.push_back(std::move(setting));
-  }
-  return result;
-}
-
 ProgramText text_of(const CLI::App& app) {
-  ProgramText text{text_of(app, ""), {}, scene_names(), settings()};
+  ProgramText text{text_of(app, ""), {}, scene_names(), avo_io::scene_settings()};
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     if (!verb->get_group().empty()) text.verbs.push_back(text_of(*verb, verb->get_name()));
   return text;

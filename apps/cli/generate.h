@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "avo_io/scene.h"
+
 namespace CLI {
 class App;
 }
@@ -38,17 +40,11 @@ struct VerbText {
   std::vector<OptionText> options;  ///< operands too
 };
 
-/// A key of a scene that has one value, and those that it can have where they can be listed.
-struct SettingText {
-  std::string key;
-  std::vector<std::string> values;
-};
-
 struct ProgramText {
   VerbText program;
   std::vector<VerbText> verbs;
   std::vector<std::string> scenes;  ///< of families a few
-  std::vector<SettingText> settings;
+  std::vector<avo_io::SceneSetting> settings;
 };
 
 std::string man_page(const ProgramText& text);

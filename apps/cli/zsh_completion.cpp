@@ -75,7 +75,7 @@ std::string zsh_completion(const ProgramText& text) {
     verbs += fmt::format("    '{}:{}'\n", verb.name, escaped_for_zsh(verb.description));
     cases += fmt::format("    {})\n      _arguments -s -S{} ;;\n", verb.name, arguments_of(verb));
   }
-  for (const SettingText& setting : text.settings) {
+  for (const avo_io::SceneSetting& setting : text.settings) {
     keys += " " + setting.key;
     if (!setting.values.empty())
       values +=

@@ -51,4 +51,12 @@ AVO_API std::string_view builtin_file(std::string_view name);
 /// JSON Schema (draft 2020-12) of scene files.
 AVO_API std::string scenario_schema();
 
+/// A key of scene files that takes a plain value.
+struct SceneSetting {
+  std::string key;
+  std::vector<std::string> values;  ///< all that are allowed; empty where they are numbers
+};
+/// All of them, in the order of the schema.
+AVO_API std::vector<SceneSetting> scene_settings();
+
 }  // namespace avo_io
