@@ -35,6 +35,18 @@ auto by_option(F f) {
   }
 }
 
+std::optional<std::size_t> approach(const ExplainArguments& arguments,
+                                    const avo::Scenario& scenario, avo::Simulation& simulation) {
+  Progress progress(arguments.time);  // wiped before anything is printed
+  const auto go_on = [&] {
+    progress.show(simulation.time());
+    return signal_caught() == 0;
+  };
+  return by_option([&] {
+    return avo_io::approach_decision(scenario, arguments.robot, arguments.time, simulation, go_on);
+  });
+}
+
 }  // namespace
 
 int explain(const ExplainArguments& arguments) {
@@ -50,14 +62,7 @@ int explain(const ExplainArguments& arguments) {
 
   avo::Simulation simulation(scenario);
   tell_machine(simulation);
-  Progress progress(arguments.time);
-  const auto go_on = [&] {
-    progress.show(simulation.time());
-    return signal_caught() == 0;
-  };
-  const auto found = by_option([&] {
-    return avo_io::approach_decision(scenario, arguments.robot, arguments.time, simulation, go_on);
-  });
+  const auto found = approach(arguments, scenario, simulation);
   if (!found) return kSignal + signal_caught();
   const std::size_t index = *found;
   const avo_io::Decision decision = avo_io::explain(simulation, scenario.name, index);

@@ -112,6 +112,12 @@ TEST(Progress, explain_shows_it_too) {
       {"avo", "explain", "uniform-1000", "--robot", "0", "--time", "100", "-v"});
   EXPECT_TRUE(terminal.wait_for(" left")) << terminal.shown();
   EXPECT_NE(terminal.shown().find("instructions "), std::string::npos);
+  EXPECT_EQ(terminal.wait(), 0);
+  const std::string shown = terminal.shown();
+  const std::size_t result = shown.find("uniform-1000, robot 0");
+  ASSERT_NE(result, std::string::npos) << shown;
+  const std::string wiped = "\r\033[K";
+  EXPECT_EQ(shown.substr(result - wiped.size(), wiped.size()), wiped);
 }
 
 TEST(Progress, a_scene_can_be_typed) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes, wherever they come from."""
 import json
+import os
 
 import avo
 import numpy as np
@@ -58,6 +59,27 @@ def test_errors_have_the_text_of_the_command_line(tmp_path, command_line):
     with pytest.raises(ValueError) as error:
         avo.Scenario("circle-10", {"methd": "orca"})
     assert command_line("run", "circle-10", "--set", "methd=orca").stderr.removeprefix("avo: ") == f"{error.value}\n"
+
+
+@pytest.mark.parametrize("overrides", ["method=orca", b"x", 5, [1], {1, 2}])
+def test_overrides_of_another_type_are_refused(overrides):
+    with pytest.raises(TypeError, match="overrides: "):
+        avo.Scenario("circle-10", overrides=overrides)
+
+
+@pytest.mark.parametrize("value", [{1, 2}, object(), 1j, b"x"])
+def test_values_that_no_scene_has_are_refused(value):
+    with pytest.raises(TypeError, match="found a value that is no number"):
+        avo.Scenario({"version": 1, "duration": value})
+
+
+def test_paths_are_those_of_the_system(tmp_path):
+    name = os.fsencode(tmp_path) + b"/\xff.csv"
+    avo.run("circle-10", record=os.fsdecode(name))
+    assert os.path.exists(name)
+    with pytest.raises(avo.Error, match="null character"):
+        avo.run("circle-10", record=str(tmp_path / "a\0b.csv"))
+    assert not (tmp_path / "a").exists()
 
 
 def test_dicts_are_refused_by_the_reader():

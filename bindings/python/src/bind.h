@@ -23,6 +23,9 @@ void bind_worlds(py::module_& module);
 /// by dotted keys, a list of "key=value", or None.
 avo::Scenario scenario_of(const py::object& source, const py::object& overrides);
 
+/// Of a str, bytes or os.PathLike: as the system has it, in UTF-8 or not.
+std::string path_of(const py::object& path);
+
 /// What Python's json makes of the text.
 py::object from_json(const std::string& text);
 

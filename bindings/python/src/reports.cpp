@@ -76,7 +76,7 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
   else
     options.radius = *radius, options.max_acceleration = *max_acceleration,
     options.max_speed = *max_speed;
-  const auto path = py::module_::import("os").attr("fspath")(recording).cast<std::string>();
+  const auto path = path_of(recording);
   std::string json;
   {
     const py::gil_scoped_release release;
@@ -89,9 +89,7 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
 py::object run(const py::object& scene, int threads, const py::object& record) {
   const avo::Scenario scenario = scenario_of(scene, py::none());
   std::optional<avo_io::CsvRecording> recording;
-  if (!record.is_none())
-    recording.emplace(py::module_::import("os").attr("fspath")(record).cast<std::string>(),
-                      avo_io::has_headings(scenario));
+  if (!record.is_none()) recording.emplace(path_of(record), avo_io::has_headings(scenario));
   std::string json;
   {
     using Clock = std::chrono::steady_clock;

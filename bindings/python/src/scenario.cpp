@@ -15,15 +15,33 @@ using py::arg;
 /// As JSON, which is YAML; numpy's numbers and arrays become plain ones.
 std::string json_of(const py::handle& value) {
   constexpr const char* kPlain = "lambda value: value.tolist()";
-  return py::module_::import("json")
-      .attr("dumps")(value, py::arg("ensure_ascii") = false, py::arg("default") = py::eval(kPlain))
-      .cast<std::string>();
+  try {
+    return py::module_::import("json")
+        .attr("dumps")(value, py::arg("ensure_ascii") = false,
+                       py::arg("default") = py::eval(kPlain))
+        .cast<std::string>();
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_AttributeError)) throw;
+    throw py::type_error(
+        "scene: found a value that is no number, text, list, dict or array of numbers");
+  }
+}
+
+std::string override_of(const py::handle& entry) {
+  if (!py::isinstance<py::str>(entry))
+    throw py::type_error("overrides: found an entry that is no \"key=value\"");
+  return entry.cast<std::string>();
 }
 
 std::vector<std::string> overrides_of(const py::object& overrides) {
   std::vector<std::string> all;
   if (overrides.is_none()) return all;
-  if (!py::isinstance<py::dict>(overrides)) return overrides.cast<std::vector<std::string>>();
+  if (py::isinstance<py::list>(overrides) || py::isinstance<py::tuple>(overrides)) {
+    for (const py::handle entry : overrides) all.push_back(override_of(entry));
+    return all;
+  }
+  if (!py::isinstance<py::dict>(overrides))
+    throw py::type_error("overrides: must be a dict by keys, or a list of \"key=value\"");
   for (const auto& [key, value] : overrides.cast<py::dict>())
     all.push_back(py::str(key).cast<std::string>() + "=" +
                   (py::isinstance<py::str>(value) ? value.cast<std::string>() : json_of(value)));
@@ -89,13 +107,20 @@ std::vector<std::pair<std::string, std::string>> builtin_scenes() {
 
 }  // namespace
 
+std::string path_of(const py::object& path) {
+  const std::string bytes = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
+  if (bytes.find('\0') != std::string::npos)
+    throw avo::Error("path: found a null character, must have none");
+  return bytes;
+}
+
 Scenario scenario_of(const py::object& source, const py::object& overrides) {
   if (py::isinstance<Scenario>(source)) {
     if (overrides.is_none()) return source.cast<Scenario>();
     throw avo::Error("overrides: found beside a Scenario, must be given where it is made");
   }
   if (py::isinstance<py::dict>(source)) return parse(json_of(source), "dict", overrides);
-  return load(py::module_::import("os").attr("fspath")(source).cast<std::string>(), overrides);
+  return load(path_of(source), overrides);
 }
 
 void bind_scenario(py::module_& module) {
