@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 
+import avo
 import pytest
 
 SOURCE = pathlib.Path(os.environ["AVO_SOURCE"])
@@ -26,6 +27,17 @@ def test_snippets_of_the_document_run(tmp_path):
         path = tmp_path / f"snippet_{k}.py"
         path.write_text(snippet)
         run(path, tmp_path)
+
+
+def test_everything_public_has_a_docstring():
+    bare = []
+    for name in avo.__all__:
+        thing = getattr(avo, name)
+        members = vars(thing).items() if isinstance(thing, type) else []
+        for where, part in [(name, thing), *((f"{name}.{key}", value) for key, value in members if key[0] != "_")]:
+            if (callable(part) or isinstance(part, property)) and not (part.__doc__ or "").strip():
+                bare.append(where)
+    assert bare == []
 
 
 def test_there_are_three_examples():

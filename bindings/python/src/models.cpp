@@ -17,8 +17,9 @@ void bind_cars(py::module_& module) {
            py::kw_only(), arg("offset") = 0.0, arg("radius") = 0.5,
            "offset: m, of its center ahead of the rear axle; radius: m, > 0.")
       .def(py::self == py::self)
-      .def_readonly("offset", &avo::CarBody::offset)
-      .def_readonly("radius", &avo::CarBody::radius);
+      .def_readonly("offset", &avo::CarBody::offset,
+                    "[e] m, of its center ahead of the rear axle; < 0: behind it")
+      .def_readonly("radius", &avo::CarBody::radius, "m, > 0");
   py::class_<avo::Car>(module, "Car", "Car-like: its position is the center of its rear axle.")
       .def(py::init([](double wheelbase, std::optional<double> max_curvature,
                        std::optional<avo::CarBody> body, bool reverse, avo::AccelerationSet set) {
@@ -29,11 +30,12 @@ void bind_cars(py::module_& module) {
            "wheelbase: m, > 0; max_curvature: 1/m, > 0, None: unbounded; body: None: a disc about "
            "the axle; acceleration_set: \"incircle\" or \"exact\".")
       .def(py::self == py::self)
-      .def_readonly("wheelbase", &avo::Car::wheelbase)
-      .def_readonly("max_curvature", &avo::Car::max_curvature)
-      .def_readonly("body", &avo::Car::body)
-      .def_readonly("reverse", &avo::Car::reverse)
-      .def_readonly("acceleration_set", &avo::Car::acceleration_set);
+      .def_readonly("wheelbase", &avo::Car::wheelbase, "[d] m, > 0")
+      .def_readonly("max_curvature", &avo::Car::max_curvature,
+                    "[kappa_max] 1/m, > 0; None: unbounded")
+      .def_readonly("body", &avo::Car::body, "CarBody; None: about the axle")
+      .def_readonly("reverse", &avo::Car::reverse, "whether it may drive backwards")
+      .def_readonly("acceleration_set", &avo::Car::acceleration_set, "\"incircle\" or \"exact\"");
 }
 
 void bind_drives(py::module_& module) {
@@ -46,10 +48,12 @@ void bind_drives(py::module_& module) {
            arg("wheel_acceleration") = 3.0,
            "track, offset: m, > 0; wheel_speed: m/s, > 0; wheel_acceleration: m/s^2, > 0.")
       .def(py::self == py::self)
-      .def_readonly("track", &Drive::track)
-      .def_readonly("offset", &Drive::offset)
-      .def_readonly("wheel_speed", &Drive::wheel_speed)
-      .def_readonly("wheel_acceleration", &Drive::wheel_acceleration);
+      .def_readonly("track", &Drive::track, "[b] m, > 0, between the wheels")
+      .def_readonly("offset", &Drive::offset, "[L] m, > 0, of the center ahead of the axle")
+      .def_readonly("wheel_speed", &Drive::wheel_speed,
+                    "[w_max] m/s, > 0, of each wheel on the ground")
+      .def_readonly("wheel_acceleration", &Drive::wheel_acceleration,
+                    "[alpha_w] m/s^2, > 0, likewise");
 }
 
 void bind_airplanes(py::module_& module) {
@@ -62,9 +66,10 @@ void bind_airplanes(py::module_& module) {
            "min_speed: m/s, > 0; lateral_acceleration: m/s^2, > 0; after_goal: \"loiter\" or "
            "\"leave\".")
       .def(py::self == py::self)
-      .def_readonly("min_speed", &avo::Airplane::min_speed)
-      .def_readonly("lateral_acceleration", &avo::Airplane::lateral_acceleration)
-      .def_readonly("after_goal", &avo::Airplane::after_goal);
+      .def_readonly("min_speed", &avo::Airplane::min_speed, "m/s, > 0")
+      .def_readonly("lateral_acceleration", &avo::Airplane::lateral_acceleration,
+                    "[a_lat] m/s^2, > 0; max_acceleration is along its way")
+      .def_readonly("after_goal", &avo::Airplane::after_goal, "\"loiter\" or \"leave\"");
   py::class_<avo::LoiterCircle>(module, "LoiterCircle",
                                 "The circle that an airplane falls back on.")
       .def(py::init([](avo::Vec2 center, double radius) {
@@ -72,8 +77,9 @@ void bind_airplanes(py::module_& module) {
            }),
            py::kw_only(), arg("center"), arg("radius"), "center: m; radius: m, of the circle.")
       .def(py::self == py::self)
-      .def_readonly("center", &avo::LoiterCircle::center)
-      .def_readonly("radius", &avo::LoiterCircle::radius);
+      .def_readonly("center", &avo::LoiterCircle::center,
+                    "[c] (x, y), m, to the right of the airplane")
+      .def_readonly("radius", &avo::LoiterCircle::radius, "[rho] m");
 }
 
 void bind_motion_models(py::module_& module) {
@@ -93,9 +99,9 @@ void bind_walls(py::module_& module) {
            }),
            arg("a"), arg("b"), py::kw_only(), arg("radius") = 0.0,
            "a, b: (x, y), m; radius: m, >= 0. A disc where a == b.")
-      .def_readonly("a", &avo::Wall::a)
-      .def_readonly("b", &avo::Wall::b)
-      .def_readonly("radius", &avo::Wall::radius);
+      .def_readonly("a", &avo::Wall::a, "(x, y), m")
+      .def_readonly("b", &avo::Wall::b, "(x, y), m; a disc where it is a")
+      .def_readonly("radius", &avo::Wall::radius, "m, >= 0, around the segment");
   py::class_<avo::Chain>(module, "Chain", "Walls from each point to the next one.")
       .def(py::init([](std::vector<avo::Vec2> points, bool closed) {
              return avo::Chain{std::move(points), closed};
@@ -103,8 +109,9 @@ void bind_walls(py::module_& module) {
            arg("points"), py::kw_only(), arg("closed") = false,
            "points: one (x, y) or more, m; closed: also from the last one to the first.")
       .def(py::self == py::self)
-      .def_readonly("points", &avo::Chain::points)
-      .def_readonly("closed", &avo::Chain::closed);
+      .def_readonly("points", &avo::Chain::points, "list of (x, y), m")
+      .def_readonly("closed", &avo::Chain::closed,
+                    "whether a wall leads from the last point to the first");
   py::class_<avo::StaticObstacle>(module, "StaticObstacle", "What does not move.")
       .def(py::init([](std::vector<avo::Chain> chains, double radius, avo::Fill fill) {
              return avo::StaticObstacle{std::move(chains), radius, fill};
@@ -113,18 +120,23 @@ void bind_walls(py::module_& module) {
            "chains: of walls; radius: m, >= 0, of all its walls; fill: \"none\", \"solid\" (robots "
            "may not start inside) or \"bounds\" (not outside).")
       .def(py::self == py::self)
-      .def_readonly("chains", &avo::StaticObstacle::chains)
-      .def_readonly("radius", &avo::StaticObstacle::radius)
-      .def_readonly("fill", &avo::StaticObstacle::fill);
+      .def_readonly("chains", &avo::StaticObstacle::chains, "list of Chain, a copy")
+      .def_readonly("radius", &avo::StaticObstacle::radius, "m, >= 0, of its walls")
+      .def_readonly("fill", &avo::StaticObstacle::fill,
+                    "where no robot may start: \"none\", \"solid\" or \"bounds\"");
   using Mover = avo::MovingObstacle;
   py::class_<Mover>(module, "MovingObstacle", "A disc that reacts to nobody.")
-      .def_readonly("position", &Mover::position)
-      .def_readonly("velocity", &Mover::velocity)
-      .def_readonly("acceleration", &Mover::acceleration)
-      .def_readonly("radius", &Mover::radius)
-      .def_readonly("max_deviation", &Mover::max_deviation)
-      .def_readonly("max_speed", &Mover::max_speed)
-      .def_readonly("path", &Mover::path);
+      .def_readonly("position", &Mover::position, "(x, y), m, where it starts")
+      .def_readonly("velocity", &Mover::velocity, "(x, y), m/s")
+      .def_readonly("acceleration", &Mover::acceleration, "(x, y), m/s^2; 0 with max_speed")
+      .def_readonly("radius", &Mover::radius, "m, > 0")
+      .def_readonly(
+          "max_deviation", &Mover::max_deviation,
+          "m/s^2, >= 0: by how much its acceleration may differ from what it is thought to be")
+      .def_readonly("max_speed", &Mover::max_speed,
+                    "m/s, > 0, with max_deviation: that it never exceeds; None: unknown")
+      .def_readonly("path", &Mover::path,
+                    "list of (x, y), m, that it goes round; empty: straight on");
 }
 
 }  // namespace

@@ -98,22 +98,23 @@ void bind_options(py::class_<Planner>& planner) {
       "time_step: s, > 0; samples: 0, or 2 to 1000; max_neighbors: >= 1, None: all; sensing_error: "
       "(m, m/s); sensing_noise: (m, m/s, standard deviations); clock: \"common\" or \"free\"; "
       "longest_step: s; arrival_distance: m, > 0. Raises Error on options out of range.");
-  const auto option = [&planner](const char* name, auto member) {
-    planner.def_property_readonly(name,
-                                  [member](const Planner& self) { return self.options().*member; });
+  const auto option = [&planner](const char* name, auto member, const char* doc) {
+    planner.def_property_readonly(
+        name, [member](const Planner& self) { return self.options().*member; }, doc);
   };
   using Options = avo::PlannerOptions;
-  option("method", &Options::method);
-  option("motion", &Options::motion);
-  option("control_time", &Options::control_time);
-  option("time_horizon", &Options::time_horizon);
-  option("time_step", &Options::time_step);
-  option("samples", &Options::samples);
-  option("certificate", &Options::certificate);
-  option("max_neighbors", &Options::max_neighbors);
-  option("clock", &Options::clock);
-  option("longest_step", &Options::longest_step);
-  option("arrival_distance", &Options::arrival_distance);
+  option("method", &Options::method, "\"avo\", \"avo_paper\", \"velocity_obstacle\" or \"orca\"");
+  option("motion", &Options::motion, "\"held\" or \"exponential\"");
+  option("control_time", &Options::control_time, "[delta] s");
+  option("time_horizon", &Options::time_horizon, "[tau] s");
+  option("time_step", &Options::time_step, "[Delta t] s");
+  option("samples", &Options::samples, "0: exact half-planes; 2 to 1000: the samples of the paper");
+  option("certificate", &Options::certificate,
+         "\"none\", \"stopping_capsules\" or \"braking_trajectories\"");
+  option("max_neighbors", &Options::max_neighbors, "nearest ones that get a half-plane; None: all");
+  option("clock", &Options::clock, "\"common\" or \"free\"");
+  option("longest_step", &Options::longest_step, "s, of all robots, where the clock is free");
+  option("arrival_distance", &Options::arrival_distance, "m, of the goal");
 }
 
 }  // namespace

@@ -34,18 +34,25 @@ void bind_robot(py::module_& module) {
           "max_acceleration: m/s^2, > 0; max_speed: m/s, > 0; distance_to_goal: m; model: how it "
           "moves; heading: rad, counter-clockwise from +x; priority: > 0; max_braking: m/s^2, > 0, "
           "None: max_acceleration; loiter: of an airplane.")
-      .def_readwrite("position", &Robot::position)
-      .def_readwrite("velocity", &Robot::velocity)
-      .def_readwrite("preferred_velocity", &Robot::preferred_velocity)
-      .def_readwrite("radius", &Robot::radius)
-      .def_readwrite("max_acceleration", &Robot::max_acceleration)
-      .def_readwrite("max_speed", &Robot::max_speed)
-      .def_readwrite("distance_to_goal", &Robot::distance_to_goal)
-      .def_readwrite("model", &Robot::model)
-      .def_readwrite("heading", &Robot::heading)
-      .def_readwrite("priority", &Robot::priority)
-      .def_readwrite("max_braking", &Robot::max_braking)
-      .def_readwrite("loiter", &Robot::loiter);
+      .def_readwrite("position", &Robot::position, "[p_A] (x, y), m, the center of its disc")
+      .def_readwrite("velocity", &Robot::velocity, "[v_A] (x, y), m/s, of this center")
+      .def_readwrite("preferred_velocity", &Robot::preferred_velocity, "[v_A^pref] (x, y), m/s")
+      .def_readwrite("radius", &Robot::radius, "[r_A] m, > 0")
+      .def_readwrite("max_acceleration", &Robot::max_acceleration, "[a_A^max] m/s^2, > 0")
+      .def_readwrite("max_speed", &Robot::max_speed, "[v_A^max] m/s, > 0")
+      .def_readwrite("distance_to_goal", &Robot::distance_to_goal,
+                     "m left to where it comes to rest; inf: there is no such goal")
+      .def_readwrite("model", &Robot::model,
+                     "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
+      .def_readwrite("heading", &Robot::heading,
+                     "[theta] rad, counter-clockwise from +x; read where it is not holonomic")
+      .def_readwrite("priority", &Robot::priority,
+                     "> 0: of a pair, A takes the part p_B / (p_A + p_B) of what both have to do")
+      .def_readwrite("max_braking", &Robot::max_braking,
+                     "[b_A] m/s^2, > 0, with which it surely brakes; None: max_acceleration")
+      .def_readwrite(
+          "loiter", &Robot::loiter,
+          "LoiterCircle that the others know of an airplane; None: that of position and velocity");
 }
 
 void bind_neighbor(py::module_& module) {
@@ -70,19 +77,24 @@ void bind_neighbor(py::module_& module) {
            "behavior: \"decides\" or \"moves_on\"; age: steps since it was sensed; priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
            "m/s^2, and max_speed: m/s, of one that moves on.")
-      .def_readwrite("position", &Neighbor::position)
-      .def_readwrite("velocity", &Neighbor::velocity)
-      .def_readwrite("radius", &Neighbor::radius)
-      .def_readwrite("max_acceleration", &Neighbor::max_acceleration)
-      .def_readwrite("behavior", &Neighbor::behavior)
-      .def_readwrite("age", &Neighbor::age)
-      .def_readwrite("priority", &Neighbor::priority)
-      .def_readwrite("max_braking", &Neighbor::max_braking)
-      .def_readwrite("loiter", &Neighbor::loiter)
-      .def_readwrite("max_deviation", &Neighbor::max_deviation)
-      .def_readwrite("position_error", &Neighbor::position_error)
-      .def_readwrite("acceleration", &Neighbor::acceleration)
-      .def_readwrite("max_speed", &Neighbor::max_speed);
+      .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
+      .def_readwrite("velocity", &Neighbor::velocity, "[v_B] (x, y), m/s")
+      .def_readwrite("radius", &Neighbor::radius, "[r_B] m, > 0")
+      .def_readwrite("max_acceleration", &Neighbor::max_acceleration,
+                     "[a_B^max] m/s^2, > 0; read only where it decides")
+      .def_readwrite("behavior", &Neighbor::behavior, "\"decides\" or \"moves_on\"")
+      .def_readwrite("age", &Neighbor::age, "steps, >= 0: how long ago it was last sensed")
+      .def_readwrite("priority", &Neighbor::priority, "> 0, see Robot.priority")
+      .def_readwrite("max_braking", &Neighbor::max_braking,
+                     "[b_B] m/s^2, > 0; None: max_acceleration")
+      .def_readwrite("loiter", &Neighbor::loiter, "LoiterCircle of an airplane; None: it can brake")
+      .def_readwrite("max_deviation", &Neighbor::max_deviation,
+                     "m/s^2, >= 0: of its acceleration, where it moves on")
+      .def_readwrite("position_error", &Neighbor::position_error,
+                     "m, >= 0: of its position, besides the declared sensing error")
+      .def_readwrite("acceleration", &Neighbor::acceleration, "(x, y), m/s^2, where it moves on")
+      .def_readwrite("max_speed", &Neighbor::max_speed,
+                     "m/s, > 0, where it moves on: that it never exceeds; None: unknown");
 }
 
 void bind_detour(py::module_& module) {
@@ -93,7 +105,8 @@ void bind_detour(py::module_& module) {
       .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its way, right.")
       .def_readwrite("beside", &Detour::beside, "v_max/a_max, 0 to 200.")
       .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
-      .def_readwrite("has_arrived", &Detour::has_arrived);
+      .def_readwrite("has_arrived", &Detour::has_arrived,
+                     "whether it was within arrival_distance of its goal, beside others");
 }
 
 void bind_setup(py::module_& module) {
@@ -131,21 +144,25 @@ void bind_setup(py::module_& module) {
           "max_acceleration: m/s^2, > 0; preferred_speed: m/s, >= 0, None: max_speed; model: how "
           "it moves; heading: rad; priority: > 0; parked: never moves; layers, avoids: 0 to 31; "
           "time_step: s, of a free clock; max_braking: m/s^2, None: max_acceleration.")
-      .def_readwrite("position", &Setup::position)
-      .def_readwrite("goal", &Setup::goal)
-      .def_readwrite("velocity", &Setup::velocity)
-      .def_readwrite("radius", &Setup::radius)
-      .def_readwrite("max_speed", &Setup::max_speed)
-      .def_readwrite("max_acceleration", &Setup::max_acceleration)
-      .def_readwrite("preferred_speed", &Setup::preferred_speed)
-      .def_readwrite("model", &Setup::model)
-      .def_readwrite("heading", &Setup::heading)
-      .def_readwrite("priority", &Setup::priority)
-      .def_readwrite("parked", &Setup::parked)
-      .def_readwrite("layers", &Setup::layers)
-      .def_readwrite("avoids", &Setup::avoids)
-      .def_readwrite("time_step", &Setup::time_step)
-      .def_readwrite("max_braking", &Setup::max_braking);
+      .def_readwrite("position", &Setup::position, "(x, y), m")
+      .def_readwrite("goal", &Setup::goal, "(x, y), m")
+      .def_readwrite("velocity", &Setup::velocity, "(x, y), m/s")
+      .def_readwrite("radius", &Setup::radius, "m, > 0")
+      .def_readwrite("max_speed", &Setup::max_speed, "m/s, > 0")
+      .def_readwrite("max_acceleration", &Setup::max_acceleration, "m/s^2, > 0")
+      .def_readwrite("preferred_speed", &Setup::preferred_speed, "m/s, >= 0")
+      .def_readwrite("model", &Setup::model,
+                     "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
+      .def_readwrite("heading", &Setup::heading,
+                     "rad, counter-clockwise from +x; not of holonomic ones")
+      .def_readwrite("priority", &Setup::priority, "> 0, see Robot.priority")
+      .def_readwrite("parked", &Setup::parked, "whether it stays where it is for ever")
+      .def_readwrite("layers", &Setup::layers, "that it is in")
+      .def_readwrite("avoids", &Setup::avoids, "it avoids those who are in one of these layers")
+      .def_readwrite("time_step", &Setup::time_step,
+                     "s, > 0, of its own clock; None: that of the scene")
+      .def_readwrite("max_braking", &Setup::max_braking,
+                     "m/s^2, > 0, with which it surely brakes; None: max_acceleration");
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ void bind_state(SimulationClass& simulation) {
   simulation.def("__len__", told([](const Simulation& s) { return s.fleet().id.size(); }))
       .def_property_readonly("name", &SharedSimulation::name, "of the scene")
       .def_property_readonly("time", told([](const Simulation& s) { return s.time(); }), "s")
-      .def_property_readonly("steps", told([](const Simulation& s) { return s.steps(); }))
+      .def_property_readonly("steps", told([](const Simulation& s) { return s.steps(); }),
+                             "done since the start")
       .def_property_readonly("threads", told([](const Simulation& s) { return s.threads(); }),
                              "that a step may use")
       .def(
@@ -240,11 +241,12 @@ void bind_inventory(SimulationClass& simulation) {
 void bind_perception(py::module_& module, SimulationClass& simulation) {
   using Perception = Simulation::Perception;
   py::class_<Perception>(module, "Perception", "What a robot sees, and decides from.")
-      .def_readonly("robot", &Perception::robot)
+      .def_readonly("robot", &Perception::robot, "Robot, as it senses itself")
       .def_readonly("neighbors", &Perception::neighbors, "list of Neighbor, a copy")
       .def_readonly("source", &Perception::source, "their ids, or -1 - k of moving obstacle k")
-      .def_readonly("detour", &Perception::detour)
-      .def_readonly("among_movers", &Perception::among_movers)
+      .def_readonly("detour", &Perception::detour, "Detour, what it remembers")
+      .def_readonly("among_movers", &Perception::among_movers,
+                    "whether it plans as among obstacles that do not react")
       .def_readonly("walls", &Perception::walls, "list of Wall, a copy");
   simulation
       .def(
