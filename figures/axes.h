@@ -8,6 +8,9 @@
 
 namespace avo::figures {
 
+inline constexpr double kTitleHeight = 18.0;  // pt
+inline constexpr double kMargin = 8.0;        // pt, where there are no axes
+
 /// Round numbers (1, 2 or 5 times a power of ten apart) in [lower, upper], at most `most` of them
 /// for most >= 2.
 std::vector<double> nice_ticks(double lower, double upper, int most);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kTop = 8.0;     // pt
 constexpr double kRight = 14.0;  // pt
-constexpr double kTitleHeight = 18.0;
 constexpr double kShape = 0.58;  // height of the plot over its width
 
 // From 0, or below, to the next tick above the largest value, with some air above the curves.

@@ -13,7 +13,7 @@ namespace avo::figures {
 namespace {
 
 constexpr int kUsualCells = 160;
-constexpr double kTop = 18.0, kRight = 8.0, kLegend = 20.0;  // pt
+constexpr double kMapTop = 18.0, kMapRight = 8.0, kLegend = 20.0;  // pt
 constexpr Color kUnknown{0.93, 0.86, 0.68, 1.0};
 constexpr Color kDoomed{0.66, 0.16, 0.12, 1.0};
 constexpr Color kRobot{0.00, 0.36, 0.66, 1.0};
@@ -150,9 +150,9 @@ void draw_state_map(Canvas& canvas, const Box& page, const Simulation::Perceptio
 
 std::string draw_state_map(const Simulation::Perception& perception, const Planner& planner,
                            const std::string& path, const FigureOptions& options) {
-  const double side = options.width - kAxesLeft - kRight;
-  Canvas canvas(path, options.width, kTop + side + kAxesBottom + kLegend);
-  const Box page{{kAxesLeft, kTop}, {kAxesLeft + side, kTop + side}};
+  const double side = options.width - kAxesLeft - kMapRight;
+  Canvas canvas(path, options.width, kMapTop + side + kAxesBottom + kLegend);
+  const Box page{{kAxesLeft, kMapTop}, {kAxesLeft + side, kMapTop + side}};
   draw_state_map(canvas, page, perception, planner, view_of_states(perception), kUsualCells,
                  options);
   draw_legend(canvas, page);

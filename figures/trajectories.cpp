@@ -16,9 +16,7 @@ namespace avo::figures {
 namespace {
 
 constexpr std::size_t kMostDiscs = 1500;  // more of them hide each other
-constexpr double kTitleHeight = 18.0;     // pt
 constexpr double kPanelGap = 10.0;        // pt
-constexpr double kMargin = 8.0;           // pt, where there are no axes
 constexpr Color kObstacle = gray(0.35);
 
 // One panel: what is shown where.

@@ -15,10 +15,8 @@ namespace {
 constexpr Color kBeyond = gray(0.91);  // outside of the discs
 constexpr Color kForbiddenBeyond = gray(0.82);
 constexpr Color kForbidden = gray(0.66);
-constexpr Color kInk = gray(0.2);
-constexpr double kTitleHeight = 18.0;  // pt
-constexpr double kMargin = 8.0;        // pt
-constexpr double kLabelSize = 9.0;     // pt
+constexpr Color kDarkInk = gray(0.2);
+constexpr double kLabelSize = 9.0;  // pt
 
 using Polygons = std::vector<std::vector<Vec2>>;
 
@@ -109,11 +107,11 @@ void draw_lines(Canvas& canvas, const VelocitySpace& space, const Polygons& outl
   }
   if (space.acceleration_disc) {
     canvas.add_disc(*space.acceleration_disc);
-    canvas.stroke({kInk, 0.9});
+    canvas.stroke({kDarkInk, 0.9});
   }
   if (space.speed_disc) {
     canvas.add_disc(*space.speed_disc);
-    canvas.stroke({kInk, 0.9, 3.5});
+    canvas.stroke({kDarkInk, 0.9, 3.5});
   }
   for (const auto& outline : space.outlines) canvas.add_polygon(outline);
   canvas.stroke({gray(0.15), 0.8, 2.5});
@@ -191,12 +189,12 @@ void draw_points(Canvas& canvas, const VelocitySpace& space) {
     if (!end || labeled.label.empty()) continue;
     // beside its line, on the forbidden side
     const Vec2 beside = *end - 7.0 / canvas.scale() * labeled.plane.normal;
-    labels.place(beside, labeled.label, {.size = kLabelSize - 1.0, .color = kInk}, -4.0);
+    labels.place(beside, labeled.label, {.size = kLabelSize - 1.0, .color = kDarkInk}, -4.0);
   }
   for (const LabeledObstacle& labeled : space.obstacles) {
     const auto at = label_place(labeled, canvas.view_world());
     if (!at || labeled.label.empty()) continue;
-    labels.place(*at, labeled.label, {.size = kLabelSize, .color = kInk}, -4.0);
+    labels.place(*at, labeled.label, {.size = kLabelSize, .color = kDarkInk}, -4.0);
   }
 }
 

@@ -15,7 +15,7 @@ using avo::Wall;
 namespace {
 
 // Centers keep off walls by this part more than they must, cells list walls farther away by it.
-constexpr double kMargin = 1e-9;
+constexpr double kWallMargin = 1e-9;
 
 double distance(Vec2 p, const Wall& wall) {
   const Vec2 d = wall.b - wall.a;
@@ -45,7 +45,7 @@ std::span<const std::uint32_t> list_of(const Lists& lists, std::size_t i) {
 }  // namespace
 
 NearWalls::NearWalls(std::span<const avo::StaticObstacle> obstacles, double reach)
-    : reach_(reach * (1.0 + kMargin)), walls_(avo::walls_of(obstacles)) {
+    : reach_(reach * (1.0 + kWallMargin)), walls_(avo::walls_of(obstacles)) {
   if (walls_.empty()) return;
   const double infinity = std::numeric_limits<double>::infinity();
   min_ = {infinity, infinity};
@@ -89,7 +89,7 @@ template <class Visit>
 void NearWalls::visit_cells(const Wall& wall, const Visit& visit) const {
   const Vec2 a = wall.a.x <= wall.b.x ? wall.a : wall.b;
   const Vec2 b = wall.a.x <= wall.b.x ? wall.b : wall.a;
-  const double beyond = (wall.radius + reach_) * (1.0 + kMargin) + kMargin * side_;
+  const double beyond = (wall.radius + reach_) * (1.0 + kWallMargin) + kWallMargin * side_;
   const double slope = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0.0;
   const std::int64_t last = column(b.x + beyond);
   for (std::int64_t x = column(a.x - beyond); x <= last; ++x) {

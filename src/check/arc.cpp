@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/elementary.h"
+#include "core/plane.h"
 
 namespace avo::judge {
 namespace {
@@ -37,7 +37,7 @@ Arc arc_of(const CheckedState& before, const CheckedState& now, double duration)
           before.heading->angle,
           before.heading->speed,
           now.heading->speed,
-          std::remainder(now.heading->angle - before.heading->angle, 2.0 * std::numbers::pi),
+          wrapped(now.heading->angle - before.heading->angle),
           duration};
 }
 

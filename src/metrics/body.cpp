@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "core/plane.h"
 
 namespace avo {
 
@@ -64,8 +65,7 @@ void collect_robots(const FleetView& fleet, const BodyStep& step, std::vector<Bo
     } else if (!moves_along_heading(model)) {
       body.path = hermite_path(body.position, start, next, fleet.velocity[i], step.duration);
     } else {
-      const double turn =
-          std::remainder(fleet.heading[i] - last.robots[j].heading, 2.0 * std::numbers::pi);
+      const double turn = wrapped(fleet.heading[i] - last.robots[j].heading);
       const double speed = norm(body.velocity), next_speed = norm(fleet.velocity[i]);
       const bool in_place = speed == 0.0 && next_speed == 0.0;  // its disc leaves at rest
       body.arc = {arc_path(body.position, next, turn), speed, in_place ? 1.0 : next_speed};

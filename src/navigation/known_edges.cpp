@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "core/plane.h"
+
 namespace avo {
 namespace {
 
@@ -62,7 +64,7 @@ bool KnownEdges::may_have_opened(Vec2 p, Vec2 q) const {
   const double length_squared = norm_squared(way);
   return std::any_of(opened_.begin(), opened_.end(), [&](const Disc& disc) {
     const Vec2 to = disc.center - p;
-    const double reach = disc.reach + kLengthRounding * (std::abs(to.x) + std::abs(to.y));
+    const double reach = disc.reach + kLengthRounding * length_1(to);
     const double margin = reach * reach * length_squared;
     const double aside = cross(way, to), along = dot(way, to);
     if (aside * aside > margin) return false;

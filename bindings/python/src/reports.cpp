@@ -65,7 +65,8 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
   require_one_or_the_other(has_scene, "radius", radius);
   require_one_or_the_other(has_scene, "max_acceleration", max_acceleration);
   require_one_or_the_other(has_scene, "max_speed", max_speed);
-  if (radius && !std::isfinite(*radius)) throw avo::Error("radius: found inf, must be finite");
+  if (radius && !std::isfinite(*radius))
+    throw avo::Error(fmt::format("radius: found {}, must be finite", *radius));
   if (!has_scene && require_arrival)
     throw avo::Error("require_arrival: found without scene, must be with it: goals are there");
   if (!(tolerance >= 0.0 && tolerance < 1.0))
