@@ -39,8 +39,9 @@ def step_times() -> tuple[float, float]:
 
 
 def threads_ratio() -> float:
+    """A few hundred milliseconds each: so long that the start of a thread counts little."""
     def together(simulations: list[avo.Simulation]) -> None:
-        threads = [threading.Thread(target=simulation.step, args=(500,)) for simulation in simulations]
+        threads = [threading.Thread(target=simulation.step, args=(300,)) for simulation in simulations]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -48,8 +49,8 @@ def threads_ratio() -> float:
 
     def one_after_the_other(simulations: list[avo.Simulation]) -> None:
         for simulation in simulations:
-            simulation.step(500)
-    parallel, serial = ([avo.Simulation("circle-100", threads=1) for _ in range(2)] for _ in range(2))
+            simulation.step(300)
+    parallel, serial = ([avo.Simulation("uniform-1000", threads=1) for _ in range(2)] for _ in range(2))
     return seconds(lambda: together(parallel)) / seconds(lambda: one_after_the_other(serial))
 
 

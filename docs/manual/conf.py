@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # The sources are the documents of the repository, where they are: Sphinx runs in its root, so that
 # links between them are the same here and wherever Markdown is shown. See scripts/manual.
+import gc
 import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from generated import ROOT
 from headers import entities, split
+
+gc.disable()  # a build is short, and a third of it would go into looking for cycles
 
 project = "avo"
 author = "the authors of avo"
@@ -42,22 +45,3 @@ html_additional_pages = {"index": "to_contents.html"}
 templates_path = ["static"]
 html_copy_source = False
 html_show_copyright = False
-
-
-# What a tree may lack: the contents go without it.
-OPTIONAL = {"reference/c": "bindings/c/include/avo_c/avo.h", "reference/python": "bindings/python",
-            "../c": "docs/c.md", "../python": "docs/python.md", "../packages": "docs/packages.md"}
-absent = [name for name, source in OPTIONAL.items() if not (ROOT / source).exists()]
-exclude_patterns += [f"docs/manual/{name}.rst" for name in absent]
-
-
-def without_absent(app, name, source):
-    if name == root_doc:
-        source[0] = "\n".join(line for line in source[0].splitlines() if line not in absent)
-    for guide in ("c", "python"):
-        if f"../{guide}" in absent:
-            source[0] = source[0].replace(f":doc:`docs/{guide}.md </docs/{guide}>` is its guide.", "")
-
-
-def setup(app):
-    app.connect("source-read", without_absent)

@@ -15,7 +15,7 @@ class Python(Generated):
     """All that is public, module by module."""
 
     def text(self):
-        if self.config.avo_python and self.config.avo_python not in sys.path:
+        if self.config.avo_python not in sys.path:
             sys.path.insert(0, self.config.avo_python)
         modules = {"avo": []}
         for stub in sorted(PACKAGE.glob("*.py*")):
@@ -26,17 +26,14 @@ class Python(Generated):
         said = ""
         for name, trees in modules.items():
             words = "".join(paragraphs(ast.get_docstring(tree)) for tree in trees)
-            parts = "".join(part for tree in trees for part in public(tree.body, name, self.module(name)))
+            parts = "".join(part for tree in trees for part in public(tree.body, name, importlib.import_module(name)))
             if parts:
                 said += heading(name, "-") + f".. py:module:: {name}\n\n{words}{parts}"
         return said
 
-    def module(self, name):
-        return importlib.import_module(name) if self.config.avo_python else None
-
 
 def public(body, owner, found, inside=False):
-    """The reStructuredText of the definitions; found: the module or class itself, or None."""
+    """The reStructuredText of the definitions; found: the module or class itself, None where only a stub has it."""
     for node in body:
         name = getattr(node, "name", None) or ast.unparse(getattr(node, "target", ast.Name("_")))
         if name.startswith("_") and name not in ("__init__", "__getitem__", "__len__", "__iter__"):
