@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the extension avo._avo by CMake, for the interpreter that runs this.
-
-The environment variable AVO_BUILD_TREE names a build tree that is configured with AVO_PYTHON already; then only
-its target is brought up to date. Else the libraries and the extension are built, and nothing else, in build/python.
-"""
+"""Builds the libraries and the extension avo._avo by CMake in build/python, for the interpreter that runs this."""
 import os
 import pathlib
 import re
@@ -19,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parent
 
 class BuildByCMake(build_ext):
     def build_extension(self, extension):
-        tree = os.environ.get("AVO_BUILD_TREE") or self.configured()
+        tree = self.configured()
         jobs = str(os.cpu_count() or 1)
         subprocess.run(["cmake", "--build", tree, "--target", "avo_python", "-j", jobs], check=True)
         path = pathlib.Path(self.get_ext_fullpath(extension.name))
