@@ -124,9 +124,11 @@ void frame_of_1000_robots(benchmark::State& state) {
 }
 BENCHMARK(frame_of_1000_robots)->Iterations(400)->Repetitions(5)->Unit(benchmark::kMillisecond);
 
-// A robot's position by its id, of 1000 in a scattered order; the median of 10^6 calls, less what
+// A robot's values by its id, of 1000 in a scattered order; the median of 10^6 calls, less what
 // reading the clock takes.
-void get_position(benchmark::State& state) {
+template <typename Value>
+void get(benchmark::State& state, avo_result (*getter)(avo_simulation_id, avo_robot_id, Value*),
+         Value value) {
   const avo_simulation_id simulation = simulation_of_c();
   const auto gone = static_cast<std::uint64_t>(state.range(0));
   for (std::uint64_t k = 0; k < gone; ++k)
@@ -141,10 +143,9 @@ void get_position(benchmark::State& state) {
     for (int k = 0; k < kCalls; ++k) {
       number = number * 6364136223846793005u + 1442695040888963407u;
       const avo_robot_id robot = columns.id[(number >> 33) % columns.count];
-      avo_vec2 position;
       const Clock::time_point begin = Clock::now();
-      const avo_result result = avo_simulation_get_position(simulation, robot, &position);
-      benchmark::DoNotOptimize(position);
+      const avo_result result = getter(simulation, robot, &value);
+      benchmark::DoNotOptimize(value);
       const Clock::time_point end = Clock::now();
       calls.push_back(nanoseconds(begin, end));
       clock.push_back(nanoseconds(end, Clock::now()));
@@ -155,8 +156,18 @@ void get_position(benchmark::State& state) {
   state.counters["with_clock_ns"] = median(calls);
   state.counters["median_ns"] = median(calls) - median(clock);
 }
+
+void get_position(benchmark::State& state) {
+  get(state, avo_simulation_get_position, avo_vec2{});
+}
 // so many have gone: numbers are no longer places then
 BENCHMARK(get_position)->Arg(0)->Arg(1)->Arg(500)->Iterations(1);
+
+// the largest of all values
+void get_robot_def(benchmark::State& state) {
+  get(state, avo_simulation_get_robot_def, avo_default_robot_def());
+}
+BENCHMARK(get_robot_def)->Arg(0)->Iterations(1);
 
 // The same without a clock between the calls: their mean.
 void get_positions(benchmark::State& state) {
