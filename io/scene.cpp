@@ -9,7 +9,9 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <numeric>
+#include <utility>
 
+#include "avo/assumptions.h"
 #include "builtin.h"
 #include "overrides.h"
 #include "placement.h"
@@ -252,22 +254,30 @@ Scenario parse_scenario(std::string_view yaml, const std::string& file,
   return build(yaml, file, overrides, files);
 }
 
+Scenario parse_scenario(const SceneSource& source) {
+  SceneFiles files{std::filesystem::path(source.name).parent_path().string()};
+  files.given = &source.files;
+  Scenario scenario = build(source.yaml, source.name, source.overrides, files);
+  if (source.start_at_rest) avo::start_at_rest(scenario);
+  if (source.limit_speed) avo::limit_speed(scenario);
+  return scenario;
+}
+
 Scenario load_scenario(const std::string& name_or_path, const std::vector<std::string>& overrides,
-                       std::vector<std::string>* files_read) {
+                       SceneSource* source) {
   SceneFiles files{std::filesystem::path(name_or_path).parent_path().string()};
-  const auto build_and_tell = [&](std::string_view yaml, const std::string& file) {
+  const auto build_and_tell = [&](std::string yaml, const std::string& file) {
     Scenario scenario = build(yaml, file, overrides, files);
-    if (files_read != nullptr)
-      files_read->insert(files_read->end(), files.read.begin(), files.read.end());
+    if (source != nullptr) *source = {file, std::move(yaml), overrides, std::move(files.read)};
     return scenario;
   };
   if (name_or_path == "-") {
     files.builtin = BuiltinFiles::last;
     return build_and_tell(read_standard_input(), kStandardInput);
   }
-  if (const std::optional<std::string> yaml = builtin_text(name_or_path)) {
+  if (std::optional<std::string> yaml = builtin_text(name_or_path)) {
     files.builtin = BuiltinFiles::first;
-    return build_and_tell(*yaml, name_or_path);
+    return build_and_tell(std::move(*yaml), name_or_path);
   }
   std::error_code error;
   if (std::filesystem::status(name_or_path, error).type() == std::filesystem::file_type::not_found)

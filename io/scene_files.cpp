@@ -2,6 +2,7 @@
 // The files that a scene names: each at most as large as a scene, and all together bounded.
 #include "scene_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <system_error>
@@ -20,28 +21,44 @@ bool is_missing(const std::string& path) {
   return std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found;
 }
 
+/// What is at that path, where it is built in; else the text that is read from there.
+SceneFile file_at(const std::string& path, const std::string& file, const SceneFiles& files) {
+  if (files.given != nullptr) {
+    for (const SceneFile& given : *files.given)
+      if (given.path == path) return given;
+    throw FileError(path + ": found none of that name among the files that were given");
+  }
+  const std::string_view builtin = builtin_file(file);
+  if (!builtin.empty() && (files.builtin == BuiltinFiles::first ||
+                           (files.builtin == BuiltinFiles::last && is_missing(path))))
+    return {path, std::string(builtin), true};
+  return {path, read_regular_file(path)};
+}
+
+void remember(const SceneFile& file, std::vector<SceneFile>& read) {
+  const auto same = [&file](const SceneFile& other) { return other.path == file.path; };
+  if (std::none_of(read.begin(), read.end(), same)) read.push_back(file);
+}
+
 }  // namespace
 
 SourceText read_named_file(const Reader& reader, const YamlNode& node, const std::string& path,
                            const std::string& file, SceneFiles& files) {
   const std::string name = (std::filesystem::path(files.folder) / file).string();
-  const std::string_view builtin = builtin_file(file);
-  if (!builtin.empty() && (files.builtin == BuiltinFiles::first ||
-                           (files.builtin == BuiltinFiles::last && is_missing(name))))
-    return {file, std::string(builtin)};
-  std::string text;
+  SceneFile found;
   try {
-    text = read_regular_file(name);
+    found = file_at(name, file, files);
   } catch (const FileError& error) {
     throw FileError(
         fmt::format("{}: {}{}", reader.document().where(node), in_front(path), error.what()));
   }
-  files.read.push_back(name);
-  files.bytes += text.size();
+  remember(found, files.read);
+  if (found.builtin) return {file, std::move(found.text)};
+  files.bytes += found.text.size();
   if (files.bytes > kMostBytes)
     reader.fail(node, path, fmt::format("more than {} MiB in all files", kMostBytes >> 20U),
                 "must be less");
-  return {name, std::move(text)};
+  return {name, std::move(found.text)};
 }
 
 }  // namespace avo_io

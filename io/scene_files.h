@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "avo_io/scene.h"
 #include "reader.h"
 #include "source_text.h"
 
@@ -18,8 +19,9 @@ enum class BuiltinFiles { none, first, last };
 struct SceneFiles {
   std::string folder;  ///< of the scene's file
   BuiltinFiles builtin = BuiltinFiles::none;
-  std::size_t bytes = 0;            ///< read so far
-  std::vector<std::string> read{};  ///< paths
+  const std::vector<SceneFile>* given = nullptr;  ///< these and no others
+  std::size_t bytes = 0;                          ///< read so far
+  std::vector<SceneFile> read{};
 };
 
 /// The file that the value at `node` names, `file` relative to the scene. What cannot be read is

@@ -52,10 +52,10 @@ avo_io::JudgeOptions options_of(const CheckArguments& arguments) {
   avo_io::JudgeOptions options{.tolerance = arguments.tolerance,
                                .require_arrival = arguments.require_arrival};
   if (!arguments.scene.scene.empty()) {
-    std::vector<std::string> files;
+    avo_io::SceneSource source;
     options.scenario =
-        avo_io::load_scenario(arguments.scene.scene, arguments.scene.overrides, &files);
-    tell_settings(arguments.scene, *options.scenario, files);
+        avo_io::load_scenario(arguments.scene.scene, arguments.scene.overrides, &source);
+    tell_settings(arguments.scene, *options.scenario, source);
     return options;
   }
   options.radius = *arguments.radius;

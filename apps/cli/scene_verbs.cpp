@@ -16,16 +16,20 @@
 
 namespace avo_cli {
 
-avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs) {
+avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs,
+                   avo_io::SceneSource* source) {
   require_distinct({file_of(arguments)}, outputs);
-  std::vector<std::string> paths;
-  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &paths);
+  avo_io::SceneSource own;
+  avo_io::SceneSource& made_of = source != nullptr ? *source : own;
+  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &made_of);
   std::vector<NamedFile> inputs;
-  inputs.reserve(paths.size());
-  for (const std::string& path : paths) inputs.push_back({"the scene's", path});
+  for (const avo_io::SceneFile& file : made_of.files)
+    if (!file.builtin) inputs.push_back({"the scene's", file.path});
   require_distinct(inputs, outputs);
-  tell_settings(arguments, scenario, paths);
+  tell_settings(arguments, scenario, made_of);
   apply_remedies(arguments, scenario);
+  made_of.start_at_rest = arguments.start_at_rest;
+  made_of.limit_speed = arguments.limit_speed;
   require_assumptions(name_of(arguments), scenario);
   warn(avo::advice(scenario));
   return scenario;

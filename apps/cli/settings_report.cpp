@@ -31,11 +31,12 @@ std::string seconds(double value) {
 }  // namespace
 
 void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenario,
-                   const std::vector<std::string>& files) {
+                   const avo_io::SceneSource& source) {
   if (volume() != Volume::verbose) return;
   const avo::PlannerOptions options = planner_options(scenario);
   tell("scene", fmt::format("{}, {}", scenario.name, origin(arguments.scene)));
-  for (const std::string& file : files) tell("file", file);
+  for (const avo_io::SceneFile& file : source.files)
+    if (!file.builtin) tell("file", file.path);
   for (const std::string& override : arguments.overrides) tell("set", override);
   const auto parked = std::count_if(scenario.robots.begin(), scenario.robots.end(),
                                     [](const avo::RobotSetup& robot) { return robot.parked; });

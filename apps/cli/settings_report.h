@@ -13,7 +13,7 @@ namespace avo_cli {
 /// Which scene is loaded, from where, with which files, and the settings in use, those of its
 /// method where the scene leaves them out. Nothing unless it is to be verbose.
 void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenario,
-                   const std::vector<std::string>& files);
+                   const avo_io::SceneSource& source);
 
 /// Threads, instruction set and version. Likewise.
 void tell_machine(const avo::Simulation& simulation);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "avo/scenario.h"
+#include "avo_io/scene.h"
 
 namespace avo_cli {
 
@@ -26,8 +27,9 @@ struct NamedFile {
 
 /// Loads it, changes it as asked and warns of settings that do not fit. Throws UsageError where the
 /// file is one of the outputs, or two of these are one (files.h), and BrokenScene where it breaks
-/// what its certificate assumes.
-avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs = {});
+/// what its certificate assumes. `source`, where it is given, becomes what it was made of.
+avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs = {},
+                   avo_io::SceneSource* source = nullptr);
 
 struct RunArguments {
   SceneArguments scene;

@@ -12,15 +12,34 @@
 
 namespace avo_io {
 
+/// A file that a scene names, e.g. a map.
+struct SceneFile {
+  std::string path;  ///< as the scene leads to it
+  std::string text;
+  bool builtin = false;
+};
+
+/// All that a scenario is made of: it can be made again where the scene's files are not.
+struct SceneSource {
+  std::string name;  ///< in front of messages: a built-in name, a file, "standard input"
+  std::string yaml;
+  std::vector<std::string> overrides;
+  std::vector<SceneFile> files;
+  bool start_at_rest = false;  ///< avo::start_at_rest() follows
+  bool limit_speed = false;    ///< and then avo::limit_speed()
+};
+
 /// The scene called `name_or_path`: a built-in name (circle-N and uniform-N for any N >= 2), a
 /// file, or "-", the standard input, which is relative to the current folder, and may name built-in
 /// files besides. Each override is "key=value" on a key of the scene, e.g. "robots.0.radius=0.4";
 /// robots that a group makes can be named as well. Files that the scene names (maps, plans) are
-/// relative to its own; their paths are appended to `files_read` where it is given. Throws
+/// relative to its own. `source`, where it is given, becomes what it was made of. Throws
 /// SceneError, OverrideError or FileError; the scene returned has passed avo::validate.
 AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
                                     const std::vector<std::string>& overrides = {},
-                                    std::vector<std::string>* files_read = nullptr);
+                                    SceneSource* source = nullptr);
+/// The same scenario again; reads no file.
+AVO_API avo::Scenario parse_scenario(const SceneSource& source);
 
 /// The same from text; `file` stands in front of error messages, and the scene's files are relative
 /// to it.
