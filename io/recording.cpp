@@ -3,6 +3,7 @@
 #include "avo_io/recording.h"
 
 #include <algorithm>
+#include <fmt/compile.h>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -15,28 +16,39 @@ bool has_headings(const avo::Scenario& scenario) {
                      [](const avo::RobotSetup& robot) { return !is_holonomic(robot.model); });
 }
 
+bool is_hdf5_path(std::string_view path) {
+  constexpr std::string_view kEnding = ".h5";
+  if (path.size() < kEnding.size()) return false;
+  std::string ending(path.substr(path.size() - kEnding.size()));
+  if (ending[1] == 'H') ending[1] = 'h';
+  return ending == kEnding;
+}
+
 CsvRecording::CsvRecording(const std::string& path, bool headings, std::int64_t every)
-    : file_(path), headings_(headings), every_(every) {
+    : Recording(path), headings_(headings), every_(every) {
   file_.write(fmt::format("time,robot,x,y,vx,vy{}{}\n", headings ? ",heading,speed" : "",
                           every > 1 ? ",every" : ""));
 }
 
 void CsvRecording::add(const avo::Simulation& simulation) {
-  fmt::memory_buffer row;
-  const auto end = std::back_inserter(row);
-  for (const avo::CheckedState& state : checked_states(simulation.fleet())) {
+  const avo::FleetView fleet = simulation.fleet();
+  const auto end = std::back_inserter(rows_);
+  const std::string time = fmt::format("{}", simulation.time());
+  const std::string last = every_ > 1 ? fmt::format(",{}\n", every_) : "\n";
+  rows_.clear();
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+    const avo::CheckedState state = checked_state(fleet, k);
     const avo::Vec2 p = state.position, v = state.velocity;
-    row.clear();
-    fmt::format_to(end, "{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g}", simulation.time(),
-                   state.robot, p.x, p.y, v.x, v.y);
+    fmt::format_to(end, FMT_COMPILE("{},{},{},{},{},{}"), time, state.robot, p.x, p.y, v.x, v.y);
     if (headings_ && state.heading)
-      fmt::format_to(end, ",{},{}", state.heading->angle, state.heading->speed);
+      fmt::format_to(end, FMT_COMPILE(",{},{}"), state.heading->angle, state.heading->speed);
     else if (headings_)
-      fmt::format_to(end, ",,");
-    if (every_ > 1) fmt::format_to(end, ",{}", every_);
-    row.push_back('\n');
-    file_.write({row.data(), row.size()});
+      rows_ += ",,";
+    rows_ += last;
   }
+  file_.write({rows_.data(), rows_.size()});
 }
+
+void CsvRecording::finish(const avo::Simulation& /*simulation*/) {}
 
 }  // namespace avo_io

@@ -79,14 +79,15 @@ NamedFile file_of(const SceneArguments& arguments) {
   return {"the scene", file ? arguments.scene : ""};
 }
 
-void require_ending(const NamedFile& file, std::string_view ending) {
+void require_ending(const NamedFile& file, const std::vector<std::string_view>& endings) {
   const std::string extension = fs::path(file.path).extension().string();
   std::error_code error;
   const fs::file_status status = fs::status(file.path, error);
   const bool other = fs::exists(status) && !fs::is_regular_file(status);
-  if (extension.empty() || lower(extension) == ending || other) return;
+  const bool known = std::find(endings.begin(), endings.end(), lower(extension)) != endings.end();
+  if (extension.empty() || known || other) return;
   throw UsageError(fmt::format("{} {}: found the ending {}, must be {} or none", file.role,
-                               file.path, extension, ending));
+                               file.path, extension, fmt::join(endings, ", ")));
 }
 
 void require_figure(const NamedFile& file) {

@@ -21,7 +21,7 @@ NamedFile file_of(const SceneArguments& arguments);
 
 /// Throws UsageError where the name ends like that of another format. Without an ending, and for
 /// devices and pipes, any name will do.
-void require_ending(const NamedFile& file, std::string_view ending);
+void require_ending(const NamedFile& file, const std::vector<std::string_view>& endings);
 /// The same for figures, which have to have one of three.
 void require_figure(const NamedFile& file);
 

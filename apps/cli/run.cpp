@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <fmt/format.h>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,13 +33,14 @@ std::vector<NamedFile> files_of(const RunArguments& arguments) {
 /// Everything that a run writes. Opened before the simulation, so that a place that cannot be
 /// written is reported at once; named after it.
 struct Outputs {
-  std::optional<avo_io::CsvRecording> record;
+  std::unique_ptr<avo_io::Recording> record;
   std::optional<avo_io::OutputFile> summary, figure;
   std::optional<avo::figures::TrajectoryRecorder> trajectories;
   std::string figure_path;
   std::int64_t every;  ///< of the recording
 
-  Outputs(const RunArguments& arguments, const avo::Scenario& scenario)
+  Outputs(const RunArguments& arguments, const avo::Scenario& scenario,
+          const avo_io::SceneSource& source)
       : figure_path(arguments.figure), every(arguments.every.value_or(1)) {
     if (!arguments.figure.empty()) {
       figure.emplace(arguments.figure);
@@ -46,7 +48,7 @@ struct Outputs {
     }
     if (!arguments.summary.empty()) summary.emplace(arguments.summary);
     if (!arguments.record.empty())
-      record.emplace(arguments.record, avo_io::has_headings(scenario), every);
+      record = avo_io::open_recording(arguments.record, scenario, source, every);
   }
 
   /// At the start and after each step.
@@ -57,7 +59,9 @@ struct Outputs {
 
   /// After the last step.
   void observe_last(const avo::Simulation& simulation) {
-    if (record && simulation.steps() % every != 0) record->add(simulation);
+    if (!record) return;
+    if (simulation.steps() % every != 0) record->add(simulation);
+    record->finish(simulation);
   }
 
   /// All of them, or none where one cannot be written. A figure can take longer to draw than a
@@ -100,8 +104,8 @@ avo::RunSummary simulate(const RunArguments& arguments, const avo::Scenario& sce
 }
 
 void check_arguments(const RunArguments& arguments) {
-  require_ending({"--record", arguments.record}, ".csv");
-  require_ending({"--summary", arguments.summary}, ".json");
+  require_ending({"--record", arguments.record}, {".csv", ".h5"});
+  require_ending({"--summary", arguments.summary}, {".json"});
   require_figure({"--figure", arguments.figure});
   if (arguments.every && arguments.record.empty())
     throw UsageError("--every: found without --record, must be with it: it thins the recording");
@@ -112,8 +116,9 @@ void check_arguments(const RunArguments& arguments) {
 int run(const RunArguments& arguments) {
   check_arguments(arguments);
   catch_signals();
-  const avo::Scenario scenario = load(arguments.scene, files_of(arguments));
-  Outputs outputs(arguments, scenario);
+  avo_io::SceneSource source;
+  const avo::Scenario scenario = load(arguments.scene, files_of(arguments), &source);
+  Outputs outputs(arguments, scenario, source);
   const avo::RunSummary results = simulate(arguments, scenario, outputs);
   outputs.finish(scenario, results);
   tell_unreachable(results);

@@ -25,6 +25,9 @@ class AVO_API OutputFile {
   void write(std::string_view bytes);
   /// The same as commit_all() of this one.
   void commit();
+  /// Where its bytes are until then, for who writes them by other means than write(); empty where
+  /// they are written directly, and once it has its name.
+  [[nodiscard]] const std::string& temporary() const { return temporary_; }
 
  private:
   enum class Old { none, kept, not_kept };

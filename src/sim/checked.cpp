@@ -55,18 +55,19 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
       .avoids = robot.avoids.bits};
 }
 
+CheckedState checked_state(const FleetView& fleet, std::size_t robot) {
+  CheckedState state{static_cast<std::int64_t>(fleet.id[robot].value), fleet.position[robot],
+                     fleet.velocity[robot]};
+  if (is_holonomic(fleet.setup[robot].model)) return state;
+  const double along = dot(elementary::direction(fleet.heading[robot]), state.velocity);
+  state.heading = CheckedHeading{fleet.heading[robot], along + 0.0};  // no negative zero
+  return state;
+}
+
 std::vector<CheckedState> checked_states(const FleetView& fleet) {
   std::vector<CheckedState> states;
   states.reserve(fleet.id.size());
-  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
-    CheckedState state{static_cast<std::int64_t>(fleet.id[k].value), fleet.position[k],
-                       fleet.velocity[k]};
-    if (!is_holonomic(fleet.setup[k].model)) {
-      const double along = dot(elementary::direction(fleet.heading[k]), state.velocity);
-      state.heading = CheckedHeading{fleet.heading[k], along + 0.0};  // no negative zero
-    }
-    states.push_back(state);
-  }
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) states.push_back(checked_state(fleet, k));
   return states;
 }
 

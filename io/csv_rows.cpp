@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings read again, one time after the other.
+// Recordings read again, one time after the other: CSV.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -15,6 +15,7 @@
 #include "avo_io/recording.h"
 #include "core/ranges.h"
 #include "line_reader.h"
+#include "row_source.h"
 #include "words.h"
 
 namespace avo_io {
@@ -92,9 +93,17 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
   return static_cast<std::int64_t>(*value);
 }
 
-}  // namespace
+/// The rows of a table of text.
+class CsvRows final : public RowSource {
+ public:
+  CsvRows(const std::string& path, std::optional<std::int64_t> robots)
+      : lines(path), robots(robots) {
+    read_header();
+  }
+  bool next(RecordedTime& moment) override;
+  [[nodiscard]] std::string place(std::optional<std::int64_t> robot) const override;
 
-struct RecordingReader::State {
+ private:
   LineReader lines;
   std::optional<std::int64_t> robots;
   std::vector<std::string_view> fields;
@@ -105,8 +114,6 @@ struct RecordingReader::State {
   std::optional<Row> pending;  // the first row of the next time
   std::vector<Row> group;
   std::int64_t times = 0, last_line = 0;
-
-  State(const std::string& path, std::optional<std::int64_t> most) : lines(path), robots(most) {}
 
   [[noreturn]] void refuse(std::int64_t line, const std::string& what) const {
     throw RecordingError(fmt::format("{}:{}: {}", lines.name(), line, what));
@@ -123,7 +130,7 @@ struct RecordingReader::State {
 };
 
 // Where the column is in the first line, whose fields these are.
-std::size_t RecordingReader::State::find_column(std::string_view name) const {
+std::size_t CsvRows::find_column(std::string_view name) const {
   const auto is_name = [name](std::string_view field) { return field == name; };
   const auto match = std::find_if(fields.begin(), fields.end(), is_name);
   const std::string allowed = fmt::format("the first line must name {}", fmt::join(kColumns, ", "));
@@ -141,11 +148,11 @@ std::size_t RecordingReader::State::find_column(std::string_view name) const {
   return static_cast<std::size_t>(match - fields.begin());
 }
 
-bool RecordingReader::State::has_column(std::string_view name) const {
+bool CsvRows::has_column(std::string_view name) const {
   return std::find(fields.begin(), fields.end(), name) != fields.end();
 }
 
-void RecordingReader::State::read_header() {
+void CsvRows::read_header() {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::optional<std::string_view> line = lines.next();
   if (!line)
@@ -159,7 +166,7 @@ void RecordingReader::State::read_header() {
   if (has_column(kEvery)) every_at = find_column(kEvery);
 }
 
-double RecordingReader::State::number(Column column) const {
+double CsvRows::number(Column column) const {
   const std::string_view text = fields[at[column]];
   const std::optional<double> value = parsed(text);
   if (value && avo::kAnyValue.contains(*value)) return *value;
@@ -171,14 +178,14 @@ double RecordingReader::State::number(Column column) const {
 }
 
 // None of a robot that has none.
-std::optional<avo::CheckedHeading> RecordingReader::State::heading() const {
+std::optional<avo::CheckedHeading> CsvRows::heading() const {
   if (!headings || (fields[at[heading_column]].empty() && fields[at[speed_column]].empty()))
     return std::nullopt;
   return avo::CheckedHeading{number(heading_column), number(speed_column)};
 }
 
 // 1 where nothing says that it is more.
-std::int64_t RecordingReader::State::every() const {
+std::int64_t CsvRows::every() const {
   if (!every_at) return 1;
   const std::string_view text = fields[*every_at];
   const std::optional<std::int64_t> value = whole_number(text);
@@ -188,7 +195,7 @@ std::int64_t RecordingReader::State::every() const {
 }
 
 // None at the end of the file.
-std::optional<Row> RecordingReader::State::read_row() {
+std::optional<Row> CsvRows::read_row() {
   std::optional<std::string_view> line = lines.next();
   while (line && line->empty()) line = lines.next();
   if (!line) return std::nullopt;
@@ -215,7 +222,7 @@ std::optional<Row> RecordingReader::State::read_row() {
 }
 
 // By ascending robot, each once.
-void RecordingReader::State::sort_group() {
+void CsvRows::sort_group() {
   const auto lower = [](const Row& a, const Row& b) { return a.state.robot < b.state.robot; };
   if (!std::is_sorted(group.begin(), group.end(), lower))
     std::stable_sort(group.begin(), group.end(), lower);
@@ -228,7 +235,7 @@ void RecordingReader::State::sort_group() {
                                   second.state.robot, second.time, first.line));
 }
 
-void RecordingReader::State::read_group() {
+void CsvRows::read_group() {
   group.clear();
   std::optional<Row> row = pending ? pending : read_row();
   pending.reset();
@@ -250,37 +257,34 @@ void RecordingReader::State::read_group() {
   sort_group();
 }
 
-RecordingReader::RecordingReader(const std::string& path, std::optional<std::int64_t> robots)
-    : state_(std::make_unique<State>(path, robots)) {
-  state_->read_header();
-}
-RecordingReader::~RecordingReader() = default;
-
-bool RecordingReader::next(RecordedTime& moment) {
-  State& state = *state_;
-  state.read_group();
+bool CsvRows::next(RecordedTime& moment) {
+  read_group();
   moment.rows.clear();
   moment.every = 1;
-  if (state.group.empty()) {
-    if (state.times > 1) return false;
-    state.refuse(state.lines.number(),
-                 fmt::format("found rows of {} time{}, must be of two or more",
-                             state.times == 0 ? "no" : "one", state.times == 0 ? "" : " only"));
+  if (group.empty()) {
+    if (times > 1) return false;
+    refuse(lines.number(), fmt::format("found rows of {} time{}, must be of two or more",
+                                       times == 0 ? "no" : "one", times == 0 ? "" : " only"));
   }
-  moment.time = state.group[0].time;
-  for (const Row& row : state.group) {
+  moment.time = group[0].time;
+  for (const Row& row : group) {
     moment.rows.push_back(row.state);
     moment.every = std::max(moment.every, row.every);
   }
-  ++state.times;
+  ++times;
   return true;
 }
 
-std::string RecordingReader::place(std::optional<std::int64_t> robot) const {
-  const auto row = std::find_if(state_->group.begin(), state_->group.end(),
+std::string CsvRows::place(std::optional<std::int64_t> robot) const {
+  const auto row = std::find_if(group.begin(), group.end(),
                                 [&](const Row& own) { return own.state.robot == robot; });
-  const std::int64_t line = row == state_->group.end() ? state_->last_line : row->line;
-  return fmt::format("{}:{}", state_->lines.name(), line);
+  return fmt::format("{}:{}", lines.name(), row == group.end() ? last_line : row->line);
+}
+
+}  // namespace
+
+std::unique_ptr<RowSource> csv_rows(const std::string& path, std::optional<std::int64_t> robots) {
+  return std::make_unique<CsvRows>(path, robots);
 }
 
 }  // namespace avo_io

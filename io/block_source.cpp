@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// The blocks of a recording, and the rows in them.
+#include "block_source.h"
+
+#include <cmath>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "avo_io/errors.h"
+#include "regular_file.h"
+#include "row_source.h"
+
+namespace avo_io {
+namespace {
+
+/// The rows of blocks, one time after the other.
+class BlockRows final : public RowSource {
+ public:
+  BlockRows(const std::string& path, std::optional<std::int64_t> robots)
+      : path_(path), source_(path) {
+    if (robots && source_.header().robots > *robots)
+      throw RecordingError(
+          fmt::format("{}: found {} robots, must be {} at most, those of the scene", path,
+                      source_.header().robots, *robots));
+  }
+
+  bool next(RecordedTime& moment) override;
+  [[nodiscard]] std::string place(std::optional<std::int64_t> robot) const override {
+    return robot ? fmt::format("{}: time {} s, robot {}", path_, time_, *robot)
+                 : fmt::format("{}: time {} s", path_, time_);
+  }
+
+ private:
+  void take_rows(RecordedTime& moment) const;
+
+  std::string path_;
+  BlockSource source_;
+  std::size_t next_ = 0, count_ = 0;  // in the block; of its times
+  std::int64_t times_ = 0;
+  double time_ = 0.0;
+};
+
+bool BlockRows::next(RecordedTime& moment) {
+  if (next_ == count_) {
+    if (!source_.next()) {
+      if (times_ > 1) return false;
+      throw RecordingError(
+          fmt::format("{}: found rows of {} times, must be of two or more", path_, times_));
+    }
+    next_ = 0;
+    count_ = source_.block().times;
+  }
+  const double time = source_.block().time[next_];
+  if (!(std::abs(time) < 1e12) || (times_ > 0 && !(time > time_)))
+    throw RecordingError(
+        fmt::format("{}: found {} s after {} s, times must ascend", path_, time, time_));
+  time_ = time;
+  take_rows(moment);
+  ++next_;
+  ++times_;
+  return true;
+}
+
+void BlockRows::take_rows(RecordedTime& moment) const {
+  const BlockShape& shape = source_.shape();
+  const RecordingBlock& block = source_.block();
+  const auto value = [&](std::size_t column, std::size_t robot) {
+    return block.row(shape, column, next_)[robot];
+  };
+  moment.time = time_;
+  moment.every = source_.header().every;
+  moment.rows.clear();
+  for (std::size_t i = 0; i < shape.robots; ++i) {
+    if (block.status[next_ * shape.robots + i] == kAbsent) continue;
+    avo::CheckedState state{
+        static_cast<std::int64_t>(i), {value(0, i), value(1, i)}, {value(2, i), value(3, i)}, {}};
+    if (shape.columns == kHeadingColumns && !std::isnan(value(4, i)))
+      state.heading = {value(4, i), value(5, i)};
+    moment.rows.push_back(state);
+  }
+}
+
+}  // namespace
+
+BlockSource::BlockSource(const std::string& path) : path_(path) {
+  switch (format_of(path)) {
+    case RecordingFormat::hdf5:
+      hdf5_.emplace(path);
+      break;
+    case RecordingFormat::spool:
+      spool_.emplace(path);
+      codec_.emplace(spool_->shape());
+      break;
+    case RecordingFormat::csv:
+      throw RecordingError(path + ": found neither HDF5 nor a spool, must be one of them");
+  }
+}
+
+const RecordingHeader& BlockSource::header() const {
+  return hdf5_ ? hdf5_->header() : spool_->header();
+}
+
+const BlockShape& BlockSource::shape() const {
+  return hdf5_ ? hdf5_->shape() : spool_->shape();
+}
+
+bool BlockSource::next() {
+  if (hdf5_) {
+    if (!block_) block_.emplace(hdf5_->shape());
+    return hdf5_->next(*block_);
+  }
+  if (!spool_->next(compressed_)) return false;
+  if (!block_ && compressed_.can_be(spool_->shape())) block_.emplace(spool_->shape());
+  if (!block_ || !codec_->uncompress(compressed_, *block_))
+    throw RecordingError(path_ + ": found a damaged block, must be whole");
+  return true;
+}
+
+std::unique_ptr<RowSource> block_rows(const std::string& path, std::optional<std::int64_t> robots) {
+  return std::make_unique<BlockRows>(path, robots);
+}
+
+RecordingFormat format_of(const std::string& path) {
+  std::error_code error;
+  const auto type =
+      path == "-" ? std::filesystem::file_type::fifo : std::filesystem::status(path, error).type();
+  // whatever is read of a pipe is gone
+  if (type != std::filesystem::file_type::regular) return RecordingFormat::csv;
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw FileError(with_errno(path));
+  char begin[16] = {};
+  const ssize_t got = read(descriptor, begin, sizeof begin);
+  close(descriptor);
+  const std::string_view bytes(begin, got > 0 ? static_cast<std::size_t>(got) : 0);
+  if (is_hdf5(bytes)) return RecordingFormat::hdf5;
+  return is_spool(bytes) ? RecordingFormat::spool : RecordingFormat::csv;
+}
+
+RecordingReader::RecordingReader(const std::string& path, std::optional<std::int64_t> robots)
+    : source_(format_of(path) == RecordingFormat::csv ? csv_rows(path, robots)
+                                                      : block_rows(path, robots)) {}
+RecordingReader::~RecordingReader() = default;
+
+bool RecordingReader::next(RecordedTime& moment) {
+  return source_->next(moment);
+}
+
+std::string RecordingReader::place(std::optional<std::int64_t> robot) const {
+  return source_->place(robot);
+}
+
+std::optional<RecordingHeader> read_recording_header(const std::string& path) {
+  switch (format_of(path)) {
+    case RecordingFormat::hdf5:
+      return Hdf5Reader(path).header();
+    case RecordingFormat::spool:
+      return SpoolReader(path).header();
+    case RecordingFormat::csv:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace avo_io

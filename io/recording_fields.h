@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a recording tells of itself, as fields with names: attributes of an HDF5 file, bytes of a
+// spool.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "avo_io/recording.h"
+
+namespace avo_io {
+
+struct RecordingField {
+  std::string name;
+  std::variant<std::uint64_t, std::string> value;
+};
+
+std::vector<RecordingField> fields_of(const RecordingHeader& header);
+/// Throws avo::Error, which names the field that is missing or wrong.
+RecordingHeader header_from(const std::vector<RecordingField>& fields);
+
+/// As bytes; and again. None where the bytes are no such fields.
+std::string packed(const std::vector<RecordingField>& fields);
+std::optional<std::vector<RecordingField>> unpacked(std::string_view bytes);
+
+}  // namespace avo_io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the rows of a recording come from, whatever its format.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "avo_io/recording.h"
+
+namespace avo_io {
+
+class RowSource {
+ public:
+  virtual ~RowSource() = default;
+  /// See RecordingReader.
+  virtual bool next(RecordedTime& moment) = 0;
+  [[nodiscard]] virtual std::string place(std::optional<std::int64_t> robot) const = 0;
+};
+
+std::unique_ptr<RowSource> csv_rows(const std::string& path, std::optional<std::int64_t> robots);
+/// Of an HDF5 file or a spool.
+std::unique_ptr<RowSource> block_rows(const std::string& path, std::optional<std::int64_t> robots);
+
+/// What a file is by its first bytes. "-" is CSV. Throws FileError where it cannot be read.
+enum class RecordingFormat { csv, hdf5, spool };
+RecordingFormat format_of(const std::string& path);
+
+}  // namespace avo_io
