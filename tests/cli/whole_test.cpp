@@ -113,7 +113,8 @@ TEST(Whole, airplanes_may_leave_where_they_arrive) {
   ASSERT_EQ(run.summary["arrived"], 2);
   expect_safe(read_file(run.csv), {"--scene", scene});
   const std::string gone = rows_of(run, [](double t, int k) { return k == 1 || t < 2.0; });
-  EXPECT_EQ(judged(gone, {"--scene", scene}).exit_code, 7) << "it left before it had arrived";
+  expect_incomplete(gone, {"--scene", scene, "--set", "duration=10"},
+                    "rows of robot 0 at the first time or at the last one");  // before it arrived
 }
 
 TEST(Whole, with_free_clocks_the_last_decisions_are_before_the_end) {
