@@ -19,13 +19,13 @@ arrived are truncated after max_steps.
 """
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Callable, Mapping, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ._avo import Error, Scenario, Worlds, _numbers
+from ._spaces import Box, generator, whole
 
 Floats = npt.NDArray[np.float64]
 Observations = npt.NDArray[np.float32]
@@ -35,45 +35,6 @@ Seeds = Union[int, Sequence[Union[int, None]], None]
 _OWN, _OTHER = 6, 6  # numbers
 _HUGE = 1e100  # m/s
 _MOST_NEIGHBORS = 1000  # as Worlds.nearest()
-
-
-def _whole(name: str, given: Any, least: int, most: int) -> int:
-    if isinstance(given, (int, np.integer)) and not isinstance(given, bool) and least <= given <= most:
-        return int(given)
-    raise Error(f"{name}: found {given!r}, must be a whole number from {least} to {most}")
-
-
-def _generator(seed: int | None) -> np.random.Generator:
-    if seed is not None and not (isinstance(seed, (int, np.integer)) and seed >= 0):
-        raise Error(f"seed: found {seed!r}, must be a whole number >= 0")
-    return np.random.default_rng(seed)
-
-
-@dataclass
-class Box:
-    """A space by duck typing: arrays of a shape, between two bounds."""
-
-    low: float
-    high: float
-    shape: tuple[int, ...]
-    dtype: Any = np.float32
-
-    def __post_init__(self) -> None:
-        self.seed(None)
-
-    def seed(self, seed: int | None = None) -> None:
-        self._random = _generator(seed)
-
-    def sample(self) -> npt.NDArray[Any]:
-        """Uniform; of an axis without bounds normal."""
-        bounded = np.isfinite(self.low) and np.isfinite(self.high)
-        random = self._random
-        drawn = random.uniform(self.low, self.high, self.shape) if bounded else random.normal(size=self.shape)
-        return drawn.astype(self.dtype)
-
-    def contains(self, value: Any) -> bool:
-        array = np.asarray(value)
-        return array.shape == self.shape and bool(np.all((self.low <= array) & (array <= self.high)))
 
 
 class VectorEnv:
@@ -95,14 +56,14 @@ class VectorEnv:
             raise Error("scene: found a Scenario, must be what one is made from: worlds differ by their seeds")
         first = Scenario(scene)
         usual = max(1, round(first.duration / first.time_step))
-        num_envs = _whole("num_envs", num_envs, 1, 1_000_000)
-        neighbors = _whole("neighbors", neighbors, 0, _MOST_NEIGHBORS)
-        self.max_steps = usual if max_steps is None else _whole("max_steps", max_steps, 1, 2**53)
+        num_envs = whole("num_envs", num_envs, 1, 1_000_000)
+        neighbors = whole("neighbors", neighbors, 0, _MOST_NEIGHBORS)
+        self.max_steps = usual if max_steps is None else whole("max_steps", max_steps, 1, 2**53)
         self._scene, self._neighbors = scene, neighbors
         self._worlds = Worlds(num_envs, first)
         self.num_envs, self.num_robots = num_envs, len(first.robots)
         self.time_step, self.arrival_distance = first.time_step, first.arrival_distance
-        self._randoms = [_generator(None)] * num_envs
+        self._randoms = [generator(None)] * num_envs
         self._steps = np.zeros(num_envs, dtype=np.int64)
         self._arrived = np.zeros((num_envs, self.num_robots), dtype=bool)
         self._begins_anew = np.zeros(num_envs, dtype=bool)
@@ -174,11 +135,11 @@ class VectorEnv:
         if seed is None:
             return
         if isinstance(seed, str) or not isinstance(seed, (Sequence, np.ndarray)):
-            self._randoms = [_generator(seed)] * self.num_envs
+            self._randoms = [generator(seed)] * self.num_envs
             return
         if len(seed) != self.num_envs:
             raise Error(f"seed: found {len(seed)} of them, must be {self.num_envs}, one for each world")
-        drawn = [_generator(one) for one in seed]
+        drawn = [generator(one) for one in seed]
         self._randoms = [last if one is None else new for one, new, last in zip(seed, drawn, self._randoms)]
 
     def _begin(self, world: int) -> None:
