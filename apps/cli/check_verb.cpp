@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "avo_io/judgement.h"
-#include "avo_io/scene.h"
 #include "exit_codes.h"
 #include "files.h"
 #include "settings_report.h"
@@ -53,8 +52,7 @@ avo_io::JudgeOptions options_of(const CheckArguments& arguments) {
                                .require_arrival = arguments.require_arrival};
   if (!arguments.scene.scene.empty()) {
     std::vector<std::string> files;
-    options.scenario =
-        avo_io::load_scenario(arguments.scene.scene, arguments.scene.overrides, &files);
+    options.scenario = with_overrides(arguments.scene, files);
     tell_settings(arguments.scene, *options.scenario, files);
     return options;
   }
@@ -64,12 +62,21 @@ avo_io::JudgeOptions options_of(const CheckArguments& arguments) {
   return options;
 }
 
+/// Without a scene nobody knows how long it takes.
+avo_io::Judgement judge_with_progress(const std::string& recording, avo_io::JudgeOptions options) {
+  if (!options.scenario) return avo_io::judge(recording, options);
+  Progress progress(options.scenario->duration, true);
+  options.judged = [&progress](double time) { progress.show(time); };
+  return avo_io::judge(recording, options);
+}
+
 }  // namespace
 
 int check(const CheckArguments& arguments) {
   check_arguments(arguments);
   require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
-  const avo_io::Judgement judgement = avo_io::judge(arguments.recording, options_of(arguments));
+  const avo_io::Judgement judgement =
+      judge_with_progress(arguments.recording, options_of(arguments));
   if (judgement.uneven_judged > 0)
     warn(
         {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "

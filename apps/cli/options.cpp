@@ -39,16 +39,26 @@ void add_volume(CLI::App& verb) {
       ->excludes(quiet);
 }
 
+/// --KEY VALUE for --set KEY=VALUE.
+CLI::Option* add_shorthand(CLI::App& verb, const std::string& key, const std::string& value,
+                           SceneArguments& arguments) {
+  return verb
+      .add_option_function<std::string>(
+          "--" + key,
+          [key, &arguments](const std::string& given) {
+            arguments.overrides.push_back(key + "=" + given);
+            arguments.typed_as[arguments.overrides.back()] = "--" + key;
+          },
+          "the same as --set " + key + "=" + value)
+      ->type_name(value);
+}
+
 void add_overrides(CLI::App& verb, SceneArguments& arguments) {
   verb.add_option("--set", arguments.overrides,
                   "changes a value of the scene, e.g. robots.0.radius=0.4; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  verb.add_option_function<std::string>(
-          "--seed",
-          [&arguments](const std::string& seed) { arguments.overrides.push_back("seed=" + seed); },
-          "the same as --set seed=N")
-      ->type_name("N");
+  add_shorthand(verb, "seed", "N", arguments);
 }
 
 void add_scene(CLI::App& verb, SceneArguments& arguments) {
@@ -95,13 +105,7 @@ void add_run(CLI::App& app, Action& action) {
       ->excludes(summary);
   not_empty(verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories"))
       ->type_name("FILE.svg|.png|.pdf");
-  verb->add_option_function<std::string>(
-          "--duration",
-          [](const std::string& duration) {
-            arguments.scene.overrides.push_back("duration=" + duration);
-          },
-          "the same as --set duration=S")
-      ->type_name("S");
+  add_shorthand(*verb, "duration", "S", arguments.scene);
   verb->add_flag("--until-arrived", arguments.until_arrived,
                  "ends as soon as every robot has arrived, at the latest after the duration");
   add_threads(*verb, arguments.threads);

@@ -3,6 +3,7 @@
 // exit_codes.h and avo_io/errors.h say.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +14,9 @@ namespace avo_cli {
 
 /// A scene and what the command line changes of it.
 struct SceneArguments {
-  std::string scene;                   ///< "-": standard input
-  std::vector<std::string> overrides;  ///< key=value
+  std::string scene;                            ///< "-": standard input
+  std::vector<std::string> overrides;           ///< key=value
+  std::map<std::string, std::string> typed_as;  ///< of those that an option of their own gave: it
   bool start_at_rest = false;
   bool limit_speed = false;
 };
@@ -23,6 +25,10 @@ struct NamedFile {
   std::string role;  ///< "--record", "the scene"
   std::string path;  ///< "-": the standard output, of an input the standard input; empty: none
 };
+
+/// Loads it with its overrides; `files` are those that it names. What is wrong with an override is
+/// said of the option that was typed.
+avo::Scenario with_overrides(const SceneArguments& arguments, std::vector<std::string>& files);
 
 /// Loads it, changes it as asked and warns of settings that do not fit. Throws UsageError where the
 /// file is one of the outputs, or two of these are one (files.h), and BrokenScene where it breaks
