@@ -135,18 +135,6 @@ std::string unjudged(const Judgement& judgement) {
   return text;
 }
 
-/// What the recording lacks of its scene; empty where it lacks nothing.
-std::string missing(const Judgement& judgement) {
-  const std::vector<std::int64_t>& robots = judgement.lacking;
-  std::string text;
-  if (!robots.empty())
-    text = fmt::format("rows of {} at the first time or at the last one", named(robots));
-  if (!judgement.whole)
-    text += fmt::format("{}steps of the scene, which ends at {:.6g} s or when all have arrived",
-                        text.empty() ? "" : "; ", judgement.scene_end);
-  return text;
-}
-
 }  // namespace
 
 std::string readable(const Judgement& judgement) {
@@ -158,8 +146,15 @@ std::string readable(const Judgement& judgement) {
   const auto line = [&text](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
-  if (const std::string what = missing(judgement); !what.empty()) line("missing", what);
+  if (!judgement.lacking.empty())
+    line("missing",
+         fmt::format("rows of {} at the first time or at the last one", named(judgement.lacking)));
   if (report.unjudged_steps > 0) line("not judged", unjudged(judgement));
+  if (!judgement.whole)
+    line("a part",
+         fmt::format("{:.6g} to {:.6g} s of the scene, which ends at {:.6g} s or when all have "
+                     "arrived",
+                     report.from, report.to, judgement.scene_end));
   line("overlaps", text_of(judgement, report.overlaps, "pairs of robots", "m"));
   if (judgement.scene)
     line("moving obstacles",

@@ -42,8 +42,8 @@ struct Judgement {
   /// Robots of the scene, ascending, that have no row at the first time or at the last one; but for
   /// airplanes that left where they arrived.
   std::vector<std::int64_t> lacking;
-  /// From the start of the scene to its end, or to a time at which all have arrived. Without a
-  /// scene nobody knows its start and end.
+  /// From the start of the scene to its end, or to a time at which all have arrived; what is not
+  /// there is not judged. Without a scene nobody knows its start and end.
   bool whole = true;
   double scene_end = 0.0;  ///< s, the duration of the scene
 
@@ -52,7 +52,7 @@ struct Judgement {
   }
   /// No rule is broken, and nobody's rows are missing.
   [[nodiscard]] bool safe() const {
-    return report.safe() && report.gaps == 0 && lacking.empty() && whole;
+    return report.safe() && report.gaps == 0 && lacking.empty();
   }
   /// Rows are missing, of all robots or of one, and those that are there break no rule.
   [[nodiscard]] bool incomplete() const { return !report.broken() && !safe(); }

@@ -87,9 +87,8 @@ TEST(Airplanes, check_sees_arrivals_between_rows) {
     EXPECT_EQ(json["arrived"], 1);
     EXPECT_EQ(json["last_arrival"], run.summary["last_arrival"]);
     EXPECT_EQ(json["at_goal_at_end"], 0);
-    const ProcessResult off =
-        run_avo({"check", run.csv, "--scene", scene, "--require-arrival", "--set",
-                 "robots.0.goal=[99.75, 9.31]", "--set", "duration=6.7"});
+    const ProcessResult off = run_avo({"check", run.csv, "--scene", scene, "--require-arrival",
+                                       "--set", "robots.0.goal=[99.75, 9.31]"});
     EXPECT_EQ(off.exit_code, 1) << off.out;
   }
 }

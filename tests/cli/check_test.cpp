@@ -64,15 +64,14 @@ TEST(Check, judges_orca_on_straight_lines) {
 TEST(Check, exponential_motion_is_known_to_an_error_and_cars_by_their_headings) {
   const Recorded motion = record({"circle-6", "--set", "motion=exponential", "--set",
                                   "control_time=0.5", "--set", "duration=8"});
-  const Json exponential = Json::parse(
-      run_avo({"check", motion.csv, "--scene", "circle-6", "--set", "motion=exponential", "--set",
-               "control_time=0.5", "--set", "duration=8", "--json"})
-          .out);
+  const Json exponential =
+      Json::parse(run_avo({"check", motion.csv, "--scene", "circle-6", "--set",
+                           "motion=exponential", "--set", "control_time=0.5", "--json"})
+                      .out);
   EXPECT_NEAR(exponential["interpolation_error"], 1e-4 / 384.0 / 0.25, 1e-15);
   EXPECT_EQ(exponential["safe"], true);
   const Recorded cars = record({"cars-100", "--set", "duration=3"});
-  const ProcessResult result =
-      run_avo({"check", cars.csv, "--scene", "cars-100", "--set", "duration=3"});
+  const ProcessResult result = run_avo({"check", cars.csv, "--scene", "cars-100"});
   EXPECT_EQ(result.exit_code, 0) << result.out;
   EXPECT_NE(result.out.find("  with headings      3000 robot-steps, no limit of wheels or wings "
                             "broken\n"),
@@ -91,8 +90,7 @@ std::string without_headings(const std::string& path) {
 TEST(Check, recordings_of_cars_without_headings_are_judged_by_their_velocities) {
   const Recorded cars = record({"cars-100", "--set", "duration=3"});
   ASSERT_TRUE(read_file(cars.csv).starts_with("time,robot,x,y,vx,vy,heading,speed\n"));
-  const ProcessResult result =
-      check(without_headings(cars.csv), {"--scene", "cars-100", "--set", "duration=3"});
+  const ProcessResult result = check(without_headings(cars.csv), {"--scene", "cars-100"});
   EXPECT_EQ(result.exit_code, 0) << result.out;
   EXPECT_NE(result.out.find("  paths known to     0.000625 m\n"), std::string::npos)
       << "a_max Δt²/16, where they start: " << result.out;

@@ -171,7 +171,7 @@ TEST(Check, the_tolerance_can_be_set) {
 
 // Two robots with goals 1 m ahead: 0 arrives, 1 does not.
 constexpr const char* kTwoRobots =
-    "version: 1\nname: two\ntime_step: 0.5\nduration: 1\nrobots:\n"
+    "version: 1\nname: two\ntime_step: 0.5\nrobots:\n"
     "  - {position: [0, 0], goal: [1, 0]}\n  - {position: [0, 5], goal: [1, 5]}\n";
 const std::string kOneArrives = kHeader +
                                 "0,0,0,0,0,0\n0,1,0,5,0,0\n0.5,0,0.125,0,0.5,0\n0.5,1,0,5,0,0\n"

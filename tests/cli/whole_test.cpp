@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings that lack a robot of the scene, its start or its end: avo check never calls them safe.
+// Recordings that lack a robot of the scene, which avo check never calls safe, or its start or its
+// end, which it tells.
 #include <gtest/gtest.h>
 #include <string>
 
@@ -22,16 +23,18 @@ std::string rows_of(const Recorded& run, const Keep& keep) {
 
 struct Verdict {
   int exit_code;
-  std::string missing;  ///< what the line of that name says; empty: there is none
+  std::string missing, part;  ///< what the lines of that name say; empty: there is none
   Json json;
 };
 
 Verdict judged(const std::string& text, Strings more) {
   const ProcessResult words = check(text, more);
   more.push_back("--json");
-  Verdict result{words.exit_code, {}, Json::parse(check(text, more).out)};
-  for (const std::string& line : lines_of(words.out))
+  Verdict result{words.exit_code, {}, {}, Json::parse(check(text, more).out)};
+  for (const std::string& line : lines_of(words.out)) {
     if (line.starts_with("  missing")) result.missing = line.substr(21);
+    if (line.starts_with("  a part")) result.part = line.substr(21);
+  }
   return result;
 }
 
@@ -47,9 +50,19 @@ void expect_incomplete(const std::string& text, const Strings& scene, const std:
 void expect_safe(const std::string& text, const Strings& scene) {
   const Verdict verdict = judged(text, scene);
   EXPECT_EQ(verdict.exit_code, 0) << verdict.missing;
-  EXPECT_EQ(verdict.missing, "");
+  EXPECT_EQ(verdict.missing + verdict.part, "");
   EXPECT_EQ(verdict.json["whole"], true);
   EXPECT_EQ(verdict.json["lacking"], Json::array());
+}
+
+/// Of a part of the scene the verdict is on that part.
+void expect_part(const std::string& text, const Strings& scene, const std::string& part) {
+  const Verdict verdict = judged(text, scene);
+  EXPECT_EQ(verdict.exit_code, 0) << part;
+  EXPECT_EQ(verdict.missing, "");
+  EXPECT_EQ(verdict.part, part);
+  EXPECT_EQ(verdict.json["safe"], true);
+  EXPECT_EQ(verdict.json["whole"], false);
 }
 
 const Strings kScene{"--scene", "circle-4", "--set", "duration=6"};
@@ -72,13 +85,12 @@ TEST(Whole, a_recording_has_rows_of_every_robot_from_the_first_time_to_the_last)
 
 TEST(Whole, a_recording_goes_from_the_start_to_the_end_of_the_scene) {
   const Recorded run = record({"circle-4", "--duration", "6"});
-  const std::string steps = "steps of the scene, which ends at 6 s or when all have arrived";
+  const std::string end = " s of the scene, which ends at 6 s or when all have arrived";
   const auto between = [&](double from, double to) {
     return rows_of(run, [=](double t, int) { return from <= t && t <= to; });
   };
-  expect_incomplete(between(0.0, 5.95), kScene, steps);
-  expect_incomplete(between(0.05, 9.0), kScene, steps);
-  EXPECT_EQ(judged(between(0.0, 5.0), kScene).json["whole"], false);
+  expect_part(between(0.0, 5.95), kScene, "0 to 5.9" + end);
+  expect_part(between(0.05, 9.0), kScene, "0.1 to 6" + end);
   // the whole of a shorter scene, and of one whose last step is shorter than others
   expect_safe(between(0.0, 5.0), {"--scene", "circle-4", "--set", "duration=5"});
   expect_safe(between(0.0, 5.0), {"--scene", "circle-4", "--set", "duration=5.09"});
@@ -97,7 +109,8 @@ TEST(Whole, it_may_end_when_all_have_arrived) {
   const double end = run.summary["last_arrival"];
   expect_safe(read_file(run.csv), {"--scene", "circle-4"});
   const std::string before = rows_of(run, [=](double t, int) { return t < end - 0.05; });
-  EXPECT_EQ(judged(before, {"--scene", "circle-4"}).exit_code, 7);
+  EXPECT_EQ(judged(before, {"--scene", "circle-4"}).json["whole"], false);
+  EXPECT_EQ(check(before, {"--scene", "circle-4", "--require-arrival"}).exit_code, 1);
 }
 
 TEST(Whole, airplanes_may_leave_where_they_arrive) {
@@ -124,7 +137,7 @@ TEST(Whole, with_free_clocks_the_last_decisions_are_before_the_end) {
   scene.insert(scene.end(), free.begin(), free.end());
   expect_safe(read_file(run.csv), scene);
   const std::string before = rows_of(run, [](double t, int) { return t < 5.85; });
-  EXPECT_EQ(judged(before, scene).exit_code, 7);
+  EXPECT_EQ(judged(before, scene).json["whole"], false);
 }
 
 }  // namespace
