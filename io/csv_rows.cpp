@@ -94,16 +94,13 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
 }
 
 /// The rows of a table of text.
-class CsvRows final : public RowSource {
- public:
-  CsvRows(const std::string& path, std::optional<std::int64_t> robots)
-      : lines(path), robots(robots) {
+struct CsvRows final : RowSource {
+  CsvRows(const std::string& path, std::optional<std::int64_t> most) : lines(path), robots(most) {
     read_header();
   }
   bool next(RecordedTime& moment) override;
   [[nodiscard]] std::string place(std::optional<std::int64_t> robot) const override;
 
- private:
   LineReader lines;
   std::optional<std::int64_t> robots;
   std::vector<std::string_view> fields;

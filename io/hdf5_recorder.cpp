@@ -6,27 +6,24 @@
 #include <exception>
 #include <filesystem>
 #include <fmt/format.h>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <unistd.h>
 #include <utility>
 
-#include "avo/checked.h"
 #include "avo/clearance.h"
 #include "avo/simd.h"
 #include "avo/version.h"
 #include "avo_io/recording.h"
 #include "hdf5_recording.h"
+#include "recorded_states.h"
 #include "recording_blocks.h"
 #include "regular_file.h"
 #include "spool.h"
 
 namespace avo_io {
 namespace {
-
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::string build_description() {
 #if defined(__clang__)
@@ -86,56 +83,23 @@ struct Hdf5Recording::State {
   std::thread thread;
   bool finished = false;
 
-  State(const std::string& path, const avo::Scenario& scenario, const SceneSource& source,
+  State(const std::string& file, const avo::Scenario& scenario, const SceneSource& source,
         std::int64_t every)
-      : path(path),
+      : path(file),
         shape(shape_of(scenario)),
         blocks{RecordingBlock(shape), RecordingBlock(shape)},
         clearances(scenario),
         codec(shape),
-        spool(spool_path(path), header_of(scenario, source, every)),
+        spool(spool_path(file), header_of(scenario, source, every)),
         thread([this] { work(); }) {}
   ~State() { stop(); }
 
-  void fill(const avo::Simulation& simulation);
   void hand_over();
   void wait_until_free(std::unique_lock<std::mutex>& lock);
   void stop();
   void work();
   void write(RecordingBlock& block);
 };
-
-void Hdf5Recording::State::fill(const avo::Simulation& simulation) {
-  const avo::FleetView fleet = simulation.fleet();
-  RecordingBlock& block = blocks[filling];
-  const std::size_t k = block.times++;
-  block.time[k] = simulation.time();
-  std::array<double*, kHeadingColumns> row{};
-  for (std::size_t c = 0; c < shape.columns; ++c) row[c] = block.row(shape, c, k);
-  std::uint8_t* status = block.status.data() + k * shape.robots;
-  std::size_t next = 0;  // robot without a row yet
-  const auto leave_out_before = [&](std::size_t robot) {
-    for (; next < robot; ++next) {
-      for (std::size_t c = 0; c < shape.columns; ++c) row[c][next] = kNoNumber;
-      status[next] = kAbsent;
-    }
-  };
-  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    leave_out_before(fleet.id[i].value);
-    const avo::CheckedState state = checked_state(fleet, i);
-    row[0][next] = state.position.x;
-    row[1][next] = state.position.y;
-    row[2][next] = state.velocity.x;
-    row[3][next] = state.velocity.y;
-    if (shape.columns == kHeadingColumns) {
-      row[4][next] = state.heading ? state.heading->angle : kNoNumber;
-      row[5][next] = state.heading ? state.heading->speed : kNoNumber;
-    }
-    status[next] = static_cast<std::uint8_t>(fleet.plan[i].status);
-    ++next;
-  }
-  leave_out_before(shape.robots);
-}
 
 void Hdf5Recording::State::wait_until_free(std::unique_lock<std::mutex>& lock) {
   exchange.changed.wait(lock, [this] { return exchange.full == nullptr; });
@@ -161,14 +125,7 @@ void Hdf5Recording::State::stop() {
 }
 
 void Hdf5Recording::State::write(RecordingBlock& block) {
-  for (std::size_t k = 0; k < block.times; ++k) {
-    const auto row = [&](std::size_t column) {
-      return std::span<const double>(block.row(shape, column, k), shape.robots);
-    };
-    clearances.find(
-        {row(0), row(1), shape.columns == kHeadingColumns ? row(4) : std::span<const double>()},
-        {block.clearance.data() + k * shape.robots, shape.robots});
-  }
+  for (std::size_t k = 0; k < block.times; ++k) find_clearances(shape, k, clearances, block);
   codec.compress(block, compressed);
   spool.write(compressed);
 }
@@ -209,7 +166,7 @@ Hdf5Recording::~Hdf5Recording() {
 }
 
 void Hdf5Recording::add(const avo::Simulation& simulation) {
-  state_->fill(simulation);
+  add_states(simulation, state_->shape, state_->blocks[state_->filling]);
   if (state_->blocks[state_->filling].times == kBlockTimes) state_->hand_over();
 }
 

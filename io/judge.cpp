@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "avo/checked.h"
@@ -35,6 +36,7 @@ struct Judge {
   avo::Check check;
   Judgement judgement;
   std::optional<double> last_time;
+  std::vector<char> there_first, there_last;  // of the scene's robots: whether they have a row then
   std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles, where they have a path
 
   Judge(const std::string& recording, const JudgeOptions& options);
@@ -42,6 +44,7 @@ struct Judge {
   void add(RecordedTime& moment);
   void require_known_paths(double time) const;
   void place_obstacles(std::optional<double> before, double time);
+  void compare_with_scene();
 };
 
 /// The walls of all obstacles, and the number of the obstacle of each.
@@ -88,6 +91,7 @@ Judge::Judge(const std::string& recording, const JudgeOptions& options)
   if (scenario) {
     judgement.scene = scenario->name;
     judgement.time_step = scenario->time_step;
+    judgement.scene_end = scenario->duration;
     judgement.free_clocks = scenario->clock == avo::Clock::free;
     take_walls(*scenario, check, judgement.obstacle_of_wall);
     for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
@@ -208,8 +212,38 @@ void Judge::add(RecordedTime& moment) {
     }
     if (thinned) require_known_paths(moment.time);
     place_obstacles(before, moment.time);
+    there_last.assign(scenario->robots.size(), 0);
+    for (const avo::CheckedState& row : moment.rows)
+      there_last[static_cast<std::size_t>(row.robot)] = 1;
+    if (!before) there_first = there_last;
   }
   check.add(moment.time, moment.rows);
+}
+
+// Is the time after which no step of the scene is left? Where clocks are free, somebody decides
+// at least once in the shortest time step.
+bool is_end(const avo::Scenario& scenario, double time) {
+  if (scenario.clock == avo::Clock::free)
+    return time + (1.0 + kEven) * longest_step(scenario) >= scenario.duration;
+  const auto steps = static_cast<double>(last_step(scenario, scenario.duration));
+  return time >= (steps - 0.5) * scenario.time_step;
+}
+
+// What the recording lacks of the scene.
+void Judge::compare_with_scene() {
+  if (!scenario) return;
+  const avo::CheckReport& report = judgement.report;
+  const auto has_left = [&](std::size_t k) {
+    const auto* airplane = std::get_if<avo::Airplane>(&scenario->robots[k].model);
+    return airplane != nullptr && airplane->after_goal == avo::AfterGoal::leave &&
+           !std::binary_search(report.not_arrived.begin(), report.not_arrived.end(),
+                               static_cast<std::int64_t>(k));
+  };
+  for (std::size_t k = 0; k < there_last.size(); ++k)
+    if (there_first[k] == 0 || (there_last[k] == 0 && !has_left(k)))
+      judgement.lacking.push_back(static_cast<std::int64_t>(k));
+  judgement.whole = report.from <= 0.5 * scenario->time_step &&
+                    (is_end(*scenario, report.to) || report.arrived == report.with_goal);
 }
 
 }  // namespace
@@ -223,6 +257,7 @@ Judgement judge(const std::string& recording, const JudgeOptions& options) {
   while (reader.next(moment)) {
     try {
       judge.add(moment);
+      if (options.judged) options.judged(moment.time);
     } catch (
         const avo::RowError& error) {  // of a scene's robot: others need no more than rows have
       throw RecordingError(reader.place(error.robot) + ": " + error.what());
@@ -232,6 +267,7 @@ Judgement judge(const std::string& recording, const JudgeOptions& options) {
   }
   Judgement& judgement = judge.judgement;
   judgement.report = judge.check.report();
+  judge.compare_with_scene();
   if (judgement.report.robot_steps == 0 && judgement.report.unjudged_steps == 0)
     throw RecordingError(reader.place() +
                          ": found no robot at two successive times, must be one or more");

@@ -67,17 +67,21 @@ std::string text_of(const Judgement& judgement, const avo::CheckCount& rule, con
   return text;
 }
 
+/// "robots 0, 3, ...".
+std::string named(const std::vector<std::int64_t>& robots) {
+  constexpr std::size_t kMostNamed = 10;
+  const auto most = static_cast<std::ptrdiff_t>(std::min(robots.size(), kMostNamed));
+  return fmt::format("robot{} {}{}", robots.size() == 1 ? "" : "s",
+                     fmt::join(robots.begin(), robots.begin() + most, ", "),
+                     robots.size() > kMostNamed ? ", ..." : "");
+}
+
 std::string arrivals(const avo::CheckReport& report) {
   std::string text = fmt::format("{} of {}", report.arrived, report.with_goal);
   if (report.last_arrival) text += fmt::format(", the last after {:.1f} s", *report.last_arrival);
   text += fmt::format("; {} at the end", report.at_goal_at_end);
-  constexpr std::size_t kMostNamed = 10;
   const auto& missing = report.not_arrived;
-  if (missing.empty()) return text;
-  const auto named = static_cast<std::ptrdiff_t>(std::min(missing.size(), kMostNamed));
-  text += fmt::format("; not robot{} {}", missing.size() == 1 ? "" : "s",
-                      fmt::join(missing.begin(), missing.begin() + named, ", "));
-  return missing.size() > kMostNamed ? text + ", ..." : text;
+  return missing.empty() ? text : text + "; not " + named(missing);
 }
 
 struct KinematicRule {
@@ -142,7 +146,15 @@ std::string readable(const Judgement& judgement) {
   const auto line = [&text](const char* name, const std::string& value) {
     text += fmt::format("  {:<18} {}\n", name, value);
   };
+  if (!judgement.lacking.empty())
+    line("missing",
+         fmt::format("rows of {} at the first time or at the last one", named(judgement.lacking)));
   if (report.unjudged_steps > 0) line("not judged", unjudged(judgement));
+  if (!judgement.whole)
+    line("a part",
+         fmt::format("{:.6g} to {:.6g} s of the scene, which ends at {:.6g} s or when all have "
+                     "arrived",
+                     report.from, report.to, judgement.scene_end));
   line("overlaps", text_of(judgement, report.overlaps, "pairs of robots", "m"));
   if (judgement.scene)
     line("moving obstacles",
@@ -192,6 +204,8 @@ std::string to_json(const Judgement& judgement) {
   json["every"] = judgement.every;
   json["robot_steps"] = report.robot_steps;
   json["gaps"] = report.gaps;
+  json["whole"] = judgement.scene ? Json(judgement.whole) : Json();
+  json["lacking"] = judgement.lacking;
   json["from"] = report.from;
   json["to"] = report.to;
   json["overlaps"] = to_json(judgement, report.overlaps, "other");

@@ -251,6 +251,7 @@ std::string not_found(const std::string& path) {
 Scenario parse_scenario(std::string_view yaml, const std::string& file,
                         const std::vector<std::string>& overrides) {
   SceneFiles files{std::filesystem::path(file).parent_path().string()};
+  files.builtin = BuiltinFiles::last;  // as from the standard input
   return build(yaml, file, overrides, files);
 }
 

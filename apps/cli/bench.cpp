@@ -105,6 +105,20 @@ std::vector<double> median_run(const std::vector<std::vector<double>>& runs) {
   return result;
 }
 
+/// Tells of its progress between the runs, never within what is timed.
+BenchResults measure(const avo::Scenario& scenario, int threads, const Course& course) {
+  Progress progress = Progress::of_parts(1 + kRuns);
+  BenchResults results = profile_steps(scenario, threads, course);  // warms up as well
+  results.runs = kRuns;
+  std::vector<std::vector<double>> runs;
+  while (runs.size() < kRuns) {
+    progress.show(1.0 + static_cast<double>(runs.size()));
+    runs.push_back(time_steps(scenario, threads, course));
+  }
+  results.milliseconds = median_run(runs);
+  return results;
+}
+
 }  // namespace
 
 int bench(const BenchArguments& arguments) {
@@ -114,11 +128,7 @@ int bench(const BenchArguments& arguments) {
         "avo bench: found a scene whose clock is free, must be common: it measures "
         "steps that all robots take together");
   const Course course = course_of(scenario, arguments);
-  BenchResults results = profile_steps(scenario, arguments.threads, course);  // warms up as well
-  results.runs = kRuns;
-  std::vector<std::vector<double>> runs(kRuns);
-  for (std::vector<double>& run : runs) run = time_steps(scenario, arguments.threads, course);
-  results.milliseconds = median_run(runs);
+  const BenchResults results = measure(scenario, arguments.threads, course);
   if (arguments.json)
     print(to_json(scenario, results));
   else

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "avo_io/judgement.h"
-#include "avo_io/scene.h"
+#include "avo_io/recording.h"
 #include "exit_codes.h"
 #include "files.h"
 #include "settings_report.h"
@@ -18,8 +18,23 @@
 namespace avo_cli {
 namespace {
 
-void check_arguments(const CheckArguments& arguments) {
-  const bool scene = !arguments.scene.scene.empty();
+bool has_limits(const CheckArguments& arguments) {
+  return arguments.radius || arguments.max_acceleration || arguments.max_speed;
+}
+
+/// The scene that the recording has in itself, where no other one and no limits are given.
+std::optional<avo_io::SceneSource> own_scene(const CheckArguments& arguments) {
+  if (!arguments.scene.scene.empty() || has_limits(arguments)) return std::nullopt;
+  const auto header = avo_io::read_recording_header(arguments.recording);
+  if (!header) return std::nullopt;
+  avo_io::SceneSource source = header->scene;
+  source.overrides.insert(source.overrides.end(), arguments.scene.overrides.begin(),
+                          arguments.scene.overrides.end());
+  return source;
+}
+
+/// `scene`: there is one.
+void check_arguments(const CheckArguments& arguments, bool scene) {
   const std::pair<const char*, const std::optional<double>&> limits[] = {
       {"--radius", arguments.radius},
       {"--max-acceleration", arguments.max_acceleration},
@@ -30,7 +45,7 @@ void check_arguments(const CheckArguments& arguments) {
     if (!scene && !value)
       throw UsageError(fmt::format(
           "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
-          "and --max-speed",
+          "and --max-speed; recordings as HDF5 need none of them",
           option));
     if (value && !(*value > 0.0))
       throw UsageError(fmt::format("{}: found {}, must be > 0", option, *value));
@@ -48,14 +63,19 @@ void check_arguments(const CheckArguments& arguments) {
         fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
 }
 
-avo_io::JudgeOptions options_of(const CheckArguments& arguments) {
+avo_io::JudgeOptions options_of(const CheckArguments& arguments,
+                                const std::optional<avo_io::SceneSource>& own) {
   avo_io::JudgeOptions options{.tolerance = arguments.tolerance,
                                .require_arrival = arguments.require_arrival};
   if (!arguments.scene.scene.empty()) {
     avo_io::SceneSource source;
-    options.scenario =
-        avo_io::load_scenario(arguments.scene.scene, arguments.scene.overrides, &source);
+    options.scenario = with_overrides(arguments.scene, source);
     tell_settings(arguments.scene, *options.scenario, source);
+    return options;
+  }
+  if (own) {
+    options.scenario = avo_io::parse_scenario(*own);
+    tell_settings(arguments.scene, *options.scenario, *own);
     return options;
   }
   options.radius = *arguments.radius;
@@ -64,12 +84,22 @@ avo_io::JudgeOptions options_of(const CheckArguments& arguments) {
   return options;
 }
 
+/// Without a scene nobody knows how long it takes.
+avo_io::Judgement judge_with_progress(const std::string& recording, avo_io::JudgeOptions options) {
+  if (!options.scenario) return avo_io::judge(recording, options);
+  Progress progress(options.scenario->duration, true);
+  options.judged = [&progress](double time) { progress.show(time); };
+  return avo_io::judge(recording, options);
+}
+
 }  // namespace
 
 int check(const CheckArguments& arguments) {
-  check_arguments(arguments);
+  const std::optional<avo_io::SceneSource> own = own_scene(arguments);
+  check_arguments(arguments, own || !arguments.scene.scene.empty());
   require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
-  const avo_io::Judgement judgement = avo_io::judge(arguments.recording, options_of(arguments));
+  const avo_io::Judgement judgement =
+      judge_with_progress(arguments.recording, options_of(arguments, own));
   if (judgement.uneven_judged > 0)
     warn(
         {fmt::format("{} of {} steps are not the scene's {} s long; they are judged on the cubic "

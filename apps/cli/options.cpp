@@ -39,16 +39,26 @@ void add_volume(CLI::App& verb) {
       ->excludes(quiet);
 }
 
+/// --KEY VALUE for --set KEY=VALUE.
+CLI::Option* add_shorthand(CLI::App& verb, const std::string& key, const std::string& value,
+                           SceneArguments& arguments) {
+  return verb
+      .add_option_function<std::string>(
+          "--" + key,
+          [key, &arguments](const std::string& given) {
+            arguments.overrides.push_back(key + "=" + given);
+            arguments.typed_as[arguments.overrides.back()] = "--" + key;
+          },
+          "the same as --set " + key + "=" + value)
+      ->type_name(value);
+}
+
 void add_overrides(CLI::App& verb, SceneArguments& arguments) {
   verb.add_option("--set", arguments.overrides,
                   "changes a value of the scene, e.g. robots.0.radius=0.4; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  verb.add_option_function<std::string>(
-          "--seed",
-          [&arguments](const std::string& seed) { arguments.overrides.push_back("seed=" + seed); },
-          "the same as --set seed=N")
-      ->type_name("N");
+  add_shorthand(verb, "seed", "N", arguments);
 }
 
 void add_scene(CLI::App& verb, SceneArguments& arguments) {
@@ -95,13 +105,7 @@ void add_run(CLI::App& app, Action& action) {
       ->excludes(summary);
   not_empty(verb->add_option("--figure", arguments.figure, "time-lapse of the trajectories"))
       ->type_name("FILE.svg|.png|.pdf");
-  verb->add_option_function<std::string>(
-          "--duration",
-          [](const std::string& duration) {
-            arguments.scene.overrides.push_back("duration=" + duration);
-          },
-          "the same as --set duration=S")
-      ->type_name("S");
+  add_shorthand(*verb, "duration", "S", arguments.scene);
   verb->add_flag("--until-arrived", arguments.until_arrived,
                  "ends as soon as every robot has arrived, at the latest after the duration");
   add_threads(*verb, arguments.threads);
@@ -134,8 +138,8 @@ void add_check(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("check", "judge recorded motion, whoever made it");
   static CheckArguments arguments;
   not_empty(verb->add_option("RECORDING", arguments.recording,
-                             "as avo run --record writes it; - is stdin"))
-      ->type_name("FILE.csv")
+                             "as avo run --record writes it; - is stdin, of CSV"))
+      ->type_name("FILE.csv|.h5")
       ->required();
   not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);
@@ -154,6 +158,34 @@ void add_check(CLI::App& app, Action& action) {
       "Exit code 0: safe, 1: not, 7: rows are missing. Example: avo check out.csv --scene "
       "circle-100");
   verb->callback([&action] { action = [] { return check(arguments); }; });
+}
+
+void add_replay(CLI::App& app, Action& action) {
+  CLI::App* verb =
+      app.add_subcommand("replay", "simulate a recording's scene again, and compare bit by bit");
+  static ReplayArguments arguments;
+  not_empty(verb->add_option("RECORDING", arguments.recording, "as avo run --record writes it"))
+      ->type_name("FILE.h5")
+      ->required();
+  verb->add_flag("--json", arguments.json, "as JSON");
+  add_threads(*verb, arguments.threads);
+  add_volume(*verb);
+  verb->footer("Exit code 0: equal, 1: not. Example: avo replay out.h5");
+  verb->callback([&action] { action = [] { return replay(arguments); }; });
+}
+
+void add_recover(CLI::App& app, Action& action) {
+  CLI::App* verb =
+      app.add_subcommand("recover", "make a recording of what a run has left that was killed");
+  static RecoverArguments arguments;
+  not_empty(verb->add_option("SPOOL", arguments.spool, "what the run has left"))
+      ->type_name("FILE.h5.part")
+      ->required();
+  not_empty(verb->add_option("--output", arguments.output, "without it the name before .part"))
+      ->type_name("FILE.h5");
+  add_volume(*verb);
+  verb->footer("Exit code 0: nothing is lost, 7: the end is. Example: avo recover out.h5.part");
+  verb->callback([&action] { action = [] { return recover(arguments); }; });
 }
 
 void add_bench(CLI::App& app, Action& action) {
@@ -214,6 +246,8 @@ void add_options(CLI::App& app, Action& action) {
   add_run(app, action);
   add_explain(app, action);
   add_check(app, action);
+  add_replay(app, action);
+  add_recover(app, action);
   add_bench(app, action);
   add_others(app, action);
 }

@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "assumptions.h"
+#include "avo_io/errors.h"
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
 #include "exit_codes.h"
@@ -16,12 +18,29 @@
 
 namespace avo_cli {
 
+avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source) {
+  try {
+    return avo_io::load_scenario(arguments.scene, arguments.overrides, &source);
+  } catch (const avo_io::OverrideError& error) {
+    std::string_view message = error.what();
+    for (const auto& [override, option] : arguments.typed_as) {
+      const std::string set = "--set " + avo_io::printable(override, kLongestWord) + ": ";
+      if (!message.starts_with(set)) continue;
+      message.remove_prefix(set.size());
+      const std::string key = override.substr(0, override.find('=')) + ": ";
+      if (message.starts_with(key)) message.remove_prefix(key.size());
+      throw avo_io::OverrideError(fmt::format("{}: {}", option, message));
+    }
+    throw;
+  }
+}
+
 avo::Scenario load(const SceneArguments& arguments, const std::vector<NamedFile>& outputs,
                    avo_io::SceneSource* source) {
   require_distinct({file_of(arguments)}, outputs);
   avo_io::SceneSource own;
   avo_io::SceneSource& made_of = source != nullptr ? *source : own;
-  avo::Scenario scenario = avo_io::load_scenario(arguments.scene, arguments.overrides, &made_of);
+  avo::Scenario scenario = with_overrides(arguments, made_of);
   std::vector<NamedFile> inputs;
   for (const avo_io::SceneFile& file : made_of.files)
     if (!file.builtin) inputs.push_back({"the scene's", file.path});

@@ -127,12 +127,20 @@ void print_results(std::string_view text) {
   if (volume() != Volume::quiet) print(text);
 }
 
-Progress::Progress(double duration, bool may_end_before)
-    : duration_(duration),
-      left_(may_end_before ? "at most " : ""),
+Progress::Progress(double whole, const char* words, const char* left)
+    : whole_(whole),
+      words_(words),
+      left_(left),
       shown_(volume() != Volume::quiet && is_terminal()),
       start_(Clock::now()),
       last_(start_) {}
+
+Progress::Progress(double duration, bool may_end_before)
+    : Progress(duration, "t = {:.1f} of {:.1f} s", may_end_before ? "at most " : "") {}
+
+Progress Progress::of_parts(int parts) {
+  return {static_cast<double>(parts), "{:.0f} of {:.0f} parts", ""};
+}
 
 Progress::~Progress() {
   if (bar_shown.exchange(false)) write_error(kWipe);
@@ -144,10 +152,11 @@ void Progress::show(double time) {
   if (now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   bar_shown = true;
-  const double part = std::clamp(time / duration_, 1e-9, 1.0);
+  const double part = std::clamp(time / whole_, 1e-9, 1.0);
   const double left = std::chrono::duration<double>(now - start_).count() * (1.0 / part - 1.0);
-  const std::string text = fmt::format("{:3.0f} %  t = {:.1f} of {:.1f} s, {}{} left", 100.0 * part,
-                                       time, duration_, left_, clock_time(left));
+  const std::string text =
+      fmt::format("{:3.0f} %  {}, {}{} left", 100.0 * part,
+                  fmt::format(fmt::runtime(words_), time, whole_), left_, clock_time(left));
   write_error("\r" + fitting(bar(part), text) + "\033[K");
 }
 

@@ -47,15 +47,19 @@ class Progress {
  public:
   /// s, of the simulation. `may_end_before`: the time that is left is told as the most.
   explicit Progress(double duration, bool may_end_before = false);
+  /// Of so many parts, each of which takes about as long.
+  static Progress of_parts(int parts);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  void show(double time);  ///< s
+  void show(double time);  ///< s, of the simulation; of parts: how many are done
 
  private:
   using Clock = std::chrono::steady_clock;
-  double duration_;
-  const char* left_;  // what is said of the time that is left
+  Progress(double whole, const char* words, const char* left);
+  double whole_;       // s, or parts
+  const char* words_;  // of what is done and the whole
+  const char* left_;   // what is said of the time that is left
   bool shown_;
   Clock::time_point start_, last_;
 };

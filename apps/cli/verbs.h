@@ -3,6 +3,7 @@
 // exit_codes.h and avo_io/errors.h say.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,9 @@ namespace avo_cli {
 
 /// A scene and what the command line changes of it.
 struct SceneArguments {
-  std::string scene;                   ///< "-": standard input
-  std::vector<std::string> overrides;  ///< key=value
+  std::string scene;                            ///< "-": standard input
+  std::vector<std::string> overrides;           ///< key=value
+  std::map<std::string, std::string> typed_as;  ///< of those that an option of their own gave: it
   bool start_at_rest = false;
   bool limit_speed = false;
 };
@@ -24,6 +26,10 @@ struct NamedFile {
   std::string role;  ///< "--record", "the scene"
   std::string path;  ///< "-": the standard output, of an input the standard input; empty: none
 };
+
+/// Loads it with its overrides; `source` becomes what it is made of. What is wrong with an override
+/// is said of the option that was typed.
+avo::Scenario with_overrides(const SceneArguments& arguments, avo_io::SceneSource& source);
 
 /// Loads it, changes it as asked and warns of settings that do not fit. Throws UsageError where the
 /// file is one of the outputs, or two of these are one (files.h), and BrokenScene where it breaks
@@ -51,13 +57,26 @@ int explain(const ExplainArguments& arguments);
 
 struct CheckArguments {
   std::string recording;  ///< "-": standard input
-  SceneArguments scene;   ///< empty: the three below
+  SceneArguments scene;   ///< empty: the three below, or what the recording says of itself
   std::optional<double> radius, max_acceleration, max_speed;
   double tolerance = 1e-9;
   bool json = false;
   bool require_arrival = false;
 };
 int check(const CheckArguments& arguments);
+
+struct ReplayArguments {
+  std::string recording;
+  bool json = false;
+  int threads = 0;
+};
+int replay(const ReplayArguments& arguments);
+
+struct RecoverArguments {
+  std::string spool;
+  std::string output;  ///< empty: the spool's name without ".part"
+};
+int recover(const RecoverArguments& arguments);
 
 struct BenchArguments {
   SceneArguments scene;

@@ -2,6 +2,7 @@
 // A recording judged, whoever made it: what `avo check` says.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct JudgeOptions {
   double max_speed = 0.0;         ///< m/s, > 0, likewise
   double tolerance = 1e-9;        ///< see avo::CheckOptions::relative_tolerance
   bool require_arrival = false;   ///< at the goals of the scene
+  /// Called with each time of the recording, s, once it is judged.
+  std::function<void(double time)> judged = {};
 };
 
 /// What is found of a recording, and what it was held to.
@@ -36,12 +39,19 @@ struct Judgement {
   std::int64_t every = 1;          ///< the recording has rows of every so many steps, as it says
   bool require_arrival = false;
   bool free_clocks = false;  ///< in the scene
+  /// Robots of the scene, ascending, that have no row at the first time or at the last one; but for
+  /// airplanes that left where they arrived.
+  std::vector<std::int64_t> lacking;
+  /// From the start of the scene to its end, or to a time at which all have arrived; what is not
+  /// there is not judged. Without a scene nobody knows its start and end.
+  bool whole = true;
+  double scene_end = 0.0;  ///< s, the duration of the scene
 
   [[nodiscard]] bool passed() const {
     return safe() && (!require_arrival || report.arrived == report.with_goal);
   }
   /// No rule is broken, and nobody's rows are missing.
-  [[nodiscard]] bool safe() const { return report.safe() && report.gaps == 0; }
+  [[nodiscard]] bool safe() const { return report.safe() && report.gaps == 0 && lacking.empty(); }
   /// Rows are missing, of all robots or of one, and those that are there break no rule.
   [[nodiscard]] bool incomplete() const { return !report.broken() && !safe(); }
 };

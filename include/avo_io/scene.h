@@ -42,7 +42,7 @@ AVO_API avo::Scenario load_scenario(const std::string& name_or_path,
 AVO_API avo::Scenario parse_scenario(const SceneSource& source);
 
 /// The same from text; `file` stands in front of error messages, and the scene's files are relative
-/// to it.
+/// to it, or else built-in ones.
 AVO_API avo::Scenario parse_scenario(std::string_view yaml, const std::string& file,
                                      const std::vector<std::string>& overrides = {});
 

@@ -74,6 +74,8 @@ TEST(Check, json_has_all_keys_in_order) {
                            "every",
                            "robot_steps",
                            "gaps",
+                           "whole",
+                           "lacking",
                            "from",
                            "to",
                            "overlaps",

@@ -16,7 +16,7 @@ namespace {
 using Strings = std::vector<std::string>;
 
 // About half a second of work.
-const Strings kLong{"avo", "run", "uniform-1000", "--duration", "30", "--threads", "1"};
+const Strings kLong{"avo", "run", "uniform-3000", "--duration", "30", "--threads", "1"};
 
 Strings with(Strings command, const Strings& more) {
   command.insert(command.end(), more.begin(), more.end());
@@ -56,7 +56,7 @@ TEST(Progress, a_bar_with_the_time_that_is_left_is_shown_and_wiped) {
         << "as long as what is done has taken, in proportion";
   }
   const std::size_t last = shown.rfind(" left");
-  EXPECT_EQ(shown.find("\r\x1b[K", last) + 4, shown.find("uniform-1000: 1000 robots"))
+  EXPECT_EQ(shown.find("\r\x1b[K", last) + 4, shown.find("uniform-3000: 3000 robots"))
       << "wiped, and then the results: " << shown;
   EXPECT_EQ(shown.find("at most"), std::string::npos);
 }
@@ -118,6 +118,35 @@ TEST(Progress, explain_shows_it_too) {
   ASSERT_NE(result, std::string::npos) << shown;
   const std::string wiped = "\r\033[K";
   EXPECT_EQ(shown.substr(result - wiped.size(), wiped.size()), wiped);
+}
+
+TEST(Progress, bench_tells_of_it_between_its_runs) {
+  PseudoTerminal terminal(
+      {"avo", "bench", "uniform-3000", "--steps", "300", "--threads", "1", "--json"});
+  EXPECT_EQ(terminal.wait(), 0);
+  const std::string& shown = terminal.shown();
+  for (const char* done : {"25 %  1 of 4 parts, ", "50 %  2 of 4 parts, ", "75 %  3 of 4 parts, "})
+    EXPECT_NE(shown.find(done), std::string::npos) << done << shown;
+  const std::regex bar(" of 4 parts");
+  EXPECT_EQ(std::distance(std::sregex_iterator(shown.begin(), shown.end(), bar), {}), 3)
+      << "never within what is timed";
+  EXPECT_NE(shown.find("\r\x1b[K{"), std::string::npos) << "wiped, and then the results: " << shown;
+}
+
+TEST(Progress, check_tells_the_most_that_is_left_where_a_scene_says_how_long_it_is) {
+  const std::string csv = path_of("long.csv");
+  ASSERT_EQ(run_avo({"run", "drives-100", "--duration", "40", "--record", csv, "-q"}).exit_code, 0);
+  const Strings command{"avo", "check", csv, "--scene", "drives-100"};
+  PseudoTerminal terminal(with(command, {"--set", "duration=80"}));
+  EXPECT_EQ(terminal.wait(), 0);
+  const std::string& shown = terminal.shown();
+  EXPECT_TRUE(std::regex_search(
+      shown, std::regex(R"(\r\[#* *\] +\d+ %  t = \d+\.\d of 80\.0 s, at most \d+ s left\x1b\[K)")))
+      << shown;
+  EXPECT_NE(shown.find("\r\x1b[K" + csv), std::string::npos) << "wiped: " << shown;
+  PseudoTerminal quiet(with(command, {"-q"}));
+  EXPECT_EQ(quiet.wait(), 0);
+  EXPECT_EQ(quiet.shown(), "");
 }
 
 TEST(Progress, a_scene_can_be_typed) {

@@ -94,6 +94,20 @@ def test_summaries_are_the_command_lines(command_line, tmp_path):
     assert without_times(metrics.summary()) == without_times(said)
 
 
+def test_metrics_are_of_one_scene():
+    metrics = avo.Metrics("circle-10")
+    for scene, message in (("circle-12", "one of the scene circle-12, must be of circle-10"),
+                           (avo.Scenario("circle-10", {"groups.0.radius": 0.4}), "another robot 0 than in circle-10")):
+        with pytest.raises(avo.Error, match=message):
+            metrics.observe(avo.Simulation(scene))
+    simulation = avo.Simulation("circle-10")
+    added = simulation.add_robot(avo.RobotSetup(position=(0, 0), goal=(1, 0), radius=0.2))
+    simulation.remove_robot(3)
+    metrics.observe(simulation)
+    metrics.observe(avo.Simulation.from_saved(simulation.save()))
+    assert added == 10 and metrics.summary()["robots"] == 10
+
+
 def test_a_recording_that_cannot_be_written_is_refused(tmp_path):
     with pytest.raises(avo.Error, match="nowhere"):
         avo.run("circle-2", record=tmp_path / "nowhere" / "run.csv")

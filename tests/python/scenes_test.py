@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes, wherever they come from."""
+import copy
 import json
 import os
+import pickle
 
 import avo
 import numpy as np
@@ -88,6 +90,68 @@ def test_dicts_are_refused_by_the_reader():
     with pytest.raises(avo.Error, match="NaN"):
         avo.Scenario({"version": 1, "robots": [{"position": [float("nan"), 0], "goal": [1, 2]}]})
     assert avo.Scenario(dict(TWO, name='é "quoted" \U0001f600')).name == 'é "quoted" \U0001f600'
+
+
+def test_a_text_may_name_built_in_maps(tmp_path, command_line, monkeypatch):
+    text = command_line("scenes", "arena").stdout
+    assert "arena.map" in text
+    monkeypatch.chdir(tmp_path)
+    assert bits(avo.Scenario.from_yaml(text)) == bits("arena")
+    (tmp_path / "arena.map").write_text("its own")
+    with pytest.raises(avo.Error, match="arena.map:1"):
+        avo.Scenario.from_yaml(text, file="text")
+
+
+# Every field of a scene and of what is in it differs from what it is by default.
+RICH = {
+    "version": 1, "name": "rich", "time_step": 0.05, "duration": 7, "control_time": 1.5, "time_horizon": 4,
+    "sensing_radius": 60, "max_neighbors": 7, "motion": "held", "arrival_distance": 0.7, "seed": 5,
+    "sensing": {"delay": 1, "dropped": 0.1, "occlusion": True,
+                "noise": {"position": 0.01, "velocity": 0.02, "distribution": "uniform"}},
+    "robots": [{"position": [0, 0], "goal": [9, 0], "priority": 2, "layers": [3], "avoids": [0, 3]},
+               {"position": [0, 9], "goal": [0, 9], "parked": True},
+               {"position": [0, 20], "goal": [9, 20], "heading": 1, "car": {"wheelbase": 0.7, "reverse": True}}],
+    "moving_obstacles": [{"position": [0, 40], "velocity": [0.1, 0], "radius": 0.3}],
+    "obstacles": [{"polyline": [[-9, -9], [9, -9]]}],
+}
+
+
+@pytest.mark.parametrize("scene", [RICH, "person", "office", "cars-100", "drives-100", "planes-12", "crossing-streams",
+                                   {**TWO, "clock": "free", "right_of_way": "told"}])
+def test_scenes_can_be_pickled(scene):
+    first = avo.Scenario(scene)
+    for again in pickle.loads(pickle.dumps(first)), copy.deepcopy(first):
+        assert bits(again) == bits(first)
+        assert again.planner_options() == first.planner_options() and again.duration == first.duration
+        assert again.__getstate__() == first.__getstate__()
+
+
+def test_values_can_be_pickled():
+    circle = avo.LoiterCircle(center=(1, 2), radius=3)
+    values = [
+        avo.Robot(position=(1, 2), velocity=(3, 4), model=avo.Car(max_curvature=2, body=avo.CarBody(radius=0.7)),
+                  max_braking=0.5, loiter=circle, priority=3),
+        avo.Robot(position=(1, 2), model=avo.Airplane(min_speed=2, after_goal="leave")),
+        avo.Neighbor(position=(1, 2), behavior="moves_on", age=3), avo.DifferentialDrive(track=0.3), avo.Holonomic(),
+        avo.RobotSetup(position=(1, 2), goal=(3, 4), layers=[2, 31], time_step=0.2), avo.Wall((1, 2), (3, 4), radius=5),
+        avo.StaticObstacle([avo.Chain([(1, 2), (3, 4)], closed=True)], fill="solid"), avo.Detour(),
+        avo.Scenario("person").moving_obstacles[0], circle]
+    for value in values:
+        again = pickle.loads(pickle.dumps(value))
+        names = [name for name in dir(value) if not name.startswith("_")]
+        for name in names:
+            one, two = getattr(value, name), getattr(again, name)
+            assert one == two, name
+        assert type(again) is type(value)
+
+
+def test_states_of_another_kind_are_refused():
+    for state in ((), (1.0,), tuple(avo.Scenario(TWO).__getstate__()[:-1])):
+        with pytest.raises(avo.Error, match="pickle: found another number of fields"):
+            avo.Scenario.__new__(avo.Scenario).__setstate__(state)
+    state = avo.Scenario(TWO).__getstate__()
+    with pytest.raises(avo.Error, match="time_step: found -1"):
+        avo.Scenario.__new__(avo.Scenario).__setstate__((state[0], -1.0, *state[2:]))
 
 
 def test_a_scenario_beside_overrides_is_refused():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a notebook shows of a scene."""
+import math
 import xml.etree.ElementTree as ElementTree
 
 import avo
@@ -53,6 +54,20 @@ def test_paths_are_lines():
     assert max(path.get("d").count("L") for path in parts(text, "path")) == 9
     with pytest.raises(ValueError, match=r"paths: found shape \(3,\), must be \(steps, n, 2\)"):
         avo.svg.draw(simulation, [1, 2, 3])
+
+
+@pytest.mark.parametrize("scene, paths, message", [
+    ("circle-3", [[[math.nan, 0.0]]], "paths: found a number that is not finite, must be finite"),
+    ("circle-3", [[[math.inf, 0.0]]], "paths: found a number that is not finite, must be finite"),
+    ("circle-3", "way", "paths: found an array of <U3, must be real numbers"),
+    ("circle-3", [[1.0], [1.0, 2.0]], "paths: found what is no array, must be real numbers"),
+    ("circle-3", [[[1j, 0.0]]], "paths: found an array of complex128, must be real numbers"),
+    (None, None, "scene: found str, must be a Scenario or a Simulation"),
+])
+def test_what_cannot_be_drawn_is_refused(scene, paths, message):
+    with pytest.raises(ValueError) as error:
+        avo.svg.draw(avo.Scenario(scene) if scene else "circle-3", paths)
+    assert str(error.value) == message
 
 
 def test_names_are_escaped():

@@ -10,6 +10,20 @@ import sys
 import avo
 import avo._avo
 
+ACCEPTED = """
+import numpy as np
+import avo
+
+half, one, two = np.float32(0.5), np.int64(1), np.array([1, 2])
+robot = avo.Robot(position=(half, one), velocity=[half, 1], radius=half, heading=one, max_braking=half)
+robot.radius, robot.position, robot.max_braking = one, np.array([1.0, 2.0], dtype=np.float32), np.float64(1.0)
+avo.RobotSetup(position=two, goal=(3, 4), time_step=half).layers = (1, 2)
+avo.Neighbor(position=two, age=one)
+avo.Planner(sensing_error=[0.1, half], sensing_noise=np.array([0.0, 0.0, 1.0]), samples=np.int64(4), time_step=half)
+avo.Chain(np.zeros((2, 2)))
+avo.Simulation(b"circle-3", threads=one).step(one)
+avo.explain("circle-3", one, half)
+"""
 SOURCE = pathlib.Path(os.environ["AVO_SOURCE"])
 PACKAGE = pathlib.Path(avo.__file__).parent
 
@@ -26,6 +40,10 @@ def test_package_examples_and_snippets_have_the_types_of_the_stubs(tmp_path):
     for k, snippet in enumerate(snippets):
         paths.append(tmp_path / f"snippet_{k}.py")
         paths[-1].write_text(snippet)
+    accepted = tmp_path / "accepted.py"
+    accepted.write_text(ACCEPTED)
+    paths.append(accepted)
+    exec(compile(ACCEPTED, "accepted.py", "exec"), {})  # what the stubs accept runs
     wrong = tmp_path / "wrong.py"
     wrong.write_text("import avo\navo.Planner(method='avo_papr')\navo.Simulation('circle-10').stpe()\n"
                      "avo.Robot(position=(0.0, 0.0)).radius = 'wide'\n")

@@ -72,6 +72,42 @@ def test_worlds_differ_and_a_reset_without_seed_goes_on():
     assert not np.array_equal(first, env.reset()[0])
 
 
+def test_each_world_may_have_a_seed_of_its_own():
+    def begun(seed):
+        env = made(max_steps=3)
+        first = env.reset(seed=seed)[0]
+        for _ in range(3 + 1):  # to the next episode
+            again = env.step(np.zeros((E, N, 2)))[0]
+        return first, again
+    seeds = list(range(7, 7 + E))
+    (first, again), (other, anew) = begun(seeds), begun(np.array([*seeds[:-1], 99]))
+    for one, two in (first, other), (again, anew):
+        assert one[:-1].tobytes() == two[:-1].tobytes() and one[-1].tobytes() != two[-1].tobytes()
+    assert first[0].tobytes() != again[0].tobytes()
+    # None goes on, as without seeds
+    env, twin = made(), made()
+    env.reset(seed=seeds), twin.reset(seed=seeds)
+    on, gone = env.reset()[0], twin.reset(seed=[*seeds[:-1], None])[0]
+    assert on[-1].tobytes() == gone[-1].tobytes() and on[0].tobytes() != gone[0].tobytes() == first[0].tobytes()
+
+
+@pytest.mark.filterwarnings("error")
+def test_huge_actions_are_shortened_as_others():
+    after = []
+    for length in 3.0, 1e20, 1e200, 1.7e308:
+        env = made()
+        env.reset(seed=1)
+        after.append(env.step(np.full((E, N, 2), length))[0])
+    assert all(np.allclose(seen, after[0], atol=1e-6) for seen in after)
+    assert np.abs(env.velocity()).max() > 0.0
+
+
+def test_environments_have_what_is_looked_for():
+    for env in made(), avo.env.ParallelEnv(SCENE):
+        assert env.unwrapped is env and env.spec is None and env.render() is None
+        assert env.render_mode is None and env.metadata["render_modes"] == []
+
+
 def test_robots_do_not_touch_whatever_the_actions_are():
     env, random = made(), np.random.default_rng(2)
     env.reset(seed=2)
@@ -164,8 +200,17 @@ def test_worlds_leave_the_way_around_walls_to_the_learner():
     (lambda: avo.env.VectorEnv("person"), "moving_obstacles: found some, must be none"),
     (lambda: avo.env.VectorEnv(with_wall(navigation=True)), "navigation: found true, must be false or left out in"),
     (lambda: avo.env.VectorEnv(with_wall(right_of_way="told")), "right_of_way: found told, must be none or left out"),
-    (lambda: avo.env.VectorEnv(SCENE, 0), "num_envs: found 0, must be >= 1"),
-    (lambda: avo.env.VectorEnv(SCENE, max_steps=0), "max_steps: found 0, must be >= 1"),
+    (lambda: avo.env.VectorEnv(SCENE, 0), "num_envs: found 0, must be a whole number from 1 to 1000000"),
+    (lambda: avo.env.VectorEnv(SCENE, max_steps=0), "max_steps: found 0, must be a whole number from 1 to"),
+    (lambda: avo.env.VectorEnv(SCENE, max_steps=1.5), "max_steps: found 1.5, must be a whole number from 1 to"),
+    (lambda: avo.env.VectorEnv(SCENE, neighbors=-1), "neighbors: found -1, must be a whole number from 0 to 1000"),
+    (lambda: avo.env.VectorEnv(SCENE, neighbors=1.5), "neighbors: found 1.5, must be a whole number from 0 to 1000"),
+    (lambda: avo.env.ParallelEnv(SCENE, neighbors=10**9), "neighbors: found 1000000000, must be a whole number from"),
+    (lambda: avo.env.VectorEnv(SCENE, True), "num_envs: found True, must be a whole number from 1 to 1000000"),
+    (lambda: avo.Worlds(1, avo.Scenario(SCENE)).nearest(10**9), "k: found 1000000000, must be 0 to 1000"),
+    (lambda: made().reset(seed=[1]), f"seed: found 1 of them, must be {E}, one for each world"),
+    (lambda: made().reset(seed=[1, -2, 3][:E]), "seed: found -2, must be a whole number >= 0"),
+    (lambda: made().step(np.full((E, N, 2), np.inf)), "actions: found a number that is not finite"),
     (lambda: avo.env.VectorEnv(avo.Scenario(SCENE)), "scene: found a Scenario"),
     (lambda: made().step(np.zeros((E, N, 3))), f"actions: found shape ({E}, {N}, 3), must be ({E}, {N}, 2)"),
     (lambda: made().step(np.full((E, N, 2), np.nan)), "actions: found a number that is not finite"),

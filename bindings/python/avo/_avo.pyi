@@ -6,11 +6,15 @@ from typing import Any, Literal, Union, final, overload
 import numpy as np
 import numpy.typing as npt
 
-_Pair = Union[tuple[float, float], Sequence[float], npt.NDArray[np.float64]]
+_Float = Union[float, np.floating[Any], np.integer[Any]]
+_Int = Union[int, np.integer[Any]]
+_Numbers = Union[Sequence[_Float], npt.NDArray[Union[np.floating[Any], np.integer[Any]]]]
+_Pair = _Numbers
 _Floats = npt.NDArray[np.float64]
 _Out = Union[_Floats, None]
 _Model = Union["Holonomic", "Car", "DifferentialDrive", "Airplane"]
-_Source = Union[str, PathLike[str], dict[str, Any], "Scenario"]
+_Path = Union[str, bytes, PathLike[str], PathLike[bytes]]
+_Source = Union[_Path, dict[str, Any], "Scenario"]
 _Overrides = Union[dict[str, Any], Sequence[str], None]
 _Method = Literal["avo", "avo_paper", "velocity_obstacle", "orca"]
 _Motion = Literal["held", "exponential"]
@@ -31,7 +35,7 @@ class Holonomic:
     def __init__(self) -> None: ...
 
 class CarBody:
-    def __init__(self, *, offset: float = 0.0, radius: float = 0.5) -> None: ...
+    def __init__(self, *, offset: _Float = 0.0, radius: _Float = 0.5) -> None: ...
     @property
     def offset(self) -> float: ...
     @property
@@ -41,8 +45,8 @@ class Car:
     def __init__(
         self,
         *,
-        wheelbase: float = 1.0,
-        max_curvature: float | None = None,
+        wheelbase: _Float = 1.0,
+        max_curvature: _Float | None = None,
         body: CarBody | None = None,
         reverse: bool = False,
         acceleration_set: Literal["incircle", "exact"] = "incircle",
@@ -62,10 +66,10 @@ class DifferentialDrive:
     def __init__(
         self,
         *,
-        track: float = 0.4,
-        offset: float = 0.2,
-        wheel_speed: float = 2.0,
-        wheel_acceleration: float = 3.0,
+        track: _Float = 0.4,
+        offset: _Float = 0.2,
+        wheel_speed: _Float = 2.0,
+        wheel_acceleration: _Float = 3.0,
     ) -> None: ...
     @property
     def track(self) -> float: ...
@@ -80,8 +84,8 @@ class Airplane:
     def __init__(
         self,
         *,
-        min_speed: float = 1.0,
-        lateral_acceleration: float = 1.0,
+        min_speed: _Float = 1.0,
+        lateral_acceleration: _Float = 1.0,
         after_goal: Literal["loiter", "leave"] = "loiter",
     ) -> None: ...
     @property
@@ -92,14 +96,14 @@ class Airplane:
     def after_goal(self) -> Literal["loiter", "leave"]: ...
 
 class LoiterCircle:
-    def __init__(self, *, center: _Pair, radius: float) -> None: ...
+    def __init__(self, *, center: _Pair, radius: _Float) -> None: ...
     @property
     def center(self) -> tuple[float, float]: ...
     @property
     def radius(self) -> float: ...
 
 class Wall:
-    def __init__(self, a: _Pair, b: _Pair, *, radius: float = 0.0) -> None: ...
+    def __init__(self, a: _Pair, b: _Pair, *, radius: _Float = 0.0) -> None: ...
     @property
     def a(self) -> tuple[float, float]: ...
     @property
@@ -108,14 +112,14 @@ class Wall:
     def radius(self) -> float: ...
 
 class Chain:
-    def __init__(self, points: Sequence[_Pair], *, closed: bool = False) -> None: ...
+    def __init__(self, points: Sequence[_Pair] | npt.NDArray[Any], *, closed: bool = False) -> None: ...
     @property
     def points(self) -> list[tuple[float, float]]: ...
     @property
     def closed(self) -> bool: ...
 
 class StaticObstacle:
-    def __init__(self, chains: Sequence[Chain], *, radius: float = 0.0, fill: _Fill = "none") -> None: ...
+    def __init__(self, chains: Sequence[Chain], *, radius: _Float = 0.0, fill: _Fill = "none") -> None: ...
     @property
     def chains(self) -> list[Chain]: ...
     @property
@@ -146,18 +150,36 @@ class _Point:
     def __get__(self, owner: object, kind: type | None = None) -> tuple[float, float]: ...
     def __set__(self, owner: object, value: _Pair) -> None: ...
 
+class _Number:
+    """A number that one of numpy can be assigned to as well."""
+
+    def __get__(self, owner: object, kind: type | None = None) -> float: ...
+    def __set__(self, owner: object, value: _Float) -> None: ...
+
+class _NumberOrNone:
+    """The same, or None."""
+
+    def __get__(self, owner: object, kind: type | None = None) -> float | None: ...
+    def __set__(self, owner: object, value: _Float | None) -> None: ...
+
+class _Layers:
+    """A list that any sequence of whole numbers can be assigned to."""
+
+    def __get__(self, owner: object, kind: type | None = None) -> list[int]: ...
+    def __set__(self, owner: object, value: Sequence[int]) -> None: ...
+
 class Robot:
     position: _Point
     velocity: _Point
     preferred_velocity: _Point
-    radius: float
-    max_acceleration: float
-    max_speed: float
-    distance_to_goal: float
+    radius: _Number
+    max_acceleration: _Number
+    max_speed: _Number
+    distance_to_goal: _Number
     model: _Model
-    heading: float
-    priority: float
-    max_braking: float | None
+    heading: _Number
+    priority: _Number
+    max_braking: _NumberOrNone
     loiter: LoiterCircle | None
     def __init__(
         self,
@@ -165,53 +187,53 @@ class Robot:
         position: _Pair,
         velocity: _Pair = (0.0, 0.0),
         preferred_velocity: _Pair = (0.0, 0.0),
-        radius: float = 0.5,
-        max_acceleration: float = 1.0,
-        max_speed: float = 2.0,
-        distance_to_goal: float = ...,
+        radius: _Float = 0.5,
+        max_acceleration: _Float = 1.0,
+        max_speed: _Float = 2.0,
+        distance_to_goal: _Float = ...,
         model: _Model = ...,
-        heading: float = 0.0,
-        priority: float = 1.0,
-        max_braking: float | None = None,
+        heading: _Float = 0.0,
+        priority: _Float = 1.0,
+        max_braking: _Float | None = None,
         loiter: LoiterCircle | None = None,
     ) -> None: ...
 
 class Neighbor:
     position: _Point
     velocity: _Point
-    radius: float
-    max_acceleration: float
+    radius: _Number
+    max_acceleration: _Number
     behavior: _Behavior
     age: int
-    priority: float
-    max_braking: float | None
+    priority: _Number
+    max_braking: _NumberOrNone
     loiter: LoiterCircle | None
-    max_deviation: float
-    position_error: float
+    max_deviation: _Number
+    position_error: _Number
     acceleration: _Point
-    max_speed: float
+    max_speed: _Number
     def __init__(
         self,
         *,
         position: _Pair,
         velocity: _Pair = (0.0, 0.0),
-        radius: float = 0.5,
-        max_acceleration: float = 1.0,
+        radius: _Float = 0.5,
+        max_acceleration: _Float = 1.0,
         behavior: _Behavior = "decides",
-        age: int = 0,
-        priority: float = 1.0,
-        max_braking: float | None = None,
+        age: _Int = 0,
+        priority: _Float = 1.0,
+        max_braking: _Float | None = None,
         loiter: LoiterCircle | None = None,
-        max_deviation: float = 0.0,
-        position_error: float = 0.0,
+        max_deviation: _Float = 0.0,
+        position_error: _Float = 0.0,
         acceleration: _Pair = (0.0, 0.0),
-        max_speed: float = ...,
+        max_speed: _Float = ...,
     ) -> None: ...
 
 class Detour:
-    angle: float
-    beside: float
-    congestion: float
+    angle: _Number
+    beside: _Number
+    congestion: _Number
     has_arrived: bool
     def __init__(self) -> None: ...
 
@@ -219,36 +241,36 @@ class RobotSetup:
     position: _Point
     goal: _Point
     velocity: _Point
-    radius: float
-    max_speed: float
-    max_acceleration: float
-    preferred_speed: float
+    radius: _Number
+    max_speed: _Number
+    max_acceleration: _Number
+    preferred_speed: _Number
     model: _Model
-    heading: float
-    priority: float
+    heading: _Number
+    priority: _Number
     parked: bool
-    layers: list[int]
-    avoids: list[int]
-    time_step: float | None
-    max_braking: float | None
+    layers: _Layers
+    avoids: _Layers
+    time_step: _NumberOrNone
+    max_braking: _NumberOrNone
     def __init__(
         self,
         *,
         position: _Pair,
         goal: _Pair,
         velocity: _Pair = (0.0, 0.0),
-        radius: float = 0.5,
-        max_speed: float = 2.0,
-        max_acceleration: float = 1.0,
-        preferred_speed: float | None = None,
+        radius: _Float = 0.5,
+        max_speed: _Float = 2.0,
+        max_acceleration: _Float = 1.0,
+        preferred_speed: _Float | None = None,
         model: _Model = ...,
-        heading: float = 0.0,
-        priority: float = 1.0,
+        heading: _Float = 0.0,
+        priority: _Float = 1.0,
         parked: bool = False,
         layers: Sequence[int] = ...,
         avoids: Sequence[int] = ...,
-        time_step: float | None = None,
-        max_braking: float | None = None,
+        time_step: _Float | None = None,
+        max_braking: _Float | None = None,
     ) -> None: ...
 
 @final
@@ -283,17 +305,17 @@ class Planner:
         *,
         method: _Method = "avo",
         motion: _Motion = "held",
-        control_time: float | None = None,
-        time_horizon: float | None = None,
-        time_step: float = 0.1,
-        samples: int = 0,
+        control_time: _Float | None = None,
+        time_horizon: _Float | None = None,
+        time_step: _Float = 0.1,
+        samples: _Int = 0,
         certificate: _Certificate | None = None,
-        max_neighbors: int | None = None,
-        sensing_error: tuple[float, float] = (0.0, 0.0),
-        sensing_noise: tuple[float, float, float] = (0.0, 0.0, 1.0),
+        max_neighbors: _Int | None = None,
+        sensing_error: _Numbers = (0.0, 0.0),
+        sensing_noise: _Numbers = (0.0, 0.0, 1.0),
         clock: _Clock = "common",
-        longest_step: float = 0.0,
-        arrival_distance: float = 0.5,
+        longest_step: _Float = 0.0,
+        arrival_distance: _Float = 0.5,
     ) -> None: ...
     @overload
     def plan(
@@ -353,7 +375,7 @@ class Robots:
         max_braking: npt.ArrayLike | None = None,
     ) -> None: ...
     def __len__(self) -> int: ...
-    def __getitem__(self, k: int) -> Robot: ...
+    def __getitem__(self, k: _Int) -> Robot: ...
 
 class Neighbors:
     """What they sense; those that sense airplanes plan one by one."""
@@ -376,21 +398,21 @@ class Neighbors:
         position_error: npt.ArrayLike = 0.0,
     ) -> None: ...
     @staticmethod
-    def among(robots: Robots, sensing_radius: float) -> Neighbors: ...
+    def among(robots: Robots, sensing_radius: _Float) -> Neighbors: ...
     @property
     def offsets(self) -> npt.NDArray[np.int64]: ...
-    def of(self, robot: int) -> list[Neighbor]: ...
+    def of(self, robot: _Int) -> list[Neighbor]: ...
 
 class Detours:
-    def __init__(self, n: int) -> None: ...
+    def __init__(self, n: _Int) -> None: ...
     def __len__(self) -> int: ...
-    def __getitem__(self, k: int) -> Detour: ...
-    def __setitem__(self, k: int, detour: Detour) -> None: ...
+    def __getitem__(self, k: _Int) -> Detour: ...
+    def __setitem__(self, k: _Int, detour: Detour) -> None: ...
 
 @final
 class Plans:
     def __len__(self) -> int: ...
-    def __getitem__(self, k: int) -> Plan: ...
+    def __getitem__(self, k: _Int) -> Plan: ...
     def new_velocity(self, out: _Out = None) -> _Floats: ...
     def next_velocity(self, out: _Out = None) -> _Floats: ...
     def acceleration(self, out: _Out = None) -> _Floats: ...
@@ -451,10 +473,10 @@ class Perception:
     def walls(self) -> list[Wall]: ...
 
 class Simulation:
-    def __init__(self, scene: _Source, threads: int = 0) -> None: ...
+    def __init__(self, scene: _Source, threads: _Int = 0) -> None: ...
     @staticmethod
-    def from_saved(saved: bytes, threads: int = 0, name: str = "") -> Simulation: ...
-    def step(self, n: int = 1) -> None: ...
+    def from_saved(saved: bytes, threads: _Int = 0, name: str = "") -> Simulation: ...
+    def step(self, n: _Int = 1) -> None: ...
     def save(self) -> bytes: ...
     def restore(self, saved: bytes) -> None: ...
     def __copy__(self) -> Simulation: ...
@@ -468,23 +490,23 @@ class Simulation:
     def steps(self) -> int: ...
     @property
     def threads(self) -> int: ...
-    def can_step_by(self, time: float) -> bool: ...
+    def can_step_by(self, time: _Float) -> bool: ...
     def state_hash(self) -> int: ...
     def all_at_goal(self) -> bool: ...
     def at_goal(self) -> npt.NDArray[np.bool_]: ...
     def unreachable(self) -> list[int]: ...
     def add_robot(self, setup: RobotSetup) -> int: ...
-    def remove_robot(self, id: int) -> None: ...
-    def set_goal(self, id: int, goal: _Pair) -> None: ...
+    def remove_robot(self, id: _Int) -> None: ...
+    def set_goal(self, id: _Int, goal: _Pair) -> None: ...
     def add_obstacle(self, obstacle: StaticObstacle) -> int: ...
-    def remove_obstacle(self, id: int) -> None: ...
+    def remove_obstacle(self, id: _Int) -> None: ...
     def obstacles(self) -> list[tuple[int, StaticObstacle]]: ...
     def moving_obstacles(self) -> list[MovingObstacle]: ...
-    def index_of(self, id: int) -> int | None: ...
-    def setup(self, index: int) -> RobotSetup: ...
-    def perceive(self, index: int) -> Perception: ...
-    def planner(self, index: int) -> Planner: ...
-    def explain(self, robot: int) -> dict[str, Any]: ...
+    def index_of(self, id: _Int) -> int | None: ...
+    def setup(self, index: _Int) -> RobotSetup: ...
+    def perceive(self, index: _Int) -> Perception: ...
+    def planner(self, index: _Int) -> Planner: ...
+    def explain(self, robot: _Int) -> dict[str, Any]: ...
     def position(self, out: _Out = None) -> _Floats: ...
     def velocity(self, out: _Out = None) -> _Floats: ...
     def goal(self, out: _Out = None) -> _Floats: ...
@@ -511,10 +533,10 @@ class Metrics:
     def summary(self) -> dict[str, Any]: ...
 
 class Worlds:
-    def __init__(self, worlds: int, scenario: Scenario) -> None: ...
-    def place(self, world: int, scenario: Scenario) -> None: ...
+    def __init__(self, worlds: _Int, scenario: Scenario) -> None: ...
+    def place(self, world: _Int, scenario: Scenario) -> None: ...
     def step(self, preferred: npt.ArrayLike, moving: Sequence[bool]) -> None: ...
-    def nearest(self, k: int) -> npt.NDArray[np.float32]: ...
+    def nearest(self, k: _Int) -> npt.NDArray[np.float32]: ...
     def position(self) -> _Floats: ...
     def velocity(self) -> _Floats: ...
     def goal(self) -> _Floats: ...
@@ -525,15 +547,15 @@ class Worlds:
 def _numbers(name: str, given: npt.ArrayLike) -> _Floats: ...
 def builtin_scenes() -> list[tuple[str, str]]: ...
 def schema() -> dict[str, Any]: ...
-def explain(scene: _Source, robot: int, time: float = 0.0, threads: int = 0) -> dict[str, Any]: ...
+def explain(scene: _Source, robot: _Int, time: _Float = 0.0, threads: _Int = 0) -> dict[str, Any]: ...
 def check(
-    recording: str | PathLike[str],
+    recording: _Path,
     scene: _Source | None = None,
     *,
-    radius: float | None = None,
-    max_acceleration: float | None = None,
-    max_speed: float | None = None,
-    tolerance: float = 1e-9,
+    radius: _Float | None = None,
+    max_acceleration: _Float | None = None,
+    max_speed: _Float | None = None,
+    tolerance: _Float = 1e-9,
     require_arrival: bool = False,
 ) -> dict[str, Any]: ...
-def run(scene: _Source, *, threads: int = 0, record: str | PathLike[str] | None = None) -> dict[str, Any]: ...
+def run(scene: _Source, *, threads: _Int = 0, record: _Path | None = None) -> dict[str, Any]: ...

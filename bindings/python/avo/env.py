@@ -19,52 +19,22 @@ arrived are truncated after max_steps.
 """
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Callable, Mapping
+from typing import Any, Callable, Mapping, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ._avo import Error, Scenario, Worlds, _numbers
+from ._spaces import Box, generator, whole
 
 Floats = npt.NDArray[np.float64]
 Observations = npt.NDArray[np.float32]
 Flags = npt.NDArray[np.bool_]
 Source = Any  # what Scenario() takes
+Seeds = Union[int, Sequence[Union[int, None]], None]
 _OWN, _OTHER = 6, 6  # numbers
-
-
-def _generator(seed: int | None) -> np.random.Generator:
-    if seed is not None and not (isinstance(seed, (int, np.integer)) and seed >= 0):
-        raise Error(f"seed: found {seed!r}, must be a whole number >= 0")
-    return np.random.default_rng(seed)
-
-
-@dataclass
-class Box:
-    """A space by duck typing: arrays of a shape, between two bounds."""
-
-    low: float
-    high: float
-    shape: tuple[int, ...]
-    dtype: Any = np.float32
-
-    def __post_init__(self) -> None:
-        self.seed(None)
-
-    def seed(self, seed: int | None = None) -> None:
-        self._random = _generator(seed)
-
-    def sample(self) -> npt.NDArray[Any]:
-        """Uniform; of an axis without bounds normal."""
-        bounded = np.isfinite(self.low) and np.isfinite(self.high)
-        random = self._random
-        drawn = random.uniform(self.low, self.high, self.shape) if bounded else random.normal(size=self.shape)
-        return drawn.astype(self.dtype)
-
-    def contains(self, value: Any) -> bool:
-        array = np.asarray(value)
-        return array.shape == self.shape and bool(np.all((self.low <= array) & (array <= self.high)))
+_HUGE = 1e100  # m/s
+_MOST_NEIGHBORS = 1000  # as Worlds.nearest()
 
 
 class VectorEnv:
@@ -76,24 +46,24 @@ class VectorEnv:
 
     metadata: dict[str, Any] = {"autoreset_mode": "NextStep", "render_modes": []}
     render_mode = None
+    spec = None  # it is in no registry
 
     def __init__(self, scene: Source, num_envs: int = 1, *, neighbors: int = 8, max_steps: int | None = None) -> None:
         """scene: what Scenario() takes but a Scenario itself, as worlds differ by its seed: scenes that
-        place robots at random (as uniform-N) begin differently, others alike. neighbors: k, >= 0.
-        max_steps: >= 1, None: those of the scene's duration."""
+        place robots at random (as uniform-N) begin differently, others alike. neighbors: k, 0 to
+        1000. max_steps: >= 1, None: those of the scene's duration."""
         if isinstance(scene, Scenario):
             raise Error("scene: found a Scenario, must be what one is made from: worlds differ by their seeds")
         first = Scenario(scene)
-        steps = max(1, round(first.duration / first.time_step)) if max_steps is None else max_steps
-        if steps < 1:
-            raise Error(f"max_steps: found {steps}, must be >= 1")
-        if neighbors < 0:
-            raise Error(f"neighbors: found {neighbors}, must be >= 0")
-        self._scene, self._neighbors, self.max_steps = scene, neighbors, steps
+        usual = max(1, round(first.duration / first.time_step))
+        num_envs = whole("num_envs", num_envs, 1, 1_000_000)
+        neighbors = whole("neighbors", neighbors, 0, _MOST_NEIGHBORS)
+        self.max_steps = usual if max_steps is None else whole("max_steps", max_steps, 1, 2**53)
+        self._scene, self._neighbors = scene, neighbors
         self._worlds = Worlds(num_envs, first)
         self.num_envs, self.num_robots = num_envs, len(first.robots)
         self.time_step, self.arrival_distance = first.time_step, first.arrival_distance
-        self._random = _generator(None)
+        self._randoms = [generator(None)] * num_envs
         self._steps = np.zeros(num_envs, dtype=np.int64)
         self._arrived = np.zeros((num_envs, self.num_robots), dtype=bool)
         self._begins_anew = np.zeros(num_envs, dtype=bool)
@@ -105,12 +75,12 @@ class VectorEnv:
         self.action_space = Box(-fastest, fastest, (num_envs, self.num_robots, 2))
 
     def reset(
-        self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
+        self, *, seed: Seeds = None, options: Mapping[str, Any] | None = None
     ) -> tuple[Observations, dict[str, Any]]:
         """Begins all worlds anew. Returns observations (E, N, 6 + 6 k) and {}. With the same seed and the
-        same actions all that follows is the same, bit by bit; None: goes on with the last seed."""
-        if seed is not None:
-            self._random = _generator(seed)
+        same actions all that follows is the same, bit by bit; None: goes on with the last seed. A list has
+        one seed, or None, for each world, which then begins as no other world's seed would have it."""
+        self._seed(seed)
         for world in range(self.num_envs):
             self._begin(world)
         return self._observe(), {}
@@ -138,6 +108,13 @@ class VectorEnv:
     def close(self) -> None:
         """Nothing is left open."""
 
+    def render(self) -> None:
+        """Nothing: there is no render mode. avo.svg.draw() draws scenes."""
+
+    @property
+    def unwrapped(self) -> VectorEnv:
+        return self
+
     def position(self) -> Floats:
         """(E, N, 2), m."""
         return self._worlds.position()
@@ -154,8 +131,19 @@ class VectorEnv:
         """(E, N), m."""
         return self._worlds.radius()
 
+    def _seed(self, seed: Seeds) -> None:
+        if seed is None:
+            return
+        if isinstance(seed, str) or not isinstance(seed, (Sequence, np.ndarray)):
+            self._randoms = [generator(seed)] * self.num_envs
+            return
+        if len(seed) != self.num_envs:
+            raise Error(f"seed: found {len(seed)} of them, must be {self.num_envs}, one for each world")
+        drawn = [generator(one) for one in seed]
+        self._randoms = [last if one is None else new for one, new, last in zip(seed, drawn, self._randoms)]
+
     def _begin(self, world: int) -> None:
-        seed = int(self._random.integers(2**31))
+        seed = int(self._randoms[world].integers(2**31))
         self._worlds.place(world, Scenario(self._scene, overrides={"seed": seed}))
         self._steps[world] = 0
         self._arrived[world] = False
@@ -172,6 +160,10 @@ class VectorEnv:
         if wanted.shape != shape:
             raise Error(f"actions: found shape {wanted.shape}, must be {shape}")
         preferred = np.where(self._arrived[:, :, None], self._home(), wanted)
+        if not np.all(np.isfinite(preferred)):
+            raise Error("actions: found a number that is not finite, must be finite")
+        # of huge ones not even the square is finite
+        preferred /= np.maximum(np.abs(preferred).max(axis=2) / _HUGE, 1.0)[:, :, None]
         speed = np.linalg.norm(preferred, axis=2)
         fastest = self._worlds.max_speed()
         shorter = np.where(speed > fastest, fastest / np.where(speed > 0.0, speed, 1.0), 1.0)
@@ -204,6 +196,7 @@ class ParallelEnv:
 
     metadata: dict[str, Any] = {"name": "avo_v0", "is_parallelizable": True, "render_modes": []}
     render_mode = None
+    spec = None  # it is in no registry
 
     def __init__(self, scene: Source, *, neighbors: int = 8, max_steps: int | None = None) -> None:
         """As VectorEnv."""
@@ -266,6 +259,13 @@ class ParallelEnv:
 
     def close(self) -> None:
         """Nothing is left open."""
+
+    def render(self) -> None:
+        """Nothing: there is no render mode. avo.svg.draw() draws scenes."""
+
+    @property
+    def unwrapped(self) -> ParallelEnv:
+        return self
 
     def _number(self, agent: str) -> int:
         return self.possible_agents.index(agent)

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ._avo import Error, Scenario, Simulation, _numbers
+
 if TYPE_CHECKING:
-    from ._avo import Scenario, Simulation, StaticObstacle
+    from ._avo import StaticObstacle
 
 _WIDTH = 480.0  # px, at most, and the height likewise
 _Points = npt.NDArray[np.float64]
@@ -21,10 +23,14 @@ def draw(scene: Scenario | Simulation, paths: npt.ArrayLike | None = None) -> st
 
     paths: (steps, n, 2), m: where the n robots have been, drawn as lines.
     """
+    if not isinstance(scene, (Scenario, Simulation)):
+        raise Error(f"scene: found {type(scene).__name__}, must be a Scenario or a Simulation")
     robots = _robots_of(scene)
-    ways = np.empty((0, 0, 2)) if paths is None else np.asarray(paths, dtype=float)
+    ways = np.empty((0, 0, 2)) if paths is None else _numbers("paths", paths)
+    if not np.all(np.isfinite(ways)):
+        raise Error("paths: found a number that is not finite, must be finite")
     if ways.ndim != 3 or ways.shape[2] != 2:
-        raise ValueError(f"paths: found shape {ways.shape}, must be (steps, n, 2)")
+        raise Error(f"paths: found shape {ways.shape}, must be (steps, n, 2)")
     obstacles, movers = _obstacles_of(scene), _movers_of(scene)
     low, high = _bounds(robots, ways, obstacles, movers)
     size = high - low

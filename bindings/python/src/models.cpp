@@ -2,7 +2,7 @@
 // Motion models, walls and obstacles: values, whose fields cannot be changed.
 #include <pybind11/operators.h>
 
-#include "bind.h"
+#include "pickles.h"
 
 namespace avo_python {
 namespace {
@@ -16,6 +16,7 @@ void bind_cars(py::module_& module) {
            }),
            py::kw_only(), arg("offset") = 0.0, arg("radius") = 0.5,
            "offset: m, of its center ahead of the rear axle; radius: m, > 0.")
+      .def(pickled<avo::CarBody>())
       .def(py::self == py::self)
       .def_readonly("offset", &avo::CarBody::offset,
                     "[e] m, of its center ahead of the rear axle; < 0: behind it")
@@ -29,6 +30,7 @@ void bind_cars(py::module_& module) {
            arg("body") = py::none(), arg("reverse") = false, arg("acceleration_set") = "incircle",
            "wheelbase: m, > 0; max_curvature: 1/m, > 0, None: unbounded; body: None: a disc about "
            "the axle; acceleration_set: \"incircle\" or \"exact\".")
+      .def(pickled<avo::Car>())
       .def(py::self == py::self)
       .def_readonly("wheelbase", &avo::Car::wheelbase, "[d] m, > 0")
       .def_readonly("max_curvature", &avo::Car::max_curvature,
@@ -47,6 +49,7 @@ void bind_drives(py::module_& module) {
            py::kw_only(), arg("track") = 0.4, arg("offset") = 0.2, arg("wheel_speed") = 2.0,
            arg("wheel_acceleration") = 3.0,
            "track, offset: m, > 0; wheel_speed: m/s, > 0; wheel_acceleration: m/s^2, > 0.")
+      .def(pickled<Drive>())
       .def(py::self == py::self)
       .def_readonly("track", &Drive::track, "[b] m, > 0, between the wheels")
       .def_readonly("offset", &Drive::offset, "[L] m, > 0, of the center ahead of the axle")
@@ -65,6 +68,7 @@ void bind_airplanes(py::module_& module) {
            arg("after_goal") = "loiter",
            "min_speed: m/s, > 0; lateral_acceleration: m/s^2, > 0; after_goal: \"loiter\" or "
            "\"leave\".")
+      .def(pickled<avo::Airplane>())
       .def(py::self == py::self)
       .def_readonly("min_speed", &avo::Airplane::min_speed, "m/s, > 0")
       .def_readonly("lateral_acceleration", &avo::Airplane::lateral_acceleration,
@@ -76,6 +80,7 @@ void bind_airplanes(py::module_& module) {
              return avo::LoiterCircle{center, radius};
            }),
            py::kw_only(), arg("center"), arg("radius"), "center: m; radius: m, of the circle.")
+      .def(pickled<avo::LoiterCircle>())
       .def(py::self == py::self)
       .def_readonly("center", &avo::LoiterCircle::center,
                     "[c] (x, y), m, to the right of the airplane")
@@ -86,6 +91,8 @@ void bind_motion_models(py::module_& module) {
   py::class_<avo::Holonomic>(module, "Holonomic", "Accelerates in every direction.")
       .def(py::init<>())
       .def(py::self == py::self)
+      .def(py::pickle([](const avo::Holonomic&) { return py::tuple(); },
+                      [](const py::tuple&) { return avo::Holonomic{}; }))
       .def("__repr__", [](const avo::Holonomic&) { return "Holonomic()"; });
   bind_cars(module);
   bind_drives(module);
@@ -99,6 +106,7 @@ void bind_walls(py::module_& module) {
            }),
            arg("a"), arg("b"), py::kw_only(), arg("radius") = 0.0,
            "a, b: (x, y), m; radius: m, >= 0. A disc where a == b.")
+      .def(pickled<avo::Wall>())
       .def_readonly("a", &avo::Wall::a, "(x, y), m")
       .def_readonly("b", &avo::Wall::b, "(x, y), m; a disc where it is a")
       .def_readonly("radius", &avo::Wall::radius, "m, >= 0, around the segment");
@@ -108,6 +116,7 @@ void bind_walls(py::module_& module) {
            }),
            arg("points"), py::kw_only(), arg("closed") = false,
            "points: one (x, y) or more, m; closed: also from the last one to the first.")
+      .def(pickled<avo::Chain>())
       .def(py::self == py::self)
       .def_readonly("points", &avo::Chain::points, "list of (x, y), m")
       .def_readonly("closed", &avo::Chain::closed,
@@ -119,6 +128,7 @@ void bind_walls(py::module_& module) {
            arg("chains"), py::kw_only(), arg("radius") = 0.0, arg("fill") = "none",
            "chains: of walls; radius: m, >= 0, of all its walls; fill: \"none\", \"solid\" (robots "
            "may not start inside) or \"bounds\" (not outside).")
+      .def(pickled<avo::StaticObstacle>())
       .def(py::self == py::self)
       .def_readonly("chains", &avo::StaticObstacle::chains, "list of Chain, a copy")
       .def_readonly("radius", &avo::StaticObstacle::radius, "m, >= 0, of its walls")
@@ -126,6 +136,7 @@ void bind_walls(py::module_& module) {
                     "where no robot may start: \"none\", \"solid\" or \"bounds\"");
   using Mover = avo::MovingObstacle;
   py::class_<Mover>(module, "MovingObstacle", "A disc that reacts to nobody.")
+      .def(pickled<Mover>())
       .def_readonly("position", &Mover::position, "(x, y), m, where it starts")
       .def_readonly("velocity", &Mover::velocity, "(x, y), m/s")
       .def_readonly("acceleration", &Mover::acceleration, "(x, y), m/s^2; 0 with max_speed")

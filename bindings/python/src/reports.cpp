@@ -117,15 +117,39 @@ py::object run(const py::object& scene, int threads, const py::object& record) {
   return from_json(json);
 }
 
+/// Throws Error on a simulation of another scene, as far as names and robots tell; robots that came
+/// later are of no scene.
+void require_same(const avo::Scenario& scenario, const avo::Simulation& simulation,
+                  const std::string& name) {
+  if (!name.empty() && name != scenario.name)
+    throw avo::Error(
+        fmt::format("simulation: found one of the scene {}, must be of {}", name, scenario.name));
+  const avo::FleetView fleet = simulation.fleet();
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+    const std::uint64_t id = fleet.id[k].value;
+    if (id >= scenario.robots.size()) continue;
+    const avo::RobotSetup &now = fleet.setup[k], &own = scenario.robots[id];
+    if (now.radius == own.radius && now.max_speed == own.max_speed &&
+        now.max_acceleration == own.max_acceleration && now.parked == own.parked)
+      continue;
+    throw avo::Error(
+        fmt::format("simulation: found another robot {} than in {}, must be of the same scene", id,
+                    scenario.name));
+  }
+}
+
 /// An observer, shared by threads as a simulation is.
 struct SharedMetrics {
   std::mutex mutex;
+  avo::Scenario scenario;
   avo::Metrics metrics;
 
-  explicit SharedMetrics(const py::object& scene) : metrics(scenario_of(scene, py::none())) {}
+  explicit SharedMetrics(const py::object& scene)
+      : scenario(scenario_of(scene, py::none())), metrics(scenario) {}
   void observe(SharedSimulation& simulation) {
     simulation.alone([&](const avo::Simulation& s) {
       const std::lock_guard lock(mutex);
+      require_same(scenario, s, simulation.name());
       metrics.observe(s);
     });
   }

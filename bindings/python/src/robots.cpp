@@ -3,7 +3,7 @@
 // says of it. Plain data, which can be changed.
 #include <limits>
 
-#include "bind.h"
+#include "pickles.h"
 
 namespace avo_python {
 namespace {
@@ -14,6 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 void bind_robot(py::module_& module) {
   using avo::Robot;
   py::class_<Robot>(module, "Robot", "The robot that decides.")
+      .def(pickled<Robot>())
       .def(
           py::init([](avo::Vec2 position, avo::Vec2 velocity, avo::Vec2 preferred_velocity,
                       double radius, double max_acceleration, double max_speed,
@@ -58,6 +59,7 @@ void bind_robot(py::module_& module) {
 void bind_neighbor(py::module_& module) {
   using avo::Neighbor;
   py::class_<Neighbor>(module, "Neighbor", "Another robot as it is sensed, or a moving obstacle.")
+      .def(pickled<Neighbor>())
       .def(py::init([](avo::Vec2 position, avo::Vec2 velocity, double radius,
                        double max_acceleration, avo::Behavior behavior, int age, double priority,
                        std::optional<double> max_braking, std::optional<avo::LoiterCircle> loiter,
@@ -102,6 +104,7 @@ void bind_detour(py::module_& module) {
   py::class_<Detour>(module, "Detour",
                      "What a robot remembers; plan() updates it. Method avo only.")
       .def(py::init<>())
+      .def(pickled<Detour>())
       .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its way, right.")
       .def_readwrite("beside", &Detour::beside, "v_max/a_max, 0 to 200.")
       .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
@@ -112,6 +115,7 @@ void bind_detour(py::module_& module) {
 void bind_setup(py::module_& module) {
   using Setup = avo::RobotSetup;
   py::class_<Setup>(module, "RobotSetup", "What a scene says of a robot.")
+      .def(pickled<Setup>())
       .def(
           py::init([](avo::Vec2 position, avo::Vec2 goal, avo::Vec2 velocity, double radius,
                       double max_speed, double max_acceleration,

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "avo_io/scene.h"
-#include "bind.h"
+#include "pickles.h"
 
 namespace avo_python {
 namespace {
@@ -130,10 +130,11 @@ void bind_scenario(py::module_& module) {
            "source: name of a built-in scene, path of a scene file, or a dict with the keys of "
            "scene files. overrides: {\"robots.0.radius\": 0.4}, or [\"robots.0.radius=0.4\"]. "
            "Raises Error with the reader's message.")
+      .def(pickled<Scenario>(&avo::validate))
       .def_static("from_yaml", &parse, arg("text"), arg("file") = "text",
                   arg("overrides") = py::none(),
                   "From the text of a scene file. file: stands in front of messages, and files "
-                  "that the scene names are relative to it.")
+                  "that the scene names are relative to it, or else built in.")
       .def_readonly("name", &Scenario::name, "of the scene")
       .def_readonly("time_step", &Scenario::time_step, "s")
       .def_readonly("duration", &Scenario::duration, "s")

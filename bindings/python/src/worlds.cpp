@@ -193,7 +193,8 @@ auto per_robot(Of of) {
 /// Relative position and velocity, sum of radii, and 1 of each of the k nearest; 0 where there are
 /// fewer.
 py::array_t<float> nearest(const Worlds& self, std::size_t k) {
-  constexpr std::size_t kNumbers = 6;
+  constexpr std::size_t kNumbers = 6, kMost = 1000;
+  if (k > kMost) throw avo::Error(fmt::format("k: found {}, must be 0 to {}", k, kMost));
   py::array_t<float> array({self.worlds(), self.robots(), k, kNumbers});
   float* out = array.mutable_data();
   std::fill_n(out, array.size(), 0.0F);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo replay and avo recover: recordings that explain themselves.
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+
+#include "avo_io/recording.h"
+#include "avo_io/replay.h"
+#include "exit_codes.h"
+#include "files.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+/// "run.h5" of "run.h5.part".
+std::string recovered_path(const RecoverArguments& arguments) {
+  constexpr std::string_view kPart = ".part";
+  if (!arguments.output.empty()) return arguments.output;
+  if (!arguments.spool.ends_with(kPart))
+    throw UsageError(fmt::format("{}: found another ending than .part, must be it, or --output",
+                                 arguments.spool));
+  return arguments.spool.substr(0, arguments.spool.size() - kPart.size());
+}
+
+}  // namespace
+
+int replay(const ReplayArguments& arguments) {
+  const auto header = avo_io::read_recording_header(arguments.recording);
+  if (!header)
+    throw avo_io::RecordingError(arguments.recording +
+                                 ": found no scene in it, must be a recording as HDF5");
+  Progress progress(avo_io::parse_scenario(header->scene).duration, true);
+  const avo_io::Replay result = avo_io::replay(arguments.recording, arguments.threads,
+                                               [&progress](double time) { progress.show(time); });
+  if (arguments.json)
+    print(avo_io::to_json(result));
+  else
+    print_results(avo_io::readable(result));
+  return result.difference ? kUnsafe : kDone;
+}
+
+int recover(const RecoverArguments& arguments) {
+  const std::string path = recovered_path(arguments);
+  require_distinct({{"the spool", arguments.spool}}, {{"the recording", path}});
+  const avo_io::Recovered found = avo_io::recover(arguments.spool, path);
+  std::string text = fmt::format("{}: {} times, until {} s", path, found.times, found.last_time);
+  text += found.complete
+              ? "; nothing is lost"
+              : fmt::format(
+                    "; lost are the times after it, 64 rows of each robot at most that were "
+                    "not yet written{}",
+                    found.lost_bytes > 0
+                        ? fmt::format(", and {} bytes that are no whole block", found.lost_bytes)
+                        : std::string());
+  print_results(text + "\n");
+  return found.complete ? kDone : kIncomplete;
+}
+
+}  // namespace avo_cli

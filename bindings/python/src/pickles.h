@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plain data can be pickled and copied: as the tuple of its fields, in their order.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bind.h"
+
+namespace avo_python {
+
+/// How many fields it has; 0: it crosses into Python as it is. A wrong number does not compile.
+template <typename T>
+inline constexpr int kFields = 0;
+template <>
+inline constexpr int kFields<avo::CarBody> = 2;
+template <>
+inline constexpr int kFields<avo::Car> = 5;
+template <>
+inline constexpr int kFields<avo::DifferentialDrive> = 4;
+template <>
+inline constexpr int kFields<avo::Airplane> = 3;
+template <>
+inline constexpr int kFields<avo::LoiterCircle> = 2;
+template <>
+inline constexpr int kFields<avo::Wall> = 3;
+template <>
+inline constexpr int kFields<avo::Chain> = 2;
+template <>
+inline constexpr int kFields<avo::StaticObstacle> = 3;
+template <>
+inline constexpr int kFields<avo::MovingObstacle> = 7;
+template <>
+inline constexpr int kFields<avo::Robot> = 12;
+template <>
+inline constexpr int kFields<avo::Neighbor> = 13;
+template <>
+inline constexpr int kFields<avo::Detour> = 4;
+template <>
+inline constexpr int kFields<avo::RobotSetup> = 15;
+template <>
+inline constexpr int kFields<avo::MeasurementNoise> = 4;
+template <>
+inline constexpr int kFields<avo::SensingModel> = 4;
+template <>
+inline constexpr int kFields<avo::SensingError> = 2;
+template <>
+inline constexpr int kFields<avo::Scenario> = 22;
+
+/// References to all of them.
+template <typename T>
+auto fields(T& x) {
+  constexpr int n = kFields<std::remove_const_t<T>>;
+  if constexpr (n == 2) {
+    auto& [a, b] = x;
+    return std::tie(a, b);
+  } else if constexpr (n == 3) {
+    auto& [a, b, c] = x;
+    return std::tie(a, b, c);
+  } else if constexpr (n == 4) {
+    auto& [a, b, c, d] = x;
+    return std::tie(a, b, c, d);
+  } else if constexpr (n == 5) {
+    auto& [a, b, c, d, e] = x;
+    return std::tie(a, b, c, d, e);
+  } else if constexpr (n == 7) {
+    auto& [a, b, c, d, e, f, g] = x;
+    return std::tie(a, b, c, d, e, f, g);
+  } else if constexpr (n == 12) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  } else if constexpr (n == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  } else if constexpr (n == 15) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w);
+  }
+}
+
+template <typename T>
+struct Plain {
+  static py::object of(const T& x) {
+    if constexpr (kFields < T >> 0) {
+      return std::apply(
+          [](const auto&... field) -> py::object {
+            return py::make_tuple(Plain<std::decay_t<decltype(field)>>::of(field)...);
+          },
+          fields(x));
+    } else if constexpr (std::is_same_v<T, avo::NoiseDistribution>) {
+      return py::int_(static_cast<int>(x));
+    } else {
+      return py::cast(x);
+    }
+  }
+
+  /// Throws Error and py::cast_error on what is none.
+  static T from(const py::handle& plain) {
+    if constexpr (kFields < T >> 0) {
+      const auto values = plain.cast<py::tuple>();
+      if (values.size() != static_cast<std::size_t>(kFields<T>))
+        throw avo::Error("pickle: found another number of fields, must be of this version of avo");
+      T x;
+      std::size_t k = 0;
+      std::apply(
+          [&](auto&... field) {
+            ((field = Plain<std::decay_t<decltype(field)>>::from(values[k++])), ...);
+          },
+          fields(x));
+      return x;
+    } else if constexpr (std::is_same_v<T, avo::NoiseDistribution>) {
+      return plain.cast<int>() == 0 ? avo::NoiseDistribution::gaussian
+                                    : avo::NoiseDistribution::uniform;
+    } else {
+      return plain.cast<T>();
+    }
+  }
+};
+
+template <typename T>
+struct Plain<std::optional<T>> {
+  static py::object of(const std::optional<T>& x) {
+    return x ? Plain<T>::of(*x) : py::object(py::none());
+  }
+  static std::optional<T> from(const py::handle& plain) {
+    if (plain.is_none()) return std::nullopt;
+    return Plain<T>::from(plain);
+  }
+};
+
+template <typename T>
+struct Plain<std::vector<T>> {
+  static py::object of(const std::vector<T>& all) {
+    py::list list;
+    for (const T& x : all) list.append(Plain<T>::of(x));
+    return list;
+  }
+  static std::vector<T> from(const py::handle& plain) {
+    std::vector<T> all;
+    for (const py::handle x : plain.cast<py::list>()) all.push_back(Plain<T>::from(x));
+    return all;
+  }
+};
+
+/// To be given to def() of a class. `check` throws on values that no such object may have.
+template <typename T>
+auto pickled(void (*check)(const T&) = nullptr) {
+  return py::pickle([](const T& x) { return Plain<T>::of(x).template cast<py::tuple>(); },
+                    [check](const py::tuple& plain) {
+                      T x = Plain<T>::from(plain);
+                      if (check != nullptr) check(x);
+                      return x;
+                    });
+}
+
+}  // namespace avo_python

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a recording keeps of a simulation's state.
+#include "recorded_states.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "avo/checked.h"
+
+namespace avo_io {
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void add_states(const avo::Simulation& simulation, const BlockShape& shape, RecordingBlock& block) {
+  const avo::FleetView fleet = simulation.fleet();
+  const std::size_t k = block.times++;
+  block.time[k] = simulation.time();
+  std::array<double*, kHeadingColumns> row{};
+  for (std::size_t c = 0; c < shape.columns; ++c) row[c] = block.row(shape, c, k);
+  std::uint8_t* status = block.status.data() + k * shape.robots;
+  std::size_t next = 0;  // robot without a row yet
+  const auto leave_out_before = [&](std::size_t robot) {
+    for (; next < robot; ++next) {
+      for (std::size_t c = 0; c < shape.columns; ++c) row[c][next] = kNoNumber;
+      status[next] = kAbsent;
+    }
+  };
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    leave_out_before(fleet.id[i].value);
+    const avo::CheckedState state = checked_state(fleet, i);
+    row[0][next] = state.position.x;
+    row[1][next] = state.position.y;
+    row[2][next] = state.velocity.x;
+    row[3][next] = state.velocity.y;
+    if (shape.columns == kHeadingColumns) {
+      row[4][next] = state.heading ? state.heading->angle : kNoNumber;
+      row[5][next] = state.heading ? state.heading->speed : kNoNumber;
+    }
+    status[next] = static_cast<std::uint8_t>(fleet.plan[i].status);
+    ++next;
+  }
+  leave_out_before(shape.robots);
+}
+
+void find_clearances(const BlockShape& shape, std::size_t time, avo::ClearanceFinder& clearances,
+                     RecordingBlock& block) {
+  const auto row = [&](std::size_t column) {
+    return std::span<const double>(block.row(shape, column, time), shape.robots);
+  };
+  const bool headings = shape.columns == kHeadingColumns;
+  clearances.find({row(0), row(1), headings ? row(4) : std::span<const double>()},
+                  {block.clearance.data() + time * shape.robots, shape.robots});
+}
+
+}  // namespace avo_io
