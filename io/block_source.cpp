@@ -2,6 +2,7 @@
 // The blocks of a recording, and the rows in them.
 #include "block_source.h"
 
+#include <cerrno>
 #include <cmath>
 #include <fcntl.h>
 #include <filesystem>
@@ -126,6 +127,16 @@ RecordingFormat format_of(const std::string& path) {
   std::error_code error;
   const auto type =
       path == "-" ? std::filesystem::file_type::fifo : std::filesystem::status(path, error).type();
+  if (type == std::filesystem::file_type::not_found) {
+    errno = ENOENT;
+    const std::string spool = spool_path(path);
+    const bool killed = is_hdf5_path(path) && std::filesystem::exists(spool, error);
+    throw FileError(with_errno(path) +
+                    (killed ? fmt::format("; a run has left {0}, which avo reads, and avo recover "
+                                          "makes {1} of it",
+                                          spool, path)
+                            : std::string()));
+  }
   // whatever is read of a pipe is gone
   if (type != std::filesystem::file_type::regular) return RecordingFormat::csv;
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <mutex>
 
 #include "avo_io/errors.h"
 #include "hdf5_recording.h"
@@ -39,12 +40,20 @@ herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* info, vo
 
 }  // namespace
 
+void prepare_hdf5() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  });
+}
+
 bool is_hdf5(std::string_view begin) {
   return begin.starts_with("\x89HDF\r\n\x1a\n");
 }
 
 Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepare_hdf5();
   file_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
   if (!file_) refuse("found a file that HDF5 cannot open, cut off or damaged, must be whole");
   read_attributes();

@@ -71,7 +71,10 @@ Hdf5Handle status_type(const Hdf5Target& target) {
 Hdf5Handle create_table(const Hdf5Target& target, hid_t file, const char* name, hid_t type,
                         std::initializer_list<hsize_t> size, std::initializer_list<hsize_t> chunk) {
   const int rank = static_cast<int>(size.size());
-  const Hdf5Handle space = target.require(H5Screate_simple(rank, size.begin(), nullptr), H5Sclose);
+  std::vector<hsize_t> most(size);
+  most[0] = H5S_UNLIMITED;  // else a chunk could not be longer than the table
+  const Hdf5Handle space =
+      target.require(H5Screate_simple(rank, size.begin(), most.data()), H5Sclose);
   const Hdf5Handle layout = target.require(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   target.require(H5Pset_chunk(layout.id(), rank, chunk.begin()));
   if (H5Tget_size(type) > 1) target.require(H5Pset_shuffle(layout.id()));
@@ -142,7 +145,7 @@ std::vector<double> times_of(const std::string& path, RecordingHeader& header) {
 std::int64_t write_hdf5(const std::string& spool, const std::string& path,
                         const std::string& name) {
   const Hdf5Target target{name};
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepare_hdf5();
   RecordingHeader header;
   const std::vector<double> times = times_of(spool, header);
   if (times.empty()) throw RecordingError(spool + ": found no whole block, must be one or more");

@@ -46,14 +46,10 @@ int recover(const RecoverArguments& arguments) {
   require_distinct({{"the spool", arguments.spool}}, {{"the recording", path}});
   const avo_io::Recovered found = avo_io::recover(arguments.spool, path);
   std::string text = fmt::format("{}: {} times, until {} s", path, found.times, found.last_time);
-  text += found.complete
-              ? "; nothing is lost"
-              : fmt::format(
-                    "; lost are the times after it, 64 rows of each robot at most that were "
-                    "not yet written{}",
-                    found.lost_bytes > 0
-                        ? fmt::format(", and {} bytes that are no whole block", found.lost_bytes)
-                        : std::string());
+  text += found.complete ? "; nothing is lost"
+                         : "; lost is what the run has recorded after that, 127 times at most";
+  if (found.lost_bytes > 0)
+    text += fmt::format(", with {} bytes that are no whole block", found.lost_bytes);
   print_results(text + "\n");
   return found.complete ? kDone : kIncomplete;
 }

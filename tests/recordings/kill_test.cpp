@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs that are killed: what they have left is read, replayed and recovered. AVO_KILLS sets how
+// many (5); AVO_KILLS=60 is the soak.
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+#include <random>
+#include <signal.h>
+#include <string>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "avo/simulation.h"
+#include "avo_io/recording.h"
+#include "avo_io/replay.h"
+#include "avo_io/scene.h"
+#include "run_avo.h"
+
+namespace avo_test {
+namespace {
+
+/// Counts the times that were recorded; shared with the process that counts.
+std::atomic<std::int64_t>& shared_counter() {
+  void* memory = mmap(nullptr, sizeof(std::atomic<std::int64_t>), PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return *new (memory) std::atomic<std::int64_t>(0);
+}
+
+[[noreturn]] void record_for_ever(const std::string& h5, std::atomic<std::int64_t>& times) {
+  avo_io::SceneSource source;
+  const avo::Scenario scenario = avo_io::load_scenario("circle-250", {}, &source);
+  avo::Simulation simulation(scenario, 1);
+  avo_io::Hdf5Recording recording(h5, scenario, source);
+  while (true) {
+    recording.add(simulation);
+    ++times;
+    simulation.step();
+  }
+}
+
+std::int64_t times_in(const std::string& path) {
+  avo_io::RecordingReader reader(path);
+  avo_io::RecordedTime moment;
+  std::int64_t times = 0;
+  while (reader.next(moment)) ++times;
+  return times;
+}
+
+/// Kills a run once it has recorded as many times and a little more; returns how many it had.
+std::int64_t killed_run(const std::string& h5, std::int64_t after, useconds_t wait) {
+  std::atomic<std::int64_t>& times = shared_counter();
+  const pid_t child = fork();
+  if (child == 0) record_for_ever(h5, times);
+  while (times < after) usleep(50);
+  usleep(wait);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  const std::int64_t had = times;
+  munmap(&times, sizeof times);
+  return had;
+}
+
+int kills() {
+  const char* number = std::getenv("AVO_KILLS");
+  return number != nullptr ? std::atoi(number) : 5;
+}
+
+// What is lost is the block that was being filled and the one that was being compressed.
+TEST(Killed, runs_leave_all_blocks_but_the_last_and_replay_bit_by_bit) {
+  std::mt19937_64 random(11);
+  for (int k = 0; k < kills(); ++k) {
+    const std::string h5 = path_of("run" + std::to_string(k) + ".h5"), spool = h5 + ".part";
+    const auto after = 130 + static_cast<std::int64_t>(random() % 1500);
+    const std::int64_t had = killed_run(h5, after, static_cast<useconds_t>(random() % 5000));
+    ASSERT_FALSE(exists(h5));
+    const std::int64_t kept = times_in(spool);
+    EXPECT_EQ(kept % 64, 0);
+    EXPECT_GE(kept, (had / 64 - 1) * 64) << "of " << had;
+    EXPECT_FALSE(avo_io::replay(spool, 1).difference) << "at once";
+    const ProcessResult result = run_avo({"recover", spool});
+    EXPECT_EQ(result.exit_code, 7) << result.err;
+    EXPECT_TRUE(result.out.starts_with(h5 + ": " + std::to_string(kept) + " times, until "))
+        << result.out;
+    EXPECT_EQ(times_in(h5), kept);
+    const avo_io::Replay again = avo_io::replay(h5, 1);
+    EXPECT_FALSE(again.difference);
+    EXPECT_EQ(again.times, kept);
+    EXPECT_FALSE(again.ended);
+    unlink(h5.c_str());
+    unlink(spool.c_str());
+  }
+}
+
+TEST(Killed, before_the_first_block_a_run_has_left_nothing_to_recover) {
+  const std::string h5 = path_of("run.h5");
+  killed_run(h5, 3, 0);
+  const ProcessResult result = run_avo({"recover", h5 + ".part"});
+  if (exists(h5 + ".part")) {
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_EQ(result.err, h5 + ".part: found no whole block, must be one or more\n");
+  }
+  EXPECT_FALSE(exists(h5));
+}
+
+// Killed between its last word and its name.
+TEST(Killed, after_its_end_a_run_has_lost_nothing) {
+  const std::string h5 = path_of("run.h5");
+  avo_io::SceneSource source;
+  const avo::Scenario scenario = avo_io::load_scenario("circle-5", {}, &source);
+  {
+    avo::Simulation simulation(scenario, 1);
+    avo_io::Hdf5Recording recording(h5, scenario, source);
+    for (int k = 0; k < 100; ++k) {
+      recording.add(simulation);
+      simulation.step();
+    }
+    recording.finish(simulation);
+  }  // never committed
+  EXPECT_FALSE(exists(h5));
+  const ProcessResult result = run_avo({"recover", h5 + ".part", "--output", path_of("other.h5")});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_EQ(result.out, path_of("other.h5") + ": 100 times, until 9.9 s; nothing is lost\n");
+  EXPECT_TRUE(exists(h5 + ".part")) << "stays until somebody removes it";
+}
+
+// A disk that is full, at any time: the run says so, and what was written can be read.
+TEST(Killed, by_a_full_disk_a_run_says_what_is_kept) {
+  const std::string h5 = path_of("run.h5"), spool = h5 + ".part";
+  int kept = 0;
+  for (int kibibytes = 1; kibibytes < 700; kibibytes += 53) {
+    const ProcessResult result = run_avo(
+        {"run", "circle-100", "--threads", "1", "--record", h5, "-q"}, {.before = [kibibytes] {
+          signal(SIGXFSZ, SIG_IGN);
+          const rlimit limit{1024U * static_cast<unsigned>(kibibytes),
+                             1024U * static_cast<unsigned>(kibibytes)};
+          setrlimit(RLIMIT_FSIZE, &limit);
+        }});
+    if (result.exit_code == 0) break;
+    EXPECT_EQ(result.exit_code, 4) << kibibytes << result.err;
+    EXPECT_NE(result.err.find("File too large"), std::string::npos) << result.err;
+    EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+    EXPECT_FALSE(exists(h5));
+    if (!exists(spool)) continue;
+    EXPECT_FALSE(avo_io::replay(spool, 1).difference);
+    const ProcessResult recovered = run_avo({"recover", spool});
+    EXPECT_TRUE(recovered.exit_code == 7 || recovered.exit_code == 0) << recovered.err;
+    EXPECT_EQ(times_in(h5) > 0, true);
+    EXPECT_FALSE(avo_io::replay(h5, 1).difference);
+    unlink(h5.c_str());
+    unlink(spool.c_str());
+    ++kept;
+  }
+  EXPECT_GT(kept, 3);
+}
+
+}  // namespace
+}  // namespace avo_test

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo replay finds the first bit that differs.
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <string>
+
+#include "avo/version.h"
+#include "verdicts.h"
+
+namespace avo_test {
+namespace {
+
+std::string recorded() {
+  const std::string h5 = path_of("run.h5");
+  EXPECT_EQ(run_avo({"run", "circle-6", "--duration", "9", "--record", h5, "-q"}).exit_code, 0);
+  return h5;
+}
+
+/// Puts a value in place of that at the index.
+template <typename Value>
+void change(const std::string& h5, const char* table, std::vector<hsize_t> index, hid_t type,
+            Value value) {
+  const hid_t file = H5Fopen(h5.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, table, H5P_DEFAULT), space = H5Dget_space(set);
+  const hid_t one = H5Screate(H5S_SCALAR);
+  ASSERT_GE(H5Sselect_elements(space, H5S_SELECT_SET, 1, index.data()), 0);
+  const hid_t stored = H5Dget_type(set);
+  if (type == H5T_NATIVE_UINT8) type = stored;  // words
+  ASSERT_GE(H5Dwrite(set, type, one, space, H5P_DEFAULT, &value), 0);
+  H5Tclose(stored);
+  H5Sclose(one);
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Fclose(file);
+}
+
+Json difference(const std::string& h5) {
+  const ProcessResult result = run_avo({"replay", h5, "--json", "--threads", "2"});
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["equal"], false);
+  return json["difference"];
+}
+
+TEST(Replay, of_what_was_recorded_is_equal) {
+  const std::string h5 = recorded();
+  const ProcessResult words = run_avo({"replay", h5});
+  EXPECT_EQ(words.exit_code, 0) << words.err;
+  EXPECT_TRUE(
+      words.out.starts_with("circle-6: 91 times of 6 robots are equal, and the state hash 0x"))
+      << words.out;
+  const Json json = Json::parse(run_avo({"replay", h5, "--json"}).out);
+  EXPECT_EQ(json["equal"], true);
+  EXPECT_EQ(json["times"], 91);
+  EXPECT_EQ(json["difference"], Json());
+}
+
+TEST(Replay, tells_the_first_value_that_differs) {
+  const std::string h5 = recorded();
+  change(h5, "state", {80, 1, 3}, H5T_NATIVE_DOUBLE, 7.0);
+  Json first = difference(h5);
+  EXPECT_EQ(first["time"], 8.0);
+  EXPECT_EQ(first["robot"], 1);
+  EXPECT_EQ(first["column"], "vy");
+  EXPECT_EQ(first["recorded"], "7");
+  change(h5, "clearance", {70, 5}, H5T_NATIVE_FLOAT, 0.25f);
+  first = difference(h5);
+  EXPECT_EQ(first["time"], 7.0);
+  EXPECT_EQ(first["column"], "clearance");
+  change(h5, "status", {66, 0}, H5T_NATIVE_UINT8, std::uint8_t{3});
+  first = difference(h5);
+  EXPECT_EQ(first["column"], "status");
+  EXPECT_EQ(first["recorded"], "braking");
+  EXPECT_EQ(first["simulated"], "optimal");
+  const ProcessResult words = run_avo({"replay", h5});
+  EXPECT_EQ(words.exit_code, 1);
+  EXPECT_EQ(words.out,
+            "circle-6: 66 times of 6 robots are equal\n  the first that differs: at "
+            "6.6000000000000005 s, "
+            "robot 0, status: recorded braking, simulated optimal\n");
+}
+
+TEST(Replay, sees_the_last_bit) {
+  const std::string h5 = recorded();
+  const Json json = Json::parse(run_avo({"check", h5, "--json"}).out);
+  const hid_t file = H5Fopen(h5.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, "state", H5P_DEFAULT);
+  std::vector<double> state(91 * 6 * 4);
+  ASSERT_GE(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, state.data()), 0);
+  H5Dclose(set);
+  H5Fclose(file);
+  const double last = state[(90 * 6 + 2) * 4];
+  change(h5, "state", {90, 2, 0}, H5T_NATIVE_DOUBLE, std::nextafter(last, 100.0));
+  EXPECT_EQ(difference(h5)["robot"], 2);
+}
+
+TEST(Replay, sees_another_hash_and_refuses_another_version) {
+  const std::string h5 = recorded();
+  hid_t file = H5Fopen(h5.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  hid_t attribute = H5Aopen(file, "state_hash", H5P_DEFAULT);
+  const std::uint64_t other = 1;
+  ASSERT_GE(H5Awrite(attribute, H5T_NATIVE_UINT64, &other), 0);
+  H5Aclose(attribute);
+  H5Fclose(file);
+  const Json first = difference(h5);
+  EXPECT_EQ(first["column"], "state_hash");
+  EXPECT_EQ(first["robot"], Json());
+  file = H5Fopen(h5.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  attribute = H5Aopen(file, "version", H5P_DEFAULT);
+  const hid_t type = H5Aget_type(attribute);
+  ASSERT_EQ(H5Tget_size(type), 5U);
+  ASSERT_GE(H5Awrite(attribute, type, "9.8.7"), 0);
+  H5Tclose(type);
+  H5Aclose(attribute);
+  H5Fclose(file);
+  const ProcessResult result = run_avo({"replay", h5});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.err, h5 + ": version: found 9.8.7, must be " + avo::kVersion +
+                            ": another version of avo need not simulate the same bits\n");
+  EXPECT_EQ(run_avo({"check", h5}).exit_code, 0) << "judged all the same";
+}
+
+TEST(Replay, refuses_what_has_no_scene_in_it) {
+  const std::string csv = path_of("run.csv");
+  ASSERT_EQ(run_avo({"run", "circle-4", "--duration=2", "--record", csv, "-q"}).exit_code, 0);
+  const ProcessResult result = run_avo({"replay", csv});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.err, csv + ": found no scene in it, must be a recording as HDF5\n");
+  const ProcessResult none = run_avo({"replay", path_of("none.h5")});
+  EXPECT_EQ(none.exit_code, 4);
+  EXPECT_EQ(none.err, path_of("none.h5") + ": No such file or directory\n");
+  write_file(path_of("none.h5.part"), "");
+  EXPECT_EQ(run_avo({"check", path_of("none.h5")}).err,
+            path_of("none.h5") + ": No such file or directory; a run has left " +
+                path_of("none.h5.part") + ", which avo reads, and avo recover makes " +
+                path_of("none.h5") + " of it\n");
+}
+
+}  // namespace
+}  // namespace avo_test
