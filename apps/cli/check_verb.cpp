@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo check: judges a recording, whoever made it.
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ bool has_limits(const CheckArguments& arguments) {
 /// The scene that the recording has in itself, where no other one and no limits are given.
 std::optional<avo_io::SceneSource> own_scene(const CheckArguments& arguments) {
   if (!arguments.scene.scene.empty() || has_limits(arguments)) return std::nullopt;
+  if (!std::filesystem::exists(arguments.recording)) return std::nullopt;
   const auto header = avo_io::read_recording_header(arguments.recording);
   if (!header) return std::nullopt;
   avo_io::SceneSource source = header->scene;
@@ -45,7 +47,7 @@ void check_arguments(const CheckArguments& arguments, bool scene) {
     if (!scene && !value)
       throw UsageError(fmt::format(
           "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
-          "and --max-speed; recordings as HDF5 need none of them",
+          "and --max-speed",
           option));
     if (value && !(*value > 0.0))
       throw UsageError(fmt::format("{}: found {}, must be > 0", option, *value));

@@ -92,7 +92,7 @@ void add_run(CLI::App& app, Action& action) {
   add_scene(*verb, arguments.scene);
   not_empty(
       verb->add_option("--record", arguments.record, "every state of every robot; - is stdout"))
-      ->type_name("FILE.csv");
+      ->type_name("FILE.csv|.h5");
   verb->add_option_function<std::string>(
           "--every", [](const std::string& steps) { arguments.every = whole_steps(steps); },
           "the recording has the rows of every so many steps only, and of the last")

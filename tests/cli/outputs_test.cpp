@@ -111,17 +111,20 @@ TEST(Outputs, devices_and_names_of_scenes_may_be_shared) {
 }
 
 TEST(Outputs, names_of_another_format_are_refused) {
-  for (const std::string name : {"x.parquet", "x.json", "x.h5", "x.csv.gz", "x."})
+  for (const std::string name : {"x.parquet", "x.json", "x.hdf", "x.csv.gz", "x."})
     refused({"run", "circle-2", "--record", name}, "--record " + name + ": found the ending " +
                                                        fs::path(name).extension().string() +
-                                                       ", must be .csv or none");
+                                                       ", must be .csv, .h5 or none");
   refused({"run", "circle-2", "--summary", "x.csv"},
           "--summary x.csv: found the ending .csv, must be .json or none");
   refused({"run", "circle-2", "--figure", ".svg"},
           "--figure .svg: found an extension without a name, must be such as figure.svg");
   EXPECT_EQ(files_in(folder()), Strings{});
   ASSERT_EQ(symlink("/dev/null", path_of("null.h5").c_str()), 0);
-  for (const char* name : {"x.csv", "X.CSV", "none", ".csv", "null.h5", "/dev/null"})
+  const ProcessResult device = run_here({"run", "circle-2", "--record", "null.h5"});
+  EXPECT_EQ(device.exit_code, 4);
+  EXPECT_EQ(device.err, "null.h5: found no regular file, HDF5 must be written to one\n");
+  for (const char* name : {"x.csv", "X.CSV", "none", ".csv", "x.h5", "/dev/null"})
     EXPECT_EQ(run_here({"run", "circle-2", "--set", "duration=1", "--record", name}).exit_code, 0)
         << name;
 }

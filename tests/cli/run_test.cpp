@@ -81,7 +81,7 @@ TEST(Run, records_every_step_of_every_robot_bit_by_bit) {
     }
   }
   EXPECT_EQ(read_file(csv).back(), '\n');
-  EXPECT_EQ(lines[7].substr(0, 22), "0.10000000000000001,0,") << "17 significant digits";
+  EXPECT_TRUE(lines[7].starts_with("0.1,0,")) << "the shortest digits: " << lines[7];
 }
 
 TEST(Run, is_the_same_for_any_number_of_threads) {

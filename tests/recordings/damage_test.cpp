@@ -6,13 +6,16 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
+#include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
 
 #include "avo/simulation.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
+#include "hdf5_recording.h"
 #include "run_avo.h"
+#include "spool.h"
 
 namespace avo_test {
 namespace {
@@ -96,6 +99,39 @@ TEST(Damage, of_a_spool_that_is_cut_off_the_whole_blocks_are_read) {
     }
     EXPECT_EQ(longest, all.size()) << "a cut within the last word loses no rows";
   }
+}
+
+/// What avo check says of it within 128 MiB of memory.
+ProcessResult checked_in_little_memory(const std::string& path) {
+  return run_avo({"check", path}, {.before = [] {
+                   const rlimit limit{128U << 20U, 128U << 20U};
+                   setrlimit(RLIMIT_DATA, &limit);
+                 }});
+}
+
+avo_io::RecordingHeader of_a_million() {
+  avo_io::RecordingHeader header{.version = "1", .build = "", .robots = 1'000'000, .scene = {}};
+  header.scene.yaml = "version: 1\nrobots: [{position: [0, 0], goal: [1, 0]}]\n";
+  header.scene.name = "one";
+  return header;
+}
+
+TEST(Damage, a_file_that_promises_more_than_it_can_hold_takes_little_memory) {
+  const std::string spool = path_of("many.h5.part"), h5 = path_of("many.h5");
+  const avo_io::BlockShape shape{1'000'000};
+  avo_io::CompressedBlock block{{0.0, 0.1}, std::vector<std::string>(shape.chunks(), "x")};
+  {
+    avo_io::SpoolWriter writer(spool, of_a_million());
+    writer.write(block);
+  }
+  ProcessResult result = checked_in_little_memory(spool);
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_EQ(result.err, spool + ": found 1000000 robots, must be 1 at most, those of the scene\n");
+  avo_io::write_hdf5(spool, h5, h5);
+  result = checked_in_little_memory(h5);
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  // without any scene that could tell
+  for (const std::string& path : {spool, h5}) EXPECT_EQ(rows_in(path), "");
 }
 
 // Anything may come out of a file whose bytes were changed, but no crash and, of what is compressed
