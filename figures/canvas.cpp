@@ -66,6 +66,10 @@ std::string Canvas::finish() {
   return state_->finish();
 }
 
+std::string_view Canvas::pixels() {
+  return state_->pixels();
+}
+
 double Canvas::width() const {
   return state_->width;
 }

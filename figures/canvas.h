@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "avo/geometry.h"
 #include "avo/vec.h"
@@ -80,6 +81,10 @@ class Canvas {
 
   /// What the file holds; once, at the end. Throws Error with the file name and Cairo's reason.
   [[nodiscard]] std::string finish();
+
+  /// Of a PNG, what has been drawn up to now: of each pixel, row by row, blue, green, red and a
+  /// byte of no meaning. Valid until something else is drawn.
+  [[nodiscard]] std::string_view pixels();
 
   [[nodiscard]] double width() const;
   [[nodiscard]] double height() const;

@@ -148,6 +148,16 @@ std::string Canvas::State::finish() {
   return std::move(bytes);
 }
 
+// Rows of whole words have no gaps between them.
+std::string_view Canvas::State::pixels() const {
+  check(path, cairo_status(cairo.get()));
+  cairo_surface_flush(surface.get());
+  const auto rows = static_cast<std::size_t>(cairo_image_surface_get_height(surface.get()));
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  return {reinterpret_cast<const char*>(cairo_image_surface_get_data(surface.get())),
+          rows * stride};
+}
+
 void Canvas::State::set_color(Color color) const {
   cairo_set_source_rgba(cairo.get(), color.red, color.green, color.blue, color.alpha);
 }

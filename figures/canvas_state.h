@@ -18,6 +18,7 @@ struct CairoDelete {
 struct Canvas::State {
   State(std::string name, double page_width, double page_height);
   std::string finish();
+  std::string_view pixels() const;
   void set_color(Color color) const;
   void set_pen(const Stroke& stroke) const;
 

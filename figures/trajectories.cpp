@@ -3,12 +3,12 @@
 #include "figures/trajectories.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "figures/axes.h"
 #include "figures/canvas.h"
+#include "figures/robot_drawing.h"
 #include "figures/time_lapse.h"
 #include "figures/walls.h"
 
@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t kMostDiscs = 1500;  // more of them hide each other
 constexpr double kPanelGap = 10.0;        // pt
-constexpr Color kObstacle = gray(0.35);
 
 // One panel: what is shown where.
 struct TimeLapse {
@@ -26,62 +25,6 @@ struct TimeLapse {
   std::vector<std::size_t> selected;  // ascending; the newest is drawn full
   std::vector<Color> colors;
 };
-
-constexpr Color kParked = gray(0.5);
-
-// A long box with a pointed nose inside the robot's disc.
-std::array<Vec2, 5> car_body(Vec2 position, double heading, double radius) {
-  const Vec2 ahead{radius * std::cos(heading), radius * std::sin(heading)};
-  const Vec2 left = perpendicular(ahead);
-  return {position - 0.8 * ahead - 0.5 * left, position + 0.4 * ahead - 0.5 * left,
-          position + ahead, position + 0.4 * ahead + 0.5 * left,
-          position - 0.8 * ahead + 0.5 * left};
-}
-
-// Its own disc with both wheels, and a line to the point that the disc of the others is about.
-void draw_drive(Canvas& canvas, const DifferentialDrive& drive, const Disc& own, double heading,
-                Color body, const Stroke& edge) {
-  const Vec2 ahead{std::cos(heading), std::sin(heading)}, side = perpendicular(ahead);
-  canvas.add_disc(own);
-  canvas.fill_and_stroke(body, edge);
-  canvas.add_polyline(std::array{own.center, own.center + drive.offset * ahead});
-  canvas.stroke(edge);
-  const Vec2 length = 0.35 * own.radius * ahead, width = 0.1 * own.radius * side;
-  for (const double half : {-0.5, 0.5}) {
-    const Vec2 wheel = own.center + half * drive.track * side;
-    canvas.add_polygon(std::array{wheel - length - width, wheel + length - width,
-                                  wheel + length + width, wheel - length + width});
-    canvas.fill(edge.color);
-  }
-}
-
-// `age` in [0, 1]: 1 is the newest, darkest one.
-void draw_robot(Canvas& canvas, const TimeLapse& lapse, std::size_t frame, std::size_t robot,
-                double age) {
-  const RobotSetup& setup = lapse.scenario.robots[robot];
-  const TrajectoryFrame& at = lapse.frames[frame];
-  const Color color = setup.parked ? kParked : lapse.colors[robot];
-  const Color body = mix(mix(kWhite, color, 0.13), color, age * age);
-  const Stroke edge{mix(mix(kWhite, color, 0.45), mix(color, kBlack, 0.45), age * age),
-                    std::clamp(0.06 * disc_radius(setup) * canvas.scale(), 0.25, 0.7)};
-  const double radius = disc_radius(setup);
-  if (is_holonomic(setup.model)) {
-    canvas.add_disc({at.position[robot], radius});
-    canvas.fill_and_stroke(body, edge);
-    return;
-  }
-  const Vec2 center = disc_center(setup.model, at.position[robot], at.heading[robot]);
-  if (age == 1.0) {
-    canvas.add_disc({center, radius});
-    canvas.fill_and_stroke(mix(kWhite, color, 0.3), edge);
-  }
-  if (const auto* drive = std::get_if<DifferentialDrive>(&setup.model)) {
-    draw_drive(canvas, *drive, {at.position[robot], setup.radius}, at.heading[robot], body, edge);
-    return;
-  }
-  canvas.add_polygon(car_body(center, at.heading[robot], radius));
-  canvas.fill_and_stroke(body, edge);
-}
 
 void draw_paths(Canvas& canvas, const TimeLapse& lapse) {
   const std::size_t first = lapse.selected.front();
@@ -101,13 +44,8 @@ void draw_paths(Canvas& canvas, const TimeLapse& lapse) {
 }
 
 void draw_goals(Canvas& canvas, const TimeLapse& lapse) {
-  for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
-    const RobotSetup& robot = lapse.scenario.robots[i];
-    if (robot.parked) continue;
-    const double half = std::clamp(0.3 * robot.radius * canvas.scale(), 0.8, 3.0);
-    canvas.add_cross(robot.goal, half);
-    canvas.stroke({mix(lapse.colors[i], kBlack, 0.55), std::clamp(0.3 * half, 0.35, 0.8)});
-  }
+  for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i)
+    draw_goal(canvas, lapse.scenario.robots[i], lapse.colors[i]);
 }
 
 void draw_lapse(Canvas& canvas, const TimeLapse& lapse) {
@@ -122,12 +60,12 @@ void draw_lapse(Canvas& canvas, const TimeLapse& lapse) {
     const double age = newest || !(span > 0.0) ? 1.0 : (lapse.frames[frame].time - start) / span;
     for (std::size_t i = 0; i < lapse.scenario.moving_obstacles.size(); ++i) {
       const double radius = lapse.scenario.moving_obstacles[i].radius;
-      canvas.add_disc({lapse.frames[frame].obstacle_position[i], radius});
-      canvas.fill_and_stroke(mix(gray(0.93), kObstacle, age * age),
-                             {mix(gray(0.75), gray(0.1), age * age), 0.5});
+      draw_mover(canvas, {lapse.frames[frame].obstacle_position[i], radius}, age);
     }
     for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
-      draw_robot(canvas, lapse, frame, i, age);
+      const TrajectoryFrame& at = lapse.frames[frame];
+      const double heading = at.heading.empty() ? 0.0 : at.heading[i];
+      draw_robot(canvas, lapse.scenario.robots[i], {at.position[i], heading}, lapse.colors[i], age);
     }
   }
   draw_goals(canvas, lapse);

@@ -15,6 +15,7 @@
 #include "avo_io/errors.h"
 #include "avo_io/judgement.h"
 #include "avo_io/recording.h"
+#include "mover_walk.h"
 
 namespace avo_io {
 namespace {
@@ -37,13 +38,12 @@ struct Judge {
   Judgement judgement;
   std::optional<double> last_time;
   std::vector<char> there_first, there_last;  // of the scene's robots: whether they have a row then
-  std::vector<avo::PathWalk> walks;  // of the scene's moving obstacles, where they have a path
+  std::optional<MoverWalk> movers;            // of the scene
 
   Judge(const std::string& recording, const JudgeOptions& options);
   void number_densely(std::vector<avo::CheckedState>& rows);
   void add(RecordedTime& moment);
-  void require_known_paths(double time) const;
-  void place_obstacles(std::optional<double> before, double time);
+  void place_obstacles(double time);
   void compare_with_scene();
 };
 
@@ -94,8 +94,7 @@ Judge::Judge(const std::string& recording, const JudgeOptions& options)
     judgement.scene_end = scenario->duration;
     judgement.free_clocks = scenario->clock == avo::Clock::free;
     take_walls(*scenario, check, judgement.obstacle_of_wall);
-    for (const avo::MovingObstacle& obstacle : scenario->moving_obstacles)
-      walks.push_back({obstacle.position, obstacle.velocity});
+    movers.emplace(*scenario);
   } else {
     like = {options.radius, options.max_acceleration, options.max_speed};
   }
@@ -139,62 +138,12 @@ bool lacks_rows(const avo::Scenario& scenario, double duration) {
   return duration > most * longest_step(scenario);
 }
 
-// What moving obstacles go between two rows: whole steps, and a part of one more.
-struct Walked {
-  std::int64_t steps = 0;
-  double step = 0.0, part = 0.0;  // s
-};
-
-// By the scene's steps; where clocks are free by those from row to row, in whole nanoseconds.
-Walked walked_between(const avo::Scenario& scenario, std::optional<double> before, double time) {
-  if (scenario.clock == avo::Clock::common) {
-    const double h = scenario.time_step;
-    const auto steps_by = [h](double t) {
-      return static_cast<std::int64_t>(std::floor(t / h + 1e-6));
-    };
-    const std::int64_t first = before ? std::max(steps_by(*before), std::int64_t{0}) : 0;
-    const std::int64_t last = std::max(steps_by(time), first);
-    return {last - first, h, std::max(time - h * static_cast<double>(last), 0.0)};
-  }
-  if (!before) return {};
-  const double whole = (std::round(time * 1e9) - std::round(*before * 1e9)) / 1e9;
-  return {1, whole > 0.0 ? whole : time - *before, 0.0};
-}
-
 // Those with a path: nothing that robots do changes it, but the times at which they decide.
-void Judge::place_obstacles(std::optional<double> before, double time) {
-  const Walked walked = walked_between(*scenario, before, time);
-  for (std::size_t k = 0; k < walks.size(); ++k) {
-    const avo::MovingObstacle& obstacle = scenario->moving_obstacles[k];
-    if (obstacle.path.empty()) continue;
-    if (!before && time != 0.0 && scenario->clock == avo::Clock::free)
-      throw avo::Error(
-          fmt::format("time: found {} s, must be 0 s in the first row: with free clocks nobody "
-                      "knows how far moving_obstacles.{} is on its path by then",
-                      time, k));
-    avo::PathWalk& walk = walks[k];
-    for (std::int64_t n = 0; n < walked.steps; ++n)
-      walk = next_on_path(obstacle, walk, walked.step);
-    avo::PathWalk now = walk;
-    if (const double t = walked.part; t > 0.0) {
-      const avo::PathWalk next = next_on_path(obstacle, walk, walked.step);
-      const avo::Vec2 a = (next.velocity - walk.velocity) / walked.step;
-      now.position = walk.position + t * walk.velocity + (0.5 * t * t) * a;
-      now.velocity = walk.velocity + t * a;
-    }
-    check.place_obstacle(static_cast<std::int64_t>(k), now.position, now.velocity);
-  }
-}
-
-// With a common clock the steps that are missing are known.
-void Judge::require_known_paths(double time) const {
-  if (scenario->clock == avo::Clock::common) return;
-  for (std::size_t k = 0; k < walks.size(); ++k)
+void Judge::place_obstacles(double time) {
+  movers->go_to(time);
+  for (std::size_t k = 0; k < scenario->moving_obstacles.size(); ++k)
     if (!scenario->moving_obstacles[k].path.empty())
-      throw avo::Error(fmt::format(
-          "time: found {} s after rows that are missing, must be all rows: with free clocks nobody "
-          "knows how far moving_obstacles.{} is on its path by then",
-          time, k));
+      check.place_obstacle(static_cast<std::int64_t>(k), movers->position(k), movers->velocity(k));
 }
 
 void Judge::add(RecordedTime& moment) {
@@ -210,8 +159,8 @@ void Judge::add(RecordedTime& moment) {
       ++judgement.uneven_steps;
       if (!thinned) ++judgement.uneven_judged;
     }
-    if (thinned) require_known_paths(moment.time);
-    place_obstacles(before, moment.time);
+    if (thinned) movers->require_known(moment.time);
+    place_obstacles(moment.time);
     there_last.assign(scenario->robots.size(), 0);
     for (const avo::CheckedState& row : moment.rows)
       there_last[static_cast<std::size_t>(row.robot)] = 1;

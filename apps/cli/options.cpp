@@ -188,6 +188,26 @@ void add_recover(CLI::App& app, Action& action) {
   verb->callback([&action] { action = [] { return recover(arguments); }; });
 }
 
+void add_video(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("video", "make a video of a recording, by ffmpeg");
+  static VideoArguments arguments;
+  not_empty(verb->add_option("RECORDING", arguments.recording, "as avo run --record writes it"))
+      ->type_name("FILE.h5|.csv")
+      ->required();
+  not_empty(verb->add_option("VIDEO", arguments.output, "what to make"))
+      ->type_name("FILE.mp4|.gif")
+      ->required();
+  not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
+  add_overrides(*verb, arguments.scene);
+  verb->add_option("--fps", arguments.fps, "frames a second, 30")->type_name("N");
+  verb->add_option("--speed", arguments.speed, "times as fast as the simulation, 1")
+      ->type_name("FACTOR");
+  verb->add_option("--size", arguments.size, "pixels of the longer side, 1080")->type_name("N");
+  add_volume(*verb);
+  verb->footer("Example: avo video out.h5 out.mp4 --speed 4");
+  verb->callback([&action] { action = [] { return video(arguments); }; });
+}
+
 void add_bench(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("bench", "measure what a step of a scene costs");
   static BenchArguments arguments;
@@ -248,6 +268,7 @@ void add_options(CLI::App& app, Action& action) {
   add_check(app, action);
   add_replay(app, action);
   add_recover(app, action);
+  add_video(app, action);
   add_bench(app, action);
   add_others(app, action);
 }

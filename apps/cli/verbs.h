@@ -78,6 +78,15 @@ struct RecoverArguments {
 };
 int recover(const RecoverArguments& arguments);
 
+struct VideoArguments {
+  std::string recording, output;
+  SceneArguments scene;  ///< empty: that of the recording
+  double fps = 30.0;     ///< frames a second
+  double speed = 1.0;    ///< seconds of the simulation in a second of the video
+  int size = 1080;       ///< pixels, of the longer side
+};
+int video(const VideoArguments& arguments);
+
 struct BenchArguments {
   SceneArguments scene;
   int threads = 0;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Another program that reads what we write.
+#include "child_process.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include "avo_io/errors.h"
+#include "avo_io/printable.h"
+#include "terminal.h"
+
+extern char** environ;
+
+namespace avo_cli {
+namespace {
+
+[[noreturn]] void fail(const std::string& name, int reason) {
+  throw avo_io::FileError(name + ": " + std::generic_category().message(reason));
+}
+
+/// The last line of what is there.
+std::string last_line(int file) {
+  char text[4096];
+  const off_t size = lseek(file, 0, SEEK_END);
+  const off_t from =
+      size > static_cast<off_t>(sizeof text) ? size - static_cast<off_t>(sizeof text) : 0;
+  const ssize_t got = pread(file, text, sizeof text, from);
+  std::string lines(text, got > 0 ? static_cast<std::size_t>(got) : 0);
+  while (!lines.empty() && lines.back() == '\n') lines.pop_back();
+  return lines.substr(lines.rfind('\n') + 1);
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command) : name_(command.at(0)) {
+  int ends[2] = {-1, -1};
+  if (pipe2(ends, O_CLOEXEC) != 0) fail(name_, errno);
+  input_ = ends[1];
+  errors_ = memfd_create("errors", MFD_CLOEXEC);
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors_, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors_, STDERR_FILENO);
+  const int reason = posix_spawnp(&pid_, words[0], &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[0]);
+  if (reason == 0) return;
+  close(input_);
+  close(errors_);
+  pid_ = -1;
+  if (reason == ENOENT)
+    throw avo_io::FileError(name_ + ": found no such program, must be installed");
+  fail(name_, reason);
+}
+
+ChildProcess::~ChildProcess() {
+  if (input_ >= 0) close(input_);
+  if (pid_ > 0) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  if (errors_ >= 0) close(errors_);
+}
+
+bool ChildProcess::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(input_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EPIPE) return false;
+    if (written < 0) fail(name_, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+void ChildProcess::finish() {
+  close(std::exchange(input_, -1));
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  const std::string said = avo_io::printable(last_line(errors_), 200);
+  throw avo_io::FileError(
+      fmt::format("{}: {}", name_, said.empty() ? "it has failed without a word" : said));
+}
+
+}  // namespace avo_cli

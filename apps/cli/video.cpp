@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo video: a recording as a video, by ffmpeg.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "avo_io/frames.h"
+#include "avo_io/output_file.h"
+#include "avo_io/recording.h"
+#include "child_process.h"
+#include "exit_codes.h"
+#include "figures/picture.h"
+#include "files.h"
+#include "signals.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+namespace figures = avo::figures;
+
+constexpr double kWays = 4.0;  // s of the simulation: how far back ways are shown
+
+bool is_gif(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  return ending == ".gif" || ending == ".GIF";
+}
+
+void check_arguments(const VideoArguments& arguments) {
+  require_ending({"the video", arguments.output}, {".mp4", ".gif"});
+  if (!std::filesystem::path(arguments.output).has_extension())
+    throw UsageError(arguments.output + ": found no ending, must be .mp4 or .gif");
+  const auto require = [](const char* option, double value, double most) {
+    if (!(value > 0.0 && value <= most))
+      throw UsageError(fmt::format("{}: found {}, must be > 0, <= {}", option, value, most));
+  };
+  require("--fps", arguments.fps, 240.0);
+  require("--speed", arguments.speed, 1e6);
+  if (arguments.size < 16 || arguments.size > 8192 || arguments.size % 2 != 0)
+    throw UsageError(
+        fmt::format("--size: found {}, must be an even number from 16 to 8192", arguments.size));
+}
+
+avo::Scenario scenario_of(const VideoArguments& arguments) {
+  if (!arguments.scene.scene.empty())
+    return load(arguments.scene, {{"the video", arguments.output}});
+  const auto header = avo_io::read_recording_header(arguments.recording);
+  if (!header)
+    throw UsageError(arguments.recording +
+                     ": found no scene in it, must be a recording as HDF5, or --scene");
+  avo_io::SceneSource source = header->scene;
+  source.overrides.insert(source.overrides.end(), arguments.scene.overrides.begin(),
+                          arguments.scene.overrides.end());
+  return avo_io::parse_scenario(source);
+}
+
+/// All that is there at any time of the recording.
+figures::Box world_of(const VideoArguments& arguments, const avo::Scenario& scenario) {
+  figures::Box world = figures::world_of(scenario);
+  avo_io::RecordingReader reader(arguments.recording,
+                                 static_cast<std::int64_t>(scenario.robots.size()));
+  avo_io::RecordedTime moment;
+  while (reader.next(moment)) {
+    for (const avo::CheckedState& row : moment.rows) {
+      const avo::RobotSetup& robot = scenario.robots[static_cast<std::size_t>(row.robot)];
+      world = enclosing(world, figures::enclosing(avo::Disc{row.position, disc_radius(robot)}));
+    }
+  }
+  return world;
+}
+
+/// The longer side has `size` pixels; both are even.
+struct Pixels {
+  int width, height;
+};
+Pixels pixels_of(const figures::Box& world, int size) {
+  const avo::Vec2 sides = world.upper - world.lower;
+  const double longer = std::max(sides.x, sides.y);
+  const auto even = [size, longer](double side) {
+    return std::max(2 * static_cast<int>(std::lround(0.5 * size * side / longer)), 16);
+  };
+  return {even(sides.x), even(sides.y)};
+}
+
+std::vector<std::string> ffmpeg(const VideoArguments& arguments, const Pixels& pixels,
+                                const std::string& file) {
+  std::vector<std::string> command{"ffmpeg",
+                                   "-nostdin",
+                                   "-y",
+                                   "-loglevel",
+                                   "error",
+                                   "-f",
+                                   "rawvideo",
+                                   "-pix_fmt",
+                                   "bgr0",
+                                   "-s",
+                                   fmt::format("{}x{}", pixels.width, pixels.height),
+                                   "-r",
+                                   fmt::format("{}", arguments.fps),
+                                   "-i",
+                                   "-"};
+  // colors of each frame for itself: those of the whole video would be known at its end only
+  const std::vector<std::string> gif{
+      "-filter_complex",
+      "split[a][b];[a]palettegen=stats_mode=single:max_colors=128[p];[b][p]paletteuse=new=1", "-f",
+      "gif"};
+  const std::vector<std::string> mp4{"-c:v",      "libx264",    "-preset",  "veryfast",
+                                     "-crf",      "20",         "-pix_fmt", "yuv420p",
+                                     "-movflags", "+faststart", "-f",       "mp4"};
+  const std::vector<std::string>& format = is_gif(arguments.output) ? gif : mp4;
+  command.insert(command.end(), format.begin(), format.end());
+  command.push_back("file:" + file);
+  return command;
+}
+
+/// Draws frame after frame until the recording ends; returns how many.
+std::int64_t draw_frames(const VideoArguments& arguments, const avo::Scenario& scenario,
+                         figures::MomentPainter& painter, ChildProcess& child) {
+  avo_io::FrameReader reader(arguments.recording, scenario);
+  Progress progress(scenario.duration, true);
+  std::vector<figures::TrajectoryFrame> frames;
+  const double step = arguments.speed / arguments.fps;
+  const auto kept = static_cast<std::size_t>(std::ceil(kWays / step)) + 1;
+  std::int64_t count = 0;
+  while (signal_caught() == 0) {
+    const double time = reader.first_time() + step * static_cast<double>(count);
+    const std::optional<avo_io::RecordedFrame> frame = reader.at(time);
+    if (!frame) break;
+    if (frames.size() == kept) frames.erase(frames.begin());
+    frames.push_back({frame->time, frame->position, frame->heading, frame->obstacle_position});
+    ++count;
+    if (!child.write(painter.paint(frames, frame->there))) break;
+    progress.show(time);
+  }
+  return count;
+}
+
+}  // namespace
+
+int video(const VideoArguments& arguments) {
+  check_arguments(arguments);
+  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)},
+                   {{"the video", arguments.output}});
+  catch_signals();
+  const avo::Scenario scenario = scenario_of(arguments);
+  const figures::Box world = world_of(arguments, scenario);
+  const Pixels pixels = pixels_of(world, arguments.size);
+  figures::MomentPainter painter(scenario, world, pixels.width, pixels.height);
+  avo_io::OutputFile file(arguments.output);
+  if (file.temporary().empty())
+    throw avo_io::FileError(arguments.output + ": found no regular file, a video must be one");
+  ChildProcess child(ffmpeg(arguments, pixels, file.temporary()));
+  const std::int64_t count = draw_frames(arguments, scenario, painter, child);
+  child.finish();
+  file.commit();
+  print_results(fmt::format("{}: {} frames of {} x {} pixels, {:.1f} s\n", arguments.output, count,
+                            pixels.width, pixels.height,
+                            static_cast<double>(count) / arguments.fps));
+  const int caught = signal_caught();
+  return caught == 0 ? kDone : kSignal + caught;
+}
+
+}  // namespace avo_cli
