@@ -87,6 +87,11 @@ struct VideoArguments {
 };
 int video(const VideoArguments& arguments);
 
+struct ReportArguments {
+  std::string recording, output;
+};
+int report(const ReportArguments& arguments);
+
 struct BenchArguments {
   SceneArguments scene;
   int threads = 0;

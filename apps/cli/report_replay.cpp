@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recording as a drawing that a page sets in motion.
+#include "report_replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+#include <optional>
+
+#include "avo/wall.h"
+#include "figures/picture.h"
+#include "figures/time_lapse.h"
+#include "html.h"
+
+namespace avo_cli {
+namespace {
+
+namespace figures = avo::figures;
+
+constexpr std::size_t kMostFrames = 600;
+constexpr std::size_t kMostPositions = 400'000;  // 2.2 MB of a page
+constexpr std::uint16_t kNotThere = 65535;
+
+/// "#rrggbb".
+std::string word_of(const figures::Color& color) {
+  const auto level = [](double part) { return static_cast<int>(std::lround(255.0 * part)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", level(color.red), level(color.green),
+                     level(color.blue));
+}
+
+std::uint16_t coordinate(double value, double low, double size) {
+  return static_cast<std::uint16_t>(
+      std::lround(65534.0 * std::clamp((value - low) / size, 0.0, 1.0)));
+}
+
+avo::Vec2 center_of(const avo::RobotSetup& robot, const avo_io::RecordedFrame& frame,
+                    std::size_t i) {
+  return disc_center(robot.model, frame.position[i], frame.heading[i]);
+}
+
+}  // namespace
+
+ReportFrames read_frames(const std::string& recording, const avo::Scenario& scenario, double end) {
+  avo_io::FrameReader reader(recording, scenario);
+  const std::size_t bodies = scenario.robots.size() + scenario.moving_obstacles.size();
+  const std::size_t most = std::clamp(kMostPositions / bodies, std::size_t{2}, kMostFrames);
+  const double first = reader.first_time();
+  const double step = std::max((end - first) / static_cast<double>(most - 1), scenario.time_step);
+  ReportFrames run{{}, figures::world_of(scenario)};
+  for (std::size_t k = 0; k < most; ++k) {
+    std::optional<avo_io::RecordedFrame> frame =
+        reader.at(std::min(first + step * static_cast<double>(k), end));
+    if (!frame) break;
+    for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+      run.world = enclosing(run.world,
+                            figures::enclosing(avo::Disc{center_of(scenario.robots[i], *frame, i),
+                                                         disc_radius(scenario.robots[i])}));
+    for (std::size_t i = 0; i < scenario.moving_obstacles.size(); ++i)
+      run.world =
+          enclosing(run.world, figures::enclosing(avo::Disc{frame->obstacle_position[i],
+                                                            scenario.moving_obstacles[i].radius}));
+    const bool done = frame->time >= end;
+    run.frames.push_back(std::move(*frame));
+    if (done) break;
+  }
+  return run;
+}
+
+std::string drawing_of(const avo::Scenario& scenario, const ReportFrames& run) {
+  const avo::Vec2 low = run.world.lower, size = run.world.upper - run.world.lower;
+  const double hair = 0.002 * std::max(size.x, size.y);  // m
+  std::string svg = fmt::format(
+      "<svg viewBox=\"{} {} {} {}\" role=\"img\" aria-label=\"replay\"><g "
+      "transform=\"scale(1,-1)\" "
+      "stroke-width=\"{:.4g}\">\n<g stroke=\"#555\" stroke-linecap=\"round\">\n",
+      low.x, -low.y - size.y, size.x, size.y, hair);
+  for (const avo::Wall& wall : walls_of(scenario.obstacles))
+    svg += fmt::format(
+        "<line x1=\"{:.6g}\" y1=\"{:.6g}\" x2=\"{:.6g}\" y2=\"{:.6g}\" stroke-width=\"{:.4g}\"/>\n",
+        wall.a.x, wall.a.y, wall.b.x, wall.b.y, std::max(2.0 * wall.radius, hair));
+  svg += "</g>\n<g>\n";
+  const std::vector<figures::Color> colors = figures::robot_colors(scenario);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    if (!scenario.robots[i].parked)
+      svg += fmt::format("<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\" fill=\"{}\"/>\n",
+                         scenario.robots[i].goal.x, scenario.robots[i].goal.y, 2.0 * hair,
+                         word_of(colors[i]));
+  svg += "</g>\n<g id=\"bodies\" fill-opacity=\"0.85\">\n";
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+    svg += fmt::format("<circle r=\"{:.6g}\" fill=\"{}\"><title>robot {}</title></circle>\n",
+                       disc_radius(scenario.robots[i]), word_of(colors[i]), i);
+  for (std::size_t i = 0; i < scenario.moving_obstacles.size(); ++i)
+    svg += fmt::format(
+        "<circle r=\"{:.6g}\" fill=\"#555\"><title>moving obstacle {}</title></circle>\n",
+        scenario.moving_obstacles[i].radius, i);
+  return svg + "</g></g></svg>";
+}
+
+std::string data_of(const avo::Scenario& scenario, const ReportFrames& run) {
+  const avo::Vec2 low = run.world.lower, size = run.world.upper - run.world.lower;
+  std::vector<std::uint16_t> positions;
+  const auto add = [&](avo::Vec2 at, bool there) {
+    positions.push_back(there ? coordinate(at.x, low.x, size.x) : kNotThere);
+    positions.push_back(there ? coordinate(at.y, low.y, size.y) : kNotThere);
+  };
+  std::vector<double> times;
+  for (const avo_io::RecordedFrame& frame : run.frames) {
+    times.push_back(frame.time);
+    for (std::size_t i = 0; i < scenario.robots.size(); ++i)
+      add(center_of(scenario.robots[i], frame, i), frame.there[i]);
+    for (const avo::Vec2 at : frame.obstacle_position) add(at, true);
+  }
+  const std::string bytes(reinterpret_cast<const char*>(positions.data()),
+                          positions.size() * sizeof positions[0]);
+  const nlohmann::ordered_json json{{"times", times},
+                                    {"low", {low.x, low.y}},
+                                    {"size", {size.x, size.y}},
+                                    {"positions", base64(bytes)}};
+  return json.dump();
+}
+
+}  // namespace avo_cli
