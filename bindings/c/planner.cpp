@@ -73,7 +73,7 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
 using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
 
 avo_planner_def avo_default_planner_def(avo_method method) {
-  const bool is_known = method >= AVO_METHOD_AVO && method <= AVO_METHOD_ORCA;
+  const bool is_known = method >= AVO_METHOD_AVO && method <= AVO_METHOD_BUFFERED_VORONOI;
   const avo::PlannerOptions options =
       avo::default_options(is_known ? static_cast<avo::Method>(method) : avo::Method::avo);
   avo_planner_def def = {};

@@ -418,6 +418,7 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {
+      if (!is_valid(mover)) continue;  // as it is, for plan() to refuse
       if (mover.behavior == Behavior::decides) mover.acceleration = {}, mover.max_deviation = 0.0;
       mover.behavior = Behavior::moves_on;
     }

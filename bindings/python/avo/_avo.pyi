@@ -12,7 +12,15 @@ _Out = Union[_Floats, None]
 _Model = Union["Holonomic", "Car", "DifferentialDrive", "Airplane"]
 _Source = Union[str, PathLike[str], dict[str, Any], "Scenario"]
 _Overrides = Union[dict[str, Any], Sequence[str], None]
-_Method = Literal["avo", "avo_paper", "velocity_obstacle", "orca"]
+_Method = Literal[
+    "avo",
+    "avo_paper",
+    "velocity_obstacle",
+    "orca",
+    "orca_clamped",
+    "reciprocal_velocity_obstacle",
+    "buffered_voronoi",
+]
 _Motion = Literal["held", "exponential"]
 _Certificate = Literal["none", "stopping_capsules", "braking_trajectories"]
 _Clock = Literal["common", "free"]

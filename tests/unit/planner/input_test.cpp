@@ -24,8 +24,13 @@ bool finite(const Plan& plan) {
          is_finite(plan.acceleration) && std::isfinite(plan.violation);
 }
 
-constexpr Method kMethods[] = {Method::avo, Method::avo_paper, Method::velocity_obstacle,
-                               Method::orca};
+constexpr Method kMethods[] = {Method::avo,
+                               Method::avo_paper,
+                               Method::velocity_obstacle,
+                               Method::orca,
+                               Method::orca_clamped,
+                               Method::reciprocal_velocity_obstacle,
+                               Method::buffered_voronoi};
 
 using Change = std::function<void(Robot&, Neighbor&, double)>;
 
