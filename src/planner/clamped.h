@@ -10,7 +10,7 @@
 namespace avo {
 
 /// The plan of ORCA, its v' brought within a_max Δt of v: the velocity at the end of a step of held
-/// acceleration. Its violation is then the most by which that leaves one of the half-planes.
+/// acceleration. Its violation is then the most by which that leaves a neighbor's half-plane.
 Plan clamped(const Planner& planner, const Robot& robot, const Plan& plan,
              std::span<const HalfPlane> half_planes);
 
