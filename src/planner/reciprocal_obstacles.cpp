@@ -75,7 +75,7 @@ PassiveChoice least_penalty(std::span<const PassiveObstacle> obstacles, const Di
     double first = std::numeric_limits<double>::infinity();
     for (const PassiveObstacle& obstacle : obstacles)
       first = std::min(first, time_to_collision(obstacle, time_horizon, allowed));
-    penalty.value += kSafetyFactor / first;
+    penalty.value += first > 0.0 ? kSafetyFactor / first : std::numeric_limits<double>::infinity();
     if (!(penalty < least)) return false;
     least = penalty;
     choice.velocity = allowed;
