@@ -92,10 +92,9 @@ Obstacle cone_of(const Crowd& crowd, const Neighbor& B) {
           crowd.options.time_horizon};
 }
 Vec2 relative_by_share(const Crowd& crowd, const Neighbor& B, Vec2 v_new) {
-  const double alpha =
-      B.behavior == Behavior::decides
-          ? reciprocal_share(crowd.robot.max_acceleration, B.max_acceleration)
-          : 1.0;
+  const double alpha = B.behavior == Behavior::decides
+                           ? reciprocal_share(crowd.robot.max_acceleration, B.max_acceleration)
+                           : 1.0;
   const Vec2 v_A = crowd.robot.velocity;
   return (1.0 / alpha) * v_new + (1.0 - 1.0 / alpha) * v_A - B.velocity;
 }
@@ -162,6 +161,27 @@ double slow_time_to_collision(const Crowd& crowd, const Neighbor& B, Vec2 v_new)
     if (norm(cone.pair.position + t * u) < cone.pair.radius) return t;
   }
   return std::numeric_limits<double>::infinity();
+}
+
+TEST(ReciprocalVelocityObstacle, times_to_collision_are_those_of_small_steps) {
+  Random random(12);
+  int collisions = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Crowd crowd = crowd_by(random, Method::reciprocal_velocity_obstacle);
+    const Vec2 v_new = test::in_disc(random, crowd.robot.max_speed);
+    for (const Neighbor& B : crowd.neighbors) {
+      const double slow = slow_time_to_collision(crowd, B, v_new);
+      const double time = time_to_collision(reciprocal_obstacle(crowd.options, crowd.robot, B),
+                                            crowd.options.time_horizon, v_new);
+      if (std::isfinite(slow) && std::isfinite(time)) {
+        EXPECT_NEAR(time, slow, 0.003) << crowd;
+        ++collisions;
+      } else {
+        EXPECT_FALSE(std::isfinite(slow)) << crowd;  // small steps may miss a fly-by
+      }
+    }
+  }
+  EXPECT_GT(collisions, 100);
 }
 
 double penalty_of(const Crowd& crowd, Vec2 v_new) {
