@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "avo/half_plane.h"
 #include "figures/contour.h"
 
 namespace avo::figures {
@@ -20,20 +21,30 @@ std::string source_label(std::int64_t source) {
 
 // v'_B of a mover: the velocity it has, or approaches under the acceleration observed (§III-C).
 Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
-  const bool observed = neighbor.behavior == Behavior::moves_on && !adopts_at_once(options.method);
+  const bool observed =
+      neighbor.behavior == Behavior::moves_on && !disregards_acceleration(options.method);
   if (!observed) return neighbor.velocity;
   return neighbor.velocity + options.control_time * neighbor.acceleration;
 }
 
 LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_t i,
                             const PlannerOptions& options) {
-  const Response response = adopts_at_once(options.method)
+  const Response response = disregards_acceleration(options.method)
                                 ? Response::velocity()
                                 : Response::proportional(options.control_time);
   const Neighbor& neighbor = perception.neighbors[i];
-  const Pair pair{perception.robot.position - neighbor.position,
-                  perception.robot.velocity - neighbor.velocity,
-                  perception.robot.radius + neighbor.radius};
+  const Robot& robot = perception.robot;
+  const Pair pair{robot.position - neighbor.position, robot.velocity - neighbor.velocity,
+                  robot.radius + neighbor.radius};
+  if (options.method == Method::reciprocal_velocity_obstacle &&
+      neighbor.behavior == Behavior::decides) {  // α times as large, its apex moved by α to v_B
+    const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
+                                          robot.priority, neighbor.priority);
+    const Pair own{pair.position, alpha * pair.velocity, pair.radius};
+    return {{own, response, options.time_horizon / alpha},
+            robot.velocity - own.velocity,
+            source_label(perception.source[i])};
+  }
   return {{pair, response, options.time_horizon},
           new_velocity_of(neighbor, options),
           source_label(perception.source[i])};
@@ -71,8 +82,7 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
 
   PlanWorkspace workspace;
   Detour detour = perception.detour;
-  const bool movers =
-      perception.among_movers || planner.options().method == Method::velocity_obstacle;
+  const bool movers = perception.among_movers || avoids_union(planner.options().method);
   const Plan plan = planner.plan(robot, perception.neighbors, workspace, &detour, perception.walls);
   if (movers) {
     for (std::size_t i = 0; i < perception.neighbors.size(); ++i) {
@@ -86,6 +96,8 @@ VelocitySpace velocity_space(const Simulation::Perception& perception, const Pla
       const auto i = static_cast<std::size_t>(cut.neighbor);
       space.half_planes.push_back(
           {cut.plane, source_label(perception.source[i]), lies_on(cut.plane, plan.new_velocity)});
+      if (planner.options().method == Method::buffered_voronoi)
+        continue;  // of cells, not obstacles
       space.obstacles.push_back(obstacle_of(perception, i, planner.options()));
       space.obstacles.back().label.clear();  // that of the half-plane
       space.obstacles.back().forbids = false;

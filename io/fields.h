@@ -161,8 +161,10 @@ auto by_name(Choice first, Others... others) {
   };
   return std::array{named(first), named(others)...};
 }
-inline const auto kMethods = by_name(avo::Method::avo, avo::Method::avo_paper,
-                                     avo::Method::velocity_obstacle, avo::Method::orca);
+inline const auto kMethods =
+    by_name(avo::Method::avo, avo::Method::avo_paper, avo::Method::velocity_obstacle,
+            avo::Method::orca, avo::Method::orca_clamped, avo::Method::reciprocal_velocity_obstacle,
+            avo::Method::buffered_voronoi);
 inline const auto kCertificates =
     by_name(avo::Certificate::none, avo::Certificate::stopping_capsules,
             avo::Certificate::braking_trajectories);

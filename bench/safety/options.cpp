@@ -14,8 +14,13 @@
 namespace avo::safety {
 namespace {
 
-constexpr std::array kMethods{Method::avo, Method::avo_paper, Method::velocity_obstacle,
-                              Method::orca};
+constexpr std::array kMethods{Method::avo,
+                              Method::avo_paper,
+                              Method::velocity_obstacle,
+                              Method::orca,
+                              Method::orca_clamped,
+                              Method::reciprocal_velocity_obstacle,
+                              Method::buffered_voronoi};
 constexpr std::array kCertificates{Certificate::none, Certificate::stopping_capsules,
                                    Certificate::braking_trajectories};
 constexpr std::array kMotions{Motion::held, Motion::exponential};
@@ -117,7 +122,8 @@ const char* usage() {
   --robot-steps X     robot-steps of each crush and each row of walls- but
                       walls-movers, in all its scenes, default 1e7; a tenth of it for
                       mixed-crush
-  --method NAME       avo, avo_paper, velocity_obstacle, orca
+  --method NAME       avo, avo_paper, velocity_obstacle, orca, orca_clamped,
+                      reciprocal_velocity_obstacle, buffered_voronoi
   --certificate NAME  none, stopping_capsules, braking_trajectories
   --motion NAME       held, exponential
   --control-time S    delta, where the row does not name its own

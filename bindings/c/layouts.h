@@ -44,6 +44,10 @@ template <typename Cpp>
 constexpr bool is(int c, Cpp cpp) {
   return c == static_cast<int>(cpp);
 }
+static_assert(is(AVO_METHOD_BUFFERED_VORONOI, avo::Method::buffered_voronoi));
+static_assert(is(AVO_METHOD_RECIPROCAL_VELOCITY_OBSTACLE,
+                 avo::Method::reciprocal_velocity_obstacle));
+static_assert(is(AVO_METHOD_ORCA_CLAMPED, avo::Method::orca_clamped));
 static_assert(is(AVO_METHOD_ORCA, avo::Method::orca));
 static_assert(is(AVO_METHOD_VELOCITY_OBSTACLE, avo::Method::velocity_obstacle));
 static_assert(is(AVO_METHOD_AVO_PAPER, avo::Method::avo_paper));

@@ -51,7 +51,7 @@ avo::Robot read_robot(const avo_robot* robot) {
 avo::PlannerOptions options_of(const avo_planner_def& def) {
   const Where here;
   avo::PlannerOptions options;
-  options.method = word<avo::Method>(def.method, 4, here, "method");
+  options.method = word<avo::Method>(def.method, 7, here, "method");
   options.motion = word<avo::Motion>(def.motion, 2, here, "motion");
   options.control_time = def.control_time;
   options.time_horizon = def.time_horizon;
@@ -73,7 +73,7 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
 using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
 
 avo_planner_def avo_default_planner_def(avo_method method) {
-  const bool is_known = method >= AVO_METHOD_AVO && method <= AVO_METHOD_ORCA;
+  const bool is_known = method >= AVO_METHOD_AVO && method <= AVO_METHOD_BUFFERED_VORONOI;
   const avo::PlannerOptions options =
       avo::default_options(is_known ? static_cast<avo::Method>(method) : avo::Method::avo);
   avo_planner_def def = {};

@@ -48,7 +48,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.time_horizon = unless_zero(def.time_horizon);
   scenario.sensing_radius = def.sensing_radius;
   scenario.max_neighbors = unless_zero(def.max_neighbors);
-  scenario.method = word<avo::Method>(def.method, 4, here, "method");
+  scenario.method = word<avo::Method>(def.method, 7, here, "method");
   if (def.certificate != AVO_UNSET)
     scenario.certificate = word<avo::Certificate>(def.certificate, 3, here, "certificate");
   scenario.motion = word<avo::Motion>(def.motion, 2, here, "motion");

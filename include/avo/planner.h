@@ -22,11 +22,30 @@ enum class Method : std::uint8_t {
   avo_paper,          ///< the paper alone: acceleration-velocity obstacles, reciprocal half-planes
   velocity_obstacle,  ///< the paper's §III-A: others keep their velocity, v' is adopted at once
   orca,               ///< the limit δ -> 0, δ a_max -> infinity: v' is adopted at once
+  orca_clamped,       ///< orca's choice, and of the way there what a_max allows within a step
+  reciprocal_velocity_obstacle,  ///< velocity obstacles with their apex between v_A and v_B
+  buffered_voronoi,              ///< the robot's Voronoi cell less its radius, braking within it
 };
 
 /// True of the methods without acceleration limit and δ: v' is adopted at once.
 constexpr bool adopts_at_once(Method method) {
-  return method == Method::velocity_obstacle || method == Method::orca;
+  return method == Method::velocity_obstacle || method == Method::orca ||
+         method == Method::reciprocal_velocity_obstacle;
+}
+
+/// True of the methods whose v' keeps a_max and is reached at the end of the step: δ is Δt.
+constexpr bool reaches_within_step(Method method) {
+  return method == Method::orca_clamped || method == Method::buffered_voronoi;
+}
+
+/// True of the methods that choose a velocity whatever acceleration it takes to get there.
+constexpr bool disregards_acceleration(Method method) {
+  return adopts_at_once(method) || method == Method::orca_clamped;
+}
+
+/// True of the methods that choose outside the union of all neighbors' obstacles (§III-A).
+constexpr bool avoids_union(Method method) {
+  return method == Method::velocity_obstacle || method == Method::reciprocal_velocity_obstacle;
 }
 
 /// What no decision may break, whatever the half-planes ask for (docs/certificate.md).
@@ -75,7 +94,9 @@ AVO_API const char* to_string(Clock clock);
 struct PlannerOptions {
   Method method = Method::avo;
   Motion motion = Motion::held;
-  double control_time = 2.0;  ///< [δ] s, >= 1e-6 unless v' is adopted at once, Eq. (7)
+  /// [δ] s, >= 1e-6 unless v' is adopted at once, Eq. (7); Planner::options() has time_step where
+  /// v' is reached within a step.
+  double control_time = 2.0;
   double time_horizon = 3.0;  ///< [τ] s, > 0, Definition 2
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
@@ -238,18 +259,18 @@ class AVO_API Planner {
   /// the same times unless PlannerOptions::clock is free. Neighbors may come in any order, which
   /// changes no bit but where two are equally far away; those that come nearest first need not be
   /// sorted. A robot among movers none of which decides plans as in plan_among_obstacles, and so
-  /// does any of method velocity_obstacle. detour: what the robot remembers, kept by the caller
-  /// from decision to decision; updated, or unchanged where this throws. Without one it decides as
-  /// for the first time. One that is not finite, or out of range, counts as none. walls: what does
-  /// not move, near the robot; a certificate keeps clear of it. The robot needs all whose surface
-  /// is within r + S Δt + l(S) of its position, and a billionth more for rounding: S = max(|v|,
-  /// v_max), l is the stopping length. Others change no bit. A neighbor that decides and is behind
-  /// such a wall does not count where nobody can come round an end of it before both have stopped:
-  /// it is taken to keep clear of that wall likewise (docs/certificate.md, "Neighbors behind
-  /// walls"). A wall that is not finite is invalid_input. Without a certificate walls only slow the
-  /// target of method avo. The other methods choose in the half-planes of the walls' obstacles, to
-  /// which those of neighbors yield; they need all walls within r + τ max(|v|, v_max), count all
-  /// neighbors, and promise nothing.
+  /// does any of methods velocity_obstacle and reciprocal_velocity_obstacle. detour: what the robot
+  /// remembers, kept by the caller from decision to decision; updated, or unchanged where this
+  /// throws. Without one it decides as for the first time. One that is not finite, or out of range,
+  /// counts as none. walls: what does not move, near the robot; a certificate keeps clear of it.
+  /// The robot needs all whose surface is within r + S Δt + l(S) of its position, and a billionth
+  /// more for rounding: S = max(|v|, v_max), l is the stopping length. Others change no bit. A
+  /// neighbor that decides and is behind such a wall does not count where nobody can come round an
+  /// end of it before both have stopped: it is taken to keep clear of that wall likewise
+  /// (docs/certificate.md, "Neighbors behind walls"). A wall that is not finite is invalid_input.
+  /// Without a certificate walls only slow the target of method avo. The other methods choose in
+  /// the half-planes of the walls' obstacles, to which those of neighbors yield; they need all
+  /// walls within r + τ max(|v|, v_max), count all neighbors, and promise nothing.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Wall> walls = {}) const;
@@ -257,7 +278,8 @@ class AVO_API Planner {
   /// One robot among movers that do not react (§III-C, Eqs. 13-14): v' outside the union of their
   /// obstacles, B's new velocity being v_B + δ a_B with the acceleration that the neighbor gives.
   /// They touch it at rest only, as long as they keep that acceleration; with neighbors that call
-  /// plan() nothing is promised (docs/certificate.md, "Movers").
+  /// plan() nothing is promised (docs/certificate.md, "Movers"). Method buffered_voronoi, which has
+  /// no obstacles, plans as plan() does with all of them moving on.
   [[nodiscard]] Plan plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                           PlanWorkspace& workspace) const;
 
@@ -299,8 +321,8 @@ class AVO_API Planner {
                                    PlanWorkspace& workspace,
                                    std::span<const Wall> walls = {}) const;
 
-  /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); for orca without bound (infinite
-  /// radius).
+  /// D(v_A, δ a_max), what the acceleration allows, Eq. (21); without bound (infinite radius) for
+  /// methods that disregard it.
   [[nodiscard]] Disc acceleration_disc(const Robot& robot) const;
   /// D(0, v_max).
   [[nodiscard]] Disc speed_disc(const Robot& robot) const;

@@ -32,7 +32,7 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   if (robots.count == 1) return solve(0);
   ProgramBatch& batch = scratch.programs;
   batch.clear();
-  const bool unlimited = adopts_at_once(planner.options().method);
+  const bool unlimited = disregards_acceleration(planner.options().method);
   const double control_time = planner.options().control_time;
   for (std::size_t i = 0; i < robots.count; ++i) {
     const MotionModel* model = robots.has_models ? robots.model[i] : nullptr;

@@ -45,7 +45,8 @@ inline std::size_t planned_with(const PlannerOptions& options, const Neighbors& 
 /// certificate only the nearest matter.
 template <typename Neighbors>
 bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) {
-  if (options.method == Method::velocity_obstacle) return true;
+  if (avoids_union(options.method)) return true;
+  if (options.method == Method::buffered_voronoi) return false;
   const std::size_t count = options.certificate == Certificate::none
                                 ? planned_with(options, neighbors.size())
                                 : neighbors.size();
@@ -95,7 +96,7 @@ inline Plan plan_of(const PlannerOptions& options, Vec2 velocity, Vec2 new_veloc
 }
 
 inline Approach approach_of(const PlannerOptions& options) {
-  const bool at_once = options.method == Method::avo || adopts_at_once(options.method);
+  const bool at_once = options.method != Method::avo_paper;
   return {at_once, options.time_step, 0.5 * options.arrival_distance};
 }
 

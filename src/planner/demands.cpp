@@ -46,7 +46,7 @@ std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Hor
   if (!(away - robot.radius - wall.radius <= reach)) return {};
   const WallPair pair = relative(robot, wall);
   const RelativeHalfPlane relative =
-      adopts_at_once(options.method)
+      disregards_acceleration(options.method)
           ? orca_wall_half_plane(pair, options.time_horizon, options.time_step)
           : wall_half_plane(pair, options.control_time * robot.max_acceleration, horizon);
   const bool coincident = relative.state == PairState::coincident;
@@ -62,8 +62,9 @@ void collect_demands(const Planner& planner, const Robot& robot, std::span<const
   demands.clear();
   const PlannerOptions& options = planner.options();
   const bool at_once = adopts_at_once(options.method);
-  if (options.method == Method::avo) append_speed_planes(robot, walls, law, demands.planes);
-  for (std::size_t k = 0; k < walls.size() && options.method != Method::avo; ++k) {
+  const bool by_speed = slows_before_walls(options.method);
+  if (by_speed) append_speed_planes(robot, walls, law, demands.planes);
+  for (std::size_t k = 0; k < walls.size() && !by_speed; ++k) {
     const Wall& wall = walls[k];
     const auto own =
         obstacle_plane(options, planner.horizon(), robot, wall, 0, demands.overlapping);

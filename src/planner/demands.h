@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the target of the first program has to keep to: what a robot's own motion can follow, and
-// what walls ask. Of method avo: no more speed towards one than braking can take off before it. Of
-// the others: the half-planes of the walls' obstacles.
+// what walls ask. Of methods avo and buffered_voronoi: no more speed towards one than braking can
+// take off before it. Of the others: the half-planes of the walls' obstacles.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +15,11 @@
 #include "certificate/braking_path.h"
 
 namespace avo {
+
+/// Whether half-planes of walls are about the speed towards them alone.
+constexpr bool slows_before_walls(Method method) {
+  return method == Method::avo || method == Method::buffered_voronoi;
+}
 
 /// m/s: the largest V with V Δt + l(V) <= gap.
 double speed_before(double gap, double max_braking, const StepLaw& law);
@@ -47,8 +52,8 @@ struct Demands {
   void reserve(std::size_t walls) { planes.reserve(walls), excess.reserve(walls); }
 };
 
-/// Replaces the demands by those of all walls in reach, of method avo the speed planes, and those
-/// of the robot's own motion.
+/// Replaces the demands by those of all walls in reach, or by their speed planes, and those of the
+/// robot's own motion.
 void collect_demands(const Planner& planner, const Robot& robot, std::span<const Wall> walls,
                      const StepLaw& law, Demands& demands);
 

@@ -98,9 +98,10 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
     if (!is_valid(walls[k])) continue;
     const int index = static_cast<int>(k);
     speeds.clear();
-    if (options_.method == Method::avo)
+    if (slows_before_walls(options_.method))
       append_speed_planes(robot, walls.subspan(k, 1), certificate_law(*this).step, speeds);
     if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
+    if (options_.method == Method::buffered_voronoi) continue;
     const auto own =
         obstacle_plane(options_, *horizon_, robot, walls[k], index, half_planes.overlapping);
     if (own && (own->excess > 0.0 || cuts(own->plane))) half_planes.obstacles.push_back(*own);

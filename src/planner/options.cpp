@@ -92,7 +92,13 @@ void validate(const PlannerOptions& options, const std::string& prefix) {
   if (options.time_step > options.time_horizon)
     refuse(prefix + "time_step", text(options.time_step),
            "<= time_horizon = " + text(options.time_horizon) + " s");
-  if (!adopts_at_once(options.method)) validate_control(options, prefix);
+  if (reaches_within_step(options.method)) {
+    if (options.motion != Motion::held)
+      refuse(prefix + "motion", to_string(options.motion),
+             std::string("held with method ") + to_string(options.method));
+  } else if (!adopts_at_once(options.method)) {
+    validate_control(options, prefix);
+  }
   if (options.max_neighbors)
     require(prefix + "max_neighbors", *options.max_neighbors, kAtLeastOne, "");
   require(prefix + "samples", options.samples, kSamples, "");

@@ -15,8 +15,13 @@ namespace avo {
 template <typename Choice>
 AVO_LOCAL inline constexpr std::array<const char*, 0> kNames{};
 template <>
-AVO_LOCAL inline constexpr std::array kNames<Method>{"avo", "avo_paper", "velocity_obstacle",
-                                                     "orca"};
+AVO_LOCAL inline constexpr std::array kNames<Method>{"avo",
+                                                     "avo_paper",
+                                                     "velocity_obstacle",
+                                                     "orca",
+                                                     "orca_clamped",
+                                                     "reciprocal_velocity_obstacle",
+                                                     "buffered_voronoi"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<Certificate>{"none", "stopping_capsules",
                                                           "braking_trajectories"};

@@ -3,11 +3,11 @@
 #include "planner/passive_obstacles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "lp/lens.h"
+#include "planner/passive_candidates.h"
 
 namespace avo {
 namespace {
@@ -18,8 +18,6 @@ constexpr int kRootSteps = 100;
 // How finely a piece is searched for a way out of one limit; obstacles cost much more to test.
 constexpr int kObstacleHalvings = 4;
 constexpr int kDiscHalvings = 12;
-constexpr int kDescentSteps = 20;
-constexpr std::array<double, 4> kFanParts{0.25, 0.5, 0.75, 1.0};  // of the smaller disc's radius
 
 struct Search {
   std::span<const Limit> limits;
@@ -210,34 +208,7 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
     choice.violation = largest;
     return true;
   };
-  offer(preferred);
-  const auto [middle, radius] = lens.smaller;
-  constexpr double kSlope = 0.41421356237309503;  // tan 22.5°: every second direction between
-  constexpr std::array<Vec2, 8> kFan{
-      {{1, 0}, {1, kSlope}, {1, 1}, {kSlope, 1}, {0, 1}, {-kSlope, 1}, {-1, 1}, {-1, kSlope}}};
-  offer(middle);
-  for (const Vec2 direction : kFan) {
-    const Vec2 u = (radius / norm(direction)) * direction;
-    for (const double part : kFanParts) {
-      offer(middle + part * u);
-      offer(middle - part * u);
-    }
-  }
-  for (const CurvePoint& point : points) {
-    const bool in_discs = std::none_of(limits.begin(), limits.end(), [&](const Limit& limit) {
-      return limit.kind == Limit::Kind::disc && violates(limit, point.position);
-    });
-    if (in_discs) offer(point.position);
-  }
-  double step = 0.25 * radius;
-  for (int k = 0; k < kDescentSteps; ++k) {
-    const Vec2 here = choice.velocity;
-    bool improved = false;
-    for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
-      improved = offer(here + step * direction) || improved;
-    }
-    if (!improved) step *= 0.5;
-  }
+  try_candidates({limits, points, lens, preferred}, choice.velocity, offer);
   return choice;
 }
 

@@ -14,11 +14,13 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/certify.h"
+#include "planner/clamped.h"
 #include "planner/demands.h"
 #include "planner/flight.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
 #include "planner/passive_obstacles.h"
+#include "planner/reciprocal_obstacles.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
 #include "robots/model.h"
@@ -212,12 +214,14 @@ void PlanWorkspace::reserve(std::size_t neighbors, std::size_t braking_steps) {
 
 Planner::Planner(const PlannerOptions& options) : options_(options) {
   validate(options, "PlannerOptions.");
-  horizon_ = std::make_shared<const Horizon>(options.control_time, options.time_horizon,
+  if (reaches_within_step(options.method)) options_.control_time = options.time_step;
+  horizon_ = std::make_shared<const Horizon>(options_.control_time, options.time_horizon,
                                              options.time_step);
 }
 
 Disc Planner::acceleration_disc(const Robot& robot) const {
-  if (adopts_at_once(options_.method)) return {{}, std::numeric_limits<double>::infinity()};
+  if (disregards_acceleration(options_.method))
+    return {{}, std::numeric_limits<double>::infinity()};
   const double most = options_.control_time * robot.max_acceleration;
   return {robot.velocity, is_holonomic(robot.model) ? most : reach_of(robot.model) * most};
 }
@@ -279,7 +283,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     return brake(planner, robot, PlanStatus::invalid_input, 0.0);
   }
   const std::span<const Neighbor> obstacles = nearest_first(robot, given, scratch);
-  const Response response = adopts_at_once(options.method)
+  const Response response = disregards_acceleration(options.method)
                                 ? Response::velocity()
                                 : Response::proportional(options.control_time);
   bool overlapping = false;
@@ -287,6 +291,10 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   for (const Neighbor& obstacle : obstacles) {
     const Pair pair = relative(robot, obstacle);
     overlapping = overlapping || norm(pair.position) < pair.radius;
+    if (options.method == Method::reciprocal_velocity_obstacle) {
+      scratch.obstacles.push_back(reciprocal_obstacle(options, robot, obstacle));
+      continue;
+    }
     const double kept = obstacle.behavior == Behavior::decides ? 0.0 : 1.0;
     const Vec2 v_new_B =
         obstacle.velocity + (response.control_time() * kept) * obstacle.acceleration;
@@ -306,6 +314,12 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   if (choice.state == PassiveState::discs_disjoint) {
     return brake(planner, robot, PlanStatus::braking, choice.violation);
   }
+  if (choice.state == PassiveState::least_unsafe &&
+      options.method == Method::reciprocal_velocity_obstacle)
+    choice = least_penalty(scratch.obstacles, planner.speed_disc(robot), options.time_horizon,
+                           robot.preferred_velocity, scratch.passive);
+  if (options.method == Method::orca_clamped)
+    choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
   if (options.method == Method::avo) {
     return certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
   }
@@ -400,6 +414,16 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
                                    PlanWorkspace& workspace) const {
   Robot steering = robot;
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
+  if (options_.method == Method::buffered_voronoi) {
+    std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;
+    movers.assign(obstacles.begin(), obstacles.end());
+    for (Neighbor& mover : movers) {
+      if (!is_valid(mover)) continue;  // as it is, for plan() to refuse
+      if (mover.behavior == Behavior::decides) mover.acceleration = {}, mover.max_deviation = 0.0;
+      mover.behavior = Behavior::moves_on;
+    }
+    return plan(robot, movers, workspace);
+  }
   const Plan plan =
       decide_among_obstacles(*this, steering, obstacles, {}, PlanWorkspace::Scratch::of(workspace));
   return with_next_velocity(*this, robot, as_followed(*this, robot, plan));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/buffered_voronoi.h"
 #include "planner/decision.h"
 
 namespace avo {
@@ -169,7 +170,7 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                                       const Robot& robot, const Neighbor& neighbor) {
   Pair pair = relative(robot, neighbor);
   if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
-  if (options.method == Method::orca) {
+  if (disregards_acceleration(options.method)) {
     return orca_half_plane(pair, options.time_horizon, options.time_step);
   }
   const double reach = pair_reach(options, robot, neighbor);
@@ -186,7 +187,7 @@ NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const 
                            robot.priority, neighbor.priority)
           : 1.0;
   HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
-  if (!adopts_at_once(options.method)) {
+  if (!disregards_acceleration(options.method)) {
     plane.offset += mover_offset(options, neighbor, plane.normal);
   }
   // near contact it has no bound; finite all the same
@@ -240,6 +241,8 @@ Pair relative(const Robot& robot, const Neighbor& neighbor) {
 std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const Horizon& horizon,
                                             const Robot& robot, const Neighbor& neighbor, int index,
                                             bool& overlapping) {
+  if (options.method == Method::buffered_voronoi)
+    return cell_half_plane(options, robot, neighbor, index, overlapping);
   const RelativeHalfPlane plane = relative_half_plane(options, horizon, robot, neighbor);
   const bool coincident = plane.state == PairState::coincident;
   if (coincident || plane.state == PairState::overlapping) overlapping = true;
@@ -261,7 +264,8 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
 
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
                          SoftPlanes& soft) {
-  if (options.method == Method::orca || options.samples > 0) {
+  if (disregards_acceleration(options.method) || options.method == Method::buffered_voronoi ||
+      options.samples > 0) {
     collect_others(options, horizon, tile, soft);
   } else {
     collect_exact(options, horizon, tile, soft);

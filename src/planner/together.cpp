@@ -8,8 +8,10 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/behind_walls.h"
+#include "planner/buffered_voronoi.h"
 #include "planner/certify.h"
 #include "planner/choice.h"
+#include "planner/clamped.h"
 #include "planner/demands.h"
 #include "planner/flight.h"
 #include "planner/scratch.h"
@@ -178,6 +180,8 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
     if (soft.exceeding) worst = with_excess(soft.of(i), soft.excess_of(i), target, worst);
     const PlanStatus status = status_of(soft.overlapping[i] != 0, worst);
     plan = plan_of(planner.options(), tile.robots.velocity(i), target, status, worst);
+    if (planner.options().method == Method::orca_clamped)
+      plan = clamped(planner, tile.robots.robot(i), plan, soft.of(i));
   }
 }
 
@@ -203,7 +207,7 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
     *tile.plan[i] = brake(planner, robots.robot(i), PlanStatus::invalid_input, 0.0);
     return true;
   }
-  const bool has_movers = tile.neighbors.has_movers || options.method == Method::velocity_obstacle;
+  const bool has_movers = tile.neighbors.has_movers || avoids_union(options.method);
   if (!has_movers || !is_among_movers(options, neighbors)) return false;
   list(neighbors, scratch.listed);
   *tile.plan[i] =
@@ -241,6 +245,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   collect_soft_planes(options, planner.horizon(), tile, scratch.soft);
   clock.lap(Stage::half_planes);
   make_wishes(planner, tile, scratch.decisions);
+  if (options.method == Method::buffered_voronoi) wish_within_cells(options, tile.robots, scratch);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);

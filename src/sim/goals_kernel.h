@@ -110,6 +110,7 @@ AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const Way<
                                         const StepResponse& step) {
   if (step.method == Method::avo) return approach(robot, way, step);
   if (step.method == Method::avo_paper) return lead(robot, way, step);
+  if (reaches_within_step(step.method)) return approach(robot, way, step);
   return min(way.distance / Real(step.time_step), robot.preferred_speed) * way.direction;
 }
 

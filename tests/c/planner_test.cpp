@@ -190,6 +190,9 @@ int main() {
   check_scene("circle-10", {});
   check_scene("circle-10", {"method=orca"});
   check_scene("circle-10", {"method=velocity_obstacle"});
+  check_scene("circle-10", {"method=orca_clamped"});
+  check_scene("circle-10", {"method=reciprocal_velocity_obstacle"});
+  check_scene("circle-10", {"method=buffered_voronoi"});
   check_scene("circle-10", {"method=avo_paper", "samples=12"});
   check_scene("mixed-yard", {});
   check_scene("planes-12", {});

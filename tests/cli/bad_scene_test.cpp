@@ -167,11 +167,11 @@ const std::vector<BadScene> kBadScenes{
     {"seed_too_large", kGood + s("seed: 18446744073709551616\n"),
      "4:7: seed: found 18446744073709551616, must be < 2^64 = 18446744073709551616"},
     {"method_unknown", kGood + s("method: orka\n"),
-     "4:9: method: found \"orka\", must be one of avo, avo_paper, velocity_obstacle, orca; did you "
-     "mean "
-     "\"orca\"?"},
+     "4:9: method: found \"orka\", must be one of avo, avo_paper, velocity_obstacle, orca, "
+     "orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi; did you mean \"orca\"?"},
     {"method_number", kGood + s("method: 3\n"),
-     "4:9: method: found 3, must be one of avo, avo_paper, velocity_obstacle, orca"},
+     "4:9: method: found 3, must be one of avo, avo_paper, velocity_obstacle, orca, orca_clamped, "
+     "reciprocal_velocity_obstacle, buffered_voronoi"},
     {"certificate_unknown", kGood + s("certificate: capsules\n"),
      "4:14: certificate: found \"capsules\", must be one of none, stopping_capsules, "
      "braking_trajectories"},

@@ -70,7 +70,7 @@ const std::vector<Asked> kAsked{
     {"avo run office --figure=d", "avo run office --figure=d.svg "},
     {"avo check a.csv --scene mixed", "avo check a.csv --scene mixed-yard "},
     {"avo run office --set contr", "avo run office --set control_time="},
-    {"avo run office --set method=o", "avo run office --set method=orca "},
+    {"avo run office --set method=v", "avo run office --set method=velocity_obstacle "},
     {"avo run office --set clock=", "common"},
     {"avo run office --set=right_of_way=t", "avo run office --set=right_of_way=told "}};
 

@@ -54,5 +54,7 @@ def test_examples_run(path, tmp_path):
         assert (tmp_path / "fleet.svg").read_text().count("<circle") == 20
     else:
         lines = said.splitlines()
-        assert [line.split()[0] for line in lines[1:]] == ["avo", "avo_paper", "velocity_obstacle", "orca"]
+        assert [line.split()[0] for line in lines[1:]] == [
+            "avo", "avo_paper", "velocity_obstacle", "orca", "orca_clamped", "reciprocal_velocity_obstacle",
+            "buffered_voronoi"]
         assert lines[1].split()[1:3] == ["50", "0"], "method avo brings all there, and none collide"

@@ -35,7 +35,8 @@ def test_one_robot_gives_way_to_one_that_comes():
     assert math.hypot(*plan.acceleration) <= 1.0 + 1e-12
 
 
-@pytest.mark.parametrize("method", ["avo", "avo_paper", "velocity_obstacle", "orca"])
+@pytest.mark.parametrize("method", ["avo", "avo_paper", "velocity_obstacle", "orca", "orca_clamped",
+                                    "reciprocal_velocity_obstacle", "buffered_voronoi"])
 def test_batches_have_the_bits_of_single_decisions(method):
     planner, robots = avo.Planner(method=method), crowd()
     neighbors = avo.Neighbors.among(robots, 5.0)
@@ -159,7 +160,8 @@ def one_neighbor(**fields):
 
 @pytest.mark.parametrize("make, message", [
     (lambda: avo.Planner(method="avo_papr"), 'method: found "avo_papr", must be one of avo, avo_paper, '
-     'velocity_obstacle, orca; did you mean "avo_paper"?'),
+     'velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi; '
+     'did you mean "avo_paper"?'),
     (lambda: avo.Planner(time_step=-1.0), "time_step: found -1"),
     (lambda: avo.Planner(method="orca", certificate="stopping_capsules"), "must be none with method orca"),
     (lambda: avo.Robot(position=(1, 2, 3)), "point: found 3 numbers, must be 2: (x, y)"),

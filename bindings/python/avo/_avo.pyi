@@ -16,7 +16,15 @@ _Model = Union["Holonomic", "Car", "DifferentialDrive", "Airplane"]
 _Path = Union[str, bytes, PathLike[str], PathLike[bytes]]
 _Source = Union[_Path, dict[str, Any], "Scenario"]
 _Overrides = Union[dict[str, Any], Sequence[str], None]
-_Method = Literal["avo", "avo_paper", "velocity_obstacle", "orca"]
+_Method = Literal[
+    "avo",
+    "avo_paper",
+    "velocity_obstacle",
+    "orca",
+    "orca_clamped",
+    "reciprocal_velocity_obstacle",
+    "buffered_voronoi",
+]
 _Motion = Literal["held", "exponential"]
 _Certificate = Literal["none", "stopping_capsules", "braking_trajectories"]
 _Clock = Literal["common", "free"]

@@ -92,7 +92,9 @@ void bind_options(py::class_<Planner>& planner) {
       arg("samples") = 0, arg("certificate") = py::none(), arg("max_neighbors") = py::none(),
       arg("sensing_error") = std::pair(0.0, 0.0), arg("sensing_noise") = std::tuple(0.0, 0.0, 1.0),
       arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
-      "method: \"avo\", \"avo_paper\", \"velocity_obstacle\" or \"orca\"; motion: \"held\" or "
+      "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
+      "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
+      "\"held\" or "
       "\"exponential\"; control_time, time_horizon: s, > 0, and certificate: \"none\", "
       "\"stopping_capsules\" or \"braking_trajectories\", None: customary for the method; "
       "time_step: s, > 0; samples: 0, or 2 to 1000; max_neighbors: >= 1, None: all; sensing_error: "
@@ -103,9 +105,10 @@ void bind_options(py::class_<Planner>& planner) {
         name, [member](const Planner& self) { return self.options().*member; }, doc);
   };
   using Options = avo::PlannerOptions;
-  option("method", &Options::method, "\"avo\", \"avo_paper\", \"velocity_obstacle\" or \"orca\"");
+  option("method", &Options::method, "how new velocities are chosen, as in scene files");
   option("motion", &Options::motion, "\"held\" or \"exponential\"");
-  option("control_time", &Options::control_time, "[delta] s");
+  option("control_time", &Options::control_time,
+         "[delta] s; time_step where v' is reached within a step");
   option("time_horizon", &Options::time_horizon, "[tau] s");
   option("time_step", &Options::time_step, "[Delta t] s");
   option("samples", &Options::samples, "0: exact half-planes; 2 to 1000: the samples of the paper");

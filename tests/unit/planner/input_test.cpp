@@ -24,8 +24,13 @@ bool finite(const Plan& plan) {
          is_finite(plan.acceleration) && std::isfinite(plan.violation);
 }
 
-constexpr Method kMethods[] = {Method::avo, Method::avo_paper, Method::velocity_obstacle,
-                               Method::orca};
+constexpr Method kMethods[] = {Method::avo,
+                               Method::avo_paper,
+                               Method::velocity_obstacle,
+                               Method::orca,
+                               Method::orca_clamped,
+                               Method::reciprocal_velocity_obstacle,
+                               Method::buffered_voronoi};
 
 using Change = std::function<void(Robot&, Neighbor&, double)>;
 
@@ -160,9 +165,11 @@ TEST(Status, extreme_numbers_never_make_a_NaN) {
   int decided = 0;
   for (int k = 0; k < 40'000 && !HasFailure(); ++k) {
     test::Crowd crowd;
-    crowd.options = default_options(kMethods[k % 4]);
+    const auto turn = static_cast<std::size_t>(k);
+    crowd.options = default_options(kMethods[turn % std::size(kMethods)]);
     crowd.options.control_time = random.log_uniform(0.1, 8.0);
-    if (k % 4 == 0) crowd.options.certificate = test::kCertificates[k / 4 % 3];
+    if (crowd.options.method == Method::avo)
+      crowd.options.certificate = test::kCertificates[turn / std::size(kMethods) % 3];
     crowd.robot = {{extreme(), extreme()},
                    {extreme(), extreme()},
                    {extreme(), extreme()},
@@ -201,7 +208,7 @@ TEST(Status, no_decision_rests_on_an_invalid_operation) {
     test::Crowd crowd =
         k % 2 == 0 ? test::any_crowd(random, k / 2, -0.9) : test::random_crowd(random, -0.9);
     if (k % 8 == 0) crowd.robot.velocity = 3.0 * crowd.robot.velocity;
-    if (k % 4 == 3) crowd.options.method = Method::orca;
+    if (k % 4 == 3) crowd.options.method = kMethods[3 + k / 4 % 4];  // orca, and those behind it
     const Planner planner(crowd.options);
     PlanWorkspace workspace;
     std::feclearexcept(FE_ALL_EXCEPT);

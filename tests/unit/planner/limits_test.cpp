@@ -125,7 +125,8 @@ TEST(Limits, P12_hold_for_every_decision_of_avo) {
 
 TEST(Limits, orca_and_velocity_obstacle_keep_the_speed_limit) {
   Random random(14);
-  for (const Method method : {Method::orca, Method::velocity_obstacle}) {
+  for (const Method method :
+       {Method::orca, Method::velocity_obstacle, Method::reciprocal_velocity_obstacle}) {
     for (int k = 0; k < 1'000; ++k) {
       Crowd crowd = possibly_too_fast(random);
       crowd.options.method = method;

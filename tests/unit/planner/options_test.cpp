@@ -115,7 +115,9 @@ std::string refusal(const PlannerOptions& options) {
 
 TEST(Options, that_do_not_go_together_are_refused_by_name) {
   PlannerOptions options;
-  for (const Method method : {Method::avo_paper, Method::velocity_obstacle, Method::orca}) {
+  for (const Method method :
+       {Method::avo_paper, Method::velocity_obstacle, Method::orca, Method::orca_clamped,
+        Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     options = default_options(method);
     EXPECT_EQ(refusal(options), "");
     options.certificate = Certificate::stopping_capsules;

@@ -165,7 +165,8 @@ TEST(StateQuery, errors_ages_and_free_clocks_leave_more_unknown) {
 
 TEST(StateQuery, any_method_is_held_against_braking) {
   for (const Method method :
-       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle,
+        Method::orca_clamped, Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     const PlannerOptions options = default_options(method);
     EXPECT_EQ(state_of(driving(), {}, {across(2.001, 9.0)}, options).state, SafetyState::safe);
     EXPECT_EQ(state_of(driving(), {}, {across(1.999, 9.0)}, options).state, SafetyState::doomed);

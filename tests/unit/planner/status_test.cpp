@@ -106,7 +106,9 @@ TEST(Status, overlapping_separates) {
 
 TEST(Status, overlapping_with_equal_centers_and_velocities_is_finite) {
   const Robot robot = paper_robot({1, 2}, {0.5, 0}, {1, 0});
-  for (const Method method : {Method::avo_paper, Method::velocity_obstacle, Method::orca}) {
+  for (const Method method :
+       {Method::avo_paper, Method::velocity_obstacle, Method::orca, Method::orca_clamped,
+        Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     PlannerOptions options = default_options(method);
     const Plan plan = decide(options, robot, {as_neighbor(robot)});
     EXPECT_EQ(plan.status, PlanStatus::overlapping);
@@ -173,7 +175,8 @@ TEST(Status, a_detour_that_is_no_number_is_forgotten) {
   const Neighbor mover{.position = {2.0, 0.1}, .behavior = Behavior::moves_on};
   const Neighbor invalid{.position = {kNaN, 0.0}};
   for (const Method method :
-       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle,
+        Method::orca_clamped, Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     const Planner planner(default_options(method));
     PlanWorkspace workspace;
     const Robot robot{.velocity = {1.0, 0.0}, .preferred_velocity = {2.0, 0.0}};

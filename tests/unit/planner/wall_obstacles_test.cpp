@@ -12,7 +12,8 @@ namespace {
 
 using test::Random;
 
-constexpr Method kMethods[] = {Method::avo_paper, Method::orca, Method::velocity_obstacle};
+constexpr Method kMethods[] = {Method::avo_paper, Method::orca, Method::velocity_obstacle,
+                               Method::orca_clamped, Method::reciprocal_velocity_obstacle};
 
 PlannerOptions options_of(Method method) {
   PlannerOptions options = default_options(method);

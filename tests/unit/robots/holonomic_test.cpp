@@ -109,7 +109,8 @@ TEST(Holonomic, P1_held_steps_close_in_on_the_new_velocity) {
 }
 
 TEST(Holonomic, methods_that_adopt_at_once_move_straight) {
-  for (const Method method : {Method::orca, Method::velocity_obstacle}) {
+  for (const Method method :
+       {Method::orca, Method::velocity_obstacle, Method::reciprocal_velocity_obstacle}) {
     Case c;
     c.options = default_options(method);
     c.state = {{1, 2}, {2, 0}, 0.0};

@@ -64,11 +64,14 @@ TEST(Allocation, none_per_step_of_orca) {
   EXPECT_EQ(allocations_when_warm(scene, 1, 60, 60), 0);
 }
 
-TEST(Allocation, none_per_step_of_velocity_obstacle) {
-  Scenario scene = test::dense_scene(60, Motion::held);
-  scene.method = Method::velocity_obstacle;
-  scene.max_neighbors = 6;
-  EXPECT_EQ(allocations_when_warm(scene, 1, 60, 40), 0);
+TEST(Allocation, none_per_step_of_the_baselines) {
+  for (const Method method : {Method::velocity_obstacle, Method::reciprocal_velocity_obstacle,
+                              Method::buffered_voronoi}) {
+    Scenario scene = test::dense_scene(60, Motion::held);
+    scene.method = method;
+    scene.max_neighbors = 6;
+    EXPECT_EQ(allocations_when_warm(scene, 1, 60, 40), 0) << to_string(method);
+  }
 }
 
 TEST(Allocation, none_per_step_of_one_robot_among_movers) {
@@ -84,7 +87,8 @@ TEST(Allocation, none_per_step_of_one_robot_among_movers) {
 
 TEST(Allocation, none_per_step_beside_walls) {
   for (const Method method :
-       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle,
+        Method::orca_clamped, Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     Scenario scene = test::dense_scene(60, Motion::held);
     scene.method = method;
     scene.certificate.reset();

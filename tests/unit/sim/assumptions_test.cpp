@@ -174,7 +174,9 @@ TEST(Assumptions, nothing_is_assumed_without_a_certificate) {
   EXPECT_EQ(admissible_speed(scene), std::numeric_limits<double>::infinity());
   scene.certificate.reset();
   EXPECT_FALSE(accepts(scene));
-  for (const Method method : {Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+  for (const Method method :
+       {Method::avo_paper, Method::orca, Method::velocity_obstacle, Method::orca_clamped,
+        Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     scene.method = method;
     EXPECT_TRUE(accepts(scene));
   }

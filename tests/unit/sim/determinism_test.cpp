@@ -50,7 +50,8 @@ TEST(Determinism, P13_any_number_of_threads_gives_the_same_bits_under_any_certif
 }
 
 TEST(Determinism, P13_other_methods_too) {
-  for (const Method method : {Method::orca, Method::velocity_obstacle}) {
+  for (const Method method : {Method::orca, Method::velocity_obstacle, Method::orca_clamped,
+                              Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     Scenario scene = dense_scene(280, Motion::held);
     ASSERT_GE(scene.robots.size(), kFewestParallel);
     scene.method = method;

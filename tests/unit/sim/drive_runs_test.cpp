@@ -184,7 +184,9 @@ TEST(DriveRuns, keep_apart_in_a_crush_of_mixed_kinds) {
 
 // Without a certificate, and where velocities are adopted at once.
 TEST(DriveRuns, keep_their_wheels_limits_by_every_method) {
-  for (const Method method : {Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+  for (const Method method :
+       {Method::avo_paper, Method::orca, Method::velocity_obstacle, Method::orca_clamped,
+        Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     Watched run(crowd(4, 2.0, method, 4, false));
     run.run(20.0);
     run.expect_limits();

@@ -171,8 +171,9 @@ TEST(Goals, the_way_takes_little_longer_than_it_must) {
   });
 }
 
-TEST(Goals, rest_is_reached_by_the_methods_that_adopt_at_once) {
-  for (const Method method : {Method::orca, Method::velocity_obstacle}) {
+TEST(Goals, rest_is_reached_by_the_methods_without_control_time) {
+  for (const Method method : {Method::orca, Method::velocity_obstacle, Method::orca_clamped,
+                              Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     Scenario scene;
     scene.method = method;
     scene.robots = {test::robot_at({0, 0}, {7.123, -3.3})};

@@ -25,7 +25,8 @@ Scenario among_movers(Method method) {
 
 TEST(Locality, a_robot_a_kilometer_away_changes_no_bit_of_a_path_among_movers) {
   for (const Method method :
-       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle,
+        Method::orca_clamped, Method::reciprocal_velocity_obstacle}) {
     for (const bool capped : {false, true}) {
       Scenario scene = among_movers(method);
       if (capped) scene.max_neighbors = 1;
@@ -43,7 +44,7 @@ TEST(Locality, a_robot_a_kilometer_away_changes_no_bit_of_a_path_among_movers) {
         ASSERT_EQ(alone.fleet().plan[0].status, together.fleet().plan[0].status);
       }
       EXPECT_GT(among, 100);
-      if (method != Method::velocity_obstacle) {
+      if (!avoids_union(method)) {
         EXPECT_FALSE(together.perceive(1).among_movers);  // it senses nobody
       }
     }

@@ -33,7 +33,8 @@ std::vector<Scenario> scenes() {
        {Certificate::none, Certificate::stopping_capsules, Certificate::braking_trajectories}) {
     all.push_back(scene_of_cars(certificate));
   }
-  for (const Method method : {Method::orca, Method::velocity_obstacle}) {
+  for (const Method method : {Method::orca, Method::velocity_obstacle, Method::orca_clamped,
+                              Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     all.push_back(dense_scene(60, Motion::held));
     all.back().method = method;
   }

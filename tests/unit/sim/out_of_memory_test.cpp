@@ -33,7 +33,8 @@ int failures(const Action& action) {
 
 TEST(OutOfMemory, a_plan_throws_and_the_next_one_is_as_good_as_ever) {
   for (const Method method :
-       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle}) {
+       {Method::avo, Method::avo_paper, Method::orca, Method::velocity_obstacle,
+        Method::orca_clamped, Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
     Scenario scene = test::dense_scene(60, Motion::held);
     scene.method = method;
     const Simulation simulation(scene, 1);

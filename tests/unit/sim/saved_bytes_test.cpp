@@ -154,7 +154,7 @@ TEST(SavedBytes, forged_values_are_refused) {
     }
   }
   EXPECT_EQ(word(saved, 14), static_cast<std::uint64_t>(Method::avo_paper));
-  EXPECT_EQ(forged(14, 4), "saved state: found an unknown choice, must be a known one");
+  EXPECT_EQ(forged(14, 7), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(14, 1000), "saved state: found the number 1000, must be one that its type has");
   const std::size_t robots = last - 3 * 19 - 1, obstacles = robots - 3 * 16 - 1;
   ASSERT_EQ(word(saved, robots), 3u);

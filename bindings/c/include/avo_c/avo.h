@@ -106,7 +106,10 @@ enum {
   AVO_METHOD_AVO = 0,                ///< half-planes, a certificate, and rules for arriving
   AVO_METHOD_AVO_PAPER = 1,          ///< the paper alone
   AVO_METHOD_VELOCITY_OBSTACLE = 2,  ///< others keep their velocity
-  AVO_METHOD_ORCA = 3                ///< velocities are adopted at once
+  AVO_METHOD_ORCA = 3,               ///< velocities are adopted at once
+  AVO_METHOD_ORCA_CLAMPED = 4,       ///< what a_max allows of orca's choice within a step
+  AVO_METHOD_RECIPROCAL_VELOCITY_OBSTACLE = 5,  ///< obstacles with an apex between both velocities
+  AVO_METHOD_BUFFERED_VORONOI = 6               ///< Voronoi cells less the radius, braking in them
 };
 
 typedef int32_t avo_certificate;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Method buffered_voronoi: D. Zhou, Z. Wang, S. Bandyopadhyay, M. Schwager, "Fast, On-line
+// Collision Avoidance for Dynamic Vehicles Using Buffered Voronoi Cells", RA-L 2017.
+#pragma once
+#include <optional>
+
+#include "avo/planner.h"
+#include "core/robot_columns.h"
+
+namespace avo {
+
+/// One side of A's cell: { x : n . (x - p_A) <= gap }.
+struct CellSide {
+  Vec2 normal;       ///< [n] unit, from A to B; 0 where the centers coincide: there is no side
+  double gap = 0.0;  ///< m, from p_A; negative in contact
+};
+
+/// The bisector less r_A. Of unequal radii it is moved by (r_A - r_B)/2 to B's side, so that each
+/// of the two has half of the gap between the discs, and the discs of centers in two cells are
+/// disjoint. With one that reacts to nobody, the whole gap is A's.
+CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor);
+
+/// m/s: the largest speed V at the end of a step that begins with `speed`, both towards what is
+/// `gap` away, the acceleration held, so that braking from V on stops there or before: at most
+/// sqrt(2 b gap). Where there is none, the one that leads back to there at the end of the step.
+double speed_within(double gap, double speed, double max_braking, double time_step);
+
+/// n . v' <= speed_within() of one side; relative to the velocity of one that reacts to nobody.
+std::optional<NeighborPlane> cell_half_plane(const PlannerOptions& options, const Robot& robot,
+                                             const Neighbor& neighbor, int index,
+                                             bool& overlapping);
+
+/// What each robot wishes for, into scratch.decisions: the preferred velocity where its goal is in
+/// its cell, and else to get to the point of the cell nearest the goal (their Algorithm 1), and to
+/// rest there. Near that point it keeps to the right along the side that is in its way.
+void wish_within_cells(const PlannerOptions& options, const RobotColumns& robots,
+                       PlanWorkspace::Scratch& scratch);
+
+}  // namespace avo
