@@ -173,7 +173,7 @@ TEST(Run, summary_has_all_keys_and_the_numbers_of_the_library) {
 }
 
 TEST(Run, summary_has_the_metrics_of_the_library) {
-  const Strings overrides{"duration=30", "control_time=3"};
+  const Strings overrides{"duration=40", "control_time=3"};
   const std::string path = path_of("out.json");
   const ProcessResult result = run_avo(
       {"run", "circle-12", "--summary", path, "--set", overrides[0], "--set", overrides[1]});
@@ -181,17 +181,17 @@ TEST(Run, summary_has_the_metrics_of_the_library) {
   const Json json = Json::parse(read_file(path))["metrics"];
   EXPECT_EQ(keys_of(json), kMetricsKeys);
 
-  const avo::Scenario scenario = avo_io::load_scenario("circle-12", overrides);
+  const avo::Scenario scenario = avo_io::load_scenario("circle-30", overrides);
   avo::Simulation simulation(scenario, 1);
-  avo::Metrics metrics(scenario, {.crowd = true, .line = avo::MeasuringLine{{-2, 0}, {2, 0}}});
+  avo::Metrics metrics(scenario, {.crowd = true, .line = avo::MeasuringLine{{-60, 0}, {60, 0}}});
   metrics.observe(simulation);
-  for (int step = 0; step < 300; ++step) {
+  for (int step = 0; step < 400; ++step) {
     simulation.step();
     metrics.observe(simulation);
   }
   const avo::RunSummary run = metrics.summary();
   const avo::RunMetrics& expected = run.metrics;
-  EXPECT_EQ(json["trips"], 12);
+  EXPECT_EQ(json["trips"], 30);
   EXPECT_EQ(json["collision_robot_steps"], expected.collision_robot_steps);
   EXPECT_EQ(json["overlap_depth"], expected.overlap_depth);
   EXPECT_EQ(json["success"], *expected.success);

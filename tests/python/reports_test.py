@@ -101,13 +101,13 @@ def test_crowds_and_flows_are_measured_where_they_are_asked_for():
     dear = ("danger", "order", "density_mean", "density_max", "flow", "specific_flow", "crossing_times")
     plain = avo.run("circle-10")["metrics"]
     assert all(plain[key] is None for key in dear) and plain["success"] == 1.0
-    told = avo.run("circle-10", crowd=True, line=((-5, 0), [5.0, 0.0]))["metrics"]
+    told = avo.run("circle-10", crowd=True, line=((-50, 0), [50.0, 0.0]))["metrics"]
     assert all(told[key] is not None for key in dear)
     assert {key: told[key] for key in plain if key not in dear and not key.startswith(("step_ms", "danger"))} == {
         key: plain[key] for key in plain if key not in dear and not key.startswith(("step_ms", "danger"))}
     times = told["crossing_times"]
     assert times == sorted(times) and told["flow"] == pytest.approx((len(times) - 1) / (times[-1] - times[0]))
-    assert told["specific_flow"] == pytest.approx(told["flow"] / 10.0)
+    assert told["specific_flow"] == pytest.approx(told["flow"] / 100.0)
     assert avo.Metrics("circle-10", crowd=True).summary()["metrics"]["order"] is None
     with pytest.raises(avo.Error, match="^line: found one point, must be two points"):
         avo.Metrics("circle-10", line=((1, 1), (1, 1)))
