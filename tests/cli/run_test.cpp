@@ -176,7 +176,7 @@ TEST(Run, summary_has_the_metrics_of_the_library) {
   const Strings overrides{"duration=40", "control_time=3"};
   const std::string path = path_of("out.json");
   const ProcessResult result = run_avo(
-      {"run", "circle-12", "--summary", path, "--set", overrides[0], "--set", overrides[1]});
+      {"run", "circle-30", "--summary", path, "--set", overrides[0], "--set", overrides[1]});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json json = Json::parse(read_file(path))["metrics"];
   EXPECT_EQ(keys_of(json), kMetricsKeys);
