@@ -39,8 +39,8 @@ struct NotArrived {
 /// to the end of the run. What there is nothing to say of is unset.
 struct RunMetrics {
   std::int64_t trips = 0;
-  std::int64_t collision_robot_steps = 0;  ///< in which the robot overlapped one of another pair
-  double overlap_depth = 0.0;              ///< of those: the deepest, a part of r_A + r_B; 0: none
+  std::int64_t collision_robot_steps = 0;  ///< with another robot, as in collision_pairs
+  double overlap_depth = 0.0;              ///< the deepest, as a part of r_A + r_B; 0: none
   std::optional<double> success;           ///< share of trips: no overlap, within 3 ideal times
   std::optional<double> collision;         ///< share of trips with an overlap
   std::optional<double> timeout;           ///< share of the others

@@ -106,7 +106,7 @@ class AVO_API Simulation {
   /// One that is parked is added like an obstacle, and costs and is refused as in add_obstacle().
   /// Changes nothing where it throws.
   RobotId add_robot(const RobotSetup& setup);
-  void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
+  void remove_robot(RobotId robot);  ///< throws Error if there is no such robot
   /// The robot forgets what it remembers of the way to its old goal (Detour), but the congestion.
   /// Throws Error if there is none, or it is parked.
   void set_goal(RobotId robot, Vec2 goal);

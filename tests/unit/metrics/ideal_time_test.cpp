@@ -25,6 +25,8 @@ TEST(IdealTime, of_a_trapezoid) {
 TEST(IdealTime, of_a_triangle) {
   // braking begins in the middle, at √3 m/s
   EXPECT_NEAR(ideal_time(trip_of(3.0)), std::sqrt(3.0) + (std::sqrt(3.0) - 1.0), 1e-12);
+  // from 1 m/s to √3.5 m/s, and back to 1 m/s
+  EXPECT_NEAR(ideal_time(trip_of(3.0, 1.0)), 2.0 * (std::sqrt(3.5) - 1.0), 1e-12);
   // it has arrived before braking begins: 0.3 m from rest
   EXPECT_NEAR(ideal_time(trip_of(0.8)), std::sqrt(0.6), 1e-12);
   EXPECT_NEAR(ideal_time(trip_of(1.2)), std::sqrt(1.2) + (std::sqrt(1.2) - 1.0), 1e-12);

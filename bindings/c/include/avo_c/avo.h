@@ -610,7 +610,7 @@ AVO_C_API avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_
 /// it first arrives. NAN: there is nothing to say.
 typedef struct avo_run_metrics {
   int64_t trips;
-  int64_t collision_robot_steps;  ///< in which the robot overlapped one of another pair
+  int64_t collision_robot_steps;  ///< with another robot, as in collision_pairs
   double overlap_depth;           ///< the deepest, as a part of both radii; 0: none
   double success;                 ///< share of trips: no overlap, within 3 ideal times
   double collision;               ///< share of trips with an overlap
