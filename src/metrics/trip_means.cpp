@@ -21,13 +21,13 @@ struct Mean {
   }
 };
 
-double time_of(const Trip& trip) {
+double duration_of(const Trip& trip) {
   return trip.end - trip.begin;
 }
 
 // Arrivals are seen at the ends of steps.
 bool is_in_time(const Trip& trip) {
-  return trip.arrival && time_of(trip) <= kPatience * trip.ideal_time + trip.step;
+  return trip.arrival && duration_of(trip) <= kPatience * trip.ideal_time + trip.step;
 }
 
 }  // namespace
@@ -46,21 +46,21 @@ void Trips::describe(RunMetrics& metrics) const {
     effort.add(trip.effort);
     reversals.add(static_cast<double>(trip.reversals));
     deadlock.add(trip.deadlock_time);
-    flowtime += time_of(trip);
+    flowtime += duration_of(trip);
     jerk_squared += trip.jerk_squared;
     jerk_steps += trip.jerk_steps;
     const bool has_way = trip.way < kInfinity && trip.way_left < kInfinity;
-    const double best = trip.preferred_speed * time_of(trip);  // m
+    const double best = trip.preferred_speed * duration_of(trip);  // m
     if (has_way && best > 0.0) efficacy.add((trip.way - trip.way_left) / best);
     if (!trip.arrival) {
       have_arrived = false;
       continue;
     }
     if (trip.ideal_time < kInfinity) {
-      extra_times.push_back(time_of(trip) - trip.ideal_time);
+      extra_times.push_back(duration_of(trip) - trip.ideal_time);
       extra.add(extra_times.back());
     }
-    if (has_way && time_of(trip) > 0.0) ratio.add((trip.length + trip.way_left) / trip.way);
+    if (has_way && duration_of(trip) > 0.0) ratio.add((trip.length + trip.way_left) / trip.way);
   }
   metrics.success = success.value();
   metrics.collision = collision.value();
