@@ -24,6 +24,38 @@ Json to_json(const avo::NotArrived& robot) {
           {"detour", robot.detour}, {"held_by", held_by}};
 }
 
+// In the order of docs/metrics.md.
+Json to_json(const avo::RunMetrics& metrics) {
+  Json json;
+  json["trips"] = metrics.trips;
+  json["collision_robot_steps"] = metrics.collision_robot_steps;
+  json["overlap_depth"] = metrics.overlap_depth;
+  json["success"] = or_null(metrics.success);
+  json["collision"] = or_null(metrics.collision);
+  json["timeout"] = or_null(metrics.timeout);
+  json["extra_time_mean"] = or_null(metrics.extra_time_mean);
+  json["extra_time_p75"] = or_null(metrics.extra_time_p75);
+  json["extra_time_p90"] = or_null(metrics.extra_time_p90);
+  json["flowtime"] = or_null(metrics.flowtime);
+  json["path_ratio"] = or_null(metrics.path_ratio);
+  json["effort"] = or_null(metrics.effort);
+  json["jerk"] = or_null(metrics.jerk);
+  json["reversals"] = or_null(metrics.reversals);
+  json["efficacy"] = or_null(metrics.efficacy);
+  json["deadlock_time"] = or_null(metrics.deadlock_time);
+  json["step_ms_p50"] = or_null(metrics.step_ms_p50);
+  json["step_ms_p99"] = or_null(metrics.step_ms_p99);
+  json["danger"] = or_null(metrics.danger);
+  json["danger_separation"] = or_null(metrics.danger_separation);
+  json["order"] = or_null(metrics.order);
+  json["density_mean"] = or_null(metrics.density_mean);
+  json["density_max"] = or_null(metrics.density_max);
+  json["flow"] = or_null(metrics.flow);
+  json["specific_flow"] = or_null(metrics.specific_flow);
+  json["crossing_times"] = metrics.crossing_times ? Json(*metrics.crossing_times) : Json();
+  return json;
+}
+
 }  // namespace
 
 std::string to_json(const avo::RunSummary& summary) {
@@ -55,6 +87,7 @@ std::string to_json(const avo::RunSummary& summary) {
     json["not_arrived"].push_back(to_json(entry));
   json["unreachable"] = summary.unreachable;
   json["step_milliseconds_median"] = or_null(summary.step_milliseconds_median);
+  json["metrics"] = to_json(summary.metrics);
   json["seed"] = summary.seed;
   json["version"] = avo::kVersion;
   // the scene may be called like its file, whose name need not be UTF-8

@@ -11,6 +11,25 @@ double or_none(const std::optional<double>& value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
+avo_run_metrics to_c(const avo::RunMetrics& metrics) {
+  return {.trips = metrics.trips,
+          .collision_robot_steps = metrics.collision_robot_steps,
+          .overlap_depth = metrics.overlap_depth,
+          .success = or_none(metrics.success),
+          .collision = or_none(metrics.collision),
+          .timeout = or_none(metrics.timeout),
+          .extra_time_mean = or_none(metrics.extra_time_mean),
+          .extra_time_p75 = or_none(metrics.extra_time_p75),
+          .extra_time_p90 = or_none(metrics.extra_time_p90),
+          .flowtime = or_none(metrics.flowtime),
+          .path_ratio = or_none(metrics.path_ratio),
+          .effort = or_none(metrics.effort),
+          .jerk = or_none(metrics.jerk),
+          .reversals = or_none(metrics.reversals),
+          .efficacy = or_none(metrics.efficacy),
+          .deadlock_time = or_none(metrics.deadlock_time)};
+}
+
 avo_summary to_c(const avo::RunSummary& run) {
   const avo::Decisions& decisions = run.decisions;
   return {.size = sizeof(avo_summary),
@@ -35,7 +54,8 @@ avo_summary to_c(const avo::RunSummary& run) {
           .acceleration_excess = run.acceleration_excess,
           .max_speed = run.max_speed,
           .mean_arrival = or_none(run.mean_arrival),
-          .last_arrival = or_none(run.last_arrival)};
+          .last_arrival = or_none(run.last_arrival),
+          .metrics = to_c(run.metrics)};
 }
 
 }  // namespace

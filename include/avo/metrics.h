@@ -34,6 +34,41 @@ struct NotArrived {
   std::vector<std::int64_t> held_by;
 };
 
+/// By published definitions: docs/metrics.md has the formulas and their sources. A trip is that of
+/// a robot that is not parked, from where it is first seen with a goal until it first arrives, or
+/// to the end of the run. What there is nothing to say of is unset.
+struct RunMetrics {
+  std::int64_t trips = 0;
+  std::int64_t collision_robot_steps = 0;  ///< with another robot, as in collision_pairs
+  double overlap_depth = 0.0;              ///< the deepest, as a part of r_A + r_B; 0: none
+  std::optional<double> success;           ///< share of trips: no overlap, within 3 ideal times
+  std::optional<double> collision;         ///< share of trips with an overlap
+  std::optional<double> timeout;           ///< share of the others
+  std::optional<double> extra_time_mean;   ///< s, of trips that end over their ideal times
+  std::optional<double> extra_time_p75;
+  std::optional<double> extra_time_p90;
+  std::optional<double> flowtime;       ///< s, sum of all trips' times; only if all have arrived
+  std::optional<double> path_ratio;     ///< mean over trips that end: length by the shortest way
+  std::optional<double> effort;         ///< m^2/s^3, mean of the trips' integrals of |a|^2
+  std::optional<double> jerk;           ///< m/s^3, root mean square over all trips' steps
+  std::optional<double> reversals;      ///< of the acceleration, mean number a trip
+  std::optional<double> efficacy;       ///< mean speed along the way by the preferred speed
+  std::optional<double> deadlock_time;  ///< s, mean time a trip without progress
+  std::optional<double> step_ms_p50;    ///< ms, what a step took
+  std::optional<double> step_ms_p99;
+  // with MetricsOptions::crowd
+  std::optional<double> danger;             ///< share of the trips' time nearer than 0.2 m
+  std::optional<double> danger_separation;  ///< m, mean then
+  std::optional<double> order;              ///< 0 to 1: how much all go in one direction
+  std::optional<double> density_mean;       ///< 1/m^2, of the robots' Voronoi cells
+  std::optional<double> density_max;
+  // with MetricsOptions::line
+  std::optional<double> flow;                         ///< 1/s, across the line
+  std::optional<double> specific_flow;                ///< 1/(m s), by its length
+  std::optional<std::vector<double>> crossing_times;  ///< s, ascending: the N-t curve
+  friend bool operator==(const RunMetrics&, const RunMetrics&) = default;
+};
+
 /// The results of a run; what there is nothing to say of is unset.
 struct RunSummary {
   std::string scene;
@@ -66,14 +101,27 @@ struct RunSummary {
   std::vector<NotArrived> not_arrived;     ///< of those still there, by id; 100 at most
   std::vector<std::uint64_t> unreachable;  ///< RobotIds, see Simulation::unreachable()
   std::optional<double> step_milliseconds_median;
+  RunMetrics metrics;
   std::uint64_t seed = 0;
+};
+
+/// A straight line on the ground, of which robots are counted that cross it.
+struct MeasuringLine {
+  Vec2 a, b;  ///< m, its ends: of a door from one jamb to the other
+};
+
+/// What is measured besides, and costs time.
+struct MetricsOptions {
+  bool crowd = false;  ///< danger, order and density: a search for neighbors a robot a step
+  std::optional<MeasuringLine> line = {};
 };
 
 /// Call observe() once before the first step and once after every step, before robots or static
 /// obstacles are edited: each step is judged among the obstacles of the simulation observed.
 class AVO_API Metrics {
  public:
-  explicit Metrics(const Scenario& scenario);
+  /// Throws Error on a line whose ends are not two points.
+  explicit Metrics(const Scenario& scenario, const MetricsOptions& options = {});
   ~Metrics();
   void observe(const Simulation& simulation);
   void add_step_time(double milliseconds);

@@ -106,7 +106,7 @@ class AVO_API Simulation {
   /// One that is parked is added like an obstacle, and costs and is refused as in add_obstacle().
   /// Changes nothing where it throws.
   RobotId add_robot(const RobotSetup& setup);
-  void remove_robot(RobotId robot);         ///< throws Error if there is no such robot
+  void remove_robot(RobotId robot);  ///< throws Error if there is no such robot
   /// The robot forgets what it remembers of the way to its old goal (Detour), but the congestion.
   /// Throws Error if there is none, or it is parked.
   void set_goal(RobotId robot, Vec2 goal);
@@ -157,6 +157,14 @@ class AVO_API Simulation {
   /// it and its goal.
   [[nodiscard]] bool is_at_goal(std::size_t robot) const;
   [[nodiscard]] bool all_at_goal() const;
+  /// What is left of a robot's way.
+  struct Way {
+    double length = 0.0;  ///< m; infinite where there is none
+    Vec2 next = {};       ///< m: where it leads first, a corner of a wall or the goal
+  };
+  /// The shortest way to its goal that the robot (an index into fleet()) knows: around walls with
+  /// navigation (docs/navigation.md), else straight. Takes no longer where there are many walls.
+  [[nodiscard]] Way way(std::size_t robot) const;
   /// Robots that could not get to their goals when these were set, or obstacles edited since, even
   /// alone: walls leave no way that is wide enough, or the goal is nearer to a wall than the
   /// radius. With navigation they stay where they are. By ascending id.

@@ -97,6 +97,14 @@ double lower_bound(const Piece& piece, const Segment& segment) {
   return std::max(least - most, apart - off);
 }
 
+// Whether its hull ends at the line through that end across the way to it from the origin, so that
+// no point of the piece is nearer: so it is of most pairs, who close in on each other or part.
+bool is_nearest(const Piece& piece, Vec2 end) {
+  const double square = norm_squared(end);
+  return dot(end, piece.b[0]) >= square && dot(end, piece.b[1]) >= square &&
+         dot(end, piece.b[2]) >= square && dot(end, piece.b[3]) >= square;
+}
+
 double size_of(const Piece& piece, Vec2 origin) {
   double size = 0.0;
   for (const Vec2 point : piece.b) size = std::max(size, norm(point - origin));
@@ -214,6 +222,8 @@ ArcMotion part_of(const ArcMotion& arc, double from, double to) {
 
 Separation separation(const StepPath& a, const StepPath& b, double cutoff) {
   const Piece whole = relative_path(a, b);
+  if (is_nearest(whole, whole.b[0])) return {norm(whole.b[0]), 0.0};
+  if (is_nearest(whole, whole.b[3])) return {norm(whole.b[3]), 1.0};
   return least(
       whole, halve_cubic, [](Vec2 point) { return norm(point); },
       [](const Piece& piece) { return lower_bound(piece); }, cutoff, 1e-13 * size_of(whole, {}));

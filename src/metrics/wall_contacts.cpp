@@ -9,6 +9,7 @@ namespace avo {
 
 void WallContacts::observe(std::span<const Body> robots, const std::optional<Response>& response,
                            double time_step) {
+  touching.clear();
   const std::span<const Wall> walls = search.walls();
   if (walls.empty() || robots.empty()) return;
   double least = least_clearance.value_or(std::numeric_limits<double>::infinity());
@@ -36,7 +37,9 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
       if (distance(robot.position, segment) - way_of(robot) > cutoff) continue;
       const double nearest = separation_from(robot, segment, cutoff);
       least = std::min(least, nearest - contact);
-      if (nearest < contact * (1.0 - kContact)) touched.insert(robot.name);
+      if (!(nearest < contact * (1.0 - kContact))) continue;
+      touched.insert(robot.name);
+      touching.push_back(robot.name);
     }
   }
   least_clearance = least;

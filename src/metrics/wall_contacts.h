@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <vector>
 
 #include "metrics/body.h"
 #include "metrics/wall_search.h"
@@ -17,6 +18,7 @@ inline constexpr double kContact = 1e-9;
 struct WallContacts {
   WallSearch search = WallSearch();
   std::set<std::uint64_t> touched = {};        // ids of robots
+  std::vector<std::uint64_t> touching = {};    // in this step
   std::optional<double> least_clearance = {};  // m
 
   /// Robots over a step of time_step s; those that are exact respond so, where it is set.

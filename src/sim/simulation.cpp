@@ -240,6 +240,14 @@ bool Simulation::all_at_goal() const {
   return true;
 }
 
+Simulation::Way Simulation::way(std::size_t robot) const {
+  const Fleet& fleet = state_->fleet;
+  const std::uint32_t slot = fleet.slot_of[robot];
+  const Vec2 p = fleet.place(slot), goal = fleet.goal[slot];
+  if (state_->ways.empty() || fleet.conduct[slot].parked) return {norm(goal - p), goal};
+  return rest_of_way(state_->ways.travels[robot], p, goal);
+}
+
 std::vector<RobotId> Simulation::unreachable() const {
   std::vector<RobotId> robots;
   const std::vector<Travel>& travels = state_->ways.travels;

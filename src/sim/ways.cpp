@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/plane.h"
 #include "navigation/right_of_way.h"
 
 namespace avo {
@@ -138,6 +139,13 @@ void Ways::find_passages(std::vector<double> radii) {
 
 bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
   return !sight_ || sight_->is_clear(p, q, kJoint);
+}
+
+Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal) {
+  if (travel.target == Travel::kUnreachable) return {kInfinity, position};
+  const auto rest = rest_of(travel);
+  if (!rest || travel.target == PathMap::kGoal) return {norm(goal - position), goal};
+  return {norm(rest->first - position) + rest->second, rest->first};
 }
 
 Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robot,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "avo/scenario.h"
+#include "avo/simulation.h"
 #include "navigation/corner_graph.h"
 #include "navigation/free_space.h"
 #include "navigation/leg.h"
@@ -82,6 +83,9 @@ class Ways {
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
   std::vector<double> passage_radii_;
 };
+
+/// What is left of it, m and its next point: by the target, unless that is unknown.
+Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal);
 
 /// Updates the target. `looks_around` is asked for from time to time, see next_leg().
 Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robot,

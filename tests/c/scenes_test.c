@@ -56,6 +56,15 @@ static void check_built_circle(void) {
   CHECK(summary.collision_pairs == 0 && summary.min_clearance > 0.0);
   CHECK(summary.decisions[AVO_PLAN_OPTIMAL] > 0 && summary.last_arrival < def.duration);
   CHECK(summary.first_collision_time != summary.first_collision_time); /* NAN: none */
+  const avo_run_metrics m = summary.metrics;
+  CHECK(m.trips == COUNT && m.collision_robot_steps == 0 && m.overlap_depth == 0.0);
+  CHECK(m.success == 1.0 && m.collision == 0.0 && m.timeout == 0.0);
+  CHECK(m.extra_time_mean > 0.0 && m.extra_time_mean < m.extra_time_p75);
+  CHECK(m.extra_time_p75 < m.extra_time_p90 && m.extra_time_p90 < summary.last_arrival);
+  CHECK(m.flowtime > 99.9 * summary.mean_arrival && m.flowtime < 100.1 * summary.mean_arrival);
+  CHECK(m.path_ratio > 1.0 && m.path_ratio < 1.2 && m.efficacy > 0.5 && m.efficacy < 1.0);
+  CHECK(m.effort > 1.0 && m.effort < m.reversals && m.jerk > 1.0 && m.jerk < m.effort);
+  CHECK(m.deadlock_time >= 0.0 && m.deadlock_time < m.efficacy);
   REQUIRE(avo_destroy_simulation(simulation));
   REQUIRE(avo_destroy_scene(scene));
 }

@@ -45,6 +45,7 @@ const Strings kSummaryKeys{"scene",
                            "not_arrived",
                            "unreachable",
                            "step_milliseconds_median",
+                           "metrics",
                            "seed",
                            "version"};
 

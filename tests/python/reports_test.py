@@ -74,7 +74,9 @@ def test_wrong_limits_are_refused_alike(command_line, tmp_path, limits):
 
 
 def without_times(summary):
-    return {key: value for key, value in summary.items() if key != "step_milliseconds_median"}
+    kept = {key: value for key, value in summary.items() if key != "step_milliseconds_median"}
+    kept["metrics"] = {key: value for key, value in summary["metrics"].items() if not key.startswith("step_ms")}
+    return kept
 
 
 def test_summaries_are_the_command_lines(command_line, tmp_path):
@@ -83,7 +85,8 @@ def test_summaries_are_the_command_lines(command_line, tmp_path):
     said = json.loads(path.read_text())
     told = avo.run("circle-10", record=by_python)
     assert without_times(told) == without_times(said) and list(told) == list(said)
-    assert told["step_milliseconds_median"] > 0.0
+    assert told["step_milliseconds_median"] == told["metrics"]["step_ms_p50"] > 0.0
+    assert list(told["metrics"]) == list(said["metrics"])
     assert by_python.read_bytes() == by_command.read_bytes()
     scene = avo.Scenario("circle-10")
     simulation, metrics = avo.Simulation(scene), avo.Metrics(scene)
@@ -106,6 +109,22 @@ def test_metrics_are_of_one_scene():
     metrics.observe(simulation)
     metrics.observe(avo.Simulation.from_saved(simulation.save()))
     assert added == 10 and metrics.summary()["robots"] == 10
+
+
+def test_crowds_and_flows_are_measured_where_they_are_asked_for():
+    dear = ("danger", "order", "density_mean", "density_max", "flow", "specific_flow", "crossing_times")
+    plain = avo.run("circle-10")["metrics"]
+    assert all(plain[key] is None for key in dear) and plain["success"] == 1.0
+    told = avo.run("circle-10", crowd=True, line=((-50, 0), [50.0, 0.0]))["metrics"]
+    assert all(told[key] is not None for key in dear)
+    assert {key: told[key] for key in plain if key not in dear and not key.startswith(("step_ms", "danger"))} == {
+        key: plain[key] for key in plain if key not in dear and not key.startswith(("step_ms", "danger"))}
+    times = told["crossing_times"]
+    assert times == sorted(times) and told["flow"] == pytest.approx((len(times) - 1) / (times[-1] - times[0]))
+    assert told["specific_flow"] == pytest.approx(told["flow"] / 100.0)
+    assert avo.Metrics("circle-10", crowd=True).summary()["metrics"]["order"] is None
+    with pytest.raises(avo.Error, match="^line: found one point, must be two points"):
+        avo.Metrics("circle-10", line=((1, 1), (1, 1)))
 
 
 def test_a_recording_that_cannot_be_written_is_refused(tmp_path):

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 #include "avo/metrics.h"
 #include "avo_io/decision.h"
@@ -86,8 +87,17 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
   return from_json(json);
 }
 
+using Line = std::optional<std::pair<avo::Vec2, avo::Vec2>>;
+
+avo::MetricsOptions options_of(bool crowd, const Line& line) {
+  avo::MetricsOptions options{.crowd = crowd};
+  if (line) options.line = {line->first, line->second};
+  return options;
+}
+
 /// What `avo run` does: to the end of the scene.
-py::object run(const py::object& scene, int threads, const py::object& record) {
+py::object run(const py::object& scene, int threads, const py::object& record, bool crowd,
+               const Line& line) {
   const avo::Scenario scenario = scenario_of(scene, py::none());
   std::optional<avo_io::CsvRecording> recording;
   if (!record.is_none()) recording.emplace(path_of(record), avo_io::has_headings(scenario));
@@ -96,7 +106,7 @@ py::object run(const py::object& scene, int threads, const py::object& record) {
     using Clock = std::chrono::steady_clock;
     const py::gil_scoped_release release;
     avo::Simulation simulation(scenario, threads);
-    avo::Metrics metrics(scenario);
+    avo::Metrics metrics(scenario, options_of(crowd, line));
     const auto observe = [&] {
       metrics.observe(simulation);
       if (recording) recording->add(simulation);
@@ -144,8 +154,8 @@ struct SharedMetrics {
   avo::Scenario scenario;
   avo::Metrics metrics;
 
-  explicit SharedMetrics(const py::object& scene)
-      : scenario(scenario_of(scene, py::none())), metrics(scenario) {}
+  SharedMetrics(const py::object& scene, bool crowd, const Line& line)
+      : scenario(scenario_of(scene, py::none())), metrics(scenario, options_of(crowd, line)) {}
   void observe(SharedSimulation& simulation) {
     simulation.alone([&](const avo::Simulation& s) {
       const std::lock_guard lock(mutex);
@@ -177,11 +187,14 @@ void bind_reports(py::module_& module) {
              "Judges a recording: a dict, as `avo check --json`. Either a scene, or radius, m, "
              "max_acceleration, m/s^2, and max_speed, m/s, of all robots.");
   module.def("run", &run, arg("scene"), py::kw_only(), arg("threads") = 0,
-             arg("record") = py::none(),
+             arg("record") = py::none(), arg("crowd") = false, arg("line") = py::none(),
              "Runs a scene to its end: a dict, as `avo run --summary`. record: file of the "
-             "recording, which is whole or not there.");
+             "recording, which is whole or not there. crowd, line: see Metrics.");
   py::class_<SharedMetrics>(module, "Metrics", "What a run did.")
-      .def(py::init<const py::object&>(), arg("scene"))
+      .def(py::init<const py::object&, bool, const Line&>(), arg("scene"), py::kw_only(),
+           arg("crowd") = false, arg("line") = py::none(),
+           "crowd: whether danger, order and density are measured as well, which costs time. line: "
+           "two points, m; the flow is that of the robots that cross between them.")
       .def("observe", &SharedMetrics::observe, arg("simulation"),
            "Once before the first step, and once after every step.")
       .def(

@@ -21,6 +21,13 @@ inline RunSummary run(const Scenario& scene, int steps) {
   return metrics.summary();
 }
 
+// Robots of method avo that stop at their goals.
+inline Scenario alone(std::vector<RobotSetup> robots) {
+  Scenario scene;
+  scene.robots = std::move(robots);
+  return scene;
+}
+
 // Robots that sense nobody drive into each other.
 inline Scenario blind(std::vector<RobotSetup> robots) {
   Scenario scene;

@@ -497,8 +497,8 @@ AVO_C_API bool avo_simulation_is_valid(avo_simulation_id simulation);
 /// One sensing-acting cycle of all robots. The same bits for any number of threads or workers. A
 /// fleet of less than 256 is stepped by the calling thread alone. Airplanes that have arrived may
 /// leave. Where memory runs out nobody has moved, or every later step fails until a state is
-/// restored. Where run_tasks breaks its contract, likewise. Where it runs out for metrics alone, the
-/// step is done, and they end.
+/// restored. Where run_tasks breaks its contract, likewise. Where it runs out for metrics alone,
+/// the step is done, and they end.
 AVO_C_API avo_result avo_simulation_step(avo_simulation_id simulation);
 
 /// The new robot's number is greater than all before.
@@ -609,6 +609,27 @@ AVO_C_API avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_
                                               size_t capacity, size_t* count);
 
 /// What a run did since it began or was restored.
+/// By published definitions (docs/metrics.md). A trip is that of a robot that is not parked, until
+/// it first arrives. NAN: there is nothing to say.
+typedef struct avo_run_metrics {
+  int64_t trips;
+  int64_t collision_robot_steps;  ///< with another robot, as in collision_pairs
+  double overlap_depth;           ///< the deepest, as a part of both radii; 0: none
+  double success;                 ///< share of trips: no overlap, within 3 ideal times
+  double collision;               ///< share of trips with an overlap
+  double timeout;                 ///< share of the others
+  double extra_time_mean;         ///< s, of trips that end over their ideal times
+  double extra_time_p75;
+  double extra_time_p90;
+  double flowtime;       ///< s, sum of all trips' times; only if all have arrived
+  double path_ratio;     ///< mean over trips that end: length by the shortest way
+  double effort;         ///< m^2/s^3, mean of the trips' integrals of |a|^2
+  double jerk;           ///< m/s^3, root mean square over all trips' steps
+  double reversals;      ///< of the acceleration, mean number a trip
+  double efficacy;       ///< mean speed along the way by the preferred speed
+  double deadlock_time;  ///< s, mean time a trip without progress
+} avo_run_metrics;
+
 typedef struct avo_summary {
   size_t size;
   int64_t robots;
@@ -632,6 +653,7 @@ typedef struct avo_summary {
   double max_speed;               ///< m/s
   double mean_arrival;            ///< s, of those that arrived; NAN: none
   double last_arrival;            ///< s; NAN: not all have arrived
+  avo_run_metrics metrics;
 } avo_summary;
 
 AVO_C_API avo_summary avo_default_summary(void);

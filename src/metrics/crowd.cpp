@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/crowd.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/plane.h"
+
+namespace avo {
+namespace {
+
+constexpr double kDanger = 0.2;  // m, between discs: nearer is danger
+constexpr double kMoves = 0.01;  // of the preferred speed: no faster has no direction
+
+}  // namespace
+
+// Of one robot: whom it is near to, and its cell.
+void Crowd::look_around(const FleetView& fleet, std::size_t robot, double duration) {
+  double nearest = kInfinity;  // m, between discs
+  cell_.begin();
+  const double radius = disc_radius(fleet.setup[robot]);
+  for (const NeighborHit& hit :
+       grid_.gather(positions_[robot], static_cast<int>(robot), positions_.size(), scratch_)) {
+    const auto other = static_cast<std::size_t>(hit.index);
+    const double contact = radius + disc_radius(fleet.setup[other]);
+    nearest = std::min(nearest, std::sqrt(hit.distance_squared) - contact);
+    cell_.cut(positions_[other] - positions_[robot]);
+  }
+  if (nearest < kDanger) {
+    danger_time_ += duration;
+    separation_in_danger_ += nearest * duration;
+  }
+  const double density = 1.0 / cell_.area();
+  density_ += density * duration;
+  densest_ = std::max(densest_, density);
+}
+
+void Crowd::observe(const Simulation& simulation, const Trips& trips, double duration) {
+  const FleetView fleet = simulation.fleet();
+  double largest = 0.0;  // m
+  positions_.clear();
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    const RobotSetup& setup = fleet.setup[i];
+    positions_.push_back(disc_center(setup.model, fleet.position[i], fleet.heading[i]));
+    largest = std::max(largest, disc_radius(setup));
+  }
+  // no farther point cuts a cell
+  grid_.build(positions_, std::max(2.0 * kCellRadius, 2.0 * largest + kDanger));
+  Vec2 directions = {};
+  double moving = 0.0;
+  for (std::size_t i = 0; i < fleet.id.size(); ++i) {
+    if (!trips.is_under_way(fleet.id[i].value)) continue;
+    time_ += duration;
+    look_around(fleet, i, duration);
+    const double speed = norm(fleet.velocity[i]);
+    if (!(speed > kMoves * fleet.setup[i].preferred_speed)) continue;
+    directions = directions + fleet.velocity[i] / speed;
+    moving += 1.0;
+  }
+  if (moving < 2.0) return;  // one alone is always in order
+  order_time_ += duration;
+  order_ += norm(directions) / moving * duration;
+}
+
+void Crowd::describe(RunMetrics& metrics) const {
+  if (time_ > 0.0) {
+    metrics.danger = danger_time_ / time_;
+    metrics.density_mean = density_ / time_;
+    metrics.density_max = densest_;
+  }
+  if (danger_time_ > 0.0) metrics.danger_separation = separation_in_danger_ / danger_time_;
+  if (order_time_ > 0.0) metrics.order = order_ / order_time_;
+}
+
+}  // namespace avo

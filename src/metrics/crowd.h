@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What robots on their trips are among: danger, order and density (docs/metrics.md).
+#pragma once
+#include <vector>
+
+#include "avo/metrics.h"
+#include "metrics/trips.h"
+#include "metrics/voronoi.h"
+#include "neighbors/uniform_grid.h"
+
+namespace avo {
+
+/// As robots stand at the ends of steps.
+class Crowd {
+ public:
+  /// After a step of that duration, s.
+  void observe(const Simulation& simulation, const Trips& trips, double duration);
+  void describe(RunMetrics& metrics) const;
+
+ private:
+  void look_around(const FleetView& fleet, std::size_t robot, double duration);
+
+  double time_ = 0.0;                                      // s, of all trips together
+  double danger_time_ = 0.0, separation_in_danger_ = 0.0;  // s, m s
+  double order_time_ = 0.0, order_ = 0.0;                  // s
+  double density_ = 0.0, densest_ = 0.0;                   // s/m^2, 1/m^2
+
+  std::vector<Vec2> positions_;
+  UniformGrid grid_;
+  SearchScratch scratch_;
+  VoronoiCell cell_;
+};
+
+}  // namespace avo

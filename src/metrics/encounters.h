@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who overlapped whom within steps, and how near robots came to each other.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "avo/response.h"
+#include "metrics/body.h"
+#include "neighbors/uniform_grid.h"
+
+namespace avo {
+
+/// The step that is observed.
+struct StepSpan {
+  double begin = 0.0;                     // s
+  double duration = 0.0;                  // s
+  bool moves = false;                     // false before the first step
+  std::optional<Response> response = {};  // of robots that move by Eqs. (8), (9)
+};
+
+/// Pairs by their names; distinct ones over the run.
+struct Encounters {
+  using Pairs = std::set<std::pair<std::uint64_t, std::uint64_t>>;
+  Pairs collided = {}, one_sided = {}, with_obstacle = {}, with_obstacle_in_motion = {};
+  std::optional<double> min_clearance = {};         // m, of robots that avoid each other
+  std::optional<double> first_collision_time = {};  // s, of them
+  double overlap_depth = 0.0;                       // the deepest, as a part of r_A + r_B
+  std::int64_t collision_robot_steps = 0;
+  /// Robots that overlapped in this step whom they avoid; a moving obstacle only where they moved.
+  std::vector<std::uint64_t> overlapping = {};
+
+  void observe(std::vector<Body>& robots, std::vector<Body>& obstacles, const StepSpan& step);
+
+ private:
+  void meet(const Body& a, const Body& b, const StepSpan& step);
+  void meet_obstacle(const Body& robot, const Body& obstacle, const StepSpan& step);
+
+  std::vector<std::uint64_t> colliding_;  // robots of pairs that overlap in this step
+  std::vector<Vec2> positions_;
+  SearchScratch scratch_;
+  UniformGrid grid_;
+};
+
+}  // namespace avo

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// When robots cross a line (docs/metrics.md, "Flow").
+#pragma once
+#include <cstdint>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "avo/metrics.h"
+#include "metrics/body.h"
+
+namespace avo {
+
+/// Each robot counts once, whichever way it goes: where the center of its disc first crosses.
+class Flow {
+ public:
+  /// Throws Error where the ends are not two points.
+  explicit Flow(const MeasuringLine& line);
+
+  /// Robots over a step that begins at that time, s.
+  void observe(std::span<const Body> robots, double begin, double duration);
+  void describe(RunMetrics& metrics) const;
+
+ private:
+  MeasuringLine line_;
+  std::set<std::uint64_t> crossed_;
+  std::vector<double> times_;  // s
+};
+
+}  // namespace avo

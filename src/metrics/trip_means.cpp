@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the trips of a fleet tell together (docs/metrics.md).
+#include <cmath>
+#include <vector>
+
+#include "core/plane.h"
+#include "metrics/trips.h"
+
+namespace avo {
+namespace {
+
+constexpr double kPatience = 3.0;  // ideal times: no later is a success
+
+// Sums up values and their number.
+struct Mean {
+  double sum = 0.0, count = 0.0;
+
+  void add(double value) { sum += value, count += 1.0; }
+  [[nodiscard]] std::optional<double> value() const {
+    return count > 0.0 ? std::optional(sum / count) : std::nullopt;
+  }
+};
+
+double duration_of(const Trip& trip) {
+  return trip.end - trip.begin;
+}
+
+// Arrivals are seen at the ends of steps.
+bool is_in_time(const Trip& trip) {
+  return trip.arrival && duration_of(trip) <= kPatience * trip.ideal_time + trip.step;
+}
+
+}  // namespace
+
+void Trips::describe(RunMetrics& metrics) const {
+  Mean success, collision, timeout, extra, ratio, effort, reversals, efficacy, deadlock;
+  double flowtime = 0.0, jerk_squared = 0.0, jerk_steps = 0.0;
+  bool have_arrived = true;
+  std::vector<double> extra_times;
+  for (const Trip& trip : trips_) {
+    if (trip.parked) continue;
+    ++metrics.trips;
+    collision.add(trip.overlapped ? 1.0 : 0.0);
+    success.add(!trip.overlapped && is_in_time(trip) ? 1.0 : 0.0);
+    timeout.add(!trip.overlapped && !is_in_time(trip) ? 1.0 : 0.0);
+    effort.add(trip.effort);
+    reversals.add(static_cast<double>(trip.reversals));
+    deadlock.add(trip.deadlock_time);
+    flowtime += duration_of(trip);
+    jerk_squared += trip.jerk_squared;
+    jerk_steps += trip.jerk_steps;
+    const bool has_way = trip.way < kInfinity && trip.way_left < kInfinity;
+    const double best = trip.preferred_speed * duration_of(trip);  // m
+    if (has_way && best > 0.0) efficacy.add((trip.way - trip.way_left) / best);
+    if (!trip.arrival) {
+      have_arrived = false;
+      continue;
+    }
+    if (trip.ideal_time < kInfinity) {
+      extra_times.push_back(duration_of(trip) - trip.ideal_time);
+      extra.add(extra_times.back());
+    }
+    if (has_way && duration_of(trip) > 0.0) ratio.add((trip.length + trip.way_left) / trip.way);
+  }
+  metrics.success = success.value();
+  metrics.collision = collision.value();
+  metrics.timeout = timeout.value();
+  metrics.extra_time_mean = extra.value();
+  if (!extra_times.empty()) {
+    metrics.extra_time_p75 = quantile(extra_times, 0.75);
+    metrics.extra_time_p90 = quantile(extra_times, 0.90);
+  }
+  if (metrics.trips > 0 && have_arrived) metrics.flowtime = flowtime;
+  metrics.path_ratio = ratio.value();
+  metrics.effort = effort.value();
+  if (jerk_steps > 0.0) metrics.jerk = std::sqrt(jerk_squared / jerk_steps);
+  metrics.reversals = reversals.value();
+  metrics.efficacy = efficacy.value();
+  metrics.deadlock_time = deadlock.value();
+}
+
+}  // namespace avo

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/trips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/plane.h"
+#include "metrics/ideal_time.h"
+
+namespace avo {
+namespace {
+
+constexpr double kProgress = 0.01;     // of the preferred speed, nearer than ever: less is none
+constexpr double kNoDirection = 0.01;  // of max_acceleration: less has none
+
+// Begins it where the robot at that index of the fleet is.
+void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std::size_t i,
+           double arrival_distance) {
+  const RobotSetup& setup = fleet.setup[i];
+  const Simulation::Way way = simulation.way(i);
+  const Vec2 position = fleet.position[i], ahead = way.next - position;
+  const double distance = norm(ahead), a = setup.max_acceleration;
+  trip.robot = fleet.id[i].value;
+  trip.parked = setup.parked;
+  trip.begin = trip.end = simulation.time();
+  trip.goal = fleet.goal[i];
+  trip.preferred_speed = setup.preferred_speed;
+  trip.way = trip.way_left = trip.progress = way.length;
+  trip.ideal_time =
+      ideal_time({.way = way.length,
+                  .margin = arrival_distance,
+                  .speed = distance > 0.0 ? dot(fleet.velocity[i], ahead) / distance : 0.0,
+                  .top_speed = std::min(setup.preferred_speed, setup.max_speed),
+                  .acceleration = a,
+                  .stops = !is_airplane(setup.model)});
+  trip.least_acceleration_squared = (kNoDirection * a) * (kNoDirection * a);
+  trip.position = position;
+  trip.velocity = fleet.velocity[i];
+}
+
+}  // namespace
+
+double quantile(std::span<double> values, double share) {
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double duration) {
+  const Vec2 a = (velocity - trip.velocity) / duration;
+  const double a_squared = norm_squared(a);
+  trip.length += norm(position - trip.position);
+  trip.way_left = way_left;
+  if (trip.progress - way_left >= kProgress * trip.preferred_speed * duration)
+    trip.progress = way_left;
+  else
+    trip.deadlock_time += duration;
+  trip.effort += a_squared * duration;
+  if (trip.has_acceleration) {
+    trip.jerk_squared += norm_squared(a - trip.acceleration) / (trip.step * trip.step);
+    trip.jerk_steps += duration == trip.step ? 1.0 : duration / trip.step;
+  }
+  if (a_squared >= trip.least_acceleration_squared) {
+    if (dot(a, trip.directed) < 0.0) ++trip.reversals;
+    trip.directed = a;
+  }
+  trip.acceleration = a;
+  trip.has_acceleration = true;
+  trip.position = position;
+  trip.velocity = velocity;
+}
+
+Trips::Trips(const Scenario& scenario)
+    : step_(scenario.time_step), arrival_distance_(scenario.arrival_distance) {}
+
+std::size_t Trips::find(std::uint64_t robot, std::size_t from) const {
+  const auto place =
+      std::lower_bound(trips_.begin() + static_cast<std::ptrdiff_t>(from), trips_.end(), robot,
+                       [](const Trip& trip, std::uint64_t id) { return trip.robot < id; });
+  return static_cast<std::size_t>(place - trips_.begin());
+}
+
+bool Trips::is_under_way(std::uint64_t robot) const {
+  const std::size_t place = find(robot, 0);
+  if (place == trips_.size() || trips_[place].robot != robot || trips_[place].parked) return false;
+  const Trip& trip = trips_[place];
+  return !trip.arrival || (*trip.arrival == now_ && trip.begin < now_);
+}
+
+std::optional<double> Trips::arrival(std::uint64_t robot) const {
+  const std::size_t place = find(robot, 0);
+  if (place == trips_.size() || trips_[place].robot != robot) return std::nullopt;
+  return trips_[place].arrival;
+}
+
+void Trips::observe(const Simulation& simulation, double duration) {
+  const FleetView fleet = simulation.fleet();
+  now_ = simulation.time();
+  std::size_t k = 0;  // ids ascend in both
+  for (std::size_t i = 0; i < fleet.id.size(); ++i, ++k) {
+    const std::uint64_t robot = fleet.id[i].value;
+    if (k == trips_.size() || trips_[k].robot != robot) k = find(robot, std::min(k, trips_.size()));
+    const bool is_new = k == trips_.size() || trips_[k].robot != robot;
+    if (is_new) {
+      trips_.insert(trips_.begin() + static_cast<std::ptrdiff_t>(k), Trip{.robot = robot});
+      const std::optional<double> own = fleet.setup[i].time_step;
+      trips_[k].step = own.value_or(step_);
+    }
+    Trip& trip = trips_[k];
+    if (trip.arrival) continue;
+    if (is_new) {
+      begin(trip, simulation, fleet, i, arrival_distance_);
+    } else if (!(trip.goal == fleet.goal[i])) {
+      trip = {.robot = robot, .step = trip.step};
+      begin(trip, simulation, fleet, i, arrival_distance_);
+    } else if (duration > 0.0) {
+      go_on(trip, fleet.position[i], fleet.velocity[i], simulation.way(i).length, duration);
+      trip.end = now_;
+    }
+    if (simulation.is_at_goal(i)) {
+      trip.arrival = now_;
+      ++arrived_;
+    }
+  }
+}
+
+void Trips::add_overlaps(std::span<const std::uint64_t> robots) {
+  for (const std::uint64_t robot : robots) {
+    const std::size_t place = find(robot, 0);
+    if (place == trips_.size() || trips_[place].robot != robot) continue;
+    Trip& trip = trips_[place];
+    if (!trip.arrival || *trip.arrival == now_) trip.overlapped = true;
+  }
+}
+
+}  // namespace avo
