@@ -26,7 +26,8 @@ bool has_limits(const CheckArguments& arguments) {
 /// The scene that the recording has in itself, where no other one and no limits are given.
 std::optional<avo_io::SceneSource> own_scene(const CheckArguments& arguments) {
   if (!arguments.scene.scene.empty() || has_limits(arguments)) return std::nullopt;
-  if (!std::filesystem::exists(arguments.recording)) return std::nullopt;
+  if (!std::filesystem::exists(arguments.recording) && !avo_io::is_hdf5_path(arguments.recording))
+    return std::nullopt;
   const auto header = avo_io::read_recording_header(arguments.recording);
   if (!header) return std::nullopt;
   avo_io::SceneSource source = header->scene;
