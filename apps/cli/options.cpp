@@ -188,6 +188,25 @@ void add_recover(CLI::App& app, Action& action) {
   verb->callback([&action] { action = [] { return recover(arguments); }; });
 }
 
+void add_convert(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("convert", "write a recording for other programs");
+  static ConvertArguments arguments;
+  not_empty(verb->add_option("RECORDING", arguments.recording,
+                             "as avo run --record writes it, or its spool; - is stdin, of CSV"))
+      ->type_name("FILE.csv|.h5|.h5.part")
+      ->required();
+  not_empty(verb->add_option("OUTPUT", arguments.output, "its ending says the format; - is stdout"))
+      ->type_name("FILE.csv|.sqlite|.mcap|.h5")
+      ->required();
+  not_empty(verb->add_option("--to", arguments.to, "csv, sqlite, mcap or pedestrian-hdf5"))
+      ->type_name("FORMAT");
+  not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
+  add_overrides(*verb, arguments.scene);
+  add_volume(*verb);
+  verb->footer("Example: avo convert out.h5 out.mcap");
+  verb->callback([&action] { action = [] { return convert(arguments); }; });
+}
+
 void add_video(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("video", "make a video of a recording, by ffmpeg");
   static VideoArguments arguments;
@@ -283,6 +302,7 @@ void add_options(CLI::App& app, Action& action) {
   add_check(app, action);
   add_replay(app, action);
   add_recover(app, action);
+  add_convert(app, action);
   add_video(app, action);
   add_report(app, action);
   add_bench(app, action);

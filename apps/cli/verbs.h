@@ -78,6 +78,14 @@ struct RecoverArguments {
 };
 int recover(const RecoverArguments& arguments);
 
+struct ConvertArguments {
+  std::string recording;  ///< "-": standard input
+  std::string output;     ///< "-": standard output
+  SceneArguments scene;   ///< empty: the one that the recording has in itself, if it has
+  std::string to;         ///< a word of avo_io::kExportFormats; empty: by the output's ending
+};
+int convert(const ConvertArguments& arguments);
+
 struct VideoArguments {
   std::string recording, output;
   SceneArguments scene;  ///< empty: that of the recording

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo convert: recordings for other programs.
+#include "avo_io/convert.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "avo_io/nearest.h"
+#include "avo_io/printable.h"
+#include "avo_io/recording.h"
+#include "exit_codes.h"
+#include "files.h"
+#include "settings_report.h"
+#include "terminal.h"
+#include "verbs.h"
+
+namespace avo_cli {
+namespace {
+
+using avo_io::ExportFormat;
+
+/// By the ending of the output, where --to does not say it.
+constexpr std::pair<std::string_view, ExportFormat> kEndings[] = {
+    {".csv", ExportFormat::csv},
+    {".sqlite", ExportFormat::sqlite},
+    {".h5", ExportFormat::pedestrian_hdf5},
+    {".mcap", ExportFormat::mcap}};
+
+ExportFormat format_called(const std::string& word) {
+  std::vector<std::string_view> words;
+  for (const auto& [name, format] : avo_io::kExportFormats) {
+    if (name == word) return format;
+    words.push_back(name);
+  }
+  const auto meant = avo_io::nearest(word, words);
+  throw UsageError(fmt::format("--to: found {}, must be one of {}{}",
+                               avo_io::printable(word, kLongestWord), fmt::join(words, ", "),
+                               meant ? fmt::format("; did you mean {}?", *meant) : ""));
+}
+
+ExportFormat format_of(const ConvertArguments& arguments) {
+  if (!arguments.to.empty()) {
+    const ExportFormat format = format_called(arguments.to);
+    for (const auto& [ending, of] : kEndings)
+      if (of == format) require_ending({"the output", arguments.output}, {ending});
+    return format;
+  }
+  const std::string ending = std::filesystem::path(arguments.output).extension().string();
+  for (const auto& [known, format] : kEndings) {
+    if (ending != known) continue;
+    if (format == ExportFormat::pedestrian_hdf5)
+      throw UsageError(fmt::format(
+          "the output {}: found the ending .h5 without --to, must be with --to pedestrian-hdf5",
+          arguments.output));
+    return format;
+  }
+  throw UsageError(fmt::format(
+      "the output {}: found the ending \"{}\", must be .csv, .sqlite or .mcap, or with --to FORMAT",
+      arguments.output, avo_io::printable(ending, kLongestWord)));
+}
+
+/// That of --scene, or the one that the recording has in itself, with the overrides.
+std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments) {
+  avo_io::SceneSource source;
+  if (!arguments.scene.scene.empty()) {
+    avo::Scenario scenario = with_overrides(arguments.scene, source);
+    tell_settings(arguments.scene, scenario, source);
+    return scenario;
+  }
+  const auto header = avo_io::read_recording_header(arguments.recording);
+  if (!header) {
+    if (!arguments.scene.overrides.empty())
+      throw UsageError("--set: found without --scene, must be with it");
+    return std::nullopt;
+  }
+  source = header->scene;
+  source.overrides.insert(source.overrides.end(), arguments.scene.overrides.begin(),
+                          arguments.scene.overrides.end());
+  return avo_io::parse_scenario(source);
+}
+
+void report(const ConvertArguments& arguments, const avo_io::Converted& converted) {
+  std::vector<std::string> warnings;
+  if (converted.left_out)
+    warnings.push_back(fmt::format("the last time, {} s, is left out: it is between two frames",
+                                   *converted.left_out));
+  if (converted.without_walls)
+    warnings.push_back(
+        "there is no scene, and nobody knows of walls: the walkable area is a rectangle around all "
+        "motion; --scene gives one");
+  if (!warnings.empty()) warn(warnings);
+  if (arguments.output == "-") return;
+  print_results(fmt::format(
+      "{}: {} times, {} rows{}\n", arguments.output, converted.times, converted.rows,
+      converted.fps ? fmt::format(", {} frames a second", *converted.fps) : std::string()));
+}
+
+}  // namespace
+
+int convert(const ConvertArguments& arguments) {
+  const ExportFormat format = format_of(arguments);
+  if (arguments.recording == "-" && arguments.scene.scene == "-")
+    throw UsageError("the recording and --scene: found - twice, must be one standard input only");
+  require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)},
+                   {{"the output", arguments.output}});
+  avo_io::ConvertOptions options{.format = format, .scenario = scenario_of(arguments)};
+  if (format == ExportFormat::mcap && !options.scenario) {
+    if (arguments.recording != "-") avo_io::RecordingReader(arguments.recording);  // is it there?
+    throw UsageError(
+        "--scene: found none, must be given: MCAP shows radii and walls, and CSV has neither");
+  }
+  std::optional<Progress> progress;
+  if (options.scenario) progress.emplace(options.scenario->duration, true);
+  if (progress) options.converted = [&progress](double time) { progress->show(time); };
+  report(arguments, avo_io::convert(arguments.recording, arguments.output, options));
+  return kDone;
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings for other programs: what `avo convert` writes.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "avo/export.h"
+#include "avo/scenario.h"
+
+namespace avo_io {
+
+/// docs/exports.md
+enum class ExportFormat {
+  csv,              ///< as CsvRecording writes it
+  sqlite,           ///< of JuPedSim, version 2
+  pedestrian_hdf5,  ///< of the Pedestrian Dynamics Data Archive
+  mcap,             ///< with the schemas of Foxglove
+};
+/// Their words on the command line.
+inline constexpr std::array<std::pair<std::string_view, ExportFormat>, 4> kExportFormats{
+    {{"csv", ExportFormat::csv},
+     {"sqlite", ExportFormat::sqlite},
+     {"pedestrian-hdf5", ExportFormat::pedestrian_hdf5},
+     {"mcap", ExportFormat::mcap}}};
+
+/// How convert() writes.
+struct ConvertOptions {
+  ExportFormat format = ExportFormat::csv;
+  /// Of the recording; unset: the one that it has in itself, if it has.
+  std::optional<avo::Scenario> scenario = {};
+  /// Called with each time of the recording, s, once it is converted.
+  std::function<void(double time)> converted = {};
+};
+
+/// What convert() has written.
+struct Converted {
+  std::int64_t times = 0, rows = 0;
+  /// Frames in a second; of the formats that have frames.
+  std::optional<double> fps = {};
+  /// s: the last time, which is no frame and has been left out.
+  std::optional<double> left_out = {};
+  /// The walkable area knows of no walls: there is no scene.
+  bool without_walls = false;
+};
+
+/// Writes the recording at `input` (CSV, HDF5, a spool; "-" is the standard input, of CSV) to
+/// `output`, whole or not at all. Never holds more than one time, of HDF5 64. Throws FileError,
+/// RecordingError, and Error where the format needs a scene and there is none.
+AVO_API Converted convert(const std::string& input, const std::string& output,
+                          const ConvertOptions& options);
+
+}  // namespace avo_io

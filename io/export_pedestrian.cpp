@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exports in the layout of the Pedestrian Dynamics Data Archive: one table of all rows.
+#include <cerrno>
+#include <cstddef>
+#include <fmt/format.h>
+#include <vector>
+
+#include "avo_io/errors.h"
+#include "export_area.h"
+#include "export_target.h"
+#include "hdf5_handle.h"
+#include "regular_file.h"
+
+namespace avo_io {
+namespace {
+
+struct PedestrianRow {
+  std::int64_t id, frame;
+  double x, y;  // m
+};
+constexpr std::size_t kRowsOfChunk = 16384;
+constexpr unsigned kPedestrianDeflate = 1;
+
+class PedestrianExport final : public ExportTarget {
+ public:
+  PedestrianExport(const ExportPlace& place, const avo::Scenario* scenario);
+  void add(const ExportedTime& moment) override;
+  void finish(double fps) override;
+
+ private:
+  void require(bool written) const {
+    if (!written)
+      throw FileError(errno != 0 ? with_errno(name_) : name_ + ": HDF5 cannot write it");
+  }
+  Hdf5Handle require(hid_t id, herr_t (*close)(hid_t)) const {
+    require(id >= 0);
+    return {id, close};
+  }
+  [[nodiscard]] Hdf5Handle row_type(hid_t number, hid_t coordinate) const;
+  void write_rows();
+  void write_attributes(double fps, const std::string& wkt) const;
+
+  std::string name_;
+  AreaFinder area_;
+  Hdf5Handle file_, table_;
+  std::vector<PedestrianRow> rows_;
+  hsize_t written_ = 0;  // rows
+};
+
+Hdf5Handle PedestrianExport::row_type(hid_t number, hid_t coordinate) const {
+  Hdf5Handle type = require(H5Tcreate(H5T_COMPOUND, sizeof(PedestrianRow)), H5Tclose);
+  require(H5Tinsert(type.id(), "id", offsetof(PedestrianRow, id), number) >= 0);
+  require(H5Tinsert(type.id(), "frame", offsetof(PedestrianRow, frame), number) >= 0);
+  require(H5Tinsert(type.id(), "x", offsetof(PedestrianRow, x), coordinate) >= 0);
+  require(H5Tinsert(type.id(), "y", offsetof(PedestrianRow, y), coordinate) >= 0);
+  return type;
+}
+
+PedestrianExport::PedestrianExport(const ExportPlace& place, const avo::Scenario* scenario)
+    : name_(place.name), area_(scenario) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  errno = 0;
+  file_ = require(
+      H5Fcreate(place.file.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  const hsize_t none = 0, unlimited = H5S_UNLIMITED, chunk = kRowsOfChunk;
+  const Hdf5Handle space = require(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+  const Hdf5Handle layout = require(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  require(H5Pset_chunk(layout.id(), 1, &chunk) >= 0);
+  require(H5Pset_shuffle(layout.id()) >= 0);
+  require(H5Pset_deflate(layout.id(), kPedestrianDeflate) >= 0);
+  require(H5Pset_obj_track_times(layout.id(), 0) >= 0);  // else no two files have the same bytes
+  const Hdf5Handle type = row_type(H5T_STD_I64LE, H5T_IEEE_F64LE);
+  table_ = require(H5Dcreate2(file_.id(), "trajectory", type.id(), space.id(), H5P_DEFAULT,
+                              layout.id(), H5P_DEFAULT),
+                   H5Dclose);
+}
+
+void PedestrianExport::add(const ExportedTime& moment) {
+  area_.add(moment.recorded);
+  for (const avo::CheckedState& row : moment.recorded.rows) {
+    rows_.push_back({row.robot, moment.frame, row.position.x, row.position.y});
+    if (rows_.size() == kRowsOfChunk) write_rows();
+  }
+}
+
+void PedestrianExport::write_rows() {
+  const hsize_t count = rows_.size(), size = written_ + count;
+  if (count == 0) return;
+  errno = 0;
+  require(H5Dset_extent(table_.id(), &size) >= 0);
+  const Hdf5Handle type = row_type(H5T_NATIVE_INT64, H5T_NATIVE_DOUBLE);
+  const Hdf5Handle memory = require(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle space = require(H5Dget_space(table_.id()), H5Sclose);
+  require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &written_, nullptr, &count, nullptr) >=
+          0);
+  require(H5Dwrite(table_.id(), type.id(), memory.id(), space.id(), H5P_DEFAULT, rows_.data()) >=
+          0);
+  written_ = size;
+  rows_.clear();
+}
+
+// The text as one of any length: h5py makes a str of it, and bytes of one of fixed length, which
+// may also have no more than 64 KiB.
+void PedestrianExport::write_attributes(double fps, const std::string& wkt) const {
+  errno = 0;
+  const Hdf5Handle scalar = require(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle text = require(H5Tcopy(H5T_C_S1), H5Tclose);
+  require(H5Tset_size(text.id(), H5T_VARIABLE) >= 0);
+  require(H5Tset_cset(text.id(), H5T_CSET_UTF8) >= 0);
+  const Hdf5Handle geometry = require(
+      H5Acreate2(file_.id(), "wkt_geometry", text.id(), scalar.id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  const char* const bytes = wkt.c_str();
+  require(H5Awrite(geometry.id(), text.id(), static_cast<const void*>(&bytes)) >= 0);
+  const Hdf5Handle rate =
+      require(H5Acreate2(table_.id(), "fps", H5T_IEEE_F64LE, scalar.id(), H5P_DEFAULT, H5P_DEFAULT),
+              H5Aclose);
+  require(H5Awrite(rate.id(), H5T_NATIVE_DOUBLE, &fps) >= 0);
+}
+
+void PedestrianExport::finish(double fps) {
+  write_rows();
+  write_attributes(fps, area_.found().wkt);
+  errno = 0;
+  require(table_.close());
+  require(file_.close());
+}
+
+}  // namespace
+
+std::unique_ptr<ExportTarget> export_pedestrian(const ExportPlace& place,
+                                                const avo::Scenario* scenario) {
+  return std::make_unique<PedestrianExport>(place, scenario);
+}
+
+}  // namespace avo_io
