@@ -203,6 +203,35 @@ void add_bench(CLI::App& app, Action& action) {
   verb->callback([&action] { action = [] { return bench(arguments); }; });
 }
 
+void add_sweep(CLI::App& app, Action& action) {
+  CLI::App* verb =
+      app.add_subcommand("sweep", "many runs: scenes x methods x parameters x seeds, as one table");
+  static SweepArguments arguments;
+  not_empty(verb->add_option("SPEC", arguments.spec, "what varies, see docs/experiments.md"))
+      ->type_name("FILE.yaml")
+      ->required();
+  not_empty(verb->add_option("--out", arguments.output,
+                             "table of the runs; what was interrupted goes on from there"))
+      ->type_name("FILE.csv|.h5")
+      ->required();
+  not_empty(verb->add_option("--summary", arguments.summary,
+                             "medians, 95th percentiles and 95 % intervals; - is stdout"))
+      ->type_name("FILE.csv");
+  verb->add_option("--jobs", arguments.jobs, "runs at a time; 0: as many as there are processors")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  CLI::Option* shard =
+      not_empty(verb->add_option("--shard", arguments.shard, "part I of N of the runs"))
+          ->type_name("I/N");
+  not_empty(
+      verb->add_option("--merge", arguments.tables, "runs nothing: joins the tables of all shards"))
+      ->type_name("FILE.csv|.h5")
+      ->excludes(shard);
+  add_volume(*verb);
+  verb->footer("Example: avo sweep sweep.yaml --out runs.csv --summary summary.csv");
+  verb->callback([&action] { action = [] { return sweep(arguments); }; });
+}
+
 void add_others(CLI::App& app, Action& action) {
   CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or print one");
   static std::string name;
@@ -249,6 +278,7 @@ void add_options(CLI::App& app, Action& action) {
   add_replay(app, action);
   add_recover(app, action);
   add_bench(app, action);
+  add_sweep(app, action);
   add_others(app, action);
 }
 

@@ -86,6 +86,16 @@ struct BenchArguments {
 };
 int bench(const BenchArguments& arguments);
 
+struct SweepArguments {
+  std::string spec;
+  std::string output;   ///< table of the runs
+  std::string summary;  ///< empty: none
+  std::string shard = "1/1";
+  std::vector<std::string> tables;  ///< to be joined; empty: it is run
+  int jobs = 0;
+};
+int sweep(const SweepArguments& arguments);
+
 int list_scenes(const std::string& name, bool json);
 int validate_scene(const SceneArguments& arguments);
 int print_schema();
