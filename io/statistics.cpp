@@ -41,9 +41,9 @@ double quantile(const std::vector<double>& sorted, double part) {
 }
 
 double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
+  double sum = 0.0;  // of differences: of equal values the mean is itself
+  for (const double value : values) sum += value - values.front();
+  return values.front() + sum / static_cast<double>(values.size());
 }
 
 double student_95(std::int64_t freedom) {

@@ -233,6 +233,12 @@ void write_sweep_hdf5(const SweepTable& runs, const std::string& path, const std
   SweepWriter(name).write(runs, path);
 }
 
+bool is_sweep_hdf5(const std::string& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  return file && H5Lexists(file.id(), "runs", H5P_DEFAULT) > 0;
+}
+
 SweepTable read_sweep_hdf5(const std::string& path) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   return SweepHdf5Reader(path).read();

@@ -232,6 +232,33 @@ void add_sweep(CLI::App& app, Action& action) {
   verb->callback([&action] { action = [] { return sweep(arguments); }; });
 }
 
+void add_compare(CLI::App& app, Action& action) {
+  CLI::App* verb =
+      app.add_subcommand("compare", "print the table of sweeps and recordings, and draw them");
+  static CompareArguments arguments;
+  not_empty(verb->add_option("FILES", arguments.files,
+                             "as avo sweep --out and avo run --record FILE.h5 write them"))
+      ->type_name("FILE.csv|.h5")
+      ->required();
+  not_empty(verb->add_option("--by", arguments.by,
+                             "what rows differ in: method, scene, a parameter, table; without it "
+                             "the first of these that does"))
+      ->type_name("KEY");
+  not_empty(verb->add_option("--columns", arguments.columns, "of which means are shown"))
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  const auto add_figure = [&](const char* name, std::string& path, const char* text) {
+    not_empty(verb->add_option(name, path, text))->type_name("FILE.svg|.png|.pdf");
+  };
+  add_figure("--arrival", arguments.arrival, "how many have arrived over time");
+  add_figure("--clearance", arguments.clearance, "least clearance over time, of recordings");
+  add_figure("--traces", arguments.traces, "trajectories side by side, of recordings");
+  add_figure("--scaling", arguments.scaling, "time of a step over the number of robots");
+  add_volume(*verb);
+  verb->footer("Example: avo compare runs.csv --by method --arrival arrival.svg");
+  verb->callback([&action] { action = [] { return compare(arguments); }; });
+}
+
 void add_others(CLI::App& app, Action& action) {
   CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or print one");
   static std::string name;
@@ -279,6 +306,7 @@ void add_options(CLI::App& app, Action& action) {
   add_recover(app, action);
   add_bench(app, action);
   add_sweep(app, action);
+  add_compare(app, action);
   add_others(app, action);
 }
 

@@ -96,6 +96,15 @@ struct SweepArguments {
 };
 int sweep(const SweepArguments& arguments);
 
+struct CompareArguments {
+  std::vector<std::string> files;  ///< tables of sweeps, recordings
+  std::string by;                  ///< empty: what varies
+  std::vector<std::string> columns{"all_arrived",  "collided",      "mean_arrival",
+                                   "last_arrival", "min_clearance", "step_milliseconds_median"};
+  std::string arrival, clearance, traces, scaling;  ///< figures; empty: none
+};
+int compare(const CompareArguments& arguments);
+
 int list_scenes(const std::string& name, bool json);
 int validate_scene(const SceneArguments& arguments);
 int print_schema();

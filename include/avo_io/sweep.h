@@ -107,6 +107,8 @@ AVO_API std::string to_csv(const SweepTable& table);
 /// dataset a column. Throws FileError.
 AVO_API void write_sweep_hdf5(const SweepTable& runs, const std::string& path,
                               const std::string& name);
+/// Whether an HDF5 file is such a one. False where it cannot be opened.
+AVO_API bool is_sweep_hdf5(const std::string& path);
 /// The runs of either. Throws FileError and RecordingError.
 AVO_API SweepTable read_sweep(const std::string& path);
 
