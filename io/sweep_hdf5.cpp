@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
+#include <unistd.h>
 
 #include "core/ranges.h"
 #include "hdf5_handle.h"
@@ -144,6 +145,7 @@ class SweepHdf5Reader {
   explicit SweepHdf5Reader(const std::string& path) : path_(path) {}
 
   SweepTable read() const {
+    if (access(path_.c_str(), R_OK) != 0) throw FileError(with_errno(path_));
     const Hdf5Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     const Hdf5Handle group(file ? H5Gopen2(file.id(), "runs", H5P_DEFAULT) : H5I_INVALID_HID,
                            H5Gclose);

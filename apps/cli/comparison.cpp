@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <map>
 
 #include "avo_io/nearest.h"
@@ -16,6 +17,10 @@ namespace avo_cli {
 namespace {
 
 using TextRow = std::vector<std::string>;
+
+constexpr const char* kUsualColumns[] = {"all_arrived",   "collided",
+                                         "mean_arrival",  "last_arrival",
+                                         "min_clearance", "step_milliseconds_median"};
 
 /// Rows of text in columns that are as wide as they have to be, numbers to the right.
 std::string aligned(const std::vector<TextRow>& rows) {
@@ -151,19 +156,24 @@ std::string label_of(const Case& entry, const std::vector<std::string>& keys, bo
 }
 
 std::string readable(const std::vector<Case>& cases, std::string by,
-                     const std::vector<std::string>& columns) {
+                     std::vector<std::string> columns) {
   if (cases.empty()) return "";
   if (by.empty()) by = usual_by(cases);
   require_one_of("--by", by, keys_of(cases));
-  for (const std::string& column : columns)
-    require_one_of("--columns", column, cases.front().table->columns);
+  const std::vector<std::string>& known = cases.front().table->columns;
+  for (const std::string& column : columns) require_one_of("--columns", column, known);
+  if (columns.empty())
+    std::copy_if(std::begin(kUsualColumns), std::end(kUsualColumns), std::back_inserter(columns),
+                 [&](const char* name) {
+                   return std::find(known.begin(), known.end(), name) != known.end();
+                 });
   std::vector<std::string> others = varying_keys(cases);
   std::erase(others, by);
   std::vector<std::pair<std::string, std::vector<TextRow>>> blocks;
   for (const Case& entry : cases) {
     const std::string heading = label_of(entry, others, true);
     auto block = std::find_if(blocks.begin(), blocks.end(),
-                              [&](const auto& known) { return known.first == heading; });
+                              [&](const auto& other) { return other.first == heading; });
     if (block == blocks.end()) {
       TextRow head{by, "runs"};
       head.insert(head.end(), columns.begin(), columns.end());

@@ -42,9 +42,9 @@ std::string label_of(const Case& entry, const std::vector<std::string>& keys, bo
 
 /// The table for people to read: a block for each set of all keys but `by`, with a row for each
 /// value of it. Of each of `columns` the mean over the runs and its 95 % interval. Empty `by`: the
-/// first of method, parameters, table and scene that varies.
+/// first of method, parameters, table and scene that varies; empty `columns`: the usual ones.
 std::string readable(const std::vector<Case>& cases, std::string by,
-                     const std::vector<std::string>& columns);
+                     std::vector<std::string> columns);
 /// One row a recording.
 std::string readable(const Comparison& comparison);
 

@@ -97,10 +97,9 @@ struct SweepArguments {
 int sweep(const SweepArguments& arguments);
 
 struct CompareArguments {
-  std::vector<std::string> files;  ///< tables of sweeps, recordings
-  std::string by;                  ///< empty: what varies
-  std::vector<std::string> columns{"all_arrived",  "collided",      "mean_arrival",
-                                   "last_arrival", "min_clearance", "step_milliseconds_median"};
+  std::vector<std::string> files;                   ///< tables of sweeps, recordings
+  std::string by;                                   ///< empty: what varies
+  std::vector<std::string> columns;                 ///< empty: the usual ones
   std::string arrival, clearance, traces, scaling;  ///< figures; empty: none
 };
 int compare(const CompareArguments& arguments);

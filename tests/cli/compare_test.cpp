@@ -48,7 +48,7 @@ TEST(Compare, has_a_row_for_each_value_of_another_key) {
       run_avo({"compare", by_hand("a.csv"), "--by=time_horizon", "--columns=arrival_50"});
   EXPECT_EQ(result.out,
             "method avo\n"
-            "  time_horizon  runs          arrival_50\n"
+            "  time_horizon  runs         arrival_50\n"
             "  5                2  5 [-7.706, 17.71]\n"
             "  8                2  5 [-7.706, 17.71]\n"
             "method orca\n"
@@ -83,7 +83,7 @@ TEST(Compare, draws_tables) {
 TEST(Compare, draws_recordings) {
   const std::string a = path_of("a.h5"), b = path_of("b.h5");
   ASSERT_EQ(run_avo({"run", "circle-6", "--duration=30", "--record", a, "-q"}).exit_code, 0);
-  ASSERT_EQ(run_avo({"run", "cars-100", "--duration=2", "--record", b, "-q"}).exit_code, 0);
+  ASSERT_EQ(run_avo({"run", "cars-100", "--duration=7", "--record", b, "-q"}).exit_code, 0);
   const ProcessResult result =
       run_avo({"compare", a, b, "--arrival", path_of("1.png"), "--clearance", path_of("2.png"),
                "--traces", path_of("3.pdf")});
