@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo compare: the table of sweeps and recordings, and figures of them.
 #include <fmt/format.h>
-#include <functional>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "avo_io/output_file.h"
@@ -57,16 +56,14 @@ int compare(const CompareArguments& arguments) {
   for (const std::string& file : arguments.files) read_into(comparison, file);
   const std::string text =
       readable(cases_of(comparison), arguments.by, arguments.columns) + readable(comparison);
-  std::vector<std::pair<std::string, std::string>> drawings;  // path, bytes
-  for (const ComparisonFigure& figure : figures)
-    drawings.emplace_back(figure.file.path, drawn([&] {
-                            return figure.draw(comparison, figure.file.role, figure.file.path);
-                          }));
-  for (const auto& [path, bytes] : drawings) {
-    avo_io::OutputFile file(path);
-    file.write(bytes);
-    file.commit();
+  std::vector<std::unique_ptr<avo_io::OutputFile>> files;
+  std::vector<avo_io::OutputFile*> written;
+  for (const ComparisonFigure& figure : figures) {
+    const auto& [role, path] = figure.file;
+    written.push_back(files.emplace_back(std::make_unique<avo_io::OutputFile>(path)).get());
+    written.back()->write(drawn([&] { return figure.draw(comparison, role, path); }));
   }
+  commit_all(written);
   print_results(text);
   return kDone;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recorded run as comparisons need it: who has arrived, how near robots came, where they went.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

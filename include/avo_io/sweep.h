@@ -2,8 +2,10 @@
 // Many runs: scenes x methods x parameters x seeds, as one table with a row a run, and what is to
 // be said of runs that differ in nothing but their seeds (docs/experiments.md).
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -115,8 +115,8 @@ TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
     EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
   }
   EXPECT_EQ(run_avo({"rnu", "circle-2"}).err,
-            "avo: rnu: found no such verb, verbs are run, explain, check, bench, scenes, validate, "
-            "schema, help, "
+            "avo: rnu: found no such verb, verbs are run, explain, check, replay, recover, bench, "
+            "sweep, compare, scenes, validate, schema, help, "
             "did you mean run?\n");
   EXPECT_EQ(run_avo({"help", "rnu"}).err, run_avo({"rnu"}).err);
   EXPECT_EQ(run_avo({"--vesrion"}).err,
