@@ -110,6 +110,24 @@ TEST(Compare, finds_in_a_recording_what_its_run_has_found) {
   }
 }
 
+TEST(Compare, takes_nobody_for_arrived_behind_a_wall) {
+  write_file(path_of("wall.yaml"),
+             "version: 1\nduration: 5\narrival_distance: 1\n"
+             "robots:\n"
+             "  - {position: [0, 0], goal: [0.9, 0], radius: 0.2}\n"
+             "  - {position: [-3, 0], goal: [-2.5, 0], radius: 0.2}\n"
+             "  - {position: [-3, 9], goal: [-3, 9], radius: 0.2, parked: true}\n"
+             "obstacles:\n  - {polyline: [[0.5, -50], [0.5, 50]]}\n");
+  const std::string path = path_of("wall.h5");
+  const ProcessResult result =
+      run_avo({"run", path_of("wall.yaml"), "--record", path, "--json", "--duration=7"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["arrived"], 2);
+  const avo_io::RecordedRun run = avo_io::read_run(path);
+  EXPECT_EQ(run.moments.back().arrived, 1);
+  EXPECT_EQ(run.travelers, 2);
+}
+
 TEST(Compare, refuses_what_it_cannot_compare_in_one_line) {
   const std::string table = by_hand("a.csv"), figure = path_of("f.svg");
   const auto refused = [](const Strings& words, int code) {

@@ -80,17 +80,19 @@ TEST(SweepHdf5, is_refused_where_it_is_cut_off) {
   EXPECT_THAT(result.err, HasSubstr("cut.h5: found no table that avo sweep wrote as HDF5"));
 }
 
-TEST(SweepTable, quotes_what_has_commas) {
+TEST(SweepTable, quotes_what_has_commas_or_quotes) {
   const std::string yaml =
-      "version: 1\nscenes: ['a, \"b\".yaml']\n"
+      "version: 1\nscenes: ['a, b.yaml', '\"c\".yaml']\n"
       "parameters: {robots.0.goal: [[2, 0], [0, 3]]}\n";
-  write_file(path_of("a, \"b\".yaml"),
-             "version: 1\nduration: 5\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n");
+  for (const char* scene : {"a, b.yaml", "\"c\".yaml"})
+    write_file(path_of(scene),
+               "version: 1\nduration: 5\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n");
   const std::string csv = swept(yaml, "runs.csv");
-  EXPECT_THAT(read_file(csv), HasSubstr(",0,\"a, \"\"b\"\".yaml\",avo,\"[2, 0]\",1,0x"));
+  EXPECT_THAT(read_file(csv), HasSubstr(",0,\"a, b.yaml\",avo,\"[2, 0]\",1,0x"));
+  EXPECT_THAT(read_file(csv), HasSubstr(",3,\"\"\"c\"\".yaml\",avo,\"[0, 3]\",1,0x"));
   const avo_io::SweepTable table = avo_io::read_sweep(csv);
-  EXPECT_EQ(column(table, "robots.0.goal"), (Strings{"[2, 0]", "[0, 3]"}));
-  EXPECT_EQ(column(table, "scene")[1], "a, \"b\".yaml");
+  EXPECT_EQ(column(table, "robots.0.goal"), (Strings{"[2, 0]", "[0, 3]", "[2, 0]", "[0, 3]"}));
+  EXPECT_EQ(column(table, "scene")[3], "\"c\".yaml");
 }
 
 }  // namespace
