@@ -46,7 +46,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->type_name("FILE.csv|.h5")
       ->required();
   not_empty(verb->add_option("--by", arguments.by,
-                             "what rows differ in: method, scene, a parameter, table; without it "
+                             "what rows differ in: method, a parameter, table, scene; without it "
                              "the first of these that does"))
       ->type_name("KEY");
   not_empty(verb->add_option("--columns", arguments.columns, "of which means are shown"))
