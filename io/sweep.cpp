@@ -53,6 +53,7 @@ void prepare(SweepPlan& plan, int jobs, const SweepOptions& options) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return plan.cost[a] > plan.cost[b]; });
   std::vector<std::int64_t> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t i : order) sorted.push_back(plan.runs[i]);
   plan.runs = std::move(sorted);
 }

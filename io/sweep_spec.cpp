@@ -31,7 +31,7 @@ std::string flow_text(const Reader& reader, const YamlNode& node, const std::str
       items += (items.empty() ? "" : ", ") + flow_text(reader, item, path);
     return "[" + items + "]";
   }
-  const std::string text = reader.name(node, path, kSweepText);
+  std::string text = reader.name(node, path, kSweepText);
   if (!node.quoted) return text;
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);

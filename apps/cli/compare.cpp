@@ -59,9 +59,10 @@ int compare(const CompareArguments& arguments) {
   std::vector<std::unique_ptr<avo_io::OutputFile>> files;
   std::vector<avo_io::OutputFile*> written;
   for (const ComparisonFigure& figure : figures) {
-    const auto& [role, path] = figure.file;
-    written.push_back(files.emplace_back(std::make_unique<avo_io::OutputFile>(path)).get());
-    written.back()->write(drawn([&] { return figure.draw(comparison, role, path); }));
+    written.push_back(
+        files.emplace_back(std::make_unique<avo_io::OutputFile>(figure.file.path)).get());
+    written.back()->write(
+        drawn([&] { return figure.draw(comparison, figure.file.role, figure.file.path); }));
   }
   commit_all(written);
   print_results(text);

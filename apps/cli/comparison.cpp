@@ -150,7 +150,7 @@ std::string label_of(const Case& entry, const std::vector<std::string>& keys, bo
   for (const std::string& key : keys) {
     const std::string value = entry.value_of(key);
     if (value.empty()) continue;
-    label += (label.empty() ? "" : ", ") + (named ? key + " " : "") + value;
+    label += fmt::format("{}{}{}", label.empty() ? "" : ", ", named ? key + " " : "", value);
   }
   return avo_io::printable(label);
 }
