@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "avo/error.h"
 #include "figures/axes.h"
 #include "figures/canvas.h"
 #include "figures/time_lapse.h"
