@@ -27,6 +27,7 @@ struct RecordedPlaces {
   std::vector<double> heading;      ///< rad; empty where the recording has none
 };
 
+/// What read_run() has found.
 struct RecordedRun {
   avo::Scenario scenario;
   std::int64_t travelers = 0;  ///< robots that are not parked

@@ -76,6 +76,7 @@ struct SweepOptions {
   std::function<bool()> stops = {};
 };
 
+/// What run_sweep() has, at its end or where it was stopped.
 struct SweepResult {
   SweepTable table;          ///< of the runs that are done
   std::int64_t runs = 0;     ///< of the shard
