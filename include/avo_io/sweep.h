@@ -34,6 +34,7 @@ struct SweepSpec {
   int threads = 1;                         ///< of one run
   bool until_arrived = false;              ///< a run ends once every robot has arrived
 };
+/// A sweep has no more runs.
 inline constexpr std::int64_t kMostSweepRuns = 1'000'000;
 
 /// Throws FileError, and SceneError with line and column.
@@ -63,6 +64,7 @@ struct SweepShard {
   std::int64_t index = 1, count = 1;
 };
 
+/// How run_sweep() goes about it.
 struct SweepOptions {
   int jobs = 0;  ///< runs at a time; 0: as many as the machine has processors
   SweepShard shard = {};
