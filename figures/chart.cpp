@@ -56,8 +56,11 @@ void draw_legend(Canvas& canvas, const Chart& chart) {
     const double x = page.lower.x + 12.0;
     canvas.add_page_line({x, y}, {x + 20.0, y});
     canvas.stroke({series.color, 1.4, series.dash});
-    canvas.page_text({x + 26.0, y}, series.label,
-                     {.size = 8.5, .color = gray(0.15), .align_y = 0.5});
+    const TextStyle style{.size = 8.5, .color = gray(0.15), .align_y = 0.5};
+    if (series.plain)
+      canvas.plain_page_text({x + 26.0, y}, series.label, style);
+    else
+      canvas.page_text({x + 26.0, y}, series.label, style);
     y += 14.0;
   }
 }

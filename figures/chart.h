@@ -14,8 +14,9 @@ struct Series {
   std::string label;         ///< markup, for the legend
   std::vector<Vec2> points;  ///< by ascending x
   Color color;
-  bool marks = true;  ///< a dot at each point
-  double dash = 0.0;  ///< pt, 0: solid
+  bool marks = true;   ///< a dot at each point
+  double dash = 0.0;   ///< pt, 0: solid
+  bool plain = false;  ///< the label is no markup
 };
 
 struct Chart {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
+#include "avo/error.h"
 #include "figures/axes.h"
 #include "figures/canvas.h"
 #include "figures/robot_drawing.h"
@@ -113,8 +115,8 @@ std::string draw_panels(std::span<const TimeLapse> panels, const Box& world,
                          .y_numbers = i == 0});
     }
     if (!titles.empty()) {
-      canvas.page_text({x + 0.5 * panel, top - 5.0}, titles[i],
-                       {.size = 9.0, .color = gray(0.1), .align_x = 0.5});
+      canvas.plain_page_text({x + 0.5 * panel, top - 5.0}, titles[i],
+                             {.size = 9.0, .color = gray(0.1), .align_x = 0.5});
     }
   }
   return canvas.finish();
@@ -156,6 +158,26 @@ std::string draw_instants(const Scenario& scenario, std::span<const TrajectoryFr
   }
   const Box world = with_margin(covered(scenario, frames, 0, frames.size() - 1));
   return draw_panels(panels, world, titles, path, options);
+}
+
+std::string draw_side_by_side(std::span<const TracedRun> runs, const std::string& path,
+                              const FigureOptions& options) {
+  check_figure_path(path);
+  if (runs.empty()) throw Error(path + ": found no run, must be one or more");
+  std::vector<TimeLapse> panels;
+  std::vector<std::string> titles;
+  std::optional<Box> world;
+  for (const TracedRun& run : runs) {
+    check_frames(run.scenario, run.frames);
+    const std::size_t last = last_motion(run.scenario, run.frames);
+    panels.push_back({run.scenario, run.frames,
+                      select_frames(run.scenario, run.frames, last, kMostDiscs),
+                      robot_colors(run.scenario)});
+    titles.push_back(run.title);
+    const Box all = covered(run.scenario, run.frames, 0, last);
+    world = world ? enclosing(*world, all) : all;
+  }
+  return draw_panels(panels, with_margin(*world), titles, path, options);
 }
 
 }  // namespace avo::figures

@@ -59,4 +59,15 @@ class TrajectoryRecorder {
                                         std::span<const double> times, double tail,
                                         const std::string& path, const FigureOptions& options = {});
 
+/// A run among others.
+struct TracedRun {
+  std::string title;
+  Scenario scenario;
+  std::vector<TrajectoryFrame> frames;
+};
+/// One panel for each run, side by side on one scale, as draw_trajectories() draws it.
+[[nodiscard]] std::string draw_side_by_side(std::span<const TracedRun> runs,
+                                            const std::string& path,
+                                            const FigureOptions& options = {});
+
 }  // namespace avo::figures

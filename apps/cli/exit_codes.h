@@ -16,7 +16,7 @@ inline constexpr int kBadScene = 3;   ///< the scene or the recording is wrong
 inline constexpr int kFile = 4;       ///< a file cannot be read or written
 inline constexpr int kResources = 5;  ///< no memory, no threads
 inline constexpr int kOurFault = 6;
-inline constexpr int kIncomplete = 7;    ///< a recording that breaks no rule, and lacks rows
+inline constexpr int kIncomplete = 7;    ///< lacks rows and breaks no rule; lacks runs
 inline constexpr int kSignal = 128;      ///< + number of the signal: 130, 143
 inline constexpr int kClosedPipe = 141;  ///< who read our output went away
 
@@ -33,7 +33,7 @@ inline constexpr ExitCode kExitCodes[] = {
     {"4", "a file cannot be read or written"},
     {"5", "there is no memory, or there are no threads"},
     {"6", "a fault of the program itself"},
-    {"7", "of check: rows are missing, and those that are there break no rule"},
+    {"7", "of check: rows are missing, and those that are there break no rule; of sweep: runs are"},
     {"130, 143, ...", "ended by a signal: 128 and its number"},
     {"141", "whoever read the output went away"}};
 

@@ -102,6 +102,8 @@ void require_figure(const NamedFile& file) {
 std::string drawn(const std::function<std::string()>& draw) {
   try {
     return draw();
+  } catch (const UsageError&) {
+    throw;
   } catch (const avo::Error& error) {
     throw avo_io::FileError(error.what());
   }

@@ -13,16 +13,13 @@
 #include "avo_io/printable.h"
 #include "exit_codes.h"
 #include "generate.h"
+#include "option_parts.h"
 #include "terminal.h"
 #include "verbs.h"
 #include "words.h"
 
 namespace avo_cli {
-namespace {
 
-constexpr const char* kScene = "name of a built-in scene, or a YAML file; - is stdin";
-
-/// For options whose empty word could not be told from none.
 CLI::Option* not_empty(CLI::Option* option) {
   return option->check([](const std::string& word) {
     return word.empty() ? std::string("found an empty name, must have one") : std::string();
@@ -38,6 +35,10 @@ void add_volume(CLI::App& verb) {
           "also what is loaded and which settings are in use, on stderr")
       ->excludes(quiet);
 }
+
+namespace {
+
+constexpr const char* kScene = "name of a built-in scene, or a YAML file; - is stdin";
 
 /// --KEY VALUE for --set KEY=VALUE.
 CLI::Option* add_shorthand(CLI::App& verb, const std::string& key, const std::string& value,
@@ -306,6 +307,7 @@ void add_options(CLI::App& app, Action& action) {
   add_video(app, action);
   add_report(app, action);
   add_bench(app, action);
+  add_many_runs(app, action);
   add_others(app, action);
 }
 

@@ -58,7 +58,7 @@ bool is_heard() {
   return poll(&error_output, 1, 0) == 1;
 }
 
-void end_on_signals(const sigset_t& signals) {
+void end_on_signals(const sigset_t& signals, Patience patience) {
   int first = 0;
   while (sigwait(&signals, &first) != 0) {
   }
@@ -68,7 +68,9 @@ void end_on_signals(const sigset_t& signals) {
   sigemptyset(&same);
   sigaddset(&same, first);
   wait_until(Clock::now(), same);
-  const int second = wait_until(Clock::now() + kPatience, signals);
+  int second = wait_until(Clock::now() + kPatience, signals);
+  while (second == 0 && patience == Patience::until_second_signal)
+    second = wait_until(Clock::now() + kPatience, signals);
   avo_io::abandon_outputs();
   if (is_heard()) say("ended by a signal; outputs that were not complete are not there");
   _exit(kSignal + (second != 0 ? second : first));
@@ -76,10 +78,10 @@ void end_on_signals(const sigset_t& signals) {
 
 }  // namespace
 
-void catch_signals() {
+void catch_signals(Patience patience) {
   const sigset_t signals = awaited_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread(end_on_signals, signals).detach();
+  std::thread(end_on_signals, signals, patience).detach();
 }
 
 int signal_caught() {

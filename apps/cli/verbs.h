@@ -108,6 +108,24 @@ struct BenchArguments {
 };
 int bench(const BenchArguments& arguments);
 
+struct SweepArguments {
+  std::string spec;
+  std::string output;   ///< table of the runs
+  std::string summary;  ///< empty: none
+  std::string shard = "1/1";
+  std::vector<std::string> tables;  ///< to be joined; empty: it is run
+  int jobs = 0;
+};
+int sweep(const SweepArguments& arguments);
+
+struct CompareArguments {
+  std::vector<std::string> files;                   ///< tables of sweeps, recordings
+  std::string by;                                   ///< empty: what varies
+  std::vector<std::string> columns;                 ///< empty: the usual ones
+  std::string arrival, clearance, traces, scaling;  ///< figures; empty: none
+};
+int compare(const CompareArguments& arguments);
+
 int list_scenes(const std::string& name, bool json);
 int validate_scene(const SceneArguments& arguments);
 int print_schema();

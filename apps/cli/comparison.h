@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The runs that avo compare compares: rows of sweeps' tables that differ in nothing but their
+// seeds, and recordings.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "avo_io/recorded_run.h"
+#include "avo_io/sweep.h"
+
+namespace avo_cli {
+
+/// Runs of one table, scene, method and set of parameters.
+struct Case {
+  std::vector<std::pair<std::string, std::string>> keys;  ///< what tells it from others
+  const avo_io::SweepTable* table = nullptr;
+  std::vector<const std::vector<std::string>*> runs;
+
+  /// Empty where it has no such key.
+  [[nodiscard]] std::string value_of(const std::string& key) const;
+  /// Of all its runs that have one.
+  [[nodiscard]] std::vector<double> values(const std::string& column) const;
+};
+
+/// Files that were read.
+struct Comparison {
+  std::vector<std::pair<std::string, avo_io::SweepTable>> tables;
+  std::vector<std::pair<std::string, avo_io::RecordedRun>> recordings;
+};
+
+/// In the order of the tables and their rows. With several tables, "table" is one of the keys.
+std::vector<Case> cases_of(const Comparison& comparison);
+
+/// Keys that have more than one value.
+std::vector<std::string> varying_keys(const std::vector<Case>& cases);
+
+/// The values of those keys, e.g. "orca, 5"; `named`: "method orca, time_horizon 5".
+std::string label_of(const Case& entry, const std::vector<std::string>& keys, bool named = false);
+
+/// The table for people to read: a block for each set of all keys but `by`, with a row for each
+/// value of it. Of each of `columns` the mean over the runs and its 95 % interval. Empty `by`: the
+/// first of method, parameters, table and scene that varies; empty `columns`: the usual ones.
+std::string readable(const std::vector<Case>& cases, std::string by,
+                     std::vector<std::string> columns);
+/// One row a recording.
+std::string readable(const Comparison& comparison);
+
+/// What the files at `path` are to hold. Throw UsageError, which calls the option `role`, where
+/// there is nothing to draw.
+std::string draw_arrivals(const Comparison& comparison, const std::string& role,
+                          const std::string& path);
+std::string draw_clearances(const Comparison& comparison, const std::string& role,
+                            const std::string& path);
+std::string draw_traces(const Comparison& comparison, const std::string& role,
+                        const std::string& path);
+std::string draw_scaling(const Comparison& comparison, const std::string& role,
+                         const std::string& path);
+
+}  // namespace avo_cli

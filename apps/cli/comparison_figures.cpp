@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// What avo compare draws.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <limits>
+
+#include "avo_io/printable.h"
+#include "comparison.h"
+#include "exit_codes.h"
+#include "figures/chart.h"
+#include "figures/trajectories.h"
+
+namespace avo_cli {
+namespace {
+
+using avo::Vec2;
+using avo::figures::Series;
+
+constexpr std::size_t kMostCurves = 12;  // more of them nobody tells apart
+constexpr std::size_t kMostPanels = 6;
+constexpr std::size_t kMostPoints = 1000;  // of a curve
+constexpr int kDeciles = 10;               // columns arrival_10 to arrival_100
+
+/// Gives colors. Throws UsageError where there are too many or none.
+std::string draw(avo::figures::Chart chart, const std::string& role, const std::string& path) {
+  const std::size_t count = chart.series.size();
+  if (count > kMostCurves)
+    throw UsageError(fmt::format("{}: found {} curves, must be at most {}: compare fewer runs",
+                                 role, count, kMostCurves));
+  for (std::size_t k = 0; k < count; ++k) {
+    Series& series = chart.series[k];
+    series.plain = true;
+    series.color =
+        avo::figures::hue_color(210.0 + 360.0 * static_cast<double>(k) /
+                                            static_cast<double>(std::max<std::size_t>(count, 3)));
+  }
+  return draw_chart(chart, path);
+}
+
+std::string stem(const std::string& recording) {
+  return avo_io::printable(std::filesystem::path(recording).stem().string());
+}
+
+/// At most kMostPoints of them, and the last.
+std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
+  const std::size_t stride = points.size() / kMostPoints + 1;
+  std::vector<Vec2> kept;
+  for (std::size_t k = 0; k < points.size(); k += stride) kept.push_back(points[k]);
+  if (!points.empty() && (points.size() - 1) % stride != 0) kept.push_back(points.back());
+  return kept;
+}
+
+/// The lowest of every so many, where it is.
+std::vector<Vec2> lowest(const std::vector<Vec2>& points) {
+  const std::size_t stride = points.size() / kMostPoints + 1;
+  std::vector<Vec2> kept;
+  for (std::size_t k = 0; k < points.size(); k += stride) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto end =
+        points.begin() + static_cast<std::ptrdiff_t>(std::min(k + stride, points.size()));
+    kept.push_back(*std::min_element(begin, end, [](Vec2 a, Vec2 b) { return a.y < b.y; }));
+  }
+  return kept;
+}
+
+/// Each decile of each run adds its part of the robots, averaged over the runs.
+std::vector<Vec2> arrivals_of(const Case& entry) {
+  std::vector<double> times;
+  for (int k = 1; k <= kDeciles; ++k)
+    for (const double time : entry.values(fmt::format("arrival_{}", 10 * k))) times.push_back(time);
+  std::sort(times.begin(), times.end());
+  const double whole = static_cast<double>(kDeciles) * static_cast<double>(entry.runs.size());
+  std::vector<Vec2> points{{0.0, 0.0}};
+  for (const double time : times)
+    points.push_back({time, 100.0 * static_cast<double>(points.size()) / whole});
+  return thinned(points);
+}
+
+std::vector<Vec2> arrivals_of(const avo_io::RecordedRun& run) {
+  std::vector<Vec2> points;
+  for (const avo_io::RecordedMoment& moment : run.moments)
+    points.push_back(
+        {moment.time, 100.0 * static_cast<double>(moment.arrived) /
+                          static_cast<double>(std::max<std::int64_t>(run.travelers, 1))});
+  return thinned(points);
+}
+
+/// Curves that end before others go on as they ended: nobody arrives any more.
+void extend(std::vector<Series>& curves) {
+  double last = 0.0;
+  for (const Series& curve : curves) last = std::max(last, curve.points.back().x);
+  for (Series& curve : curves)
+    if (curve.points.back().x < last) curve.points.push_back({last, curve.points.back().y});
+}
+
+void require_recordings(const Comparison& comparison, const std::string& role) {
+  if (comparison.recordings.empty())
+    throw UsageError(role +
+                     ": found no recording, must be one or more, of avo run --record FILE.h5");
+}
+
+}  // namespace
+
+std::string draw_arrivals(const Comparison& comparison, const std::string& role,
+                          const std::string& path) {
+  avo::figures::Chart chart{"time (s)", "arrived (%)", {}};
+  const std::vector<Case> cases = cases_of(comparison);
+  std::vector<std::string> keys = varying_keys(cases);
+  if (keys.empty()) keys = {"scene", "method"};
+  for (const Case& entry : cases)
+    chart.series.push_back({label_of(entry, keys), arrivals_of(entry), {}, false});
+  for (const auto& [name, run] : comparison.recordings)
+    chart.series.push_back({stem(name), arrivals_of(run), {}, false});
+  extend(chart.series);
+  return draw(std::move(chart), role, path);
+}
+
+std::string draw_clearances(const Comparison& comparison, const std::string& role,
+                            const std::string& path) {
+  require_recordings(comparison, role);
+  avo::figures::Chart chart{"time (s)", "least clearance (m)", {}};
+  for (const auto& [name, run] : comparison.recordings) {
+    std::vector<Vec2> points;
+    for (const avo_io::RecordedMoment& moment : run.moments)
+      if (moment.clearance) points.push_back({moment.time, *moment.clearance});
+    chart.series.push_back({stem(name), lowest(points), {}, false});
+  }
+  return draw(std::move(chart), role, path);
+}
+
+std::string draw_traces(const Comparison& comparison, const std::string& role,
+                        const std::string& path) {
+  require_recordings(comparison, role);
+  if (comparison.recordings.size() > kMostPanels)
+    throw UsageError(fmt::format("{}: found {} recordings, must be at most {}", role,
+                                 comparison.recordings.size(), kMostPanels));
+  std::vector<avo::figures::TracedRun> runs;
+  for (const auto& [name, run] : comparison.recordings) {
+    avo::figures::TracedRun& traced = runs.emplace_back();
+    traced.title = stem(name);
+    traced.scenario = run.scenario;
+    traced.scenario.moving_obstacles.clear();  // recordings have no rows of them
+    for (const avo_io::RecordedPlaces& places : run.places)
+      traced.frames.push_back({places.time, places.position, places.heading, {}});
+  }
+  return draw_side_by_side(runs, path);
+}
+
+std::string draw_scaling(const Comparison& comparison, const std::string& role,
+                         const std::string& path) {
+  avo::figures::Chart chart{"number of robots", "time of a step (ms)", {}};
+  const std::vector<Case> cases = cases_of(comparison);
+  std::vector<std::string> keys = varying_keys(cases);
+  std::erase(keys, "scene");
+  if (keys.empty()) keys = {"method"};
+  for (const Case& entry : cases) {
+    std::vector<double> times = entry.values("step_milliseconds_median");
+    const std::vector<double> robots = entry.values("robots");
+    if (times.empty() || robots.empty()) continue;
+    const std::string label = label_of(entry, keys);
+    auto curve = std::find_if(chart.series.begin(), chart.series.end(),
+                              [&](const Series& known) { return known.label == label; });
+    if (curve == chart.series.end()) curve = chart.series.insert(curve, Series{label, {}, {}});
+    std::sort(times.begin(), times.end());
+    const double median = 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
+    curve->points.push_back({robots.front(), median});
+  }
+  if (chart.series.empty())
+    throw UsageError(role + ": found no table with times of steps, must be one of avo sweep");
+  for (Series& curve : chart.series)
+    std::sort(curve.points.begin(), curve.points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+  return draw(std::move(chart), role, path);
+}
+
+}  // namespace avo_cli

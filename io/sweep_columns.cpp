@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sweep's table says of each run: one line here for each column.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "core/ranges.h"
+#include "sweep_runs.h"
+
+namespace avo_io {
+namespace {
+
+using Value = std::optional<double>;
+
+struct SweepColumn {
+  const char* name;
+  Value (*of)(const RunOutcome& run);
+};
+
+/// s: until when `percent` of all that are not parked have arrived; none where fewer do.
+template <int percent>
+Value arrival_of(const RunOutcome& run) {
+  const std::int64_t travelers = run.summary.robots - run.summary.parked;
+  const std::int64_t number = (percent * travelers + 99) / 100;  // rounded up
+  if (number < 1 || number > std::ssize(run.arrivals)) return std::nullopt;
+  return run.arrivals[static_cast<std::size_t>(number - 1)];
+}
+
+template <auto member>
+Value of_summary(const RunOutcome& run) {
+  const auto& value = run.summary.*member;
+  if constexpr (requires { value.has_value(); }) {
+    if (!value) return std::nullopt;
+    return static_cast<double>(*value);
+  } else {
+    return static_cast<double>(value);
+  }
+}
+
+template <auto member>
+Value of_decisions(const RunOutcome& run) {
+  return static_cast<double>(run.summary.decisions.*member);
+}
+
+// Robots that stood still and were run into count for nobody.
+bool has_collided(const avo::RunSummary& run) {
+  return run.collision_pairs > 0 || run.one_sided_collisions > 0 ||
+         run.obstacle_collisions_in_motion > 0 || run.collision_obstacles > 0;
+}
+
+using avo::Decisions;
+using avo::RunSummary;
+
+constexpr SweepColumn kResults[] = {
+    {"robots", of_summary<&RunSummary::robots>},
+    {"parked", of_summary<&RunSummary::parked>},
+    {"steps", of_summary<&RunSummary::steps>},
+    {"arrived", of_summary<&RunSummary::arrived>},
+    {"all_arrived",
+     [](const RunOutcome& run) -> Value {
+       return run.summary.arrived == run.summary.robots ? 1.0 : 0.0;
+     }},
+    {"collided",
+     [](const RunOutcome& run) -> Value { return has_collided(run.summary) ? 1.0 : 0.0; }},
+    {"collision_pairs", of_summary<&RunSummary::collision_pairs>},
+    {"one_sided_collisions", of_summary<&RunSummary::one_sided_collisions>},
+    {"obstacle_collisions", of_summary<&RunSummary::obstacle_collisions>},
+    {"obstacle_collisions_in_motion", of_summary<&RunSummary::obstacle_collisions_in_motion>},
+    {"collision_obstacles", of_summary<&RunSummary::collision_obstacles>},
+    {"first_collision_time", of_summary<&RunSummary::first_collision_time>},
+    {"min_clearance", of_summary<&RunSummary::min_clearance>},
+    {"min_obstacle_clearance", of_summary<&RunSummary::min_obstacle_clearance>},
+    {"first_seen_too_late", of_summary<&RunSummary::first_seen_too_late>},
+    {"max_acceleration", of_summary<&RunSummary::max_acceleration>},
+    {"acceleration_excess", of_summary<&RunSummary::acceleration_excess>},
+    {"max_speed", of_summary<&RunSummary::max_speed>},
+    {"mean_arrival", of_summary<&RunSummary::mean_arrival>},
+    {"last_arrival", of_summary<&RunSummary::last_arrival>},
+    {"arrival_10", arrival_of<10>},
+    {"arrival_20", arrival_of<20>},
+    {"arrival_30", arrival_of<30>},
+    {"arrival_40", arrival_of<40>},
+    {"arrival_50", arrival_of<50>},
+    {"arrival_60", arrival_of<60>},
+    {"arrival_70", arrival_of<70>},
+    {"arrival_80", arrival_of<80>},
+    {"arrival_90", arrival_of<90>},
+    {"arrival_100", arrival_of<100>},
+    {"unreachable",
+     [](const RunOutcome& run) -> Value {
+       return static_cast<double>(run.summary.unreachable.size());
+     }},
+    {"infeasible_steps", of_summary<&RunSummary::infeasible_steps>},
+    {"optimal", of_decisions<&Decisions::optimal>},
+    {"least_unsafe", of_decisions<&Decisions::least_unsafe>},
+    {"candidate", of_decisions<&Decisions::candidate>},
+    {"braking", of_decisions<&Decisions::braking>},
+    {"overlapping", of_decisions<&Decisions::overlapping>},
+    {"invalid_input", of_decisions<&Decisions::invalid_input>},
+    {"step_milliseconds_median", of_summary<&RunSummary::step_milliseconds_median>},
+    {"seconds", [](const RunOutcome& run) -> Value { return run.seconds; }},
+};
+
+std::string field_of(const Value& value) {
+  return value && std::isfinite(*value) ? avo::text(*value) : "";
+}
+
+}  // namespace
+
+bool is_sweep_timing(std::string_view column) {
+  return column == "step_milliseconds_median" || column == "seconds";
+}
+
+std::vector<std::string> sweep_columns(const SweepSpec& spec) {
+  std::vector<std::string> columns{"sweep", "run", "scene", "method"};
+  for (const SweepParameter& parameter : spec.parameters) columns.push_back(parameter.key);
+  columns.emplace_back("seed");
+  columns.emplace_back("state_hash");
+  for (const SweepColumn& column : kResults) columns.emplace_back(column.name);
+  return columns;
+}
+
+std::vector<std::string> sweep_row(const std::string& sweep, const SweepRun& run,
+                                   const avo::Scenario& scenario, const RunOutcome& outcome) {
+  std::vector<std::string> row{sweep, fmt::format("{}", run.number), run.scene,
+                               avo::to_string(scenario.method)};
+  row.insert(row.end(), run.values.begin(), run.values.end());
+  row.push_back(fmt::format("{}", scenario.seed));
+  row.push_back(fmt::format("{:#018x}", outcome.state_hash));
+  for (const SweepColumn& column : kResults) row.push_back(field_of(column.of(outcome)));
+  return row;
+}
+
+}  // namespace avo_io

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The runs of a sweep, one at a time.
+#include "sweep_runs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <utility>
+
+#include "avo/assumptions.h"
+#include "avo/simulation.h"
+#include "avo/version.h"
+#include "avo_io/scene.h"
+#include "sweep_hash.h"
+
+namespace avo_io {
+namespace {
+
+using SweepClock = std::chrono::steady_clock;
+
+double seconds_since(SweepClock::time_point start) {
+  return std::chrono::duration<double>(SweepClock::now() - start).count();
+}
+
+std::uint64_t hash_of(const SceneSource& source) {
+  TextHash hash;
+  hash.add(source.yaml);
+  for (const SceneFile& file : source.files) hash.add(file.text);
+  return hash.value();
+}
+
+/// When each robot arrives for the first time, as avo::Metrics counts it.
+class ArrivalTimes {
+ public:
+  void observe(const avo::Simulation& simulation) {
+    const avo::FleetView fleet = simulation.fleet();
+    has_arrived_.resize(fleet.id.size());
+    for (std::size_t i = 0; i < has_arrived_.size(); ++i) {
+      if (has_arrived_[i] || fleet.setup[i].parked || !simulation.is_at_goal(i)) continue;
+      has_arrived_[i] = true;
+      times_.push_back(simulation.time());
+    }
+  }
+  [[nodiscard]] std::vector<double> times() && { return std::move(times_); }
+
+ private:
+  std::vector<bool> has_arrived_;  // by place in the fleet, from which nobody goes and to which
+  std::vector<double> times_;      // nobody comes
+};
+
+}  // namespace
+
+avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, std::uint64_t* source) {
+  try {
+    SceneSource made_of;
+    avo::Scenario scenario = load_scenario(scene_of(spec, run), overrides_of(spec, run), &made_of);
+    if (source != nullptr) *source = hash_of(made_of);
+    if (!avo::broken_assumptions(scenario).none())
+      throw SceneError(
+          "found a scene that breaks what its certificate assumes, must keep it; avo validate says "
+          "where");
+    return scenario;
+  } catch (const FileError&) {
+    throw;
+  } catch (const avo::Error& error) {
+    throw SceneError(
+        fmt::format("{}: {}: {}", spec.name, run_name(spec, run.number), error.what()));
+  }
+}
+
+RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
+  const SweepClock::time_point begin = SweepClock::now();
+  avo::Simulation simulation(scenario, spec.threads);
+  avo::Metrics metrics(scenario);
+  ArrivalTimes arrivals;
+  metrics.observe(simulation);
+  arrivals.observe(simulation);
+  bool ends = false;
+  while (!ends && simulation.can_step_by(scenario.duration)) {
+    const SweepClock::time_point start = SweepClock::now();
+    simulation.step();
+    metrics.add_step_time(1e3 * seconds_since(start));
+    metrics.observe(simulation);
+    arrivals.observe(simulation);
+    ends = spec.until_arrived && metrics.all_arrived();
+  }
+  return {metrics.summary(), std::move(arrivals).times(), simulation.state_hash(),
+          seconds_since(begin)};
+}
+
+std::int64_t runs_of_one_kind(const SweepSpec& spec) {
+  return std::max<std::int64_t>(std::ssize(spec.seeds), 1);
+}
+
+std::vector<std::uint64_t> hash_sources(const SweepSpec& spec) {
+  std::vector<std::uint64_t> hashes;
+  for (std::int64_t run = 0; run < run_count(spec); run += runs_of_one_kind(spec))
+    scenario_of(spec, run_of(spec, run), &hashes.emplace_back());
+  return hashes;
+}
+
+std::string fingerprint(const SweepSpec& spec, const std::vector<std::uint64_t>& sources) {
+  TextHash hash;
+  hash.add(avo::kVersion);
+  for (const std::uint64_t source : sources) hash.add(fmt::format("{}", source));
+  for (const auto* list : {&spec.scenes, &spec.methods}) {
+    hash.add(fmt::format("{}", list->size()));
+    for (const std::string& item : *list) hash.add(item);
+  }
+  for (const std::string& column : sweep_columns(spec)) hash.add(column);
+  for (const SweepParameter& parameter : spec.parameters) {
+    hash.add(fmt::format("{}", parameter.values.size()));
+    for (const std::string& value : parameter.values) hash.add(value);
+  }
+  for (const std::uint64_t seed : spec.seeds) hash.add(fmt::format("{}", seed));
+  hash.add(spec.until_arrived ? "until_arrived" : "");
+  return hash.text();
+}
+
+}  // namespace avo_io

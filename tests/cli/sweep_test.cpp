@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo sweep: the same table in any order, on any machines, and after whatever ends it.
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <string>
+#include <unistd.h>
+
+#include "support/json.h"
+#include "sweeps.h"
+
+namespace avo_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+/// Long enough to be ended on its way.
+const std::string kLongSweep =
+    "version: 1\nscenes: [circle-40, circle-20]\nseeds: {count: 40}\nparameters: {duration: "
+    "[90]}\n";
+
+TEST(Sweep, is_the_same_table_with_any_jobs_and_shards) {
+  const std::string one = swept(kSmallSweep, "one.csv", {"--jobs", "1"});
+  const std::string three = swept(kSmallSweep, "three.csv", {"--jobs", "3"});
+  EXPECT_EQ(lines_of(read_file(one)).size(), 1U + 2 * 2 * 2 * 3);
+  EXPECT_EQ(untimed(one), untimed(three));
+  const std::string first = swept(kSmallSweep, "first.csv", {"--shard", "1/2"});
+  const std::string second = swept(kSmallSweep, "second.h5", {"--shard=2/2", "--jobs=2"});
+  EXPECT_EQ(lines_of(read_file(first)).size(), 1U + 12);
+  const std::string all = swept(kSmallSweep, "all.csv", {"--merge", second, first});
+  EXPECT_EQ(untimed(all), untimed(one));
+  EXPECT_EQ(files_in(folder()),
+            (Strings{"all.csv", "first.csv", "one.csv", "second.h5", "sweep.yaml", "three.csv"}));
+}
+
+TEST(Sweep, numbers_its_runs_with_seeds_fastest_and_scenes_slowest) {
+  const avo_io::SweepTable table = avo_io::read_sweep(swept(kSmallSweep, "runs.csv"));
+  const Strings run = column(table, "run"), scene = column(table, "scene"),
+                method = column(table, "method"), seed = column(table, "seed"),
+                radius = column(table, "sensing_radius");
+  const auto key = [&](std::size_t k) {
+    return run[k] + " " + scene[k] + " " + method[k] + " " + radius[k] + " " + seed[k];
+  };
+  EXPECT_EQ(key(0), "0 circle-5 avo 12 4");
+  EXPECT_EQ(key(1), "1 circle-5 avo 12 5");
+  EXPECT_EQ(key(3), "3 circle-5 avo 20 4");
+  EXPECT_EQ(key(6), "6 circle-5 orca 12 4");
+  EXPECT_EQ(key(23), "23 uniform-8 orca 20 6");
+}
+
+TEST(Sweep, has_the_numbers_of_avo_run) {
+  const avo_io::SweepTable table = avo_io::read_sweep(swept(kSmallSweep, "runs.csv"));
+  constexpr std::size_t kRun = 20;  // uniform-8 orca 12 6
+  const Json json = Json::parse(run_avo({"run", "uniform-8", "--set=method=orca", "--seed=6",
+                                         "--set=sensing_radius=12", "--json"})
+                                    .out);
+  for (const char* name : {"robots", "steps", "arrived", "collision_pairs", "min_clearance",
+                           "max_speed", "mean_arrival", "infeasible_steps", "last_arrival"}) {
+    const Strings found = column(table, name);
+    ASSERT_GT(found.size(), kRun) << name;
+    EXPECT_EQ(found[kRun], json[name].is_null() ? "" : fmt::format("{}", json[name].get<double>()))
+        << name;
+  }
+  EXPECT_EQ(column(table, "optimal")[kRun],
+            fmt::format("{}", json["decisions"]["optimal"].get<int>()));
+  EXPECT_EQ(column(table, "arrival_100")[kRun], column(table, "last_arrival")[kRun]);
+}
+
+TEST(Sweep, tells_when_so_many_have_arrived_and_ends_then_if_it_is_to) {
+  const std::string yaml =
+      "version: 1\nscenes: [circle-10]\nuntil_arrived: true\nmethods: [avo_paper]\n";
+  const avo_io::SweepTable table = avo_io::read_sweep(swept(yaml, "runs.csv"));
+  const Json json = Json::parse(
+      run_avo({"run", "circle-10", "--set=method=avo_paper", "--until-arrived", "--json"}).out);
+  EXPECT_EQ(column(table, "steps")[0], fmt::format("{}", json["steps"].get<int>()));
+  double mean = 0.0, before = 0.0;
+  for (int k = 10; k <= 100; k += 10) {
+    const auto time = avo_io::number_in(column(table, fmt::format("arrival_{}", k))[0]);
+    ASSERT_TRUE(time.has_value());
+    EXPECT_GE(*time, before);
+    before = *time;
+    mean += *time / 10.0;  // one robot each
+  }
+  EXPECT_NEAR(mean, json["mean_arrival"].get<double>(), 1e-9);
+}
+
+/// Ends the long sweep once some of its runs are done.
+ProcessResult ended_by(int signal) {
+  const std::string journal = path_of("runs.csv.part");
+  return sweep(kLongSweep, {"--out", path_of("runs.csv"), "--jobs=2"}, {.meanwhile = [&](int pid) {
+                 for (int i = 0; i < 5000; ++i) {
+                   if (exists(journal) && lines_of(read_file(journal)).size() > 4) break;
+                   usleep(2000);
+                 }
+                 kill(pid, signal);
+               }});
+}
+
+/// The rows of the journal without their hashes.
+Strings kept_rows() {
+  Strings rows = lines_of(read_file(path_of("runs.csv.part")));
+  rows.erase(rows.begin());
+  for (std::string& row : rows) row.resize(row.rfind(','));
+  return rows;
+}
+
+/// Goes on, and has done no run again that is among `kept`: even its times are those.
+void expect_goes_on(const Strings& kept) {
+  const ProcessResult result = sweep(kLongSweep, {"--out", path_of("runs.csv"), "--jobs=2"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr(fmt::format("80 runs, {} of them before, in", kept.size())));
+  const Strings rows = lines_of(read_file(path_of("runs.csv")));
+  EXPECT_EQ(rows.size(), 81U);
+  for (const std::string& row : kept)
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), row), 1) << row;
+  EXPECT_EQ(untimed(path_of("runs.csv")), untimed(swept(kLongSweep, "whole.csv")));
+  EXPECT_FALSE(exists(path_of("runs.csv.part")));
+}
+
+TEST(Sweep, goes_on_after_it_was_killed_and_notices_a_torn_line) {
+  EXPECT_EQ(ended_by(SIGKILL).exit_code, 128 + SIGKILL);
+  EXPECT_FALSE(exists(path_of("runs.csv")));
+  Strings kept = kept_rows();
+  ASSERT_GE(kept.size(), 4U);
+  ASSERT_LT(kept.size(), 80U);
+  // the last line loses its end, as where the power fails
+  const std::string journal = read_file(path_of("runs.csv.part"));
+  write_file(path_of("runs.csv.part"), journal.substr(0, journal.size() - 9));
+  kept.pop_back();
+  expect_goes_on(kept);
+}
+
+TEST(Sweep, runs_again_what_has_a_changed_digit_and_all_behind_it) {
+  EXPECT_EQ(ended_by(SIGKILL).exit_code, 128 + SIGKILL);
+  Strings kept = kept_rows();
+  ASSERT_GE(kept.size(), 4U);
+  std::string journal = read_file(path_of("runs.csv.part"));
+  const std::size_t at = journal.find(",circle", journal.find(kept[2]));
+  ASSERT_NE(at, std::string::npos);
+  journal[at - 1] = journal[at - 1] == '7' ? '8' : '7';  // the number of the run
+  write_file(path_of("runs.csv.part"), journal);
+  kept.resize(2);
+  expect_goes_on(kept);
+}
+
+TEST(Sweep, ends_with_the_runs_under_way_on_a_signal) {
+  const ProcessResult result = ended_by(SIGINT);
+  EXPECT_EQ(result.exit_code, 130);
+  EXPECT_THAT(result.err, HasSubstr("of 80 runs; the same command goes on from there\n"));
+  EXPECT_FALSE(exists(path_of("runs.csv")));
+  expect_goes_on(kept_rows());
+}
+
+TEST(Sweep, does_not_go_on_with_the_runs_of_another_one) {
+  ended_by(SIGKILL);
+  const std::string out = path_of("runs.csv");
+  const std::string refused =
+      out +
+      ".part: found the runs of another sweep, shard or version, must be of this one; "
+      "remove it to begin anew\n";
+  for (const auto& [yaml, more] : {std::pair{kSmallSweep, Strings{}},
+                                   {kLongSweep, {"--shard=1/2"}},
+                                   {kLongSweep + "until_arrived: true\n", {}},
+                                   {kLongSweep + "methods: [orca]\n", {}}}) {
+    Strings words = more;
+    words.insert(words.end(), {"--out", out});
+    const ProcessResult result = sweep(yaml, words);
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_EQ(result.err, refused);
+  }
+}
+
+TEST(Sweep, knows_a_scene_by_its_text_and_not_by_its_name) {
+  const std::string scene = path_of("a.yaml");
+  const std::string yaml = "version: 1\nscenes: [a.yaml]\n";
+  write_file(scene, "version: 1\nduration: 3\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n");
+  const avo_io::SweepTable before = avo_io::read_sweep(swept(yaml, "runs.csv"));
+  EXPECT_EQ(column(before, "steps"), (Strings{"30"}));
+  EXPECT_EQ(column(before, "scene"), (Strings{"a.yaml"}));
+  EXPECT_EQ(column(before, "seed"), (Strings{"1"}));
+  EXPECT_EQ(column(before, "method"), (Strings{"avo"}));
+  write_file(scene, "version: 1\nduration: 4\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n");
+  const ProcessResult result =
+      sweep(yaml, {"--merge", path_of("runs.csv"), "--out", path_of("all.csv")});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("runs.csv: found a table of another sweep"));
+}
+
+}  // namespace
+}  // namespace avo_test
