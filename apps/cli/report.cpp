@@ -108,9 +108,9 @@ OverTime over_time(const std::string& recording, const avo::Scenario& scenario) 
 }
 
 /// No more points than a page shows.
-std::vector<avo::Vec2> thinned(const std::vector<avo::Vec2>& points) {
-  constexpr std::size_t kMostPoints = 1000;
-  const std::size_t stride = points.size() / kMostPoints + 1;
+std::vector<avo::Vec2> lowest_points(const std::vector<avo::Vec2>& points) {
+  constexpr std::size_t kMostChartPoints = 1000;
+  const std::size_t stride = points.size() / kMostChartPoints + 1;
   std::vector<avo::Vec2> kept;
   for (std::size_t k = 0; k < points.size(); k += stride) {
     avo::Vec2 point = points[k];  // the lowest of those that it stands for
@@ -124,7 +124,7 @@ std::vector<avo::Vec2> thinned(const std::vector<avo::Vec2>& points) {
 std::string chart_of(const std::string& y_label, const std::vector<avo::Vec2>& points,
                      figures::Color color, const std::string& words) {
   if (points.empty()) return "";
-  const figures::Chart chart{"t (s)", y_label, {{words, thinned(points), color, false}}};
+  const figures::Chart chart{"t (s)", y_label, {{words, lowest_points(points), color, false}}};
   return image_of(draw_chart(chart, "chart.svg"), words);
 }
 
