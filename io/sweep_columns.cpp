@@ -27,15 +27,24 @@ Value arrival_of(const RunOutcome& run) {
   return run.arrivals[static_cast<std::size_t>(number - 1)];
 }
 
-template <auto member>
-Value of_summary(const RunOutcome& run) {
-  const auto& value = run.summary.*member;
+template <typename Number>
+Value as_value(const Number& value) {
   if constexpr (requires { value.has_value(); }) {
     if (!value) return std::nullopt;
     return static_cast<double>(*value);
   } else {
     return static_cast<double>(value);
   }
+}
+
+template <auto member>
+Value of_summary(const RunOutcome& run) {
+  return as_value(run.summary.*member);
+}
+
+template <auto member>
+Value of_metrics(const RunOutcome& run) {
+  return as_value(run.summary.metrics.*member);
 }
 
 template <auto member>
@@ -50,6 +59,7 @@ bool has_collided(const avo::RunSummary& run) {
 }
 
 using avo::Decisions;
+using avo::RunMetrics;
 using avo::RunSummary;
 
 constexpr SweepColumn kResults[] = {
@@ -98,6 +108,29 @@ constexpr SweepColumn kResults[] = {
     {"braking", of_decisions<&Decisions::braking>},
     {"overlapping", of_decisions<&Decisions::overlapping>},
     {"invalid_input", of_decisions<&Decisions::invalid_input>},
+    {"trips", of_metrics<&RunMetrics::trips>},
+    {"collision_robot_steps", of_metrics<&RunMetrics::collision_robot_steps>},
+    {"overlap_depth", of_metrics<&RunMetrics::overlap_depth>},
+    {"success", of_metrics<&RunMetrics::success>},
+    {"collision", of_metrics<&RunMetrics::collision>},
+    {"timeout", of_metrics<&RunMetrics::timeout>},
+    {"extra_time_mean", of_metrics<&RunMetrics::extra_time_mean>},
+    {"extra_time_p75", of_metrics<&RunMetrics::extra_time_p75>},
+    {"extra_time_p90", of_metrics<&RunMetrics::extra_time_p90>},
+    {"flowtime", of_metrics<&RunMetrics::flowtime>},
+    {"path_ratio", of_metrics<&RunMetrics::path_ratio>},
+    {"effort", of_metrics<&RunMetrics::effort>},
+    {"jerk", of_metrics<&RunMetrics::jerk>},
+    {"reversals", of_metrics<&RunMetrics::reversals>},
+    {"efficacy", of_metrics<&RunMetrics::efficacy>},
+    {"deadlock_time", of_metrics<&RunMetrics::deadlock_time>},
+    {"danger", of_metrics<&RunMetrics::danger>},
+    {"danger_separation", of_metrics<&RunMetrics::danger_separation>},
+    {"order", of_metrics<&RunMetrics::order>},
+    {"density_mean", of_metrics<&RunMetrics::density_mean>},
+    {"density_max", of_metrics<&RunMetrics::density_max>},
+    {"step_ms_p50", of_metrics<&RunMetrics::step_ms_p50>},
+    {"step_ms_p99", of_metrics<&RunMetrics::step_ms_p99>},
     {"step_milliseconds_median", of_summary<&RunSummary::step_milliseconds_median>},
     {"seconds", [](const RunOutcome& run) -> Value { return run.seconds; }},
 };
@@ -109,7 +142,8 @@ std::string field_of(const Value& value) {
 }  // namespace
 
 bool is_sweep_timing(std::string_view column) {
-  return column == "step_milliseconds_median" || column == "seconds";
+  return column == "step_milliseconds_median" || column.starts_with("step_ms_") ||
+         column == "seconds";
 }
 
 std::vector<std::string> sweep_columns(const SweepSpec& spec) {

@@ -71,7 +71,7 @@ avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, std::uint6
 RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
   const SweepClock::time_point begin = SweepClock::now();
   avo::Simulation simulation(scenario, spec.threads);
-  avo::Metrics metrics(scenario);
+  avo::Metrics metrics(scenario, {.crowd = true, .line = {}});
   ArrivalTimes arrivals;
   metrics.observe(simulation);
   arrivals.observe(simulation);

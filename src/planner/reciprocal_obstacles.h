@@ -4,6 +4,8 @@
 #pragma once
 #include <span>
 
+#include "avo/planner.h"
+#include "avo/robot.h"
 #include "planner/passive_obstacles.h"
 
 namespace avo {

@@ -59,7 +59,8 @@ TEST(SweepSpec, refuses_each_key_where_it_stands) {
        "seeds, threads, until_arrived; did you mean \"scenes\"?"},
       {head + "methods: [ocra]\n",
        "s:3:11: methods.0: found \"ocra\", must be one of avo, "
-       "avo_paper, velocity_obstacle, orca; did you mean \"orca\"?"},
+       "avo_paper, velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, "
+       "buffered_voronoi; did you mean \"orca\"?"},
       {head + "parameters: [1]\n",
        "s:3:13: parameters: found a list, must be a map from keys to lists of values"},
       {head + "parameters: {time_step: 0.1}\n",
