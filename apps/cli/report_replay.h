@@ -2,9 +2,10 @@
 // A recording as a drawing that a page sets in motion.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "avo_io/frames.h"
-#include "figures/trajectories.h"
+#include "figures/canvas.h"
 
 namespace avo_cli {
 
