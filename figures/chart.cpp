@@ -33,9 +33,8 @@ Box range_of(const Chart& chart, const std::string& path) {
     const double spacing = ticks[1] - ticks[0];
     return spacing * std::ceil(upper / spacing - 1e-9);
   };
-  return {box.lower,
-          {ceiling(box.lower.x, box.upper.x),
-           ceiling(box.lower.y, box.upper.y + 0.05 * (box.upper.y - box.lower.y))}};
+  const double top = ceiling(box.lower.y, box.upper.y + 0.05 * (box.upper.y - box.lower.y));
+  return {box.lower, {ceiling(box.lower.x, box.upper.x), chart.y_most.value_or(top)}};
 }
 
 void draw_series(Canvas& canvas, const Series& series) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines over a common x axis, as the paper's Fig. 10.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Series {
 struct Chart {
   std::string x_label, y_label;  ///< markup, with the unit
   std::vector<Series> series;
+  std::optional<double> y_most = {};  ///< where the y axis ends; none: above all points
 };
 
 /// Both axes start at 0 unless a value is negative. Throws Error where no series has a point, and

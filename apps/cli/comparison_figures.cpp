@@ -105,7 +105,7 @@ void require_recordings(const Comparison& comparison, const std::string& role) {
 
 std::string draw_arrivals(const Comparison& comparison, const std::string& role,
                           const std::string& path) {
-  avo::figures::Chart chart{"time (s)", "arrived (%)", {}};
+  avo::figures::Chart chart{"time (s)", "arrived (%)", {}, 100.0};
   const std::vector<Case> cases = cases_of(comparison);
   std::vector<std::string> keys = varying_keys(cases);
   if (keys.empty()) keys = {"scene", "method"};

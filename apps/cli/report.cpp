@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -122,9 +123,11 @@ std::vector<avo::Vec2> lowest_points(const std::vector<avo::Vec2>& points) {
 }
 
 std::string chart_of(const std::string& y_label, const std::vector<avo::Vec2>& points,
-                     figures::Color color, const std::string& words) {
+                     figures::Color color, const std::string& words,
+                     std::optional<double> y_most = {}) {
   if (points.empty()) return "";
-  const figures::Chart chart{"t (s)", y_label, {{words, lowest_points(points), color, false}}};
+  const figures::Chart chart{
+      "t (s)", y_label, {{words, lowest_points(points), color, false}}, y_most};
   return image_of(draw_chart(chart, "chart.svg"), words);
 }
 
@@ -139,7 +142,7 @@ std::string figures_of(const avo::Scenario& scenario, const ReportFrames& run,
                   "least clearance of all robots") +
          "\n" +
          chart_of("arrived (%)", values.arrived, figures::hue_color(140.0),
-                  "robots that have arrived") +
+                  "robots that have arrived", 100.0) +
          "\n" + chart_of("speed (m/s)", values.fastest, figures::hue_color(20.0), "fastest robot");
 }
 
