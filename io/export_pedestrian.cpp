@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 #include <vector>
 
-#include "avo_io/errors.h"
 #include "export_area.h"
 #include "export_target.h"
-#include "hdf5_handle.h"
-#include "regular_file.h"
+#include "hdf5_output.h"
 
 namespace avo_io {
 namespace {
@@ -28,19 +26,11 @@ class PedestrianExport final : public ExportTarget {
   void finish(double fps) override;
 
  private:
-  void require(bool written) const {
-    if (!written)
-      throw FileError(errno != 0 ? with_errno(name_) : name_ + ": HDF5 cannot write it");
-  }
-  Hdf5Handle require(hid_t id, herr_t (*close)(hid_t)) const {
-    require(id >= 0);
-    return {id, close};
-  }
   [[nodiscard]] Hdf5Handle row_type(hid_t number, hid_t coordinate) const;
   void write_rows();
   void write_attributes(double fps, const std::string& wkt) const;
 
-  std::string name_;
+  Hdf5Output output_;
   AreaFinder area_;
   Hdf5Handle file_, table_;
   std::vector<PedestrianRow> rows_;
@@ -48,31 +38,27 @@ class PedestrianExport final : public ExportTarget {
 };
 
 Hdf5Handle PedestrianExport::row_type(hid_t number, hid_t coordinate) const {
-  Hdf5Handle type = require(H5Tcreate(H5T_COMPOUND, sizeof(PedestrianRow)), H5Tclose);
-  require(H5Tinsert(type.id(), "id", offsetof(PedestrianRow, id), number) >= 0);
-  require(H5Tinsert(type.id(), "frame", offsetof(PedestrianRow, frame), number) >= 0);
-  require(H5Tinsert(type.id(), "x", offsetof(PedestrianRow, x), coordinate) >= 0);
-  require(H5Tinsert(type.id(), "y", offsetof(PedestrianRow, y), coordinate) >= 0);
+  Hdf5Handle type = output_.require(H5Tcreate(H5T_COMPOUND, sizeof(PedestrianRow)), H5Tclose);
+  output_.require(H5Tinsert(type.id(), "id", offsetof(PedestrianRow, id), number));
+  output_.require(H5Tinsert(type.id(), "frame", offsetof(PedestrianRow, frame), number));
+  output_.require(H5Tinsert(type.id(), "x", offsetof(PedestrianRow, x), coordinate));
+  output_.require(H5Tinsert(type.id(), "y", offsetof(PedestrianRow, y), coordinate));
   return type;
 }
 
 PedestrianExport::PedestrianExport(const ExportPlace& place, const avo::Scenario* scenario)
-    : name_(place.name), area_(scenario) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  errno = 0;
-  file_ = require(
-      H5Fcreate(place.file.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    : output_{place.name}, area_(scenario) {
+  file_ = output_.create_file(place.file.temporary(), false);
   const hsize_t none = 0, unlimited = H5S_UNLIMITED, chunk = kRowsOfChunk;
-  const Hdf5Handle space = require(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-  const Hdf5Handle layout = require(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  require(H5Pset_chunk(layout.id(), 1, &chunk) >= 0);
-  require(H5Pset_shuffle(layout.id()) >= 0);
-  require(H5Pset_deflate(layout.id(), kPedestrianDeflate) >= 0);
-  require(H5Pset_obj_track_times(layout.id(), 0) >= 0);  // else no two files have the same bytes
+  const Hdf5Handle space = output_.require(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+  const Hdf5Handle layout = output_.properties(H5P_DATASET_CREATE);
+  output_.require(H5Pset_chunk(layout.id(), 1, &chunk));
+  output_.require(H5Pset_shuffle(layout.id()));
+  output_.require(H5Pset_deflate(layout.id(), kPedestrianDeflate));
   const Hdf5Handle type = row_type(H5T_STD_I64LE, H5T_IEEE_F64LE);
-  table_ = require(H5Dcreate2(file_.id(), "trajectory", type.id(), space.id(), H5P_DEFAULT,
-                              layout.id(), H5P_DEFAULT),
-                   H5Dclose);
+  table_ = output_.require(H5Dcreate2(file_.id(), "trajectory", type.id(), space.id(), H5P_DEFAULT,
+                                      layout.id(), H5P_DEFAULT),
+                           H5Dclose);
 }
 
 void PedestrianExport::add(const ExportedTime& moment) {
@@ -87,14 +73,14 @@ void PedestrianExport::write_rows() {
   const hsize_t count = rows_.size(), size = written_ + count;
   if (count == 0) return;
   errno = 0;
-  require(H5Dset_extent(table_.id(), &size) >= 0);
+  output_.require(H5Dset_extent(table_.id(), &size));
   const Hdf5Handle type = row_type(H5T_NATIVE_INT64, H5T_NATIVE_DOUBLE);
-  const Hdf5Handle memory = require(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Hdf5Handle space = require(H5Dget_space(table_.id()), H5Sclose);
-  require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &written_, nullptr, &count, nullptr) >=
-          0);
-  require(H5Dwrite(table_.id(), type.id(), memory.id(), space.id(), H5P_DEFAULT, rows_.data()) >=
-          0);
+  const Hdf5Handle memory = output_.require(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle space = output_.require(H5Dget_space(table_.id()), H5Sclose);
+  output_.require(
+      H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &written_, nullptr, &count, nullptr));
+  output_.require(
+      H5Dwrite(table_.id(), type.id(), memory.id(), space.id(), H5P_DEFAULT, rows_.data()));
   written_ = size;
   rows_.clear();
 }
@@ -103,27 +89,27 @@ void PedestrianExport::write_rows() {
 // may also have no more than 64 KiB.
 void PedestrianExport::write_attributes(double fps, const std::string& wkt) const {
   errno = 0;
-  const Hdf5Handle scalar = require(H5Screate(H5S_SCALAR), H5Sclose);
-  const Hdf5Handle text = require(H5Tcopy(H5T_C_S1), H5Tclose);
-  require(H5Tset_size(text.id(), H5T_VARIABLE) >= 0);
-  require(H5Tset_cset(text.id(), H5T_CSET_UTF8) >= 0);
-  const Hdf5Handle geometry = require(
+  const Hdf5Handle scalar = output_.require(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle text = output_.require(H5Tcopy(H5T_C_S1), H5Tclose);
+  output_.require(H5Tset_size(text.id(), H5T_VARIABLE));
+  output_.require(H5Tset_cset(text.id(), H5T_CSET_UTF8));
+  const Hdf5Handle geometry = output_.require(
       H5Acreate2(file_.id(), "wkt_geometry", text.id(), scalar.id(), H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose);
   const char* const bytes = wkt.c_str();
-  require(H5Awrite(geometry.id(), text.id(), static_cast<const void*>(&bytes)) >= 0);
-  const Hdf5Handle rate =
-      require(H5Acreate2(table_.id(), "fps", H5T_IEEE_F64LE, scalar.id(), H5P_DEFAULT, H5P_DEFAULT),
-              H5Aclose);
-  require(H5Awrite(rate.id(), H5T_NATIVE_DOUBLE, &fps) >= 0);
+  output_.require(H5Awrite(geometry.id(), text.id(), static_cast<const void*>(&bytes)));
+  const Hdf5Handle rate = output_.require(
+      H5Acreate2(table_.id(), "fps", H5T_IEEE_F64LE, scalar.id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  output_.require(H5Awrite(rate.id(), H5T_NATIVE_DOUBLE, &fps));
 }
 
 void PedestrianExport::finish(double fps) {
   write_rows();
   write_attributes(fps, area_.found().wkt);
   errno = 0;
-  require(table_.close());
-  require(file_.close());
+  output_.finish(table_);
+  output_.finish(file_);
 }
 
 }  // namespace

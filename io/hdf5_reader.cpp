@@ -5,9 +5,9 @@
 #include <cerrno>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <mutex>
 
 #include "avo_io/errors.h"
+#include "hdf5_output.h"
 #include "hdf5_recording.h"
 
 namespace avo_io {
@@ -39,14 +39,6 @@ herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* info, vo
 }
 
 }  // namespace
-
-void prepare_hdf5() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  });
-}
 
 bool is_hdf5(std::string_view begin) {
   return begin.starts_with("\x89HDF\r\n\x1a\n");

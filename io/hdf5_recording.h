@@ -12,10 +12,6 @@
 
 namespace avo_io {
 
-/// Before any other use of HDF5: it prints nothing, and does nothing at the end of the process,
-/// when it would write once more what a full disk has refused.
-void prepare_hdf5();
-
 /// Whether a file that begins with these bytes is one.
 bool is_hdf5(std::string_view begin);
 

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "core/ranges.h"
-#include "hdf5_handle.h"
+#include "hdf5_output.h"
 #include "regular_file.h"
 
 namespace avo_io {
@@ -46,56 +46,23 @@ ColumnKind kind_of(const SweepTable& table, std::size_t column) {
 
 class SweepWriter {
  public:
-  explicit SweepWriter(const std::string& name) : name_(name) {}
+  explicit SweepWriter(const std::string& name) : output_{name} {}
 
   void write(const SweepTable& runs, const std::string& path) {
-    errno = 0;
-    const Hdf5Handle access = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    need(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18));
-    const Hdf5Handle creation = own(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-    need(H5Pset_obj_track_times(creation.id(), false));  // the same bytes for the same tables
-    Hdf5Handle file =
-        own(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
-    attribute(file.id(), "format", "avo sweep 1");
+    Hdf5Handle file = output_.create_file(path, true);
+    output_.write_attribute(file.id(), "format", "avo sweep 1");
     table(file.id(), "runs", runs);
     table(file.id(), "summary", summary_of(runs));
-    if (!file.close()) fail();
+    output_.finish(file);
   }
 
  private:
-  [[noreturn]] void fail() const {
-    throw FileError(errno != 0 ? with_errno(name_) : name_ + ": HDF5 cannot write it");
-  }
-  void need(herr_t result) const {
-    if (result < 0) fail();
-  }
-  Hdf5Handle own(hid_t id, herr_t (*close)(hid_t)) const {
-    if (id < 0) fail();
-    return {id, close};
-  }
-
-  Hdf5Handle text_of(std::size_t size) const {
-    Hdf5Handle type = own(H5Tcopy(H5T_C_S1), H5Tclose);
-    need(H5Tset_size(type.id(), std::max<std::size_t>(size, 1)));
-    need(H5Tset_strpad(type.id(), H5T_STR_NULLPAD));
-    need(H5Tset_cset(type.id(), H5T_CSET_UTF8));
-    return type;
-  }
-
-  void attribute(hid_t object, const char* name, const std::string& text) const {
-    const Hdf5Handle type = text_of(text.size());
-    const Hdf5Handle space = own(H5Screate(H5S_SCALAR), H5Sclose);
-    const Hdf5Handle created =
-        own(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    need(H5Awrite(created.id(), type.id(), text.data()));
-  }
-
   void table(hid_t file, const char* name, const SweepTable& rows) const {
-    const Hdf5Handle creation = own(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
-    need(H5Pset_obj_track_times(creation.id(), false));
+    const Hdf5Handle creation = output_.properties(H5P_GROUP_CREATE);
     const Hdf5Handle group =
-        own(H5Gcreate2(file, name, H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose);
-    attribute(group.id(), "columns", fmt::format("{}", fmt::join(rows.columns, "\n")));
+        output_.require(H5Gcreate2(file, name, H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose);
+    output_.write_attribute(group.id(), "columns",
+                            fmt::format("{}", fmt::join(rows.columns, "\n")));
     for (std::size_t c = 0; c < rows.columns.size(); ++c) column(group.id(), rows, c);
   }
 
@@ -121,23 +88,24 @@ class SweepWriter {
     for (const auto& row : table.rows) width = std::max(width, row[c].size());
     std::string texts;
     for (const auto& row : table.rows) texts += row[c] + std::string(width - row[c].size(), '\0');
-    const Hdf5Handle type = text_of(width);
+    const Hdf5Handle type = output_.text_type(width);
     dataset(group, table, c, type.id(), type.id(), texts.data());
   }
 
   void dataset(hid_t group, const SweepTable& table, std::size_t c, hid_t stored, hid_t given,
                const void* values) const {
     const hsize_t size = table.rows.size();
-    const Hdf5Handle space = own(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const Hdf5Handle creation = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    need(H5Pset_obj_track_times(creation.id(), false));
-    const Hdf5Handle created = own(H5Dcreate2(group, table.columns[c].c_str(), stored, space.id(),
-                                              H5P_DEFAULT, creation.id(), H5P_DEFAULT),
-                                   H5Dclose);
-    if (size > 0) need(H5Dwrite(created.id(), given, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+    const Hdf5Handle space = output_.require(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Hdf5Handle creation = output_.properties(H5P_DATASET_CREATE);
+    const Hdf5Handle created =
+        output_.require(H5Dcreate2(group, table.columns[c].c_str(), stored, space.id(), H5P_DEFAULT,
+                                   creation.id(), H5P_DEFAULT),
+                        H5Dclose);
+    if (size > 0)
+      output_.require(H5Dwrite(created.id(), given, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   }
 
-  const std::string& name_;
+  Hdf5Output output_;
 };
 
 class SweepHdf5Reader {
@@ -231,18 +199,17 @@ class SweepHdf5Reader {
 }  // namespace
 
 void write_sweep_hdf5(const SweepTable& runs, const std::string& path, const std::string& name) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   SweepWriter(name).write(runs, path);
 }
 
 bool is_sweep_hdf5(const std::string& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepare_hdf5();
   const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   return file && H5Lexists(file.id(), "runs", H5P_DEFAULT) > 0;
 }
 
 SweepTable read_sweep_hdf5(const std::string& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepare_hdf5();
   return SweepHdf5Reader(path).read();
 }
 

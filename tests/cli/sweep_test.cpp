@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <string>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "support/json.h"
@@ -153,6 +154,28 @@ TEST(Sweep, ends_with_the_runs_under_way_on_a_signal) {
   EXPECT_THAT(result.err, HasSubstr("of 80 runs; the same command goes on from there\n"));
   EXPECT_FALSE(exists(path_of("runs.csv")));
   expect_goes_on(kept_rows());
+}
+
+TEST(Sweep, says_that_the_disk_is_full_and_leaves_no_table) {
+  write_file(path_of("sweep.yaml"), kSmallSweep);
+  const std::string h5 = path_of("full.h5");
+  int refused = 0;
+  for (unsigned kibibytes = 1; kibibytes < 200; kibibytes += 7) {
+    const ProcessResult result =
+        run_avo({"sweep", path_of("sweep.yaml"), "--out", h5, "-q"}, {.before = [kibibytes] {
+                  signal(SIGXFSZ, SIG_IGN);
+                  const rlimit limit{1024 * kibibytes, 1024 * kibibytes};
+                  setrlimit(RLIMIT_FSIZE, &limit);
+                }});
+    if (result.exit_code == 0) break;
+    EXPECT_EQ(result.exit_code, 4) << kibibytes << " KiB: " << result.err;
+    EXPECT_THAT(result.err, HasSubstr("full.h5"));
+    EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+    EXPECT_FALSE(exists(h5));
+    ++refused;
+  }
+  EXPECT_GT(refused, 3);
+  EXPECT_TRUE(exists(h5)) << "it went on from its journal once there was room";
 }
 
 TEST(Sweep, does_not_go_on_with_the_runs_of_another_one) {
