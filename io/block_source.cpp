@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "avo_io/errors.h"
+#include "recorded_states.h"
 #include "regular_file.h"
 #include "row_source.h"
 
@@ -34,8 +35,6 @@ class BlockRows final : public RowSource {
   }
 
  private:
-  void take_rows(RecordedTime& moment) const;
-
   std::string path_;
   BlockSource source_;
   std::size_t next_ = 0, count_ = 0;  // in the block; of its times
@@ -58,29 +57,12 @@ bool BlockRows::next(RecordedTime& moment) {
     throw RecordingError(
         fmt::format("{}: found {} s after {} s, times must ascend", path_, time, time_));
   time_ = time;
-  take_rows(moment);
+  moment.time = time_;
+  moment.every = source_.header().every;
+  moment.rows = rows_of(source_.shape(), source_.block(), next_);
   ++next_;
   ++times_;
   return true;
-}
-
-void BlockRows::take_rows(RecordedTime& moment) const {
-  const BlockShape& shape = source_.shape();
-  const RecordingBlock& block = source_.block();
-  const auto value = [&](std::size_t column, std::size_t robot) {
-    return block.row(shape, column, next_)[robot];
-  };
-  moment.time = time_;
-  moment.every = source_.header().every;
-  moment.rows.clear();
-  for (std::size_t i = 0; i < shape.robots; ++i) {
-    if (block.status[next_ * shape.robots + i] == kAbsent) continue;
-    avo::CheckedState state{
-        static_cast<std::int64_t>(i), {value(0, i), value(1, i)}, {value(2, i), value(3, i)}, {}};
-    if (shape.columns == kHeadingColumns && !std::isnan(value(4, i)))
-      state.heading = {value(4, i), value(5, i)};
-    moment.rows.push_back(state);
-  }
 }
 
 }  // namespace

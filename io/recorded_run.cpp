@@ -11,6 +11,8 @@
 #include "avo_io/errors.h"
 #include "avo_io/scene.h"
 #include "block_source.h"
+#include "mover_walk.h"
+#include "recorded_states.h"
 
 namespace avo_io {
 namespace {
@@ -28,70 +30,57 @@ avo::Check judge_of_arrivals(const avo::Scenario& scenario) {
   return check;
 }
 
-/// One time of a block.
-struct BlockMoment {
-  const BlockShape& shape;
-  const RecordingBlock& block;
-  std::size_t k;
+std::optional<double> least_clearance(const BlockShape& shape, const RecordingBlock& block,
+                                      std::size_t time) {
+  std::optional<double> least;
+  for (std::size_t i = 0; i < shape.robots; ++i) {
+    const double found = block.clearance[time * shape.robots + i];
+    if (std::isfinite(found) && (!least || found < *least)) least = found;
+  }
+  return least;
+}
 
-  [[nodiscard]] double value(std::size_t column, std::size_t robot) const {
-    return block.row(shape, column, k)[robot];
+/// Where everybody starts; nobody is there yet.
+RecordedFrame starts_of(const avo::Scenario& scenario) {
+  RecordedFrame frame;
+  for (const avo::RobotSetup& setup : scenario.robots) {
+    frame.position.push_back(setup.position);
+    frame.heading.push_back(setup.heading);
   }
-  [[nodiscard]] bool is_there(std::size_t robot) const {
-    return block.status[k * shape.robots + robot] != kAbsent;
-  }
+  return frame;
+}
 
-  [[nodiscard]] std::vector<avo::CheckedState> rows() const {
-    std::vector<avo::CheckedState> rows;
-    for (std::size_t i = 0; i < shape.robots; ++i) {
-      if (!is_there(i)) continue;
-      avo::CheckedState& row = rows.emplace_back();
-      row = {static_cast<std::int64_t>(i), {value(0, i), value(1, i)}, {value(2, i), value(3, i)}};
-      if (shape.columns == kHeadingColumns && std::isfinite(value(4, i)))
-        row.heading = {value(4, i), value(5, i)};
-    }
-    return rows;
+/// The next one: who has left stays where it was last.
+void go_on(RecordedFrame& frame, double time, const std::vector<avo::CheckedState>& rows,
+           const MoverWalk& movers, std::size_t obstacles) {
+  frame.time = time;
+  frame.there.assign(frame.position.size(), false);
+  for (const avo::CheckedState& row : rows) {
+    const auto i = static_cast<std::size_t>(row.robot);
+    frame.there[i] = true;
+    frame.position[i] = row.position;
+    if (row.heading) frame.heading[i] = row.heading->angle;
   }
+  frame.obstacle_position.clear();
+  for (std::size_t k = 0; k < obstacles; ++k) frame.obstacle_position.push_back(movers.position(k));
+}
 
-  [[nodiscard]] std::optional<double> clearance() const {
-    std::optional<double> least;
-    for (std::size_t i = 0; i < shape.robots; ++i) {
-      const double found = block.clearance[k * shape.robots + i];
-      if (std::isfinite(found) && (!least || found < *least)) least = found;
-    }
-    return least;
-  }
-
-  /// `places` are those of a time before.
-  void move(RecordedPlaces& places) const {
-    places.time = block.time[k];
-    for (std::size_t i = 0; i < shape.robots; ++i) {
-      if (!is_there(i)) continue;
-      places.position[i] = {value(0, i), value(1, i)};
-      if (!places.heading.empty() && std::isfinite(value(4, i))) places.heading[i] = value(4, i);
-    }
-  }
-};
-
-RecordedPlaces starts_of(const RecordedRun& run, const BlockShape& shape) {
-  RecordedPlaces places;
-  for (const avo::RobotSetup& setup : run.scenario.robots) {
-    places.position.push_back(setup.position);
-    if (shape.columns == kHeadingColumns) places.heading.push_back(setup.heading);
-  }
-  return places;
+double fastest_of(const std::vector<avo::CheckedState>& rows) {
+  double fastest = 0.0;
+  for (const avo::CheckedState& row : rows) fastest = std::max(fastest, norm(row.velocity));
+  return fastest;
 }
 
 /// Drops every other one, so that there is room for as many again.
-void thin(std::vector<RecordedPlaces>& places) {
+void thin(std::vector<RecordedFrame>& frames) {
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < places.size(); k += 2) std::swap(places[kept++], places[k]);
-  places.resize(kept);
+  for (std::size_t k = 0; k < frames.size(); k += 2) std::swap(frames[kept++], frames[k]);
+  frames.resize(kept);
 }
 
 }  // namespace
 
-RecordedRun read_run(const std::string& recording, std::size_t most_places) {
+RecordedRun read_run(const std::string& recording, std::size_t most_frames) {
   BlockSource source(recording);
   RecordedRun run;
   run.scenario = parse_scenario(source.header().scene);
@@ -103,29 +92,31 @@ RecordedRun read_run(const std::string& recording, std::size_t most_places) {
                                     [](const avo::RobotSetup& robot) { return robot.parked; });
   run.travelers = std::ssize(run.scenario.robots) - parked;
   avo::Check check = judge_of_arrivals(run.scenario);
-  RecordedPlaces places = starts_of(run, shape);
-  std::size_t stride = 1, count = 0;  // times between places that are kept; seen so far
+  MoverWalk movers(run.scenario);
+  RecordedFrame frame = starts_of(run.scenario);
+  std::size_t stride = 1, count = 0;  // times between frames that are kept; seen so far
   while (source.next()) {
     for (std::size_t k = 0; k < source.block().times; ++k, ++count) {
-      const BlockMoment moment{shape, source.block(), k};
+      const double time = source.block().time[k];
+      const std::vector<avo::CheckedState> rows = rows_of(shape, source.block(), k);
       try {
         if (source.header().every > 1) check.skip();
-        check.add(source.block().time[k], moment.rows());
+        check.add(time, rows);
+        movers.go_to(time);
       } catch (const avo::Error& error) {
-        throw RecordingError(
-            fmt::format("{}: time {}: {}", recording, source.block().time[k], error.what()));
+        throw RecordingError(fmt::format("{}: time {}: {}", recording, time, error.what()));
       }
-      run.moments.push_back(
-          {source.block().time[k], check.report().arrived - parked, moment.clearance()});
-      moment.move(places);
+      run.moments.push_back({time, check.report().arrived - parked,
+                             least_clearance(shape, source.block(), k), fastest_of(rows)});
+      go_on(frame, time, rows, movers, run.scenario.moving_obstacles.size());
       if (count % stride != 0) continue;
-      run.places.push_back(places);
-      if (run.places.size() < most_places) continue;
-      thin(run.places);
+      run.frames.push_back(frame);
+      if (run.frames.size() < most_frames) continue;
+      thin(run.frames);
       stride *= 2;
     }
   }
-  if (!run.places.empty() && run.places.back().time < places.time) run.places.push_back(places);
+  if (!run.frames.empty() && run.frames.back().time < frame.time) run.frames.push_back(frame);
   return run;
 }
 

@@ -3,6 +3,7 @@
 #include "recorded_states.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -45,6 +46,22 @@ void add_states(const avo::Simulation& simulation, const BlockShape& shape, Reco
     ++next;
   }
   leave_out_before(shape.robots);
+}
+
+std::vector<avo::CheckedState> rows_of(const BlockShape& shape, const RecordingBlock& block,
+                                       std::size_t time) {
+  std::vector<avo::CheckedState> rows;
+  const auto value = [&](std::size_t column, std::size_t robot) {
+    return block.row(shape, column, time)[robot];
+  };
+  for (std::size_t i = 0; i < shape.robots; ++i) {
+    if (block.status[time * shape.robots + i] == kAbsent) continue;
+    avo::CheckedState& row = rows.emplace_back();
+    row = {static_cast<std::int64_t>(i), {value(0, i), value(1, i)}, {value(2, i), value(3, i)}};
+    if (shape.columns == kHeadingColumns && !std::isnan(value(4, i)))
+      row.heading = {value(4, i), value(5, i)};
+  }
+  return rows;
 }
 
 void find_clearances(const BlockShape& shape, std::size_t time, avo::ClearanceFinder& clearances,

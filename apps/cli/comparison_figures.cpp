@@ -8,6 +8,7 @@
 
 #include "avo_io/printable.h"
 #include "comparison.h"
+#include "curves.h"
 #include "exit_codes.h"
 #include "figures/chart.h"
 #include "figures/trajectories.h"
@@ -20,8 +21,7 @@ using avo::figures::Series;
 
 constexpr std::size_t kMostCurves = 12;  // more of them nobody tells apart
 constexpr std::size_t kMostPanels = 6;
-constexpr std::size_t kMostPoints = 1000;  // of a curve
-constexpr int kDeciles = 10;               // columns arrival_10 to arrival_100
+constexpr int kDeciles = 10;  // columns arrival_10 to arrival_100
 
 /// Gives colors. Throws UsageError where there are too many or none.
 std::string draw(avo::figures::Chart chart, const std::string& role, const std::string& path) {
@@ -43,30 +43,8 @@ std::string stem(const std::string& recording) {
   return avo_io::printable(std::filesystem::path(recording).stem().string());
 }
 
-/// At most kMostPoints of them, and the last.
-std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
-  const std::size_t stride = points.size() / kMostPoints + 1;
-  std::vector<Vec2> kept;
-  for (std::size_t k = 0; k < points.size(); k += stride) kept.push_back(points[k]);
-  if (!points.empty() && (points.size() - 1) % stride != 0) kept.push_back(points.back());
-  return kept;
-}
-
-/// The lowest of every so many, where it is.
-std::vector<Vec2> lowest(const std::vector<Vec2>& points) {
-  const std::size_t stride = points.size() / kMostPoints + 1;
-  std::vector<Vec2> kept;
-  for (std::size_t k = 0; k < points.size(); k += stride) {
-    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(k);
-    const auto end =
-        points.begin() + static_cast<std::ptrdiff_t>(std::min(k + stride, points.size()));
-    kept.push_back(*std::min_element(begin, end, [](Vec2 a, Vec2 b) { return a.y < b.y; }));
-  }
-  return kept;
-}
-
 /// Each decile of each run adds its part of the robots, averaged over the runs.
-std::vector<Vec2> arrivals_of(const Case& entry) {
+std::vector<Vec2> decile_arrivals_of(const Case& entry) {
   std::vector<double> times;
   for (int k = 1; k <= kDeciles; ++k)
     for (const double time : entry.values(fmt::format("arrival_{}", 10 * k))) times.push_back(time);
@@ -75,15 +53,6 @@ std::vector<Vec2> arrivals_of(const Case& entry) {
   std::vector<Vec2> points{{0.0, 0.0}};
   for (const double time : times)
     points.push_back({time, 100.0 * static_cast<double>(points.size()) / whole});
-  return thinned(points);
-}
-
-std::vector<Vec2> arrivals_of(const avo_io::RecordedRun& run) {
-  std::vector<Vec2> points;
-  for (const avo_io::RecordedMoment& moment : run.moments)
-    points.push_back(
-        {moment.time, 100.0 * static_cast<double>(moment.arrived) /
-                          static_cast<double>(std::max<std::int64_t>(run.travelers, 1))});
   return thinned(points);
 }
 
@@ -110,7 +79,7 @@ std::string draw_arrivals(const Comparison& comparison, const std::string& role,
   std::vector<std::string> keys = varying_keys(cases);
   if (keys.empty()) keys = {"scene", "method"};
   for (const Case& entry : cases)
-    chart.series.push_back({label_of(entry, keys), arrivals_of(entry), {}, false});
+    chart.series.push_back({label_of(entry, keys), decile_arrivals_of(entry), {}, false});
   for (const auto& [name, run] : comparison.recordings)
     chart.series.push_back({stem(name), arrivals_of(run), {}, false});
   extend(chart.series);
@@ -122,10 +91,7 @@ std::string draw_clearances(const Comparison& comparison, const std::string& rol
   require_recordings(comparison, role);
   avo::figures::Chart chart{"time (s)", "least clearance (m)", {}};
   for (const auto& [name, run] : comparison.recordings) {
-    std::vector<Vec2> points;
-    for (const avo_io::RecordedMoment& moment : run.moments)
-      if (moment.clearance) points.push_back({moment.time, *moment.clearance});
-    chart.series.push_back({stem(name), lowest(points), {}, false});
+    chart.series.push_back({stem(name), clearances_of(run), {}, false});
   }
   return draw(std::move(chart), role, path);
 }
@@ -141,9 +107,7 @@ std::string draw_traces(const Comparison& comparison, const std::string& role,
     avo::figures::TracedRun& traced = runs.emplace_back();
     traced.title = stem(name);
     traced.scenario = run.scenario;
-    traced.scenario.moving_obstacles.clear();  // recordings have no rows of them
-    for (const avo_io::RecordedPlaces& places : run.places)
-      traced.frames.push_back({places.time, places.position, places.heading, {}});
+    traced.frames = frames_of(run);
   }
   return draw_side_by_side(runs, path);
 }

@@ -2,20 +2,18 @@
 // avo report: a recording as one page that needs nothing else.
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "avo/clearance.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "avo/version.h"
 #include "avo_io/judgement.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
+#include "curves.h"
 #include "exit_codes.h"
 #include "figures/chart.h"
 #include "figures/trajectories.h"
@@ -69,87 +67,30 @@ nlohmann::ordered_json summary_of(const avo::Scenario& scenario, double end) {
   return nlohmann::ordered_json::parse(avo_io::to_json(metrics.summary()));
 }
 
-/// The least clearance and the largest speed of all robots at each time.
-struct OverTime {
-  std::vector<avo::Vec2> clearance, fastest, arrived;
-};
-
-OverTime over_time(const std::string& recording, const avo::Scenario& scenario) {
-  OverTime result;
-  avo_io::RecordingReader reader(recording, static_cast<std::int64_t>(scenario.robots.size()));
-  avo::ClearanceFinder finder(scenario);
-  const std::size_t robots = scenario.robots.size();
-  std::vector<double> x(robots), y(robots), heading(robots);
-  std::vector<float> clearance(robots);
-  std::vector<bool> arrived(robots, false);
-  avo_io::RecordedTime moment;
-  while (reader.next(moment)) {
-    std::fill(x.begin(), x.end(), std::numeric_limits<double>::quiet_NaN());
-    double fastest = 0.0;
-    for (const avo::CheckedState& row : moment.rows) {
-      const auto i = static_cast<std::size_t>(row.robot);
-      x[i] = row.position.x;
-      y[i] = row.position.y;
-      heading[i] = row.heading ? row.heading->angle : 0.0;
-      fastest = std::max(fastest, norm(row.velocity));
-      if (norm(scenario.robots[i].goal - row.position) <= scenario.arrival_distance)
-        arrived[i] = true;
-    }
-    finder.find({x, y, heading}, clearance);
-    double least = std::numeric_limits<double>::infinity();
-    for (const float value : clearance)
-      if (!std::isnan(value)) least = std::min(least, static_cast<double>(value));
-    if (std::isfinite(least)) result.clearance.push_back({moment.time, least});
-    result.fastest.push_back({moment.time, fastest});
-    const auto count = std::count(arrived.begin(), arrived.end(), true);
-    result.arrived.push_back(
-        {moment.time, 100.0 * static_cast<double>(count) / static_cast<double>(robots)});
-  }
-  return result;
-}
-
-/// No more points than a page shows.
-std::vector<avo::Vec2> lowest_points(const std::vector<avo::Vec2>& points) {
-  constexpr std::size_t kMostChartPoints = 1000;
-  const std::size_t stride = points.size() / kMostChartPoints + 1;
-  std::vector<avo::Vec2> kept;
-  for (std::size_t k = 0; k < points.size(); k += stride) {
-    avo::Vec2 point = points[k];  // the lowest of those that it stands for
-    for (std::size_t j = k; j < std::min(k + stride, points.size()); ++j)
-      if (points[j].y < point.y) point = points[j];
-    kept.push_back(point);
-  }
-  return kept;
-}
-
 std::string chart_of(const std::string& y_label, const std::vector<avo::Vec2>& points,
                      figures::Color color, const std::string& words,
                      std::optional<double> y_most = {}) {
   if (points.empty()) return "";
-  const figures::Chart chart{
-      "t (s)", y_label, {{words, lowest_points(points), color, false}}, y_most};
+  const figures::Chart chart{"t (s)", y_label, {{words, points, color, false}}, y_most};
   return image_of(draw_chart(chart, "chart.svg"), words);
 }
 
-std::string figures_of(const avo::Scenario& scenario, const ReportFrames& run,
-                       const std::string& recording) {
-  std::vector<figures::TrajectoryFrame> frames;
-  for (const avo_io::RecordedFrame& frame : run.frames)
-    frames.push_back({frame.time, frame.position, frame.heading, frame.obstacle_position});
-  const OverTime values = over_time(recording, scenario);
-  return image_of(draw_trajectories(scenario, frames, "run.svg"), "trajectories") + "\n" +
-         chart_of("clearance (m)", values.clearance, figures::hue_color(250.0),
+std::string figures_of(const avo_io::RecordedRun& run) {
+  return image_of(draw_trajectories(run.scenario, frames_of(run), "run.svg"), "trajectories") +
+         "\n" +
+         chart_of("clearance (m)", clearances_of(run), figures::hue_color(250.0),
                   "least clearance of all robots") +
          "\n" +
-         chart_of("arrived (%)", values.arrived, figures::hue_color(140.0),
+         chart_of("arrived (%)", arrivals_of(run), figures::hue_color(140.0),
                   "robots that have arrived", 100.0) +
-         "\n" + chart_of("speed (m/s)", values.fastest, figures::hue_color(20.0), "fastest robot");
+         "\n" +
+         chart_of("speed (m/s)", top_speeds_of(run), figures::hue_color(20.0), "fastest robot");
 }
 
 std::string page_of(const ReportArguments& arguments, const avo_io::RecordingHeader& header) {
-  const avo::Scenario scenario = avo_io::parse_scenario(header.scene);
+  const avo_io::RecordedRun run = avo_io::read_run(arguments.recording, most_frames(header.robots));
+  const avo::Scenario& scenario = run.scenario;
   const avo_io::Judgement judgement = avo_io::judge(arguments.recording, {.scenario = scenario});
-  const ReportFrames run = read_frames(arguments.recording, scenario, judgement.report.to);
   const std::string verdict =
       judgement.incomplete() ? "incomplete" : (judgement.safe() ? "safe" : "unsafe");
   std::string scene = header.scene.yaml;
@@ -168,8 +109,8 @@ std::string page_of(const ReportArguments& arguments, const avo_io::RecordingHea
        {"subtitle", fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
                                 avo::to_string(scenario.method), judgement.report.to)},
        {"verdict", fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>", verdict)},
-       {"drawing", drawing_of(scenario, run)},
-       {"figures", figures_of(scenario, run, arguments.recording)},
+       {"drawing", drawing_of(run)},
+       {"figures", figures_of(run)},
        {"results", same ? table_of(summary_of(scenario, judgement.report.to))
                         : "<p>Another version of avo has made the recording, so that it is not "
                           "simulated again.</p>"},
@@ -177,7 +118,7 @@ std::string page_of(const ReportArguments& arguments, const avo_io::RecordingHea
        {"command", as_html(command_of(header, arguments.recording))},
        {"scene", as_html(scene)},
        {"provenance", table_of(provenance)},
-       {"data", data_of(scenario, run)}});
+       {"data", data_of(run)}});
 }
 
 }  // namespace

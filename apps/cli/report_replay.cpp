@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
-#include <optional>
 
 #include "avo/wall.h"
 #include "figures/picture.h"
@@ -39,36 +38,32 @@ avo::Vec2 center_of(const avo::RobotSetup& robot, const avo_io::RecordedFrame& f
   return disc_center(robot.model, frame.position[i], frame.heading[i]);
 }
 
-}  // namespace
-
-ReportFrames read_frames(const std::string& recording, const avo::Scenario& scenario, double end) {
-  avo_io::FrameReader reader(recording, scenario);
-  const std::size_t bodies = scenario.robots.size() + scenario.moving_obstacles.size();
-  const std::size_t most = std::clamp(kMostPositions / bodies, std::size_t{2}, kMostFrames);
-  const double first = reader.first_time();
-  const double step = std::max((end - first) / static_cast<double>(most - 1), scenario.time_step);
-  ReportFrames run{{}, figures::world_of(scenario)};
-  for (std::size_t k = 0; k < most; ++k) {
-    std::optional<avo_io::RecordedFrame> frame =
-        reader.at(std::min(first + step * static_cast<double>(k), end));
-    if (!frame) break;
+/// All that is there at any time.
+figures::Box world_of(const avo_io::RecordedRun& run) {
+  const avo::Scenario& scenario = run.scenario;
+  figures::Box world = figures::world_of(scenario);
+  const auto add = [&world](avo::Vec2 center, double radius) {
+    world = enclosing(world, figures::enclosing(avo::Disc{center, radius}));
+  };
+  for (const avo_io::RecordedFrame& frame : run.frames) {
     for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-      run.world = enclosing(run.world,
-                            figures::enclosing(avo::Disc{center_of(scenario.robots[i], *frame, i),
-                                                         disc_radius(scenario.robots[i])}));
-    for (std::size_t i = 0; i < scenario.moving_obstacles.size(); ++i)
-      run.world =
-          enclosing(run.world, figures::enclosing(avo::Disc{frame->obstacle_position[i],
-                                                            scenario.moving_obstacles[i].radius}));
-    const bool done = frame->time >= end;
-    run.frames.push_back(std::move(*frame));
-    if (done) break;
+      add(center_of(scenario.robots[i], frame, i), disc_radius(scenario.robots[i]));
+    for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
+      add(frame.obstacle_position[k], scenario.moving_obstacles[k].radius);
   }
-  return run;
+  return world;
 }
 
-std::string drawing_of(const avo::Scenario& scenario, const ReportFrames& run) {
-  const avo::Vec2 low = run.world.lower, size = run.world.upper - run.world.lower;
+}  // namespace
+
+std::size_t most_frames(std::int64_t robots) {
+  return std::clamp(kMostPositions / static_cast<std::size_t>(robots), std::size_t{2}, kMostFrames);
+}
+
+std::string drawing_of(const avo_io::RecordedRun& run) {
+  const avo::Scenario& scenario = run.scenario;
+  const figures::Box world = world_of(run);
+  const avo::Vec2 low = world.lower, size = world.upper - world.lower;
   const double hair = 0.002 * std::max(size.x, size.y);  // m
   std::string svg = fmt::format(
       "<svg viewBox=\"{} {} {} {}\" role=\"img\" aria-label=\"replay\"><g "
@@ -97,8 +92,10 @@ std::string drawing_of(const avo::Scenario& scenario, const ReportFrames& run) {
   return svg + "</g></g></svg>";
 }
 
-std::string data_of(const avo::Scenario& scenario, const ReportFrames& run) {
-  const avo::Vec2 low = run.world.lower, size = run.world.upper - run.world.lower;
+std::string data_of(const avo_io::RecordedRun& run) {
+  const avo::Scenario& scenario = run.scenario;
+  const figures::Box world = world_of(run);
+  const avo::Vec2 low = world.lower, size = world.upper - world.lower;
   std::vector<std::uint16_t> positions;
   const auto add = [&](avo::Vec2 at, bool there) {
     positions.push_back(there ? coordinate(at.x, low.x, size.x) : kNotThere);

@@ -9,7 +9,7 @@
 
 #include "avo/export.h"
 #include "avo/scenario.h"
-#include "avo/vec.h"
+#include "avo_io/frames.h"
 
 namespace avo_io {
 
@@ -18,13 +18,7 @@ struct RecordedMoment {
   double time = 0.0;                ///< s
   std::int64_t arrived = 0;         ///< robots that have been at their goals by then, none parked
   std::optional<double> clearance;  ///< m, the least of two robots that avoid each other; none: inf
-};
-
-/// Where all robots were at one time, by their numbers; who has left stays where it was last.
-struct RecordedPlaces {
-  double time = 0.0;                ///< s
-  std::vector<avo::Vec2> position;  ///< m
-  std::vector<double> heading;      ///< rad; empty where the recording has none
+  double fastest = 0.0;             ///< m/s, of all robots
 };
 
 /// What read_run() has found.
@@ -32,10 +26,10 @@ struct RecordedRun {
   avo::Scenario scenario;
   std::int64_t travelers = 0;  ///< robots that are not parked
   std::vector<RecordedMoment> moments;
-  std::vector<RecordedPlaces> places;  ///< at most `most_places` of its times, and the last
+  std::vector<RecordedFrame> frames;  ///< at most `most_frames` of its times, and the last
 };
 
 /// Reads an HDF5 recording or a spool, which hold their scene. Throws FileError and RecordingError.
-AVO_API RecordedRun read_run(const std::string& recording, std::size_t most_places = 512);
+AVO_API RecordedRun read_run(const std::string& recording, std::size_t most_frames = 512);
 
 }  // namespace avo_io

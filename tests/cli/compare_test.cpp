@@ -104,9 +104,9 @@ TEST(Compare, finds_in_a_recording_what_its_run_has_found) {
     for (const auto& moment : run.moments) least = std::min(least, moment.clearance.value_or(1e9));
     EXPECT_GE(least, json["min_clearance"].get<double>() - 1e-6) << scene;
     EXPECT_LT(least, json["min_clearance"].get<double>() + 0.2) << scene;
-    EXPECT_LE(run.places.size(), 51U);
-    EXPECT_GE(run.places.size(), 25U);
-    EXPECT_EQ(run.places.back().time, run.moments.back().time);
+    EXPECT_LE(run.frames.size(), 51U);
+    EXPECT_GE(run.frames.size(), 25U);
+    EXPECT_EQ(run.frames.back().time, run.moments.back().time);
   }
 }
 

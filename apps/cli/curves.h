@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recorded run as curves over time, s, and as frames of figures.
+#pragma once
+#include <vector>
+
+#include "avo/vec.h"
+#include "avo_io/recorded_run.h"
+#include "figures/trajectories.h"
+
+namespace avo_cli {
+
+/// As many points as a figure shows, and the last.
+std::vector<avo::Vec2> thinned(const std::vector<avo::Vec2>& points);
+
+std::vector<avo::Vec2> arrivals_of(const avo_io::RecordedRun& run);  ///< % of those not parked
+/// m, the least of two robots; of every so many times the lowest.
+std::vector<avo::Vec2> clearances_of(const avo_io::RecordedRun& run);
+std::vector<avo::Vec2> top_speeds_of(const avo_io::RecordedRun& run);  ///< m/s
+
+std::vector<avo::figures::TrajectoryFrame> frames_of(const avo_io::RecordedRun& run);
+
+}  // namespace avo_cli
