@@ -62,7 +62,7 @@ struct MembersOf<GridPlacement> {
 };
 template <>
 struct MembersOf<Group> {
-  using type = MemberOf<Group, int>;
+  using type = MemberOf<Group, int, double>;
 };
 template <>
 struct MembersOf<RobotsFrom> {

@@ -14,6 +14,8 @@ const std::vector<Field<Group>>& fields() {
       {"number", &Group::number, kRequired, kNumber, "", "how many robots"},
       {"placement", kNested, kRequired, kNoNumber, "", "where they start"},
       {"goals", kNested, kRequired, kNoNumber, "", "where they want to come to rest"},
+      {"jitter", &Group::jitter, kOptional, kNotNegative, "m",
+       "starts and goals are up to so far off by chance, along x and along y"},
   };
   return table;
 }

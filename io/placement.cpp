@@ -119,6 +119,14 @@ std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scena
   return result;
 }
 
+/// Moves each point by up to `most` (m) along x and along y.
+void jitter(std::vector<Vec2>& points, double most, Random& random) {
+  for (Vec2& point : points) {
+    point.x += random.between(-most, most);
+    point.y += random.between(-most, most);
+  }
+}
+
 }  // namespace
 
 Vec2 circle_point(int k, int n) {
@@ -172,8 +180,13 @@ std::string append_group(const Group& group, std::uint64_t stream, avo::Scenario
     from = starts(std::get<RandomPlacement>(group.placement), group, scenario, random);
   if (from.points.size() < static_cast<std::size_t>(n))
     return no_room("placement", from.points.size(), n);
-  const std::vector<Vec2> to = goals(group, from, scenario, random);
+  std::vector<Vec2> to = goals(group, from, scenario, random);
   if (to.size() < from.points.size()) return no_room("goals", to.size(), n);
+  if (group.jitter > 0.0) {
+    Random chance(scenario.seed, ~stream);  // apart: what else the seed makes stays as without it
+    jitter(from.points, group.jitter, chance);
+    jitter(to, group.jitter, chance);
+  }
   for (std::size_t i = 0; i < to.size(); ++i)
     append_robot(group.robot, group.heading, from.points[i], to[i], random, scenario);
   return "";

@@ -58,6 +58,7 @@ struct Group {
   GroupHeading heading = GroupHeading::goal;
   Placement placement;
   Goals goals;
+  double jitter = 0.0;  ///< m: starts and goals are up to so far off, along x and along y
 };
 
 /// `number` robots from the first rows of a MovingAI scenario.

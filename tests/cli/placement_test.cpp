@@ -162,6 +162,34 @@ TEST(Placement, permutation_sends_everybody_elsewhere_once) {
   }
 }
 
+TEST(Placement, jitter_moves_starts_and_goals_by_chance_and_nothing_else) {
+  const std::string group =
+      "{number: 40, model: car, car: {heading: random}, placement: {circle: {spacing: 5}}, "
+      "goals: antipodal";
+  const Scenario plain = with_group(group + "}");
+  const Scenario scenario = with_group(group + ", jitter: 0.3}");
+  const Scenario other = with_group(group + ", jitter: 0.3}", {"seed=2"});
+  double most = 0.0, least = 0.0;  // m
+  std::set<double> seen;
+  for (std::size_t i = 0; i < 40; ++i) {
+    const auto& robot = scenario.robots[i];
+    EXPECT_EQ(robot.heading, plain.robots[i].heading);
+    EXPECT_NE(robot.position, other.robots[i].position);
+    const Vec2 start = robot.position - plain.robots[i].position;
+    const Vec2 goal = robot.goal - plain.robots[i].goal;
+    for (const double off : {start.x, start.y, goal.x, goal.y}) {
+      most = std::fmax(most, off);
+      least = std::fmin(least, off);
+      seen.insert(off);
+    }
+  }
+  EXPECT_EQ(seen.size(), 160U) << "each by a number of its own";
+  EXPECT_LE(most, 0.3);
+  EXPECT_GT(most, 0.28);
+  EXPECT_GE(least, -0.3);
+  EXPECT_LT(least, -0.28);
+}
+
 TEST(Placement, headings_of_cars) {
   const std::string group =
       "{number: 4, placement: {line: {from: [0, 0], to: [9, 0]}}, goals: {offset: {by: [0, 5]}}, ";
