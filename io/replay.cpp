@@ -77,6 +77,37 @@ void require_this_version(const std::string& recording, const RecordingHeader& h
                     recording, printable(header.version, 40), avo::kVersion));
 }
 
+/// Which steps have rows: every so many, from the start on, and the last one of all.
+struct RecordedSteps {
+  std::int64_t every = 1;
+  double duration = 0.0;     // s, of the scene
+  std::int64_t next = 0;     // step of the next row, unless it is the last
+  bool was_between = false;  // the row before: it must be the last
+
+  /// Simulates until the next row's time; a difference where a row is missing before it.
+  std::optional<ReplayDifference> go_to(double time, avo::Simulation& simulation);
+};
+
+std::optional<ReplayDifference> RecordedSteps::go_to(double time, avo::Simulation& simulation) {
+  const auto step_until = [&](std::int64_t last, double until) {
+    while (simulation.steps() < last && simulation.time() < until && simulation.can_step_by(until))
+      simulation.step();
+  };
+  const auto missing = [&]() -> ReplayDifference {
+    return {simulation.time(), {}, "time", "no row", fmt::format("{}", simulation.time())};
+  };
+  if (was_between) {
+    step_until(next - every, duration);
+    return missing();
+  }
+  step_until(next, time);
+  if (simulation.steps() == next && simulation.time() < time && simulation.can_step_by(time))
+    return missing();
+  was_between = simulation.steps() < next;
+  next += every;
+  return std::nullopt;
+}
+
 void compare_hashes(const RecordingHeader& header, const avo::Simulation& simulation,
                     Replay& result) {
   result.state_hash = simulation.state_hash();
@@ -103,11 +134,13 @@ Replay replay(const std::string& recording, int threads,
   avo::Simulation simulation(scenario, threads);
   avo::ClearanceFinder clearances(scenario);
   RecordingBlock now(shape);
+  RecordedSteps steps{source.header().every, scenario.duration};
   Replay result{.scene = scenario.name, .robots = static_cast<std::int64_t>(shape.robots)};
   while (!result.difference && source.next()) {
     for (std::size_t k = 0; k < source.block().times && !result.difference; ++k) {
       const double time = source.block().time[k];
-      while (simulation.time() < time && simulation.can_step_by(time)) simulation.step();
+      result.difference = steps.go_to(time, simulation);
+      if (result.difference) break;
       now.times = 0;
       add_states(simulation, shape, now);
       find_clearances(shape, 0, clearances, now);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "avo/version.h"
+#include "edit_hdf5.h"
 #include "verdicts.h"
 
 namespace avo_test {
@@ -15,24 +16,6 @@ std::string recorded() {
   const std::string h5 = path_of("run.h5");
   EXPECT_EQ(run_avo({"run", "circle-6", "--duration", "9", "--record", h5, "-q"}).exit_code, 0);
   return h5;
-}
-
-/// Puts a value in place of that at the index.
-template <typename Value>
-void change(const std::string& h5, const char* table, std::vector<hsize_t> index, hid_t type,
-            Value value) {
-  const hid_t file = H5Fopen(h5.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  const hid_t set = H5Dopen2(file, table, H5P_DEFAULT), space = H5Dget_space(set);
-  const hid_t one = H5Screate(H5S_SCALAR);
-  ASSERT_GE(H5Sselect_elements(space, H5S_SELECT_SET, 1, index.data()), 0);
-  const hid_t stored = H5Dget_type(set);
-  if (type == H5T_NATIVE_UINT8) type = stored;  // words
-  ASSERT_GE(H5Dwrite(set, type, one, space, H5P_DEFAULT, &value), 0);
-  H5Tclose(stored);
-  H5Sclose(one);
-  H5Sclose(space);
-  H5Dclose(set);
-  H5Fclose(file);
 }
 
 Json difference(const std::string& h5) {
@@ -68,7 +51,7 @@ TEST(Replay, tells_the_first_value_that_differs) {
   first = difference(h5);
   EXPECT_EQ(first["time"], 7.0);
   EXPECT_EQ(first["column"], "clearance");
-  change(h5, "status", {66, 0}, H5T_NATIVE_UINT8, std::uint8_t{3});
+  change(h5, "status", {66, 0}, H5I_INVALID_HID, std::uint8_t{3});
   first = difference(h5);
   EXPECT_EQ(first["column"], "status");
   EXPECT_EQ(first["recorded"], "braking");
@@ -97,28 +80,70 @@ TEST(Replay, sees_the_last_bit) {
 
 TEST(Replay, sees_another_hash_and_refuses_another_version) {
   const std::string h5 = recorded();
-  hid_t file = H5Fopen(h5.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  hid_t attribute = H5Aopen(file, "state_hash", H5P_DEFAULT);
-  const std::uint64_t other = 1;
-  ASSERT_GE(H5Awrite(attribute, H5T_NATIVE_UINT64, &other), 0);
-  H5Aclose(attribute);
-  H5Fclose(file);
+  set_attribute(h5, "state_hash", 1);
   const Json first = difference(h5);
   EXPECT_EQ(first["column"], "state_hash");
   EXPECT_EQ(first["robot"], Json());
-  file = H5Fopen(h5.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  attribute = H5Aopen(file, "version", H5P_DEFAULT);
-  const hid_t type = H5Aget_type(attribute);
-  ASSERT_EQ(H5Tget_size(type), 5U);
-  ASSERT_GE(H5Awrite(attribute, type, "9.8.7"), 0);
-  H5Tclose(type);
-  H5Aclose(attribute);
-  H5Fclose(file);
+  set_attribute(h5, "version", "9.8.7");
   const ProcessResult result = run_avo({"replay", h5});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err, h5 + ": version: found 9.8.7, must be " + avo::kVersion +
                             ": another version of avo need not simulate the same bits\n");
   EXPECT_EQ(run_avo({"check", h5}).exit_code, 0) << "judged all the same";
+}
+
+TEST(Replay, finds_rows_that_are_missing) {
+  const std::string h5 = recorded();
+  leave_out(h5, 20, 21);
+  Json first = difference(h5);
+  EXPECT_EQ(first["time"], 2.0);
+  EXPECT_EQ(first["column"], "time");
+  EXPECT_EQ(first["recorded"], "no row");
+  EXPECT_EQ(first["simulated"], "2");
+  EXPECT_EQ(run_avo({"replay", h5}).out,
+            "circle-6: 20 times of 6 robots are equal\n  the first that differs: at 2 s, time: "
+            "recorded no row, simulated 2\n");
+  leave_out(h5, 0, 1);
+  EXPECT_EQ(difference(h5)["time"], 0.0) << "the start";
+  const std::string end = recorded();
+  leave_out(end, 90, 91);
+  EXPECT_EQ(difference(end)["column"], "state_hash") << "nobody knows where the run ended";
+}
+
+TEST(Replay, finds_rows_that_are_missing_of_every_so_many_steps) {
+  const std::string h5 = path_of("run.h5");
+  const auto record = [&h5](const Strings& more) {
+    Strings command{"run", "circle-6", "--duration", "9", "--record", h5, "-q"};
+    command.insert(command.end(), more.begin(), more.end());
+    ASSERT_EQ(run_avo(command).exit_code, 0);
+  };
+  record({"--every", "7"});  // 0, 7, ..., 84, 90
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+  leave_out(h5, 2, 3);
+  EXPECT_EQ(difference(h5)["simulated"], "1.4000000000000001");
+  record({"--every", "7"});
+  leave_out(h5, 12, 13);  // 77, 90
+  EXPECT_EQ(difference(h5)["simulated"], "8.4");
+  record({"--every", "9"});
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+  record({"--every", "100"});
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0) << "the start and the end";
+  // that it has the rows of every 7 steps is not true
+  record({});
+  set_attribute(h5, "every", 7);
+  EXPECT_EQ(difference(h5)["simulated"], "0.7000000000000001");
+}
+
+TEST(Replay, with_free_clocks_finds_rows_that_are_missing) {
+  const std::string h5 = path_of("run.h5");
+  ASSERT_EQ(run_avo({"run", "circle-5", "--set", "clock=free", "--set", "duration=4", "--record",
+                     h5, "-q"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_avo({"replay", h5}).exit_code, 0);
+  leave_out(h5, 33, 35);
+  const Json first = difference(h5);
+  EXPECT_EQ(first["recorded"], "no row");
 }
 
 TEST(Replay, refuses_what_has_no_scene_in_it) {
