@@ -3,13 +3,14 @@
 #include "block_source.h"
 
 #include <cerrno>
-#include <cmath>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <unistd.h>
 
 #include "avo_io/errors.h"
+#include "recorded_scene.h"
 #include "recorded_states.h"
 #include "regular_file.h"
 #include "row_source.h"
@@ -52,11 +53,7 @@ bool BlockRows::next(RecordedTime& moment) {
     next_ = 0;
     count_ = source_.block().times;
   }
-  const double time = source_.block().time[next_];
-  if (!(std::abs(time) < 1e12) || (times_ > 0 && !(time > time_)))
-    throw RecordingError(
-        fmt::format("{}: found {} s after {} s, times must ascend", path_, time, time_));
-  time_ = time;
+  time_ = source_.block().time[next_];
   moment.time = time_;
   moment.every = source_.header().every;
   moment.rows = rows_of(source_.shape(), source_.block(), next_);
@@ -74,6 +71,10 @@ BlockSource::BlockSource(const std::string& path) : path_(path) {
       break;
     case RecordingFormat::spool:
       spool_.emplace(path);
+      // before anybody takes memory for as many robots as the header promises
+      if (!spool_->next(compressed_))
+        throw RecordingError(path + ": found no whole block, must be one or more");
+      if (!compressed_.can_be(spool_->shape())) refuse_block();
       codec_.emplace(spool_->shape());
       break;
     case RecordingFormat::csv:
@@ -89,15 +90,40 @@ const BlockShape& BlockSource::shape() const {
   return hdf5_ ? hdf5_->shape() : spool_->shape();
 }
 
+void BlockSource::refuse_block() const {
+  throw RecordingError(path_ + ": found a damaged block, must be whole");
+}
+
+const avo::Scenario& BlockSource::scenario() {
+  if (!scenario_) scenario_ = own_scene(path_, header());
+  return *scenario_;
+}
+
+// Whoever judges by another scene or by limits need not have the recording's own.
+double BlockSource::end_of_scene() {
+  try {
+    return scenario().duration;
+  } catch (const OwnSceneError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
 bool BlockSource::next() {
+  if (!checks_) checks_.emplace(path_, end_of_scene());
+  if (!read_block()) return false;
+  checks_->check(shape(), *block_);
+  return true;
+}
+
+bool BlockSource::read_block() {
   if (hdf5_) {
     if (!block_) block_.emplace(hdf5_->shape());
     return hdf5_->next(*block_);
   }
-  if (!spool_->next(compressed_)) return false;
-  if (!block_ && compressed_.can_be(spool_->shape())) block_.emplace(spool_->shape());
-  if (!block_ || !codec_->uncompress(compressed_, *block_))
-    throw RecordingError(path_ + ": found a damaged block, must be whole");
+  if (begun_ && !spool_->next(compressed_)) return false;
+  begun_ = true;
+  if (!block_) block_.emplace(spool_->shape());
+  if (!codec_->uncompress(compressed_, *block_)) refuse_block();
   return true;
 }
 
@@ -128,7 +154,14 @@ RecordingFormat format_of(const std::string& path) {
   close(descriptor);
   const std::string_view bytes(begin, got > 0 ? static_cast<std::size_t>(got) : 0);
   if (is_hdf5(bytes)) return RecordingFormat::hdf5;
-  return is_spool(bytes) ? RecordingFormat::spool : RecordingFormat::csv;
+  if (is_spool(bytes)) return RecordingFormat::spool;
+  constexpr std::string_view kPart = ".part";
+  const std::string_view name = path;
+  if (is_hdf5_path(name.ends_with(kPart) ? name.substr(0, name.size() - kPart.size()) : name))
+    throw RecordingError(path +
+                         ": found neither HDF5 nor a spool in it, cut off or damaged, must be one "
+                         "of them, whole");
+  return RecordingFormat::csv;
 }
 
 RecordingReader::RecordingReader(const std::string& path, std::optional<std::int64_t> robots)

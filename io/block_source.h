@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "avo/scenario.h"
+#include "block_checks.h"
 #include "hdf5_recording.h"
 #include "recording_blocks.h"
 #include "spool.h"
@@ -18,17 +20,27 @@ class BlockSource {
 
   [[nodiscard]] const RecordingHeader& header() const;
   [[nodiscard]] const BlockShape& shape() const;
-  /// False at the end. Throws RecordingError.
+  /// The scene that it has in itself, see own_scene().
+  const avo::Scenario& scenario();
+  /// False at the end. Throws RecordingError, also where the rows are none that a run records
+  /// (block_checks.h).
   bool next();
   /// The block that next() has read.
   [[nodiscard]] const RecordingBlock& block() const { return *block_; }
 
  private:
+  [[noreturn]] void refuse_block() const;
+  bool read_block();
+  [[nodiscard]] double end_of_scene();
+
   std::string path_;
   std::optional<Hdf5Reader> hdf5_;
   std::optional<SpoolReader> spool_;
   std::optional<BlockCodec> codec_;  // of a spool
   CompressedBlock compressed_;
+  bool begun_ = false;  // the first block of the spool has been used
+  std::optional<avo::Scenario> scenario_;
+  std::optional<BlockChecks> checks_;
   std::optional<RecordingBlock> block_;
 };
 

@@ -79,9 +79,9 @@ struct Facing {
 
 std::optional<avo::Scenario> scenario_of(const std::string& input, const ConvertOptions& options) {
   if (options.scenario) return options.scenario;
-  const auto header = read_recording_header(input);
-  if (!header) return std::nullopt;
-  return parse_scenario(header->scene);
+  auto own = read_recorded_scene(input);
+  if (!own) return std::nullopt;
+  return std::move(own->scenario);
 }
 
 std::unique_ptr<ExportTarget> target_of(ExportFormat format, const ExportPlace& place,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "avo_io/errors.h"
 #include "avo_io/recording.h"
 #include "mover_walk.h"
 
@@ -80,7 +81,11 @@ void FrameReader::State::read() {
     after.velocity[i] = row.velocity;
     if (row.heading) after.heading[i] = row.heading->angle;
   }
-  movers.go_to(moment.time);
+  try {
+    movers.go_to(moment.time);
+  } catch (const avo::Error& error) {
+    throw RecordingError(reader.place() + ": " + error.what());
+  }
   after.obstacle_position.clear();
   after.obstacle_velocity.clear();
   for (std::size_t k = 0; k < obstacles; ++k) {

@@ -16,6 +16,7 @@
 #include "avo/simd.h"
 #include "avo/version.h"
 #include "avo_io/recording.h"
+#include "block_source.h"
 #include "hdf5_recording.h"
 #include "recorded_states.h"
 #include "recording_blocks.h"
@@ -190,6 +191,11 @@ std::unique_ptr<Recording> open_recording(const std::string& path, const avo::Sc
 
 Recovered recover(const std::string& spool, const std::string& path) {
   Recovered found;
+  {
+    BlockSource source(spool);  // what no reader would take is not made a recording of
+    while (source.next()) {
+    }
+  }
   {
     SpoolReader reader(spool);
     CompressedBlock block;

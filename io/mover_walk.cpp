@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "avo/error.h"
+#include "core/ranges.h"
 
 namespace avo_io {
 namespace {
@@ -23,7 +24,8 @@ struct Walked {
 Walked walked_between(avo::Clock clock, double h, std::optional<double> before, double time) {
   if (clock == avo::Clock::common) {
     const auto steps_by = [h](double t) {
-      return static_cast<std::int64_t>(std::floor(t / h + 1e-6));
+      constexpr double kMost = 0x1p62;  // of which nobody walks so many
+      return static_cast<std::int64_t>(std::clamp(std::floor(t / h + 1e-6), -kMost, kMost));
     };
     const std::int64_t first = before ? std::max(steps_by(*before), std::int64_t{0}) : 0;
     const std::int64_t last = std::max(steps_by(time), first);
@@ -67,6 +69,10 @@ void MoverWalk::go_to(double time) {
                       "knows how far moving_obstacles.{} is on its path by then",
                       time, k));
     avo::PathWalk& walk = walks_[k];
+    if (walked.steps > avo::kMostSteps)
+      throw avo::Error(fmt::format(
+          "time: found {} s, must be {} steps of {} s later than the row before at most", time,
+          avo::kMostSteps, walked.step));
     for (std::int64_t n = 0; n < walked.steps; ++n)
       walk = next_on_path(obstacle, walk, walked.step);
     now_[k] = walk;

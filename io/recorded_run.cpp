@@ -9,7 +9,6 @@
 
 #include "avo/checked.h"
 #include "avo_io/errors.h"
-#include "avo_io/scene.h"
 #include "block_source.h"
 #include "mover_walk.h"
 #include "recorded_states.h"
@@ -83,11 +82,8 @@ void thin(std::vector<RecordedFrame>& frames) {
 RecordedRun read_run(const std::string& recording, std::size_t most_frames) {
   BlockSource source(recording);
   RecordedRun run;
-  run.scenario = parse_scenario(source.header().scene);
+  run.scenario = source.scenario();
   const BlockShape shape = source.shape();
-  if (run.scenario.robots.size() != shape.robots)
-    throw RecordingError(fmt::format("{}: found {} robots, must be {}, those of its scene",
-                                     recording, shape.robots, run.scenario.robots.size()));
   const auto parked = std::count_if(run.scenario.robots.begin(), run.scenario.robots.end(),
                                     [](const avo::RobotSetup& robot) { return robot.parked; });
   run.travelers = std::ssize(run.scenario.robots) - parked;

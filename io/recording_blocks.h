@@ -2,6 +2,7 @@
 // Recordings in blocks of 64 times, and how a block is compressed: as HDF5's filters "shuffle" and
 // "deflate" have it, so that the same bytes go to a spool and to an HDF5 file.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -21,6 +22,8 @@ inline constexpr std::uint8_t kAbsent = 255;  ///< in place of the status of who
 
 /// x, y, vx, vy, and of recordings with headings heading, speed.
 inline constexpr std::size_t kPlainColumns = 4, kHeadingColumns = 6;
+inline constexpr std::array<const char*, kHeadingColumns> kStateColumns{"x",  "y",       "vx",
+                                                                        "vy", "heading", "speed"};
 
 struct BlockShape {
   std::size_t robots = 0;

@@ -2,7 +2,6 @@
 // A recording simulated again, and compared bit by bit.
 #include "avo_io/replay.h"
 
-#include <array>
 #include <bit>
 #include <cstring>
 #include <fmt/format.h>
@@ -20,9 +19,6 @@
 
 namespace avo_io {
 namespace {
-
-constexpr std::array<const char*, kHeadingColumns> kReplayColumns{"x",  "y",       "vx",
-                                                                  "vy", "heading", "speed"};
 
 template <typename Value>
 bool same_bits(Value a, Value b) {
@@ -58,7 +54,7 @@ std::optional<ReplayDifference> Moment::difference() const {
     };
     for (std::size_t c = 0; c < shape.columns; ++c) {
       const double a = recorded.row(shape, c, k)[i], b = simulated.row(shape, c, 0)[i];
-      if (!same_bits(a, b)) return differ(kReplayColumns[c], a, b);
+      if (!same_bits(a, b)) return differ(kStateColumns[c], a, b);
     }
     const std::size_t at = k * shape.robots + i;
     if (recorded.status[at] != simulated.status[i])
@@ -126,11 +122,8 @@ Replay replay(const std::string& recording, int threads,
               const std::function<void(double time)>& simulated) {
   BlockSource source(recording);
   require_this_version(recording, source.header());
-  const avo::Scenario scenario = parse_scenario(source.header().scene);
+  const avo::Scenario& scenario = source.scenario();
   const BlockShape shape = source.shape();
-  if (scenario.robots.size() != shape.robots)
-    throw RecordingError(fmt::format("{}: found {} robots, must be {}, those of its scene",
-                                     recording, shape.robots, scenario.robots.size()));
   avo::Simulation simulation(scenario, threads);
   avo::ClearanceFinder clearances(scenario);
   RecordingBlock now(shape);

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "avo/assumptions.h"
@@ -17,6 +19,7 @@
 #include "placement.h"
 #include "read_obstacles.h"
 #include "read_parts.h"
+#include "recorded_scene.h"
 #include "regular_file.h"
 #include "words.h"
 #include "yaml_tree.h"
@@ -50,7 +53,9 @@ class SceneBuilder {
   SceneBuilder(const Document& document, SceneFiles& files)
       : document_(document), reader_(document), files_(files) {}
 
-  Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name) {
+  /// `robots`: how many there must be.
+  Scenario build(const std::vector<RobotPatch>& patches, const std::string& default_name,
+                 std::optional<std::int64_t> robots) {
     const YamlNode& root = document_.root;
     if (root.kind == YamlNode::Kind::nothing)
       reader_.fail(root, "", "nothing",
@@ -61,6 +66,7 @@ class SceneBuilder {
     scenario_.name = default_name;
     reader_.read(root, "", fields<Scenario>(), scenario_);
     read_sensing(reader_, root, scenario_);
+    if (robots) require_robots(*robots);
     add_moving_obstacles();
     add_obstacles();
     add_robots();
@@ -77,6 +83,23 @@ class SceneBuilder {
   }
 
  private:
+  // Before any is placed. What is no list is refused where it is read.
+  void require_robots(std::int64_t robots) const {
+    const auto items = [this](const char* key) {
+      const YamlNode* list = document_.root.find(key);
+      return list != nullptr && list->kind == YamlNode::Kind::list ? std::span(list->children)
+                                                                   : std::span<const YamlNode>();
+    };
+    auto found = static_cast<std::int64_t>(items("robots").size());
+    if (const YamlNode* node = document_.root.find("robots_from"))
+      found += read_robots_from(reader_, *node, "robots_from").number;
+    for (std::size_t i = 0; i < items("groups").size(); ++i)
+      found += read_group(reader_, items("groups")[i], fmt::format("groups.{}", i)).number;
+    if (found != robots)
+      throw RecordingError(
+          fmt::format("found {} robots, must be {}, those of its scene", robots, found));
+  }
+
   void add_robots() {
     const YamlNode* list = document_.root.find("robots");
     if (list == nullptr) return;
@@ -231,11 +254,22 @@ class SceneBuilder {
 };
 
 Scenario build(std::string_view yaml, const std::string& file,
-               const std::vector<std::string>& overrides, SceneFiles& files) {
+               const std::vector<std::string>& overrides, SceneFiles& files,
+               std::optional<std::int64_t> robots = {}) {
   Document document;
   document.root = parse_yaml(yaml, file, document);
   const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
-  return SceneBuilder(document, files).build(patches, std::filesystem::path(file).stem().string());
+  return SceneBuilder(document, files)
+      .build(patches, std::filesystem::path(file).stem().string(), robots);
+}
+
+Scenario made_again(const SceneSource& source, std::optional<std::int64_t> robots) {
+  SceneFiles files{std::filesystem::path(source.name).parent_path().string()};
+  files.given = &source.files;
+  Scenario scenario = build(source.yaml, source.name, source.overrides, files, robots);
+  if (source.start_at_rest) avo::start_at_rest(scenario);
+  if (source.limit_speed) avo::limit_speed(scenario);
+  return scenario;
 }
 
 std::string not_found(const std::string& path) {
@@ -256,12 +290,11 @@ Scenario parse_scenario(std::string_view yaml, const std::string& file,
 }
 
 Scenario parse_scenario(const SceneSource& source) {
-  SceneFiles files{std::filesystem::path(source.name).parent_path().string()};
-  files.given = &source.files;
-  Scenario scenario = build(source.yaml, source.name, source.overrides, files);
-  if (source.start_at_rest) avo::start_at_rest(scenario);
-  if (source.limit_speed) avo::limit_speed(scenario);
-  return scenario;
+  return made_again(source, {});
+}
+
+Scenario parse_scenario_of(const SceneSource& source, std::int64_t robots) {
+  return made_again(source, robots);
 }
 
 Scenario load_scenario(const std::string& name_or_path, const std::vector<std::string>& overrides,

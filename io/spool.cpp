@@ -163,7 +163,9 @@ SpoolReader::SpoolReader(const std::string& path) : path_(path) {
     const std::optional<Record> record = whole ? read_record() : std::nullopt;
     const auto fields =
         record && record->type == header_record ? unpacked(record->payload) : std::nullopt;
-    if (!fields) throw RecordingError(path + ": found no whole header, must be a spool of avo");
+    if (!fields)
+      throw RecordingError(path +
+                           ": found no whole header, cut off or damaged, must be a spool of avo");
     try {
       header_ = header_from(*fields);
     } catch (const avo::Error& error) {

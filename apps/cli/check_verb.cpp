@@ -24,16 +24,11 @@ bool has_limits(const CheckArguments& arguments) {
 }
 
 /// The scene that the recording has in itself, where no other one and no limits are given.
-std::optional<avo_io::SceneSource> own_scene(const CheckArguments& arguments) {
+std::optional<avo_io::RecordedScene> own_scene(const CheckArguments& arguments) {
   if (!arguments.scene.scene.empty() || has_limits(arguments)) return std::nullopt;
   if (!std::filesystem::exists(arguments.recording) && !avo_io::is_hdf5_path(arguments.recording))
     return std::nullopt;
-  const auto header = avo_io::read_recording_header(arguments.recording);
-  if (!header) return std::nullopt;
-  avo_io::SceneSource source = header->scene;
-  source.overrides.insert(source.overrides.end(), arguments.scene.overrides.begin(),
-                          arguments.scene.overrides.end());
-  return source;
+  return avo_io::read_recorded_scene(arguments.recording, arguments.scene.overrides);
 }
 
 /// `scene`: there is one.
@@ -67,7 +62,7 @@ void check_arguments(const CheckArguments& arguments, bool scene) {
 }
 
 avo_io::JudgeOptions options_of(const CheckArguments& arguments,
-                                const std::optional<avo_io::SceneSource>& own) {
+                                const std::optional<avo_io::RecordedScene>& own) {
   avo_io::JudgeOptions options{.tolerance = arguments.tolerance,
                                .require_arrival = arguments.require_arrival};
   if (!arguments.scene.scene.empty()) {
@@ -77,8 +72,8 @@ avo_io::JudgeOptions options_of(const CheckArguments& arguments,
     return options;
   }
   if (own) {
-    options.scenario = avo_io::parse_scenario(*own);
-    tell_settings(arguments.scene, *options.scenario, *own);
+    options.scenario = own->scenario;
+    tell_settings(arguments.scene, *options.scenario, own->header.scene);
     return options;
   }
   options.radius = *arguments.radius;
@@ -98,7 +93,7 @@ avo_io::Judgement judge_with_progress(const std::string& recording, avo_io::Judg
 }  // namespace
 
 int check(const CheckArguments& arguments) {
-  const std::optional<avo_io::SceneSource> own = own_scene(arguments);
+  const std::optional<avo_io::RecordedScene> own = own_scene(arguments);
   check_arguments(arguments, own || !arguments.scene.scene.empty());
   require_distinct({{"the recording", arguments.recording}, file_of(arguments.scene)}, {});
   const avo_io::Judgement judgement =

@@ -67,22 +67,19 @@ ExportFormat format_of(const ConvertArguments& arguments) {
 
 /// That of --scene, or the one that the recording has in itself, with the overrides.
 std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments) {
-  avo_io::SceneSource source;
   if (!arguments.scene.scene.empty()) {
+    avo_io::SceneSource source;
     avo::Scenario scenario = with_overrides(arguments.scene, source);
     tell_settings(arguments.scene, scenario, source);
     return scenario;
   }
-  const auto header = avo_io::read_recording_header(arguments.recording);
-  if (!header) {
+  auto own = avo_io::read_recorded_scene(arguments.recording, arguments.scene.overrides);
+  if (!own) {
     if (!arguments.scene.overrides.empty())
       throw UsageError("--set: found without --scene, must be with it");
     return std::nullopt;
   }
-  source = header->scene;
-  source.overrides.insert(source.overrides.end(), arguments.scene.overrides.begin(),
-                          arguments.scene.overrides.end());
-  return avo_io::parse_scenario(source);
+  return std::move(own->scenario);
 }
 
 void report(const ConvertArguments& arguments, const avo_io::Converted& converted) {

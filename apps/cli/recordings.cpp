@@ -27,11 +27,11 @@ std::string recovered_path(const RecoverArguments& arguments) {
 }  // namespace
 
 int replay(const ReplayArguments& arguments) {
-  const auto header = avo_io::read_recording_header(arguments.recording);
-  if (!header)
+  const auto own = avo_io::read_recorded_scene(arguments.recording);
+  if (!own)
     throw avo_io::RecordingError(arguments.recording +
                                  ": found no scene in it, must be a recording as HDF5");
-  Progress progress(avo_io::parse_scenario(header->scene).duration, true);
+  Progress progress(own->scenario.duration, true);
   const avo_io::Replay result = avo_io::replay(arguments.recording, arguments.threads,
                                                [&progress](double time) { progress.show(time); });
   if (arguments.json)

@@ -49,14 +49,11 @@ void check_arguments(const VideoArguments& arguments) {
 avo::Scenario scenario_of(const VideoArguments& arguments) {
   if (!arguments.scene.scene.empty())
     return load(arguments.scene, {{"the video", arguments.output}});
-  const auto header = avo_io::read_recording_header(arguments.recording);
-  if (!header)
+  auto own = avo_io::read_recorded_scene(arguments.recording, arguments.scene.overrides);
+  if (!own)
     throw UsageError(arguments.recording +
                      ": found no scene in it, must be a recording as HDF5, or --scene");
-  avo_io::SceneSource source = header->scene;
-  source.overrides.insert(source.overrides.end(), arguments.scene.overrides.begin(),
-                          arguments.scene.overrides.end());
-  return avo_io::parse_scenario(source);
+  return std::move(own->scenario);
 }
 
 /// All that is there at any time of the recording.

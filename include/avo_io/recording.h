@@ -12,6 +12,7 @@
 #include "avo/check.h"
 #include "avo/export.h"
 #include "avo/metrics.h"
+#include "avo/scenario.h"
 #include "avo/simulation.h"
 #include "avo_io/output_file.h"
 #include "avo_io/scene.h"
@@ -99,6 +100,17 @@ AVO_API std::unique_ptr<Recording> open_recording(const std::string& path,
 /// What an HDF5 recording or a spool says of itself; none of any other file. Throws FileError and
 /// RecordingError.
 AVO_API std::optional<RecordingHeader> read_recording_header(const std::string& path);
+
+/// A recording's own scene, and what it says of itself.
+struct RecordedScene {
+  RecordingHeader header;  ///< `scene` with the overrides
+  avo::Scenario scenario;
+};
+/// Of an HDF5 recording or a spool, whose scene the overrides change; none of any other file.
+/// Throws FileError; RecordingError, also where the scene in it cannot be used, or has another
+/// number of robots; OverrideError and SceneError on the overrides.
+AVO_API std::optional<RecordedScene> read_recorded_scene(
+    const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// What recover() has found.
 struct Recovered {
