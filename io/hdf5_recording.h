@@ -12,6 +12,13 @@
 
 namespace avo_io {
 
+/// Its attribute "format".
+inline constexpr const char* kRecordingFormat = "avo recording 1";
+/// The attribute "columns" of its table of states.
+inline const char* columns_of(std::size_t columns) {
+  return columns == kHeadingColumns ? "x,y,vx,vy,heading,speed" : "x,y,vx,vy";
+}
+
 /// Whether a file that begins with these bytes is one.
 bool is_hdf5(std::string_view begin);
 
@@ -33,6 +40,10 @@ class Hdf5Reader {
  private:
   [[noreturn]] void refuse(const std::string& what) const;
   [[nodiscard]] Hdf5Handle open_table(const char* name, const std::vector<hsize_t>& size) const;
+  [[nodiscard]] Hdf5Handle open_dataset(const char* name) const;
+  void require_layout(const Hdf5Handle& table, const char* name,
+                      const std::vector<hsize_t>& size) const;
+  void require_columns() const;
   void read_attributes();
   void read_rows(const Hdf5Handle& table, hid_t type, const std::vector<hsize_t>& offset,
                  const std::vector<hsize_t>& count, void* values) const;

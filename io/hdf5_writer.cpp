@@ -60,9 +60,7 @@ struct Tables {
     const hsize_t robots = shape.robots, width = shape.robots_of_chunk();
     state = create_table(target, file, "state", H5T_IEEE_F64LE, {times, robots, shape.columns},
                          {kBlockTimes, width, 1});
-    target.write_attribute(
-        state.id(), "columns",
-        shape.columns == kHeadingColumns ? "x,y,vx,vy,heading,speed" : "x,y,vx,vy");
+    target.write_attribute(state.id(), "columns", columns_of(shape.columns));
     target.write_attribute(
         state.id(), "units",
         shape.columns == kHeadingColumns ? "m,m,m/s,m/s,rad,m/s" : "m,m,m/s,m/s");
@@ -109,7 +107,7 @@ std::int64_t write_hdf5(const std::string& spool, const std::string& path,
   const std::vector<double> times = times_of(spool, header);
   if (times.empty()) throw RecordingError(spool + ": found no whole block, must be one or more");
   Hdf5Handle file = target.create_file(path, true);
-  target.write_attribute(file.id(), "format", "avo recording 1");
+  target.write_attribute(file.id(), "format", kRecordingFormat);
   for (const RecordingField& field : fields_of(header))
     std::visit([&](const auto& value) { target.write_attribute(file.id(), field.name, value); },
                field.value);

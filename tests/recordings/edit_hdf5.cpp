@@ -35,11 +35,14 @@ herr_t copy_attribute(hid_t object, const char* name, const H5A_info_t* info, vo
   return H5Awrite(copy.id(), type.id(), bytes.data());
 }
 
-void leave_out_of(const Hdf5Handle& file, const char* name, hsize_t from, hsize_t to) {
+/// The table again without some rows, laid out as it was or as `anew` says.
+void make_again(const Hdf5Handle& file, const char* name, hsize_t from, hsize_t to,
+                const Hdf5Handle& anew = {}) {
   const Hdf5Handle old = object_in(file, name);
   const Hdf5Handle type(H5Dget_type(old.id()), H5Tclose);
   const Hdf5Handle space(H5Dget_space(old.id()), H5Sclose);
-  const Hdf5Handle layout(H5Dget_create_plist(old.id()), H5Pclose);
+  const Hdf5Handle before(H5Dget_create_plist(old.id()), H5Pclose);
+  const Hdf5Handle& layout = anew ? anew : before;
   std::array<hsize_t, 3> size{1, 1, 1}, most{1, 1, 1};
   const int rank = H5Sget_simple_extent_dims(space.id(), size.data(), most.data());
   const std::size_t row = size[1] * size[2] * H5Tget_size(type.id());
@@ -47,7 +50,8 @@ void leave_out_of(const Hdf5Handle& file, const char* name, hsize_t from, hsize_
   EXPECT_GE(H5Dread(old.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), 0);
   bytes.erase(from * row, (to - from) * row);
   size[0] -= to - from;
-  if (most[0] != H5S_UNLIMITED) most[0] = size[0];
+  const bool grows = H5Pget_layout(layout.id()) == H5D_CHUNKED;  // else no chunk may be longer
+  most[0] = grows ? H5S_UNLIMITED : size[0];
   const Hdf5Handle fewer(H5Screate_simple(rank, size.data(), most.data()), H5Sclose);
   EXPECT_GE(H5Ldelete(file.id(), name, H5P_DEFAULT), 0);
   Hdf5Handle table(
@@ -81,7 +85,11 @@ void change_bytes(const std::string& h5, const char* table, const std::vector<hs
 void leave_out(const std::string& h5, hsize_t from, hsize_t to) {
   const Hdf5Handle file = open_to_edit(h5);
   for (const char* name : {"time", "state", "status", "clearance"})
-    leave_out_of(file, name, from, to);
+    make_again(file, name, from, to);
+}
+
+void lay_out(const std::string& h5, const char* table, const Hdf5Handle& layout) {
+  make_again(open_to_edit(h5), table, 0, 0, layout);
 }
 
 void set_attribute(const std::string& h5, const char* name, std::uint64_t number) {

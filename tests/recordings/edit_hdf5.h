@@ -25,6 +25,9 @@ void change(const std::string& h5, const char* table, const std::vector<hsize_t>
 /// Without the rows `from` to `to` - 1, as if they had never been recorded.
 void leave_out(const std::string& h5, hsize_t from, hsize_t to);
 
+/// How a table lies in the file, with all its rows: as this list of properties says.
+void lay_out(const std::string& h5, const char* table, const avo_io::Hdf5Handle& layout);
+
 /// Attributes of the file or, where it is named, of a table. What is there is replaced.
 void set_attribute(const std::string& h5, const char* name, std::uint64_t number);
 void set_attribute(const std::string& h5, const char* name, const std::string& text,

@@ -183,6 +183,91 @@ TEST(Refusals, of_a_million_robots_that_its_scene_has_but_not_the_file) {
   expect_refused(spool_of(1'000'000, false), "found no whole block, must be one or more");
 }
 
+avo_io::Hdf5Handle properties() {
+  return {H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
+}
+
+TEST(Refusals, of_chunks_larger_than_a_block) {
+  const auto expect = [](const char* table, const std::vector<hsize_t>& chunk,
+                         const std::string& message) {
+    const std::string h5 = recorded();
+    const avo_io::Hdf5Handle layout = properties();
+    ASSERT_GE(H5Pset_chunk(layout.id(), static_cast<int>(chunk.size()), chunk.data()), 0);
+    ASSERT_GE(H5Pset_deflate(layout.id(), 1), 0);
+    lay_out(h5, table, layout);
+    expect_refused(h5, table + message);
+  };
+  expect("state", {1U << 16U, 6, 1},
+         ": found chunks of 65536 x 6 x 1, must be of 64 x 1024 x 1 at "
+         "most");
+  expect("state", {64, 6, 2}, ": found chunks of 64 x 6 x 2, must be of 64 x 1024 x 1 at most");
+  expect("clearance", {65, 6}, ": found chunks of 65 x 6, must be of 64 x 1024 at most");
+  expect("status", {1U << 20U, 6}, ": found chunks of 1048576 x 6, must be of 64 x 1024 at most");
+  expect("time", {1U << 24U}, ": found chunks of 16777216, must be of 64 at most");
+}
+
+TEST(Refusals, not_of_smaller_chunks_or_none) {
+  const std::string h5 = recorded();
+  lay_out(h5, "state", properties());
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+  const avo_io::Hdf5Handle layout = properties();
+  const hsize_t chunk[3] = {7, 2, 1};
+  ASSERT_GE(H5Pset_chunk(layout.id(), 3, chunk), 0);
+  lay_out(h5, "state", layout);
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+}
+
+TEST(Refusals, of_rows_in_other_files) {
+  std::string h5 = recorded();
+  const avo_io::Hdf5Handle outside = properties();
+  ASSERT_GE(H5Pset_external(outside.id(), path_of("rows").c_str(), 0, H5F_UNLIMITED), 0);
+  lay_out(h5, "state", outside);
+  expect_refused(h5, "state: found rows in other files, must be in this one");
+  h5 = recorded();
+  lay_out(h5, "time", outside);
+  expect_refused(h5, "time: found rows in other files, must be in this one");
+  const std::string other = recorded({}, "other.h5");
+  h5 = recorded();
+  {
+    const avo_io::Hdf5Handle file = open_to_edit(h5), layout = properties();
+    ASSERT_GE(H5Ldelete(file.id(), "clearance", H5P_DEFAULT), 0);
+    const hsize_t size[2] = {91, 6};
+    const avo_io::Hdf5Handle space(H5Screate_simple(2, size, nullptr), H5Sclose);
+    ASSERT_GE(H5Pset_virtual(layout.id(), space.id(), other.c_str(), "clearance", space.id()), 0);
+    const avo_io::Hdf5Handle table(H5Dcreate2(file.id(), "clearance", H5T_IEEE_F32LE, space.id(),
+                                              H5P_DEFAULT, layout.id(), H5P_DEFAULT),
+                                   H5Dclose);
+    ASSERT_TRUE(table);
+  }
+  expect_refused(h5, "clearance: found rows in other files, must be in this one");
+  h5 = recorded();
+  {
+    const avo_io::Hdf5Handle file = open_to_edit(h5);
+    ASSERT_GE(H5Ldelete(file.id(), "state", H5P_DEFAULT), 0);
+    ASSERT_GE(
+        H5Lcreate_external(other.c_str(), "state", file.id(), "state", H5P_DEFAULT, H5P_DEFAULT),
+        0);
+  }
+  expect_refused(h5, "state: found another table, must be one of 91 x 6 x 4");
+}
+
+TEST(Refusals, of_another_format_or_other_columns) {
+  std::string h5 = recorded();
+  set_attribute(h5, "format", "avo recording 2");
+  expect_refused(h5, "format: found \"avo recording 2\", must be avo recording 1");
+  set_attribute(h5, "format", 1);
+  expect_refused(h5, "format: found none, must be avo recording 1");
+  remove_attribute(h5, "format");
+  expect_refused(h5, "format: found none, must be avo recording 1");
+  h5 = recorded();
+  set_attribute(h5, "columns", "y,x,vy,vx", "state");
+  expect_refused(h5, "state: columns: found \"y,x,vy,vx\", must be x,y,vx,vy");
+  set_attribute(h5, "columns", "x,y,vx,vy,heading,speed", "state");
+  expect_refused(h5, "state: columns: found \"x,y,vx,vy,heading,speed\", must be x,y,vx,vy");
+  remove_attribute(h5, "columns", "state");
+  expect_refused(h5, "state: columns: found none, must be x,y,vx,vy");
+}
+
 TEST(Refusals, of_scenes_in_recordings_begin_with_the_recording) {
   const std::string h5 = recorded();
   const auto expect = [&h5](const std::string& message) { expect_refused(h5, message); };
