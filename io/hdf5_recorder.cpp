@@ -45,13 +45,14 @@ std::string build_description() {
 }
 
 RecordingHeader header_of(const avo::Scenario& scenario, const SceneSource& source,
-                          std::int64_t every) {
+                          const RecordingOptions& options) {
   return {.version = avo::kVersion,
           .build = build_description(),
           .seed = scenario.seed,
           .robots = static_cast<std::int64_t>(scenario.robots.size()),
-          .every = every,
+          .every = options.every,
           .headings = has_headings(scenario),
+          .until_arrived = options.until_arrived,
           .scene = source};
 }
 
@@ -85,13 +86,13 @@ struct Hdf5Recording::State {
   bool finished = false;
 
   State(const std::string& file, const avo::Scenario& scenario, const SceneSource& source,
-        std::int64_t every)
+        const RecordingOptions& options)
       : path(file),
         shape(shape_of(scenario)),
         blocks{RecordingBlock(shape), RecordingBlock(shape)},
         clearances(scenario),
         codec(shape),
-        spool(spool_path(file), header_of(scenario, source, every)),
+        spool(spool_path(file), header_of(scenario, source, options)),
         thread([this] { work(); }) {}
   ~State() { stop(); }
 
@@ -153,11 +154,11 @@ void Hdf5Recording::State::work() {
 }
 
 Hdf5Recording::Hdf5Recording(const std::string& path, const avo::Scenario& scenario,
-                             const SceneSource& source, std::int64_t every)
+                             const SceneSource& source, const RecordingOptions& options)
     : Recording(path) {
   if (file_.temporary().empty())
     throw FileError(path + ": found no regular file, HDF5 must be written to one");
-  state_ = std::make_unique<State>(path, scenario, source, every);
+  state_ = std::make_unique<State>(path, scenario, source, options);
 }
 
 Hdf5Recording::~Hdf5Recording() {
@@ -184,9 +185,10 @@ void Hdf5Recording::finish(const avo::Simulation& simulation) {
 }
 
 std::unique_ptr<Recording> open_recording(const std::string& path, const avo::Scenario& scenario,
-                                          const SceneSource& source, std::int64_t every) {
-  if (is_hdf5_path(path)) return std::make_unique<Hdf5Recording>(path, scenario, source, every);
-  return std::make_unique<CsvRecording>(path, has_headings(scenario), every);
+                                          const SceneSource& source,
+                                          const RecordingOptions& options) {
+  if (is_hdf5_path(path)) return std::make_unique<Hdf5Recording>(path, scenario, source, options);
+  return std::make_unique<CsvRecording>(path, has_headings(scenario), options.every);
 }
 
 Recovered recover(const std::string& spool, const std::string& path) {

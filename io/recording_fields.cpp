@@ -103,6 +103,7 @@ std::vector<RecordingField> fields_of(const RecordingHeader& header) {
       {"robots", static_cast<std::uint64_t>(header.robots)},
       {"every", static_cast<std::uint64_t>(header.every)},
       {"headings", std::uint64_t{header.headings}},
+      {"until_arrived", std::uint64_t{header.until_arrived}},
   };
   if (header.state_hash) fields.push_back({"state_hash", *header.state_hash});
   add_scene(header.scene, fields);
@@ -117,9 +118,13 @@ RecordingHeader header_from(const std::vector<RecordingField>& fields) {
   header.robots = number_within(fields, "robots", 1, avo::kMostRobots);
   header.every = number_within(fields, "every", 1, avo::kMostSteps);
   header.headings = number_within(fields, "headings", 0, 1) == 1;
-  const auto is_hash = [](const RecordingField& field) { return field.name == "state_hash"; };
-  if (std::any_of(fields.begin(), fields.end(), is_hash))
-    header.state_hash = value_of<std::uint64_t>(fields, "state_hash");
+  const auto has = [&fields](std::string_view name) {
+    return std::any_of(fields.begin(), fields.end(),
+                       [name](const RecordingField& field) { return field.name == name; });
+  };
+  if (has("until_arrived"))  // older recordings do not tell
+    header.until_arrived = number_within(fields, "until_arrived", 0, 1) == 1;
+  if (has("state_hash")) header.state_hash = value_of<std::uint64_t>(fields, "state_hash");
   header.scene = scene_from(fields);
   return header;
 }

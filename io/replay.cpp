@@ -76,7 +76,8 @@ void require_this_version(const std::string& recording, const RecordingHeader& h
 /// Which steps have rows: every so many, from the start on, and the last one of all.
 struct RecordedSteps {
   std::int64_t every = 1;
-  double duration = 0.0;     // s, of the scene
+  double duration = 0.0;  // s, of the scene
+  const std::function<void(const avo::Simulation&)>& observe;
   std::int64_t next = 0;     // step of the next row, unless it is the last
   bool was_between = false;  // the row before: it must be the last
 
@@ -86,8 +87,11 @@ struct RecordedSteps {
 
 std::optional<ReplayDifference> RecordedSteps::go_to(double time, avo::Simulation& simulation) {
   const auto step_until = [&](std::int64_t last, double until) {
-    while (simulation.steps() < last && simulation.time() < until && simulation.can_step_by(until))
+    while (simulation.steps() < last && simulation.time() < until &&
+           simulation.can_step_by(until)) {
       simulation.step();
+      if (observe) observe(simulation);
+    }
   };
   const auto missing = [&]() -> ReplayDifference {
     return {simulation.time(), {}, "time", "no row", fmt::format("{}", simulation.time())};
@@ -119,7 +123,7 @@ void compare_hashes(const RecordingHeader& header, const avo::Simulation& simula
 }  // namespace
 
 Replay replay(const std::string& recording, int threads,
-              const std::function<void(double time)>& simulated) {
+              const std::function<void(const avo::Simulation&)>& observe) {
   BlockSource source(recording);
   require_this_version(recording, source.header());
   const avo::Scenario& scenario = source.scenario();
@@ -127,7 +131,8 @@ Replay replay(const std::string& recording, int threads,
   avo::Simulation simulation(scenario, threads);
   avo::ClearanceFinder clearances(scenario);
   RecordingBlock now(shape);
-  RecordedSteps steps{source.header().every, scenario.duration};
+  RecordedSteps steps{source.header().every, scenario.duration, observe};
+  if (observe) observe(simulation);
   Replay result{.scene = scenario.name, .robots = static_cast<std::int64_t>(shape.robots)};
   while (!result.difference && source.next()) {
     for (std::size_t k = 0; k < source.block().times && !result.difference; ++k) {
@@ -139,9 +144,9 @@ Replay replay(const std::string& recording, int threads,
       find_clearances(shape, 0, clearances, now);
       result.difference = Moment{shape, source.block(), k, now}.difference();
       if (!result.difference) ++result.times;
-      if (simulated) simulated(time);
     }
   }
+  result.whole = !result.difference && !simulation.can_step_by(scenario.duration);
   compare_hashes(source.header(), simulation, result);
   return result;
 }

@@ -78,7 +78,7 @@ void add_threads(CLI::App& verb, int& threads) {
 
 /// Throws UsageError.
 std::int64_t whole_steps(const std::string& word) {
-  constexpr std::int64_t kMost = 1'000'000'000;
+  constexpr std::int64_t kMost = 100'000'000;  // a run has no more
   std::int64_t steps = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), steps);
   if (error == std::errc() && end == word.data() + word.size() && steps >= 1 && steps <= kMost)

@@ -32,8 +32,9 @@ int replay(const ReplayArguments& arguments) {
     throw avo_io::RecordingError(arguments.recording +
                                  ": found no scene in it, must be a recording as HDF5");
   Progress progress(own->scenario.duration, true);
-  const avo_io::Replay result = avo_io::replay(arguments.recording, arguments.threads,
-                                               [&progress](double time) { progress.show(time); });
+  const avo_io::Replay result = avo_io::replay(
+      arguments.recording, arguments.threads,
+      [&progress](const avo::Simulation& simulation) { progress.show(simulation.time()); });
   if (arguments.json)
     print(avo_io::to_json(result));
   else

@@ -13,6 +13,7 @@
 #include "avo_io/judgement.h"
 #include "avo_io/output_file.h"
 #include "avo_io/recording.h"
+#include "avo_io/replay.h"
 #include "curves.h"
 #include "exit_codes.h"
 #include "figures/chart.h"
@@ -42,29 +43,58 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
+/// What simulating the recording again tells of its run, or why it does not.
+struct Again {
+  std::string results;      ///< HTML
+  bool to_the_end = false;  ///< no step of the scene was left
+  bool all_arrived = false;
+};
+
+/// As far as the rows tell it.
+Again told_by_rows(const avo_io::RecordedRun& run, std::string why) {
+  const avo_io::RecordedMoment& last = run.moments.back();
+  const avo::Scenario& scenario = run.scenario;
+  const bool to_the_end = scenario.clock == avo::Clock::common &&
+                          last_step(scenario, last.time) >= last_step(scenario, scenario.duration);
+  return {"<p>" + why + "</p>", to_the_end, last.arrived == run.travelers};
+}
+
+/// What the run's summary says: simulated again, until the recording's last time.
+Again simulated_again(const std::string& recording, const avo_io::RecordingHeader& header,
+                      const avo_io::RecordedRun& run) {
+  if (header.version != avo::kVersion)
+    return told_by_rows(run,
+                        "Another version of avo has made the recording, so that it is not "
+                        "simulated again.");
+  avo::Metrics metrics(run.scenario);
+  Progress progress(run.moments.back().time);
+  const avo_io::Replay replay =
+      avo_io::replay(recording, 0, [&](const avo::Simulation& simulation) {
+        metrics.observe(simulation);
+        progress.show(simulation.time());
+      });
+  if (replay.difference)
+    return told_by_rows(run,
+                        "Simulated again, the run is another one than the recording, so that there "
+                        "are no results of it: " +
+                            as_html(avo_io::readable(replay)));
+  return {table_of(nlohmann::ordered_json::parse(avo_io::to_json(metrics.summary()))), replay.whole,
+          metrics.all_arrived()};
+}
+
 /// The command that makes the recording again.
-std::string command_of(const avo_io::RecordingHeader& header, const std::string& recording) {
+std::string command_of(const avo_io::RecordingHeader& header, const std::string& recording,
+                       const Again& again, double end) {
   std::string command = "avo run " + shell_word(header.scene.name);
   for (const std::string& override : header.scene.overrides)
     command += " --set " + shell_word(override);
   if (header.scene.start_at_rest) command += " --start-at-rest";
   if (header.scene.limit_speed) command += " --limit-speed";
   if (header.every > 1) command += fmt::format(" --every {}", header.every);
+  if (header.until_arrived) command += " --until-arrived";
+  const bool as_asked = again.to_the_end || (header.until_arrived && again.all_arrived);
+  if (!as_asked) command += fmt::format(" --duration {}", end);  // e.g. by a signal
   return command + " --record " + shell_word(recording);
-}
-
-/// What the run's summary says: simulated again, until the recording's last time.
-nlohmann::ordered_json summary_of(const avo::Scenario& scenario, double end) {
-  avo::Simulation simulation(scenario);
-  avo::Metrics metrics(scenario);
-  Progress progress(end);
-  metrics.observe(simulation);
-  while (simulation.can_step_by(end)) {
-    simulation.step();
-    metrics.observe(simulation);
-    progress.show(simulation.time());
-  }
-  return nlohmann::ordered_json::parse(avo_io::to_json(metrics.summary()));
 }
 
 std::string chart_of(const std::string& y_label, const std::vector<avo::Vec2>& points,
@@ -96,29 +126,27 @@ std::string page_of(const ReportArguments& arguments, const avo_io::RecordingHea
   std::string scene = header.scene.yaml;
   for (const avo_io::SceneFile& file : header.scene.files)
     scene += fmt::format("\n# {}: {} bytes, in the recording\n", file.path, file.text.size());
-  const bool same = header.version == avo::kVersion;
+  const Again again = simulated_again(arguments.recording, header, run);
   Rows provenance{{"avo", header.version},
                   {"build", header.build},
                   {"seed", std::to_string(header.seed)},
                   {"recording", arguments.recording}};
   if (header.state_hash)
     provenance.emplace_back("state hash", fmt::format("{:#018x}", *header.state_hash));
-  return filled(
-      kReportPage,
-      {{"title", as_html(scenario.name)},
-       {"subtitle", fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
-                                avo::to_string(scenario.method), judgement.report.to)},
-       {"verdict", fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>", verdict)},
-       {"drawing", drawing_of(run)},
-       {"figures", figures_of(run)},
-       {"results", same ? table_of(summary_of(scenario, judgement.report.to))
-                        : "<p>Another version of avo has made the recording, so that it is not "
-                          "simulated again.</p>"},
-       {"judged", as_html(avo_io::readable(judgement))},
-       {"command", as_html(command_of(header, arguments.recording))},
-       {"scene", as_html(scene)},
-       {"provenance", table_of(provenance)},
-       {"data", data_of(run)}});
+  return filled(kReportPage,
+                {{"title", as_html(scenario.name)},
+                 {"subtitle", fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
+                                          avo::to_string(scenario.method), judgement.report.to)},
+                 {"verdict", fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>", verdict)},
+                 {"drawing", drawing_of(run)},
+                 {"figures", figures_of(run)},
+                 {"results", again.results},
+                 {"judged", as_html(avo_io::readable(judgement))},
+                 {"command",
+                  as_html(command_of(header, arguments.recording, again, run.moments.back().time))},
+                 {"scene", as_html(scene)},
+                 {"provenance", table_of(provenance)},
+                 {"data", data_of(run)}});
 }
 
 }  // namespace

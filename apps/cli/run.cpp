@@ -48,7 +48,8 @@ struct Outputs {
     }
     if (!arguments.summary.empty()) summary.emplace(arguments.summary);
     if (!arguments.record.empty())
-      record = avo_io::open_recording(arguments.record, scenario, source, every);
+      record = avo_io::open_recording(arguments.record, scenario, source,
+                                      {.every = every, .until_arrived = arguments.until_arrived});
   }
 
   /// At the start and after each step.

@@ -22,14 +22,21 @@ namespace avo_io {
 /// Whether a recording of the scene has columns for headings: a robot is not holonomic.
 AVO_API bool has_headings(const avo::Scenario& scenario);
 
+/// How a run is recorded.
+struct RecordingOptions {
+  std::int64_t every = 1;      ///< only every so many steps are added, and the last one
+  bool until_arrived = false;  ///< the run ends once all robots have arrived
+};
+
 /// What a recording says of itself: enough to simulate it again.
 struct RecordingHeader {
   std::string version;  ///< of avo
   std::string build;    ///< compiler, processor, instructions
   std::uint64_t seed = 0;
   std::int64_t robots = 0;
-  std::int64_t every = 1;  ///< only every so many steps have rows, and the last one
-  bool headings = false;   ///< there are columns for headings
+  std::int64_t every = 1;      ///< only every so many steps have rows, and the last one
+  bool headings = false;       ///< there are columns for headings
+  bool until_arrived = false;  ///< the run was to end once all robots had arrived
   SceneSource scene;
   std::optional<std::uint64_t> state_hash =
       {};  ///< after the last step, if the run ended by itself
@@ -78,7 +85,7 @@ class AVO_API Hdf5Recording final : public Recording {
  public:
   /// Throws FileError, also where `path` is no regular file, and where there is such a spool.
   Hdf5Recording(const std::string& path, const avo::Scenario& scenario, const SceneSource& source,
-                std::int64_t every = 1);
+                const RecordingOptions& options = {});
   ~Hdf5Recording() override;
   void add(const avo::Simulation& simulation) override;
   void finish(const avo::Simulation& simulation) override;
@@ -95,7 +102,7 @@ AVO_API bool is_hdf5_path(std::string_view path);
 AVO_API std::unique_ptr<Recording> open_recording(const std::string& path,
                                                   const avo::Scenario& scenario,
                                                   const SceneSource& source,
-                                                  std::int64_t every = 1);
+                                                  const RecordingOptions& options = {});
 
 /// What an HDF5 recording or a spool says of itself; none of any other file. Throws FileError and
 /// RecordingError.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "avo/export.h"
+#include "avo/simulation.h"
 
 namespace avo_io {
 
@@ -23,17 +24,18 @@ struct Replay {
   std::string scene;
   std::int64_t times = 0;  ///< that were compared, of all robots
   std::int64_t robots = 0;
+  bool whole = false;            ///< until the end of the scene: no step is left
   bool ended = false;            ///< the recording says which state hash its run ended with
   std::uint64_t state_hash = 0;  ///< of the last state that was simulated
   std::optional<ReplayDifference> difference = {};
 };
 
 /// Simulates the scene that the recording (HDF5, or a spool) has in itself, and compares each of
-/// its values with what comes out, until one differs. Calls simulated(time), where it is given,
-/// after each time that was compared. Throws FileError; RecordingError also on a file of another
+/// its values with what comes out, until one differs. Calls observe(simulation), where it is given,
+/// at the start and after each step. Throws FileError; RecordingError also on a file of another
 /// version of avo, which need not simulate the same bits; Error on the number of threads.
 AVO_API Replay replay(const std::string& recording, int threads = 0,
-                      const std::function<void(double time)>& simulated = {});
+                      const std::function<void(const avo::Simulation&)>& observe = {});
 
 /// One line or two.
 AVO_API std::string readable(const Replay& replay);

@@ -158,12 +158,13 @@ TEST(Thinned, wants_a_recording_and_a_positive_number) {
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_EQ(alone.err,
             "avo: --every: found without --record, must be with it: it thins the recording\n");
-  for (const std::string word : {"0", "-3", "x", "1.5", "nan", "99999999999999999999"}) {
+  for (const std::string word :
+       {"0", "-3", "x", "1.5", "nan", "100000001", "99999999999999999999"}) {
     const ProcessResult bad =
         run_avo({"run", "circle-2", "--every=" + word, "--record", path_of("x.csv")});
     EXPECT_EQ(bad.exit_code, 2);
     EXPECT_EQ(bad.err,
-              "avo: --every: found " + word + ", must be a whole number from 1 to 1000000000\n");
+              "avo: --every: found " + word + ", must be a whole number from 1 to 100000000\n");
   }
   EXPECT_FALSE(exists(path_of("x.csv")));
 }

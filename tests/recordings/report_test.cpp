@@ -2,8 +2,12 @@
 // avo report: one page that needs nothing else and does nothing that a scene asks for.
 #include <gtest/gtest.h>
 #include <regex>
+#include <signal.h>
+#include <sstream>
 #include <string>
+#include <unistd.h>
 
+#include "edit_hdf5.h"
 #include "verdicts.h"
 
 namespace avo_test {
@@ -71,6 +75,86 @@ TEST(Report, shows_what_scenes_say_as_text) {
   EXPECT_EQ(count(page, "<script>"), 1U);
   EXPECT_EQ(count(page, "</script>"), 1U);
   EXPECT_NE(page.find("&lt;img src=x onerror=alert(1)&gt;@scene@</h1>"), std::string::npos);
+}
+
+/// The command that a page shows, without its name.
+Strings command_in(const std::string& page) {
+  const std::size_t from = page.find("avo run "), to = page.find('<', from);
+  std::istringstream words(page.substr(from, to - from));
+  Strings command;
+  for (std::string word; words >> word;) command.push_back(word);
+  command.erase(command.begin());
+  return command;
+}
+
+std::string report_on(const std::string& h5) {
+  const ProcessResult result = run_avo({"report", h5, path_of("out.html")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return read_file(path_of("out.html"));
+}
+
+/// The page's command makes the same rows.
+void expect_exact(const std::string& h5) {
+  const std::string a = path_of("a.csv"), b = path_of("b.csv"), again = path_of("again.h5");
+  Strings command = command_in(report_on(h5));
+  ASSERT_EQ(command.back(), h5);
+  command.back() = again;
+  command.push_back("-q");
+  const ProcessResult result = run_avo(command);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_EQ(run_avo({"convert", h5, a, "-q"}).exit_code, 0);
+  ASSERT_EQ(run_avo({"convert", again, b, "-q"}).exit_code, 0);
+  EXPECT_TRUE(read_file(a) == read_file(b)) << h5;
+}
+
+TEST(Report, has_the_command_of_a_run_until_all_have_arrived) {
+  const std::string page = page_of({"circle-4", "--until-arrived", "--every", "3"});
+  EXPECT_NE(page.find("avo run circle-4 --every 3 --until-arrived --record"), std::string::npos);
+  expect_exact(path_of("run.h5"));
+  // who has not arrived by the end of the scene
+  const std::string late = page_of({"circle-4", "--until-arrived", "--duration", "2"});
+  EXPECT_NE(late.find("avo run circle-4 --set duration=2 --until-arrived --record"),
+            std::string::npos);
+}
+
+TEST(Report, has_the_command_of_a_run_that_a_signal_has_ended) {
+  const std::string h5 = path_of("run.h5");
+  for (const Strings& scene :
+       {Strings{"circle-1000"}, Strings{"circle-1000", "--until-arrived"},
+        Strings{"circle-200", "--set", "clock=free", "--set", "duration=500"}}) {
+    Strings command{"run", "--threads", "1", "--every", "50", "--record", h5, "-q"};
+    command.insert(command.end(), scene.begin(), scene.end());
+    const ProcessResult run = run_avo(command, {.meanwhile = [](int pid) {
+                                        usleep(500'000);
+                                        kill(pid, SIGINT);
+                                      }});
+    ASSERT_EQ(run.exit_code, 130) << run.err;
+    EXPECT_NE(report_on(h5).find(" --duration "), std::string::npos);
+    expect_exact(h5);
+  }
+}
+
+TEST(Report, of_a_run_that_differs_leaves_out_its_results) {
+  page_of({"circle-6", "--duration", "9"});
+  const std::string h5 = path_of("run.h5");
+  ASSERT_NE(report_on(h5).find("<td>arrived</td>"), std::string::npos);
+  change(h5, "state", {80, 1, 3}, H5T_NATIVE_DOUBLE, 0.7);
+  const std::string page = report_on(h5);
+  EXPECT_EQ(page.find("<td>arrived</td>"), std::string::npos);
+  EXPECT_NE(page.find("Simulated again, the run is another one than the recording"),
+            std::string::npos);
+  EXPECT_NE(page.find("at 8 s, robot 1, vy: recorded 0.7, simulated"), std::string::npos);
+  EXPECT_NE(page.find("avo run circle-6 --set duration=9 --record"), std::string::npos);
+}
+
+TEST(Report, of_another_version_leaves_out_its_results) {
+  page_of({"circle-6", "--duration", "9"});
+  const std::string h5 = path_of("run.h5");
+  set_attribute(h5, "version", "9.8.7");
+  const std::string page = report_on(h5);
+  EXPECT_EQ(page.find("<td>arrived</td>"), std::string::npos);
+  EXPECT_NE(page.find("Another version of avo has made the recording"), std::string::npos);
+  EXPECT_NE(page.find("avo run circle-6 --set duration=9 --record"), std::string::npos);
 }
 
 TEST(Report, of_many_frames_stays_small) {
