@@ -27,6 +27,12 @@ Value arrival_of(const RunOutcome& run) {
   return run.arrivals[static_cast<std::size_t>(number - 1)];
 }
 
+/// s: when the first robot that is not parked has arrived; none where none has.
+Value first_arrival_of(const RunOutcome& run) {
+  if (run.arrivals.empty()) return std::nullopt;
+  return run.arrivals.front();
+}
+
 template <typename Number>
 Value as_value(const Number& value) {
   if constexpr (requires { value.has_value(); }) {
@@ -85,6 +91,7 @@ constexpr SweepColumn kResults[] = {
     {"max_acceleration", of_summary<&RunSummary::max_acceleration>},
     {"acceleration_excess", of_summary<&RunSummary::acceleration_excess>},
     {"max_speed", of_summary<&RunSummary::max_speed>},
+    {"first_arrival", first_arrival_of},
     {"mean_arrival", of_summary<&RunSummary::mean_arrival>},
     {"last_arrival", of_summary<&RunSummary::last_arrival>},
     {"arrival_10", arrival_of<10>},

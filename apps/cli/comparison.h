@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "avo/vec.h"
 #include "avo_io/recorded_run.h"
 #include "avo_io/sweep.h"
 
@@ -47,6 +48,12 @@ std::string readable(const std::vector<Case>& cases, std::string by,
                      std::vector<std::string> columns);
 /// One row a recording.
 std::string readable(const Comparison& comparison);
+
+/// How much of the robots that are not parked had arrived, in % over s: the mean over the case's
+/// runs. Each run's share grows on straight lines from its first arrival, at 0, through its columns
+/// arrival_10 to arrival_100 to its last arrival, at 100, and stays as it is behind the last of them
+/// that it has. Where the share jumps there are two points at one time.
+std::vector<avo::Vec2> arrivals_of(const Case& entry);
 
 /// What the files at `path` are to hold. Throw UsageError, which calls the option `role`, where
 /// there is nothing to draw.

@@ -21,7 +21,6 @@ using avo::figures::Series;
 
 constexpr std::size_t kMostCurves = 12;  // more of them nobody tells apart
 constexpr std::size_t kMostPanels = 6;
-constexpr int kDeciles = 10;  // columns arrival_10 to arrival_100
 
 /// Gives colors. Throws UsageError where there are too many or none.
 std::string draw(avo::figures::Chart chart, const std::string& role, const std::string& path) {
@@ -41,19 +40,6 @@ std::string draw(avo::figures::Chart chart, const std::string& role, const std::
 
 std::string stem(const std::string& recording) {
   return avo_io::printable(std::filesystem::path(recording).stem().string());
-}
-
-/// Each decile of each run adds its part of the robots, averaged over the runs.
-std::vector<Vec2> decile_arrivals_of(const Case& entry) {
-  std::vector<double> times;
-  for (int k = 1; k <= kDeciles; ++k)
-    for (const double time : entry.values(fmt::format("arrival_{}", 10 * k))) times.push_back(time);
-  std::sort(times.begin(), times.end());
-  const double whole = static_cast<double>(kDeciles) * static_cast<double>(entry.runs.size());
-  std::vector<Vec2> points{{0.0, 0.0}};
-  for (const double time : times)
-    points.push_back({time, 100.0 * static_cast<double>(points.size()) / whole});
-  return thinned(points);
 }
 
 /// Curves that end before others go on as they ended: nobody arrives any more.
@@ -79,7 +65,7 @@ std::string draw_arrivals(const Comparison& comparison, const std::string& role,
   std::vector<std::string> keys = varying_keys(cases);
   if (keys.empty()) keys = {"scene", "method"};
   for (const Case& entry : cases)
-    chart.series.push_back({label_of(entry, keys), decile_arrivals_of(entry), {}, false});
+    chart.series.push_back({label_of(entry, keys), arrivals_of(entry), {}, false});
   for (const auto& [name, run] : comparison.recordings)
     chart.series.push_back({stem(name), arrivals_of(run), {}, false});
   extend(chart.series);

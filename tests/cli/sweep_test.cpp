@@ -78,6 +78,7 @@ TEST(Sweep, tells_when_so_many_have_arrived_and_ends_then_if_it_is_to) {
   const Json json = Json::parse(
       run_avo({"run", "circle-10", "--set=method=avo_paper", "--until-arrived", "--json"}).out);
   EXPECT_EQ(column(table, "steps")[0], fmt::format("{}", json["steps"].get<int>()));
+  EXPECT_EQ(column(table, "first_arrival"), column(table, "arrival_10"));
   double mean = 0.0, before = 0.0;
   for (int k = 10; k <= 100; k += 10) {
     const auto time = avo_io::number_in(column(table, fmt::format("arrival_{}", k))[0]);
@@ -87,6 +88,26 @@ TEST(Sweep, tells_when_so_many_have_arrived_and_ends_then_if_it_is_to) {
     mean += *time / 10.0;  // one robot each
   }
   EXPECT_NEAR(mean, json["mean_arrival"].get<double>(), 1e-9);
+}
+
+TEST(Sweep, tells_the_first_arrival_of_robots_that_are_not_parked) {
+  write_file(path_of("a.yaml"),
+             "version: 1\nduration: 9\nrobots:\n"
+             "  - {position: [0, -20], goal: [0, -20], parked: true}\n"
+             "  - {position: [0, 0], goal: [1, 0]}\n"
+             "  - {position: [0, 9], goal: [4, 9]}\n");
+  write_file(path_of("b.yaml"),
+             "version: 1\nduration: 1\nrobots:\n  - {position: [0, 0], goal: [90, 0]}\n");
+  const avo_io::SweepTable table =
+      avo_io::read_sweep(swept("version: 1\nscenes: [a.yaml, b.yaml]\n", "runs.csv"));
+  const Strings first = column(table, "first_arrival");
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_EQ(first[0], column(table, "arrival_10")[0]);
+  EXPECT_EQ(first[0], column(table, "arrival_50")[0]);
+  EXPECT_GT(avo_io::number_in(first[0]).value(), 0.0);
+  EXPECT_LT(avo_io::number_in(first[0]).value(),
+            avo_io::number_in(column(table, "last_arrival")[0]).value());
+  EXPECT_EQ(first[1], "");
 }
 
 /// Ends the long sweep once some of its runs are done.
