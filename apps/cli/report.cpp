@@ -22,6 +22,7 @@
 #include "html.h"
 #include "report_page.h"
 #include "report_replay.h"
+#include "signals.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -152,6 +153,7 @@ std::string page_of(const ReportArguments& arguments, const avo_io::RecordingHea
 }  // namespace
 
 int report(const ReportArguments& arguments) {
+  catch_signals(Patience::none);
   require_ending({"the report", arguments.output}, {".html"});
   require_distinct({{"the recording", arguments.recording}}, {{"the report", arguments.output}});
   const auto header = avo_io::read_recording_header(arguments.recording);
