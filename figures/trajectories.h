@@ -20,6 +20,7 @@ struct TrajectoryFrame {
   std::vector<Vec2> position{};           ///< m
   std::vector<double> heading{};          ///< rad; may be empty where all are holonomic
   std::vector<Vec2> obstacle_position{};  ///< m
+  std::vector<bool> there{};              ///< the robot has not left; may be empty where none does
 };
 
 /// Observer of a simulation that keeps a bounded number of frames, equally spaced in time, however

@@ -23,11 +23,13 @@ void TrajectoryRecorder::observe(const Simulation& simulation) {
     latest_.heading.resize(robots_.size());
   }
   // ids ascend in both; those that are gone stay where they were
+  latest_.there.assign(robots_.size(), false);
   std::size_t place = 0;
   for (std::size_t k = 0; k < fleet.id.size(); ++k) {
     while (place < robots_.size() && !(robots_[place] == fleet.id[k])) ++place;
     if (place == robots_.size()) throw Error("figure: found a robot that was added in mid-run");
     latest_.position[place] = fleet.position[k], latest_.heading[place] = fleet.heading[k];
+    latest_.there[place] = true;
   }
   latest_.obstacle_position.assign(obstacles.position.begin(), obstacles.position.end());
 

@@ -25,9 +25,9 @@ struct SweepPlan {
 
   /// Also where a file was changed since the sweep began: rows of two scenes would be one sweep's.
   [[nodiscard]] avo::Scenario scenario(const SweepRun& run) const {
-    std::uint64_t source = 0;
-    avo::Scenario scenario = scenario_of(spec, run, &source);
-    if (source != sources[static_cast<std::size_t>(run.number / runs_of_one_kind(spec))])
+    SceneSource source;
+    avo::Scenario scenario = scenario_of(spec, run, source);
+    if (hash_of(source) != sources[static_cast<std::size_t>(run.number / runs_of_one_kind(spec))])
       throw SceneError(fmt::format("{}: {}: found another scene than when the sweep began",
                                    spec.name, run_name(spec, run.number)));
     return scenario;

@@ -22,13 +22,6 @@ double seconds_since(SweepClock::time_point start) {
   return std::chrono::duration<double>(SweepClock::now() - start).count();
 }
 
-std::uint64_t hash_of(const SceneSource& source) {
-  TextHash hash;
-  hash.add(source.yaml);
-  for (const SceneFile& file : source.files) hash.add(file.text);
-  return hash.value();
-}
-
 /// When each robot arrives for the first time, as avo::Metrics counts it.
 class ArrivalTimes {
  public:
@@ -50,11 +43,16 @@ class ArrivalTimes {
 
 }  // namespace
 
-avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, std::uint64_t* source) {
+std::uint64_t hash_of(const SceneSource& source) {
+  TextHash hash;
+  hash.add(source.yaml);
+  for (const SceneFile& file : source.files) hash.add(file.text);
+  return hash.value();
+}
+
+avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source) {
   try {
-    SceneSource made_of;
-    avo::Scenario scenario = load_scenario(scene_of(spec, run), overrides_of(spec, run), &made_of);
-    if (source != nullptr) *source = hash_of(made_of);
+    avo::Scenario scenario = load_scenario(scene_of(spec, run), overrides_of(spec, run), &source);
     if (!avo::broken_assumptions(scenario).none())
       throw SceneError(
           "found a scene that breaks what its certificate assumes, must keep it; avo validate says "
@@ -88,15 +86,46 @@ RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
           seconds_since(begin)};
 }
 
+SweepRunScene scene_of_run(const SweepSpec& spec, std::int64_t number) {
+  const SweepRun run = run_of(spec, number);
+  SceneSource source;
+  avo::Scenario scenario = scenario_of(spec, run, source);
+  return {std::move(scenario), scene_of(spec, run), overrides_of(spec, run),
+          std::move(source.yaml)};
+}
+
+std::uint64_t simulate_again(const SweepSpec& spec, const avo::Scenario& scenario,
+                             const std::function<void(const avo::Simulation&)>& observe) {
+  avo::Simulation simulation(scenario, spec.threads);
+  avo::Metrics metrics(scenario);
+  metrics.observe(simulation);
+  observe(simulation);
+  bool ends = false;
+  while (!ends && simulation.can_step_by(scenario.duration)) {
+    simulation.step();
+    metrics.observe(simulation);
+    observe(simulation);
+    ends = spec.until_arrived && metrics.all_arrived();
+  }
+  return simulation.state_hash();
+}
+
 std::int64_t runs_of_one_kind(const SweepSpec& spec) {
   return std::max<std::int64_t>(std::ssize(spec.seeds), 1);
 }
 
 std::vector<std::uint64_t> hash_sources(const SweepSpec& spec) {
   std::vector<std::uint64_t> hashes;
-  for (std::int64_t run = 0; run < run_count(spec); run += runs_of_one_kind(spec))
-    scenario_of(spec, run_of(spec, run), &hashes.emplace_back());
+  for (std::int64_t run = 0; run < run_count(spec); run += runs_of_one_kind(spec)) {
+    SceneSource source;
+    scenario_of(spec, run_of(spec, run), source);
+    hashes.push_back(hash_of(source));
+  }
   return hashes;
+}
+
+std::string fingerprint(const SweepSpec& spec) {
+  return fingerprint(spec, hash_sources(spec));
 }
 
 std::string fingerprint(const SweepSpec& spec, const std::vector<std::uint64_t>& sources) {

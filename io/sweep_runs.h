@@ -8,6 +8,7 @@
 
 #include "avo/metrics.h"
 #include "avo/scenario.h"
+#include "avo_io/scene.h"
 #include "avo_io/sweep.h"
 
 namespace avo_io {
@@ -25,10 +26,11 @@ std::vector<std::string> overrides_of(const SweepSpec& spec, const SweepRun& run
 /// Name or path for load_scenario().
 std::string scene_of(const SweepSpec& spec, const SweepRun& run);
 
-/// Its scene, checked as `avo run` does. Throws SceneError with the run's name. `source`, where it
-/// is given, becomes a hash of what it was made of.
-avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run,
-                          std::uint64_t* source = nullptr);
+/// Its scene, checked as `avo run` does. Throws SceneError with the run's name. `source` becomes
+/// what it was made of.
+avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSource& source);
+/// Of the texts of a scene.
+std::uint64_t hash_of(const SceneSource& source);
 
 /// What a run leaves behind.
 struct RunOutcome {

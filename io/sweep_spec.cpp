@@ -161,7 +161,9 @@ class SweepReader {
 SweepSpec parse_sweep(std::string_view yaml, const std::string& name) {
   Document document;
   document.root = parse_yaml(yaml, name, document);
-  return SweepReader(document).read(name);
+  SweepSpec spec = SweepReader(document).read(name);
+  spec.text = yaml;
+  return spec;
 }
 
 SweepSpec load_sweep(const std::string& path) {

@@ -83,17 +83,6 @@ void require_one_of(const std::string& option, const std::string& word,
                                meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
 }
 
-std::string usual_by(const std::vector<Case>& cases) {
-  const std::vector<std::string> varying = varying_keys(cases);
-  const auto has = [&](const std::string& key) {
-    return std::find(varying.begin(), varying.end(), key) != varying.end();
-  };
-  if (has("method")) return "method";
-  for (const std::string& key : varying)
-    if (key != "table" && key != "scene") return key;
-  return has("table") ? "table" : has("scene") ? "scene" : "method";
-}
-
 }  // namespace
 
 std::string Case::value_of(const std::string& key) const {
@@ -155,10 +144,19 @@ std::string label_of(const Case& entry, const std::vector<std::string>& keys, bo
   return avo_io::printable(label);
 }
 
-std::string readable(const std::vector<Case>& cases, std::string by,
-                     std::vector<std::string> columns) {
-  if (cases.empty()) return "";
-  if (by.empty()) by = usual_by(cases);
+std::string usual_by(const std::vector<Case>& cases) {
+  const std::vector<std::string> varying = varying_keys(cases);
+  const auto has = [&](const std::string& key) {
+    return std::find(varying.begin(), varying.end(), key) != varying.end();
+  };
+  if (has("method")) return "method";
+  for (const std::string& key : varying)
+    if (key != "table" && key != "scene") return key;
+  return has("table") ? "table" : has("scene") ? "scene" : "method";
+}
+
+std::vector<ComparisonBlock> blocks_of(const std::vector<Case>& cases, const std::string& by,
+                                       std::vector<std::string> columns) {
   require_one_of("--by", by, keys_of(cases));
   const std::vector<std::string>& known = cases.front().table->columns;
   for (const std::string& column : columns) require_one_of("--columns", column, known);
@@ -169,24 +167,33 @@ std::string readable(const std::vector<Case>& cases, std::string by,
                  });
   std::vector<std::string> others = varying_keys(cases);
   std::erase(others, by);
-  std::vector<std::pair<std::string, std::vector<TextRow>>> blocks;
+  std::vector<ComparisonBlock> blocks;
   for (const Case& entry : cases) {
     const std::string heading = label_of(entry, others, true);
-    auto block = std::find_if(blocks.begin(), blocks.end(),
-                              [&](const auto& other) { return other.first == heading; });
+    auto block = std::find_if(blocks.begin(), blocks.end(), [&](const ComparisonBlock& other) {
+      return other.heading == heading;
+    });
     if (block == blocks.end()) {
       TextRow head{by, "runs"};
       head.insert(head.end(), columns.begin(), columns.end());
-      block = blocks.insert(block, {heading, {head}});
+      block = blocks.insert(block, {heading, {head}, {}});
     }
     TextRow row{avo_io::printable(entry.value_of(by)), fmt::format("{}", entry.runs.size())};
     const avo_io::SweepTable summary = summary_of(entry);
     for (const std::string& column : columns) row.push_back(cell(entry, summary, column));
-    block->second.push_back(std::move(row));
+    block->rows.push_back(std::move(row));
+    block->cases.push_back(entry);
   }
+  return blocks;
+}
+
+std::string readable(const std::vector<Case>& cases, std::string by,
+                     std::vector<std::string> columns) {
+  if (cases.empty()) return "";
+  if (by.empty()) by = usual_by(cases);
   std::string text;
-  for (const auto& [heading, rows] : blocks)
-    text += (heading.empty() ? "" : heading + "\n") + aligned(rows);
+  for (const ComparisonBlock& block : blocks_of(cases, by, std::move(columns)))
+    text += (block.heading.empty() ? "" : block.heading + "\n") + aligned(block.rows);
   return text;
 }
 

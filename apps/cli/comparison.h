@@ -41,9 +41,19 @@ std::vector<std::string> varying_keys(const std::vector<Case>& cases);
 /// The values of those keys, e.g. "orca, 5"; `named`: "method orca, time_horizon 5".
 std::string label_of(const Case& entry, const std::vector<std::string>& keys, bool named = false);
 
-/// The table for people to read: a block for each set of all keys but `by`, with a row for each
-/// value of it. Of each of `columns` the mean over the runs and its 95 % interval. Empty `by`: the
-/// first of method, parameters, table and scene that varies; empty `columns`: the usual ones.
+/// Cases that differ in one key, and what is said of them.
+struct ComparisonBlock {
+  std::string heading;                         ///< what they share and others do not; may be empty
+  std::vector<std::vector<std::string>> rows;  ///< the heads of the columns, and a row a case
+  std::vector<Case> cases;
+};
+/// The first of method, parameters, table and scene that varies.
+std::string usual_by(const std::vector<Case>& cases);
+/// A block for each set of all keys but `by`. Of each of `columns` the mean over the runs and its
+/// 95 % interval. Empty `columns`: the usual ones. Throws UsageError on what there is not.
+std::vector<ComparisonBlock> blocks_of(const std::vector<Case>& cases, const std::string& by,
+                                       std::vector<std::string> columns);
+/// The same as a text; an empty `by` is usual_by().
 std::string readable(const std::vector<Case>& cases, std::string by,
                      std::vector<std::string> columns);
 /// One row a recording.
@@ -51,9 +61,16 @@ std::string readable(const Comparison& comparison);
 
 /// How much of the robots that are not parked had arrived, in % over s: the mean over the case's
 /// runs. Each run's share grows on straight lines from its first arrival, at 0, through its columns
-/// arrival_10 to arrival_100 to its last arrival, at 100, and stays as it is behind the last of them
-/// that it has. Where the share jumps there are two points at one time.
+/// arrival_10 to arrival_100 to its last arrival, at 100, and stays as it is behind the last of
+/// them that it has. Where the share jumps there are two points at one time.
 std::vector<avo::Vec2> arrivals_of(const Case& entry);
+
+/// Of a figure: more of them nobody tells apart.
+inline constexpr std::size_t kMostCurves = 12;
+
+/// The arrivals of these, with a curve for each, called by its values of `keys`.
+std::string draw_arrivals(const std::vector<Case>& cases, const std::vector<std::string>& keys,
+                          const std::string& role, const std::string& path);
 
 /// What the files at `path` are to hold. Throw UsageError, which calls the option `role`, where
 /// there is nothing to draw.

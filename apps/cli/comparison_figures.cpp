@@ -19,7 +19,6 @@ namespace {
 using avo::Vec2;
 using avo::figures::Series;
 
-constexpr std::size_t kMostCurves = 12;  // more of them nobody tells apart
 constexpr std::size_t kMostPanels = 6;
 
 /// Gives colors. Throws UsageError where there are too many or none.
@@ -50,6 +49,14 @@ void extend(std::vector<Series>& curves) {
     if (curve.points.back().x < last) curve.points.push_back({last, curve.points.back().y});
 }
 
+avo::figures::Chart arrivals_chart(const std::vector<Case>& cases,
+                                   const std::vector<std::string>& keys) {
+  avo::figures::Chart chart{"time (s)", "arrived (%)", {}, 100.0};
+  for (const Case& entry : cases)
+    chart.series.push_back({label_of(entry, keys), arrivals_of(entry), {}, false});
+  return chart;
+}
+
 void require_recordings(const Comparison& comparison, const std::string& role) {
   if (comparison.recordings.empty())
     throw UsageError(role +
@@ -60,14 +67,19 @@ void require_recordings(const Comparison& comparison, const std::string& role) {
 
 std::string draw_arrivals(const Comparison& comparison, const std::string& role,
                           const std::string& path) {
-  avo::figures::Chart chart{"time (s)", "arrived (%)", {}, 100.0};
   const std::vector<Case> cases = cases_of(comparison);
   std::vector<std::string> keys = varying_keys(cases);
   if (keys.empty()) keys = {"scene", "method"};
-  for (const Case& entry : cases)
-    chart.series.push_back({label_of(entry, keys), arrivals_of(entry), {}, false});
+  avo::figures::Chart chart = arrivals_chart(cases, keys);
   for (const auto& [name, run] : comparison.recordings)
     chart.series.push_back({stem(name), arrivals_of(run), {}, false});
+  extend(chart.series);
+  return draw(std::move(chart), role, path);
+}
+
+std::string draw_arrivals(const std::vector<Case>& cases, const std::vector<std::string>& keys,
+                          const std::string& role, const std::string& path) {
+  avo::figures::Chart chart = arrivals_chart(cases, keys);
   extend(chart.series);
   return draw(std::move(chart), role, path);
 }

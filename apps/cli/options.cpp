@@ -228,21 +228,6 @@ void add_video(CLI::App& app, Action& action) {
   verb->callback([&action] { action = [] { return video(arguments); }; });
 }
 
-void add_report(CLI::App& app, Action& action) {
-  CLI::App* verb =
-      app.add_subcommand("report", "make one page of a recording: figures, results, a replay");
-  static ReportArguments arguments;
-  not_empty(verb->add_option("RECORDING", arguments.recording, "as avo run --record writes it"))
-      ->type_name("FILE.h5")
-      ->required();
-  not_empty(verb->add_option("PAGE", arguments.output, "what to make; - is stdout"))
-      ->type_name("FILE.html")
-      ->required();
-  add_volume(*verb);
-  verb->footer("Example: avo report out.h5 out.html");
-  verb->callback([&action] { action = [] { return report(arguments); }; });
-}
-
 void add_bench(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("bench", "measure what a step of a scene costs");
   static BenchArguments arguments;
@@ -305,7 +290,6 @@ void add_options(CLI::App& app, Action& action) {
   add_recover(app, action);
   add_convert(app, action);
   add_video(app, action);
-  add_report(app, action);
   add_bench(app, action);
   add_many_runs(app, action);
   add_others(app, action);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of avo sweep and avo compare.
+// The options of avo sweep, and of what is made of many runs or one: avo compare and avo report.
 #include <CLI/CLI.hpp>
 
 #include "option_parts.h"
@@ -64,11 +64,33 @@ void add_compare(CLI::App& app, Action& action) {
   verb->callback([&action] { action = [] { return compare(arguments); }; });
 }
 
+void add_report(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand(
+      "report", "make one page of a recording or a sweep: figures, results, a replay");
+  static ReportArguments arguments;
+  not_empty(verb->add_option("INPUT", arguments.input,
+                             "as avo run --record FILE.h5 and avo sweep --out write them"))
+      ->type_name("FILE.h5|.csv")
+      ->required();
+  not_empty(verb->add_option("PAGE", arguments.output, "what to make; - is stdout"))
+      ->type_name("FILE.html")
+      ->required();
+  not_empty(verb->add_option("--spec", arguments.spec,
+                             "of the sweep: one of its runs is simulated again, and shown"))
+      ->type_name("FILE.yaml");
+  verb->add_option("--run", arguments.run, "the number of that run, with --spec; 0")
+      ->type_name("K");
+  add_volume(*verb);
+  verb->footer("Example: avo report out.h5 out.html");
+  verb->callback([&action] { action = [] { return report(arguments); }; });
+}
+
 }  // namespace
 
 void add_many_runs(CLI::App& app, Action& action) {
   add_sweep(app, action);
   add_compare(app, action);
+  add_report(app, action);
 }
 
 }  // namespace avo_cli

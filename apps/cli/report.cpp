@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// avo report: a recording as one page that needs nothing else.
-#include <algorithm>
-#include <cctype>
+// avo report: a recording, or a sweep, as one page that needs nothing else.
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -20,9 +18,9 @@
 #include "figures/trajectories.h"
 #include "files.h"
 #include "html.h"
-#include "report_page.h"
+#include "report_parts.h"
 #include "report_replay.h"
-#include "signals.h"
+#include "sweep_report.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -31,18 +29,6 @@ namespace {
 
 namespace figures = avo::figures;
 using Rows = std::vector<std::pair<std::string, std::string>>;
-
-/// In quotes that a shell takes away, where it needs any.
-std::string shell_word(const std::string& word) {
-  const auto plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("-_./=,:+@%").find(c) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 /// What simulating the recording again tells of its run, or why it does not.
 struct Again {
@@ -87,8 +73,7 @@ Again simulated_again(const std::string& recording, const avo_io::RecordingHeade
 std::string command_of(const avo_io::RecordingHeader& header, const std::string& recording,
                        const Again& again, double end) {
   std::string command = "avo run " + shell_word(header.scene.name);
-  for (const std::string& override : header.scene.overrides)
-    command += " --set " + shell_word(override);
+  command += set_options(header.scene.overrides);
   if (header.scene.start_at_rest) command += " --start-at-rest";
   if (header.scene.limit_speed) command += " --limit-speed";
   if (header.every > 1) command += fmt::format(" --every {}", header.every);
@@ -118,50 +103,50 @@ std::string figures_of(const avo_io::RecordedRun& run) {
          chart_of("speed (m/s)", top_speeds_of(run), figures::hue_color(20.0), "fastest robot");
 }
 
-std::string page_of(const ReportArguments& arguments, const avo_io::RecordingHeader& header) {
-  const avo_io::RecordedRun run = avo_io::read_run(arguments.recording, most_frames(header.robots));
+std::string recording_page(const ReportArguments& arguments) {
+  if (!arguments.spec.empty() || arguments.run)
+    throw UsageError(fmt::format("{}: found with a recording, must be with a table of avo sweep",
+                                 arguments.run ? "--run" : "--spec"));
+  const auto found = avo_io::read_recording_header(arguments.input);
+  if (!found)
+    throw avo_io::RecordingError(arguments.input +
+                                 ": found no scene in it, must be a recording as HDF5");
+  const avo_io::RecordingHeader& header = *found;
+  const avo_io::RecordedRun run = avo_io::read_run(arguments.input, most_frames(header.robots));
   const avo::Scenario& scenario = run.scenario;
-  const avo_io::Judgement judgement = avo_io::judge(arguments.recording, {.scenario = scenario});
+  const avo_io::Judgement judgement = avo_io::judge(arguments.input, {.scenario = scenario});
   const std::string verdict =
       judgement.incomplete() ? "incomplete" : (judgement.safe() ? "safe" : "unsafe");
   std::string scene = header.scene.yaml;
   for (const avo_io::SceneFile& file : header.scene.files)
     scene += fmt::format("\n# {}: {} bytes, in the recording\n", file.path, file.text.size());
-  const Again again = simulated_again(arguments.recording, header, run);
+  const Again again = simulated_again(arguments.input, header, run);
   Rows provenance{{"avo", header.version},
                   {"build", header.build},
                   {"seed", std::to_string(header.seed)},
-                  {"recording", arguments.recording}};
+                  {"recording", arguments.input}};
   if (header.state_hash)
     provenance.emplace_back("state hash", fmt::format("{:#018x}", *header.state_hash));
-  return filled(kReportPage,
-                {{"title", as_html(scenario.name)},
-                 {"subtitle", fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
-                                          avo::to_string(scenario.method), judgement.report.to)},
-                 {"verdict", fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>", verdict)},
-                 {"drawing", drawing_of(run)},
-                 {"figures", figures_of(run)},
-                 {"results", again.results},
-                 {"judged", as_html(avo_io::readable(judgement))},
-                 {"command",
-                  as_html(command_of(header, arguments.recording, again, run.moments.back().time))},
-                 {"scene", as_html(scene)},
-                 {"provenance", table_of(provenance)},
-                 {"data", data_of(run)}});
+  return page_of(
+      scenario.name,
+      fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
+                  avo::to_string(scenario.method), judgement.report.to),
+      {fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>\n", verdict),
+       page_replay("Replay", run), page_figures("Figures", figures_of(run)),
+       page_section("Results", again.results),
+       page_text("What was judged", avo_io::readable(judgement)),
+       page_text("Command", command_of(header, arguments.input, again, run.moments.back().time)),
+       page_text("Scene", scene), page_section("Made by", table_of(provenance))});
 }
 
 }  // namespace
 
 int report(const ReportArguments& arguments) {
-  catch_signals(Patience::none);
   require_ending({"the report", arguments.output}, {".html"});
-  require_distinct({{"the recording", arguments.recording}}, {{"the report", arguments.output}});
-  const auto header = avo_io::read_recording_header(arguments.recording);
-  if (!header)
-    throw avo_io::RecordingError(arguments.recording +
-                                 ": found no scene in it, must be a recording as HDF5");
+  require_distinct({{"the input", arguments.input}, {"--spec", arguments.spec}},
+                   {{"the report", arguments.output}});
   avo_io::OutputFile file(arguments.output);
-  file.write(page_of(arguments, *header));
+  file.write(is_sweep_table(arguments.input) ? sweep_page(arguments) : recording_page(arguments));
   file.commit();
   if (arguments.output != "-") print_results(arguments.output + "\n");
   return kDone;

@@ -96,7 +96,10 @@ struct VideoArguments {
 int video(const VideoArguments& arguments);
 
 struct ReportArguments {
-  std::string recording, output;
+  std::string input;  ///< a recording, or the table of a sweep
+  std::string output;
+  std::string spec;                 ///< of a sweep; empty: none is at hand
+  std::optional<std::int64_t> run;  ///< of a sweep, which is shown in motion; unset: its first
 };
 int report(const ReportArguments& arguments);
 

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "avo/export.h"
+#include "avo/scenario.h"
+#include "avo/simulation.h"
 #include "avo_io/errors.h"
 
 namespace avo_io {
@@ -27,6 +29,7 @@ struct SweepParameter {
 /// parameter, and scenes slowest.
 struct SweepSpec {
   std::string name;                        ///< of the file, in front of messages
+  std::string text;                        ///< of the file
   std::vector<std::string> scenes;         ///< built-in names, or paths relative to the file
   std::vector<std::string> methods;        ///< empty: each scene's own
   std::vector<SweepParameter> parameters;  ///< every value with every other key's
@@ -43,8 +46,25 @@ AVO_API SweepSpec parse_sweep(std::string_view yaml, const std::string& name);
 
 /// How many runs it has.
 AVO_API std::int64_t run_count(const SweepSpec& spec);
+/// What the column "sweep" of its tables holds: a hash of all that their results follow from.
+/// Throws SceneError on a run that is refused.
+AVO_API std::string fingerprint(const SweepSpec& spec);
 /// One of them in words, e.g. "circle-100 orca time_horizon=5 seed=3".
 AVO_API std::string run_name(const SweepSpec& spec, std::int64_t run);
+/// Its scene, and the name and the overrides (key=value) with which `avo run` makes it. Throws
+/// SceneError with the run's name.
+struct SweepRunScene {
+  avo::Scenario scenario;
+  std::string name;
+  std::vector<std::string> overrides;
+  std::string yaml;  ///< its text, without these
+};
+AVO_API SweepRunScene scene_of_run(const SweepSpec& spec, std::int64_t run);
+/// Simulates such a scene to the end of its run, which it shows to `observe` at first and after
+/// each step. Returns the hash of the last state, as in the table.
+AVO_API std::uint64_t simulate_again(
+    const SweepSpec& spec, const avo::Scenario& scenario,
+    const std::function<void(const avo::Simulation& simulation)>& observe);
 
 /// A row a run, by ascending number. All values as text: numbers with the shortest digits that read
 /// back to the same bits, nothing where there is no value. The first columns are "sweep" (what its

@@ -168,7 +168,10 @@ TEST(Report, refuses_what_has_no_scene_in_it) {
   ASSERT_EQ(run_avo({"run", "circle-4", "--duration=2", "--record", csv, "-q"}).exit_code, 0);
   const ProcessResult result = run_avo({"report", csv, path_of("out.html")});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_EQ(result.err, csv + ": found no scene in it, must be a recording as HDF5\n");
+  EXPECT_EQ(result.err, csv +
+                            ": found no table of avo sweep, whose first columns must be sweep, "
+                            "run, scene, method, parameters, seed, state_hash; a recording must be "
+                            "HDF5\n");
   EXPECT_FALSE(exists(path_of("out.html")));
   EXPECT_EQ(run_avo({"report", csv, path_of("out.txt")}).exit_code, 2);
 }

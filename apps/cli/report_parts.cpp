@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What pages of recordings and of sweeps have in common.
+#include "report_parts.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <string_view>
+
+#include "html.h"
+#include "report_page.h"
+#include "report_replay.h"
+
+namespace avo_cli {
+
+std::string shell_word(const std::string& word) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-_./=,:+@%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string set_options(const std::vector<std::string>& overrides) {
+  std::string options;
+  for (const std::string& override : overrides) options += " --set " + shell_word(override);
+  return options;
+}
+
+std::string page_section(const std::string& heading, const std::string& html) {
+  return fmt::format("<h2>{}</h2>\n{}\n", as_html(heading), html);
+}
+
+std::string page_text(const std::string& heading, const std::string& text) {
+  return page_section(heading, "<pre>" + as_html(text) + "</pre>");
+}
+
+std::string page_figures(const std::string& heading, const std::string& images) {
+  return page_section(heading, "<div class=\"figures\">" + images + "</div>");
+}
+
+std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run) {
+  return page_section(
+      heading, filled(kReportReplay, {{"drawing", drawing_of(run)}, {"data", data_of(run)}}));
+}
+
+std::string page_of(const std::string& title, const std::string& subtitle,
+                    const std::vector<std::string>& sections) {
+  return filled(kReportPage, {{"title", as_html(title)},
+                              {"subtitle", as_html(subtitle)},
+                              {"sections", fmt::format("{}", fmt::join(sections, ""))}});
+}
+
+}  // namespace avo_cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// avo report of a sweep.
+#pragma once
+#include <string>
+
+#include "verbs.h"
+
+namespace avo_cli {
+
+/// Whether avo report takes the file for the table of a sweep rather than for a recording.
+bool is_sweep_table(const std::string& path);
+
+/// The page of such a table. Throws as exit_codes.h and avo_io/errors.h say.
+std::string sweep_page(const ReportArguments& arguments);
+
+}  // namespace avo_cli
