@@ -23,7 +23,7 @@ def setup(*arguments, installed=None):
     with tempfile.TemporaryDirectory() as folder:
         programs = {"id": "echo 1000", "apt-get": "echo apt-get >&2; exit 1"}
         if installed is not None:
-            programs["dpkg-query"] = "\n".join(f"echo installed {name}" for name in installed) or ":"
+            programs["dpkg-query"] = "\n".join(f"echo 'installed {name}'" for name in installed) or ":"
         for name, text in programs.items():
             path = pathlib.Path(folder, name)
             path.write_text(f"#!/bin/sh\n{text}\n")
@@ -61,6 +61,12 @@ class Setup(unittest.TestCase):
     def test_is_silent_where_nothing_is_missing(self):
         found = setup("test", installed=packages(LISTS[0]) + packages(LISTS[1]))
         self.assertEqual((found.returncode, found.stdout, found.stderr), (0, "", ""))
+
+    def test_counts_what_a_package_provides(self):
+        wanted = packages(LISTS[0])
+        others = [f"nodejs, {wanted[0]} (= 9.2), node-{wanted[1]}, {wanted[2]}, node-x:any", *wanted[3:]]
+        found = setup(installed=others)
+        self.assertEqual(found.stderr, f"missing packages, install them first: {wanted[1]}\n")
 
     def test_refuses_other_arguments_in_one_line(self):
         for arguments in (("tests",), ("test", "all")):
