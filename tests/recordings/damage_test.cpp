@@ -2,6 +2,7 @@
 // Recordings that are cut off or changed: readers say so, and never crash. AVO_EVERY_BYTE sets the
 // step from one length to the next (97); AVO_EVERY_BYTE=1 is the soak.
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <random>
@@ -70,7 +71,13 @@ std::size_t every_byte() {
   return number != nullptr ? static_cast<std::size_t>(std::atoi(number)) : 97;
 }
 
+/// For scripts/soak.
+void tell_cuts(const char* kind, std::size_t cuts) {
+  std::printf("cuts: %zu %s, cut off at %zu lengths\n", kSamples.size(), kind, cuts);
+}
+
 TEST(Damage, a_recording_that_is_cut_off_is_refused) {
+  std::size_t cuts = 0;
   for (const Sample& of : kSamples) {
     const std::string bytes = read_file(sample(of)), cut = path_of("cut.h5");
     ASSERT_FALSE(rows_in(path_of("run.h5")).empty());
@@ -78,13 +85,17 @@ TEST(Damage, a_recording_that_is_cut_off_is_refused) {
     for (std::size_t size = bytes.size() - 1; size > 0; size -= std::min(size, every_byte())) {
       ASSERT_EQ(truncate(cut.c_str(), static_cast<off_t>(size)), 0);
       EXPECT_EQ(rows_in(cut), "") << of.scene << " at byte " << size << " of " << bytes.size();
+      ++cuts;
     }
     ASSERT_EQ(truncate(cut.c_str(), 0), 0);
     EXPECT_EQ(rows_in(cut), "");
+    ++cuts;
   }
+  tell_cuts("recordings", cuts);
 }
 
 TEST(Damage, of_a_spool_that_is_cut_off_the_whole_blocks_are_read) {
+  std::size_t cuts = 0;
   for (const Sample& of : kSamples) {
     sample(of);
     const std::string spool = path_of("copy.part"), bytes = read_file(spool);
@@ -96,9 +107,11 @@ TEST(Damage, of_a_spool_that_is_cut_off_the_whole_blocks_are_read) {
       const std::string rows = rows_in(spool);
       ASSERT_TRUE(all.starts_with(rows)) << of.scene << " at byte " << size;
       longest = std::max(longest, rows.size());
+      ++cuts;
     }
     EXPECT_EQ(longest, all.size()) << "a cut within the last word loses no rows";
   }
+  tell_cuts("spools", cuts);
 }
 
 /// What avo check says of it within 128 MiB of memory.

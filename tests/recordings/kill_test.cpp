@@ -3,8 +3,11 @@
 // many (5); AVO_KILLS=60 is the soak.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 #include <new>
@@ -15,6 +18,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 #include "avo/simulation.h"
 #include "avo_io/recording.h"
@@ -24,6 +28,8 @@
 
 namespace avo_test {
 namespace {
+
+using Strings = std::vector<std::string>;
 
 /// Counts the times that were recorded; shared with the process that counts.
 std::atomic<std::int64_t>& shared_counter() {
@@ -99,6 +105,74 @@ TEST(Killed, runs_leave_all_blocks_but_the_last_and_replay_bit_by_bit) {
     unlink(h5.c_str());
     unlink(spool.c_str());
   }
+}
+
+double seconds_of(const std::function<void()>& action) {
+  const auto start = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// How many of each there were.
+struct Outcomes {
+  int nothing = 0;   // not even a block
+  int spools = 0;    // that lack the end
+  int complete = 0;  // a spool with all rows, or the recording itself
+};
+
+/// Reads what a killed run has left: each recording replays bit by bit, and each spool becomes one
+/// that has all its times.
+void look_at(const std::string& h5, Outcomes& outcomes) {
+  const std::string spool = h5 + ".part";
+  if (!exists(spool)) {
+    ++(exists(h5) ? outcomes.complete : outcomes.nothing);
+    if (exists(h5)) {
+      EXPECT_FALSE(avo_io::replay(h5, 1).difference);
+    }
+    return;
+  }
+  const ProcessResult read = run_avo({"convert", spool, path_of("rows.csv"), "-q"});
+  const ProcessResult recovered = run_avo({"recover", spool, "--output", path_of("again.h5")});
+  if (read.exit_code != 0) {  // killed before its first block
+    EXPECT_EQ(read.exit_code, 3) << read.err;
+    EXPECT_EQ(lines_of(read.err).size(), 1U) << read.err;
+    EXPECT_EQ(recovered.exit_code, 3) << recovered.err;
+    ++outcomes.nothing;
+    return;
+  }
+  EXPECT_TRUE(recovered.exit_code == 7 || recovered.exit_code == 0) << recovered.err;
+  ++(recovered.exit_code == 0 ? outcomes.complete : outcomes.spools);
+  EXPECT_EQ(times_in(path_of("again.h5")), times_in(spool));
+  EXPECT_FALSE(avo_io::replay(path_of("again.h5"), 1).difference);
+}
+
+// At any time from its start to a little after its end.
+TEST(Killed, by_chance_runs_of_avo_leave_what_can_be_read) {
+  const Strings run{"run", "circle-250", "--threads", "1", "-q", "--record"};
+  const auto to = [&run](const std::string& h5) {
+    Strings command = run;
+    command.push_back(h5);
+    return command;
+  };
+  const double whole = seconds_of([&] { run_avo(to(path_of("whole.h5"))); });
+  std::mt19937_64 random(17);
+  Outcomes outcomes;
+  for (int k = 0; k < kills(); ++k) {
+    const std::string h5 = path_of("run.h5");
+    const double after = 1.1 * whole * static_cast<double>(random() >> 11U) * 0x1p-53;
+    run_avo(to(h5), {.meanwhile = [after](int pid) {
+              usleep(static_cast<useconds_t>(1e6 * after));
+              kill(pid, SIGKILL);
+            }});
+    look_at(h5, outcomes);
+    for (const std::string& name : files_in(folder())) unlink(path_of(name).c_str());
+  }
+  EXPECT_EQ(outcomes.nothing + outcomes.spools + outcomes.complete, kills());
+  EXPECT_GT(outcomes.spools, 0);
+  std::printf(
+      "kills: %d runs of circle-250, killed at random times: %d before their first block, "
+      "%d left a spool, %d had ended\n",
+      kills(), outcomes.nothing, outcomes.spools, outcomes.complete);
 }
 
 TEST(Killed, before_the_first_block_a_run_has_left_nothing_to_recover) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A sample of every family, with every certificate: nobody touches, limits are kept, robots arrive
-// within the targets. scripts/soak runs all of it.
+// within the targets. scripts/soak safety runs all of it.
 #include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>

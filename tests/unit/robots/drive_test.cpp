@@ -139,7 +139,7 @@ TEST(Drive, braking_straight_keeps_S_and_the_wheels_within_their_limits) {
   expect_braking_within_limits(20'000, 32);
 }
 
-// By scripts/soak.
+// By scripts/soak safety.
 TEST(Drive, DISABLED_a_million_brakings) {
   expect_braking_within_limits(1'000'000, 33);
 }
