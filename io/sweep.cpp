@@ -92,7 +92,7 @@ SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options) {
     const SweepRun run = run_of(spec, plan.runs[i]);
     const avo::Scenario scenario = plan.scenario(run);
     const RunOutcome outcome = simulate_run(spec, scenario);
-    std::vector<std::string> row = sweep_row(plan.sweep, run, scenario, outcome);
+    std::vector<std::string> row = sweep_row(spec, plan.sweep, run, scenario, outcome);
     const std::lock_guard lock(guard);
     journal.add(row);
     rows[run.number] = std::move(row);

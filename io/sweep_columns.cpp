@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "core/ranges.h"
 #include "sweep_runs.h"
@@ -136,11 +137,34 @@ constexpr SweepColumn kResults[] = {
     {"order", of_metrics<&RunMetrics::order>},
     {"density_mean", of_metrics<&RunMetrics::density_mean>},
     {"density_max", of_metrics<&RunMetrics::density_max>},
+};
+
+/// With a measuring line.
+constexpr SweepColumn kFlows[] = {
+    {"crossings",
+     [](const RunOutcome& run) -> Value {
+       const auto& times = run.summary.metrics.crossing_times;
+       if (!times) return std::nullopt;
+       return static_cast<double>(times->size());
+     }},
+    {"flow", of_metrics<&RunMetrics::flow>},
+    {"specific_flow", of_metrics<&RunMetrics::specific_flow>},
+};
+
+constexpr SweepColumn kTimes[] = {
     {"step_ms_p50", of_metrics<&RunMetrics::step_ms_p50>},
     {"step_ms_p99", of_metrics<&RunMetrics::step_ms_p99>},
     {"step_milliseconds_median", of_summary<&RunSummary::step_milliseconds_median>},
     {"seconds", [](const RunOutcome& run) -> Value { return run.seconds; }},
 };
+
+/// All that the runs of a sweep are told by, in the order of its table.
+std::vector<SweepColumn> results_of(const SweepSpec& spec) {
+  std::vector<SweepColumn> columns(std::begin(kResults), std::end(kResults));
+  if (spec.line) columns.insert(columns.end(), std::begin(kFlows), std::end(kFlows));
+  columns.insert(columns.end(), std::begin(kTimes), std::end(kTimes));
+  return columns;
+}
 
 std::string field_of(const Value& value) {
   return value && std::isfinite(*value) ? avo::text(*value) : "";
@@ -158,18 +182,19 @@ std::vector<std::string> sweep_columns(const SweepSpec& spec) {
   for (const SweepParameter& parameter : spec.parameters) columns.push_back(parameter.key);
   columns.emplace_back("seed");
   columns.emplace_back("state_hash");
-  for (const SweepColumn& column : kResults) columns.emplace_back(column.name);
+  for (const SweepColumn& column : results_of(spec)) columns.emplace_back(column.name);
   return columns;
 }
 
-std::vector<std::string> sweep_row(const std::string& sweep, const SweepRun& run,
-                                   const avo::Scenario& scenario, const RunOutcome& outcome) {
+std::vector<std::string> sweep_row(const SweepSpec& spec, const std::string& sweep,
+                                   const SweepRun& run, const avo::Scenario& scenario,
+                                   const RunOutcome& outcome) {
   std::vector<std::string> row{sweep, fmt::format("{}", run.number), run.scene,
                                avo::to_string(scenario.method)};
   row.insert(row.end(), run.values.begin(), run.values.end());
   row.push_back(fmt::format("{}", scenario.seed));
   row.push_back(fmt::format("{:#018x}", outcome.state_hash));
-  for (const SweepColumn& column : kResults) row.push_back(field_of(column.of(outcome)));
+  for (const SweepColumn& column : results_of(spec)) row.push_back(field_of(column.of(outcome)));
   return row;
 }
 

@@ -11,6 +11,7 @@
 #include "avo/simulation.h"
 #include "avo/version.h"
 #include "avo_io/scene.h"
+#include "core/ranges.h"
 #include "sweep_hash.h"
 
 namespace avo_io {
@@ -69,7 +70,7 @@ avo::Scenario scenario_of(const SweepSpec& spec, const SweepRun& run, SceneSourc
 RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario) {
   const SweepClock::time_point begin = SweepClock::now();
   avo::Simulation simulation(scenario, spec.threads);
-  avo::Metrics metrics(scenario, {.crowd = true, .line = {}});
+  avo::Metrics metrics(scenario, {.crowd = true, .line = spec.line});
   ArrivalTimes arrivals;
   metrics.observe(simulation);
   arrivals.observe(simulation);
@@ -143,6 +144,9 @@ std::string fingerprint(const SweepSpec& spec, const std::vector<std::uint64_t>&
   }
   for (const std::uint64_t seed : spec.seeds) hash.add(fmt::format("{}", seed));
   hash.add(spec.until_arrived ? "until_arrived" : "");
+  if (spec.line)
+    for (const avo::Vec2 end : {spec.line->a, spec.line->b})
+      for (const double value : {end.x, end.y}) hash.add(avo::text(value));
   return hash.text();
 }
 

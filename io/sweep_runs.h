@@ -44,8 +44,9 @@ RunOutcome simulate_run(const SweepSpec& spec, const avo::Scenario& scenario);
 /// The columns of a sweep's table.
 std::vector<std::string> sweep_columns(const SweepSpec& spec);
 /// A row of it. `sweep`: fingerprint().
-std::vector<std::string> sweep_row(const std::string& sweep, const SweepRun& run,
-                                   const avo::Scenario& scenario, const RunOutcome& outcome);
+std::vector<std::string> sweep_row(const SweepSpec& spec, const std::string& sweep,
+                                   const SweepRun& run, const avo::Scenario& scenario,
+                                   const RunOutcome& outcome);
 
 /// Of each scene x method x parameters, by ascending number of its runs, a hash of the texts that
 /// it is made of. Throws what scenario_of() does.

@@ -16,8 +16,8 @@
 namespace avo_io {
 namespace {
 
-constexpr std::array<std::string_view, 7> kSweepKeys{
-    "version", "scenes", "methods", "parameters", "seeds", "threads", "until_arrived"};
+constexpr std::array<std::string_view, 8> kSweepKeys{
+    "version", "scenes", "methods", "parameters", "seeds", "threads", "until_arrived", "line"};
 constexpr avo::Range kSweepText{1.0, 4096.0, false};
 constexpr avo::Range kAnySeed{0.0, 18446744073709551615.0, false};
 constexpr avo::Range kSweepThreads{1.0, 1024.0, false};
@@ -57,6 +57,7 @@ class SweepReader {
       spec_.threads = static_cast<int>(reader_.whole_number(*threads, "threads", kSweepThreads));
     if (const YamlNode* ends = root_.find("until_arrived"))
       spec_.until_arrived = reader_.truth(*ends, "until_arrived");
+    read_line();
     check_count();
     return std::move(spec_);
   }
@@ -138,6 +139,18 @@ class SweepReader {
     if (first + (number - 1) < first)
       reader_.fail(*count, "seeds.count", shown(*count), "must end with a seed < 2^64");
     for (std::uint64_t k = 0; k < number; ++k) spec_.seeds.push_back(first + k);
+  }
+
+  void read_line() {
+    const YamlNode* node = root_.find("line");
+    if (node == nullptr) return;
+    const std::vector<avo::Vec2> ends = reader_.points(*node, "line", avo::kAnyValue, "m");
+    constexpr const char* kTwoPoints = "must be two points, [[x, y], [x, y]]";
+    if (ends.size() != 2)
+      reader_.fail(*node, "line", fmt::format("a list of {}", ends.size()), kTwoPoints);
+    if (!(norm_squared(ends[1] - ends[0]) > 0.0))
+      reader_.fail(*node, "line", "one point", kTwoPoints);
+    spec_.line = {ends[0], ends[1]};
   }
 
   void check_count() const {

@@ -80,6 +80,9 @@ void add_report(CLI::App& app, Action& action) {
       ->type_name("FILE.yaml");
   verb->add_option("--run", arguments.run, "the number of that run, with --spec; 0")
       ->type_name("K");
+  not_empty(verb->add_option("--line", arguments.line,
+                             "of a recording: tell the flow across this line, its ends in m"))
+      ->type_name("X,Y,X,Y");
   add_volume(*verb);
   verb->footer("Example: avo report out.h5 out.html");
   verb->callback([&action] { action = [] { return report(arguments); }; });

@@ -18,6 +18,7 @@
 #include "figures/trajectories.h"
 #include "files.h"
 #include "html.h"
+#include "measuring_line.h"
 #include "report_parts.h"
 #include "report_replay.h"
 #include "sweep_report.h"
@@ -29,6 +30,16 @@ namespace {
 
 namespace figures = avo::figures;
 using Rows = std::vector<std::pair<std::string, std::string>>;
+
+/// Across a line, the number of crossings stands in place of their times.
+std::string results_of(const avo::RunSummary& summary) {
+  auto told = nlohmann::ordered_json::parse(avo_io::to_json(summary));
+  if (summary.metrics.crossing_times) {
+    told["metrics"]["crossings"] = summary.metrics.crossing_times->size();
+    told["metrics"].erase("crossing_times");
+  }
+  return table_of(told);
+}
 
 /// What simulating the recording again tells of its run, or why it does not.
 struct Again {
@@ -48,12 +59,13 @@ Again told_by_rows(const avo_io::RecordedRun& run, std::string why) {
 
 /// What the run's summary says: simulated again, until the recording's last time.
 Again simulated_again(const std::string& recording, const avo_io::RecordingHeader& header,
-                      const avo_io::RecordedRun& run) {
+                      const avo_io::RecordedRun& run,
+                      const std::optional<avo::MeasuringLine>& line) {
   if (header.version != avo::kVersion)
     return told_by_rows(run,
                         "Another version of avo has made the recording, so that it is not "
                         "simulated again.");
-  avo::Metrics metrics(run.scenario);
+  avo::Metrics metrics(run.scenario, {.crowd = false, .line = line});
   Progress progress(run.moments.back().time);
   const avo_io::Replay replay =
       avo_io::replay(recording, 0, [&](const avo::Simulation& simulation) {
@@ -65,8 +77,7 @@ Again simulated_again(const std::string& recording, const avo_io::RecordingHeade
                         "Simulated again, the run is another one than the recording, so that there "
                         "are no results of it: " +
                             as_html(avo_io::readable(replay)));
-  return {table_of(nlohmann::ordered_json::parse(avo_io::to_json(metrics.summary()))), replay.whole,
-          metrics.all_arrived()};
+  return {results_of(metrics.summary()), replay.whole, metrics.all_arrived()};
 }
 
 /// The command that makes the recording again.
@@ -104,6 +115,7 @@ std::string figures_of(const avo_io::RecordedRun& run) {
 }
 
 std::string recording_page(const ReportArguments& arguments) {
+  const std::optional<avo::MeasuringLine> line = line_of(arguments.line);
   if (!arguments.spec.empty() || arguments.run)
     throw UsageError(fmt::format("{}: found with a recording, must be with a table of avo sweep",
                                  arguments.run ? "--run" : "--spec"));
@@ -120,7 +132,7 @@ std::string recording_page(const ReportArguments& arguments) {
   std::string scene = header.scene.yaml;
   for (const avo_io::SceneFile& file : header.scene.files)
     scene += fmt::format("\n# {}: {} bytes, in the recording\n", file.path, file.text.size());
-  const Again again = simulated_again(arguments.input, header, run);
+  const Again again = simulated_again(arguments.input, header, run, line);
   Rows provenance{{"avo", header.version},
                   {"build", header.build},
                   {"seed", std::to_string(header.seed)},
@@ -145,6 +157,10 @@ int report(const ReportArguments& arguments) {
   require_ending({"the report", arguments.output}, {".html"});
   require_distinct({{"the input", arguments.input}, {"--spec", arguments.spec}},
                    {{"the report", arguments.output}});
+  if (!arguments.line.empty() && is_sweep_table(arguments.input))
+    throw UsageError(
+        "--line: found with a table of avo sweep, must be with a recording; the flow of a sweep is "
+        "measured where its file has the key \"line\"");
   avo_io::OutputFile file(arguments.output);
   file.write(is_sweep_table(arguments.input) ? sweep_page(arguments) : recording_page(arguments));
   file.commit();

@@ -100,6 +100,7 @@ struct ReportArguments {
   std::string output;
   std::string spec;                 ///< of a sweep; empty: none is at hand
   std::optional<std::int64_t> run;  ///< of a sweep, which is shown in motion; unset: its first
+  std::string line;                 ///< "X,Y,X,Y", of a recording: whose flow is told; empty: none
 };
 int report(const ReportArguments& arguments);
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "avo/export.h"
+#include "avo/metrics.h"
 #include "avo/scenario.h"
 #include "avo/simulation.h"
 #include "avo_io/errors.h"
@@ -36,6 +37,8 @@ struct SweepSpec {
   std::vector<std::uint64_t> seeds;        ///< empty: each scene's own
   int threads = 1;                         ///< of one run
   bool until_arrived = false;              ///< a run ends once every robot has arrived
+  /// Whose flow is measured in every run, as RunMetrics::flow; none: no columns of it.
+  std::optional<avo::MeasuringLine> line = {};
 };
 /// A sweep has no more runs.
 inline constexpr std::int64_t kMostSweepRuns = 1'000'000;

@@ -20,7 +20,7 @@ TEST(SweepSpec, says_what_varies) {
   const avo_io::SweepSpec spec = avo_io::parse_sweep(
       "version: 1\nscenes: [a.yaml, circle-5]\nmethods: [orca]\nthreads: 2\n"
       "parameters:\n  name: ['it''s', 7]\n  robots.0.goal: [[1, 2.5]]\n"
-      "seeds: [5, 18446744073709551615]\nuntil_arrived: true\n",
+      "seeds: [5, 18446744073709551615]\nuntil_arrived: true\nline: [[0, -1], [2, 3]]\n",
       "s");
   EXPECT_EQ(spec.scenes, (Strings{"a.yaml", "circle-5"}));
   EXPECT_EQ(spec.methods, (Strings{"orca"}));
@@ -30,6 +30,9 @@ TEST(SweepSpec, says_what_varies) {
   EXPECT_EQ(spec.seeds.back(), std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(spec.threads, 2);
   EXPECT_TRUE(spec.until_arrived);
+  ASSERT_TRUE(spec.line.has_value());
+  EXPECT_EQ(spec.line->a, (avo::Vec2{0, -1}));
+  EXPECT_EQ(spec.line->b, (avo::Vec2{2, 3}));
   EXPECT_EQ(run_count(spec), 8);
   EXPECT_EQ(run_name(spec, 7),
             "circle-5 orca name=7 robots.0.goal=[1, 2.5] seed=18446744073709551615");
@@ -56,7 +59,7 @@ TEST(SweepSpec, refuses_each_key_where_it_stands) {
        "s:2:10: scenes.0: found \"-\", must be a name or a file, not the standard input"},
       {head + "sceens: 1\n",
        "s:3:1: found the unknown key \"sceens\", allowed are version, scenes, methods, parameters, "
-       "seeds, threads, until_arrived; did you mean \"scenes\"?"},
+       "seeds, threads, until_arrived, line; did you mean \"scenes\"?"},
       {head + "methods: [ocra]\n",
        "s:3:11: methods.0: found \"ocra\", must be one of avo, "
        "avo_paper, velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, "
@@ -80,6 +83,12 @@ TEST(SweepSpec, refuses_each_key_where_it_stands) {
        "s:3:44: seeds.count: found 2, must end with a seed < 2^64"},
       {head + "threads: 0\n", "s:3:10: threads: found 0, must be >= 1"},
       {head + "until_arrived: 1\n", "s:3:16: until_arrived: found 1, must be true or false"},
+      {head + "line: 7\n", "s:3:7: line: found 7, must be a list"},
+      {head + "line: [[0, 1]]\n",
+       "s:3:7: line: found a list of 1, must be two points, [[x, y], [x, y]]"},
+      {head + "line: [[0, 1], [0, 1]]\n",
+       "s:3:7: line: found one point, must be two points, [[x, y], [x, y]]"},
+      {head + "line: [0, 1, 0, 2]\n", "s:3:8: line.0: found 0, must be [x, y] in m"},
       {"version: 1\nscenes: [a, b]\nseeds: {count: 500001}\n",
        "s:1:1: found 1000002 runs in all, must be at most 1000000"},
   };

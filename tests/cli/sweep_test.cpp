@@ -110,6 +110,31 @@ TEST(Sweep, tells_the_first_arrival_of_robots_that_are_not_parked) {
   EXPECT_EQ(first[1], "");
 }
 
+TEST(Sweep, measures_the_flow_across_a_line) {
+  // one after the other with 1 m/s, 3 m apart, and one beside the line
+  std::string scene = "version: 1\nduration: 30\nrobots:\n";
+  for (int k = 0; k < 4; ++k)
+    scene += fmt::format(
+        "  - {{position: [{}, 0], goal: [{}, 0], velocity: [1, 0], preferred_speed: 1}}\n",
+        -3 * k - 3, 20 - 3 * k);
+  scene += "  - {position: [-9, 9], goal: [9, 9], velocity: [1, 0], preferred_speed: 1}\n";
+  write_file(path_of("row.yaml"), scene);
+  const std::string head = "version: 1\nscenes: [row.yaml]\n";
+  const avo_io::SweepTable table =
+      avo_io::read_sweep(swept(head + "line: [[0, -2], [0, 2]]\n", "runs.csv"));
+  EXPECT_EQ(column(table, "crossings"), (Strings{"4"})) << "not who passes beside the line";
+  const double flow = avo_io::number_in(column(table, "flow").at(0)).value();
+  EXPECT_NEAR(flow, 1.0 / 3.0, 1e-3) << "three gaps of 3 s, and not four";
+  EXPECT_EQ(avo_io::number_in(column(table, "specific_flow").at(0)).value(), flow / 4.0);
+  EXPECT_EQ(table.columns.back(), "seconds");
+  const avo_io::SweepTable nobody =
+      avo_io::read_sweep(swept(head + "line: [[99, -2], [99, 2]]\n", "none.csv"));
+  EXPECT_EQ(column(nobody, "crossings"), (Strings{"0"}));
+  EXPECT_EQ(column(nobody, "flow"), (Strings{""}));
+  EXPECT_NE(column(nobody, "sweep"), column(table, "sweep")) << "other lines, another sweep";
+  EXPECT_EQ(column(avo_io::read_sweep(swept(head, "without.csv")), "flow"), Strings{});
+}
+
 /// Ends the long sweep once some of its runs are done.
 ProcessResult ended_by(int signal) {
   const std::string journal = path_of("runs.csv.part");

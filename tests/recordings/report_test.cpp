@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo report: one page that needs nothing else and does nothing that a scene asks for.
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <regex>
 #include <signal.h>
@@ -53,6 +54,37 @@ TEST(Report, has_verdict_results_command_scene_and_replay) {
   EXPECT_EQ(times, 301U);
   const std::string positions = data["positions"];
   EXPECT_EQ(positions.size(), (times * 6 * 2 * 2 + 2) / 3 * 4);
+}
+
+TEST(Report, tells_the_flow_across_a_line) {
+  const std::string h5 = path_of("run.h5"), html = path_of("out.html");
+  ASSERT_EQ(run_avo({"run", "doorway", "--duration=60", "--record", h5, "-q"}).exit_code, 0);
+  ASSERT_EQ(run_avo({"report", h5, html, "--line", "0,-0.8,0,0.8"}).exit_code, 0);
+  const std::string page = read_file(html);
+  const auto value_of = [&](const std::string& name) {
+    const std::string row = "<tr><td>metrics." + name + "</td><td>";
+    const std::size_t at = page.find(row);
+    return at == std::string::npos ? -1.0 : std::stod(page.substr(at + row.size(), 20));
+  };
+  EXPECT_GE(value_of("crossings"), 2.0);
+  EXPECT_GT(value_of("flow"), 0.0);
+  EXPECT_NEAR(value_of("specific_flow"), value_of("flow") / 1.6, 1e-5);
+  ASSERT_EQ(run_avo({"report", h5, html}).exit_code, 0);
+  EXPECT_EQ(read_file(html).find("metrics.crossings"), std::string::npos);
+}
+
+TEST(Report, refuses_what_is_no_line_and_leaves_the_page_as_it_was) {
+  const std::string h5 = path_of("run.h5"), html = path_of("out.html");
+  ASSERT_EQ(run_avo({"run", "person", "--duration=1", "--record", h5, "-q"}).exit_code, 0);
+  for (const char* line : {"0,0,1", "0,0,1,1,1", "0,0,0,0", "0,0,a,1", "0,0,nan,1", "0,0,1,inf",
+                           "0,0,1,", "0,,1,1", "0,0,1,1e13"}) {
+    const ProcessResult result = run_avo({"report", h5, html, "--line", line});
+    EXPECT_EQ(result.exit_code, 2) << line;
+    EXPECT_EQ(result.err,
+              std::string("avo: --line: found ") + line + ", must be X,Y,X,Y, two points in m\n");
+    EXPECT_FALSE(std::filesystem::exists(html));
+  }
+  EXPECT_EQ(run_avo({"report", h5, html, "--line", "-5,-1,-5,1"}).exit_code, 0);
 }
 
 TEST(Report, leaves_no_mark_and_loads_nothing) {
