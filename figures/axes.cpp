@@ -12,6 +12,9 @@ namespace {
 constexpr double kTick = 3.0;       // pt
 constexpr double kTickText = 7.5;   // pt
 constexpr double kLabelText = 8.5;  // pt
+constexpr double kTickGap = 2.5;    // pt, from a tick to its number
+constexpr double kLabelGap = 4.0;  // pt, from the numbers to the label, for what hangs below a line
+constexpr double kPageGap = 10.0;  // pt, from the edge of the page to where the label stands
 constexpr Color kInk = gray(0.25);
 
 double spacing_of(double lower, double upper, int most) {
@@ -52,6 +55,24 @@ std::string tick_label(double value, double spacing) {
   return label;
 }
 
+namespace {
+
+/// pt, from the view to where the label of the y axis stands: beside the widest number.
+double label_distance(const Canvas& canvas, const Box& world, const Axes& axes) {
+  double widest = 0.0;
+  const double spacing = spacing_of(world.lower.y, world.upper.y, axes.most_ticks_y);
+  if (axes.y_numbers)
+    for (const double tick : nice_ticks(world.lower.y, world.upper.y, axes.most_ticks_y))
+      widest = std::max(widest, canvas.text_width(tick_label(tick, spacing), {.size = kTickText}));
+  return std::max(kAxesLeft - kPageGap, kTick + kTickGap + widest + kLabelGap);
+}
+
+}  // namespace
+
+double axes_left(const std::string& path, const Box& world, const Axes& axes) {
+  return label_distance(Canvas(path, 1.0, 1.0), world, axes) + kPageGap;
+}
+
 void draw_grid(Canvas& canvas, const Axes& axes) {
   const Box world = canvas.view_world();
   const Box page = canvas.view_page();
@@ -78,7 +99,7 @@ void draw_axes(Canvas& canvas, const Axes& axes) {
     const double x = canvas.to_page({tick, 0.0}).x;
     canvas.add_page_line({x, page.upper.y}, {x, page.upper.y + kTick});
     canvas.stroke({kInk, 0.6});
-    canvas.page_text({x, page.upper.y + kTick + 2.5}, tick_label(tick, x_spacing),
+    canvas.page_text({x, page.upper.y + kTick + kTickGap}, tick_label(tick, x_spacing),
                      {.size = kTickText, .color = kInk, .align_x = 0.5, .align_y = 1.0});
   }
   const auto y_ticks = nice_ticks(world.lower.y, world.upper.y, axes.most_ticks_y);
@@ -88,7 +109,7 @@ void draw_axes(Canvas& canvas, const Axes& axes) {
     canvas.add_page_line({page.lower.x - kTick, y}, {page.lower.x, y});
     canvas.stroke({kInk, 0.6});
     if (!axes.y_numbers) continue;
-    canvas.page_text({page.lower.x - kTick - 2.5, y}, tick_label(tick, y_spacing),
+    canvas.page_text({page.lower.x - kTick - kTickGap, y}, tick_label(tick, y_spacing),
                      {.size = kTickText, .color = kInk, .align_x = 1.0, .align_y = 0.5});
   }
 
@@ -96,7 +117,7 @@ void draw_axes(Canvas& canvas, const Axes& axes) {
   canvas.page_text({middle.x, page.upper.y + kAxesBottom - 13.0}, axes.x_label,
                    {.size = kLabelText, .color = kInk, .align_x = 0.5, .align_y = 1.0});
   canvas.page_text(
-      {page.lower.x - kAxesLeft + 10.0, middle.y}, axes.y_label,
+      {page.lower.x - label_distance(canvas, world, axes), middle.y}, axes.y_label,
       {.size = kLabelText, .color = kInk, .align_x = 0.5, .angle = 1.5707963267948966});
 }
 

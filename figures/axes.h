@@ -18,16 +18,23 @@ std::vector<double> nice_ticks(double lower, double upper, int most);
 /// A tick as short as it can be: "0", "2.5", "-10".
 std::string tick_label(double value, double spacing);
 
+/// Of an axis, however long.
+inline constexpr int kMostTicks = 9;
+
 struct Axes {
-  std::string x_label, y_label;  ///< markup, with the unit
+  std::string x_label = {}, y_label = {};  ///< markup, with the unit
   int most_ticks_x = 7;
   int most_ticks_y = 7;
   bool y_numbers = true;  ///< false: ticks only, for all but the first of a row of panels
 };
 
-/// What draw_axes needs to the left of and below the view, in pt.
+/// What draw_axes needs to the left of and below the view, in pt: to the left more where numbers
+/// are wide.
 inline constexpr double kAxesLeft = 38.0;
 inline constexpr double kAxesBottom = 32.0;
+
+/// What it needs to the left of a view of `world` in a figure at `path`, at least kAxesLeft.
+double axes_left(const std::string& path, const Box& world, const Axes& axes);
 
 /// The frame of the present view with ticks and labels outside of it.
 void draw_axes(Canvas& canvas, const Axes& axes);

@@ -5,6 +5,7 @@
 // world (m or m/s) with y up, shown in one rectangle of the page at a time. Lengths of the pen,
 // of text and of marks are always in points.
 #pragma once
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -44,6 +45,8 @@ struct Stroke {
   Color color;
   double width = 1.0;  ///< pt
   double dash = 0.0;   ///< pt, 0: solid
+  /// pt, drawn and left out in turn, in place of `dash` where the first one is not 0.
+  std::array<double, 4> pattern = {};
 };
 
 struct TextStyle {
@@ -137,6 +140,7 @@ class Canvas {
   void plain_page_text(Vec2 at, const std::string& text, const TextStyle& style);
   /// Width of the marked-up text in pt.
   [[nodiscard]] double text_width(const std::string& markup, const TextStyle& style) const;
+  [[nodiscard]] double plain_text_width(const std::string& text, const TextStyle& style) const;
 
  private:
   struct State;

@@ -165,7 +165,11 @@ void Canvas::State::set_color(Color color) const {
 void Canvas::State::set_pen(const Stroke& stroke) const {
   set_color(stroke.color);
   cairo_set_line_width(cairo.get(), stroke.width);
-  cairo_set_dash(cairo.get(), &stroke.dash, stroke.dash > 0.0 ? 1 : 0, 0.0);
+  if (stroke.pattern[0] > 0.0)
+    cairo_set_dash(cairo.get(), stroke.pattern.data(), static_cast<int>(stroke.pattern.size()),
+                   0.0);
+  else
+    cairo_set_dash(cairo.get(), &stroke.dash, stroke.dash > 0.0 ? 1 : 0, 0.0);
 }
 
 }  // namespace avo::figures

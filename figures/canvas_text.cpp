@@ -142,4 +142,8 @@ double Canvas::text_width(const std::string& markup, const TextStyle& style) con
   return total_width(state_->cairo.get(), parse(markup, style.bold), style.size);
 }
 
+double Canvas::plain_text_width(const std::string& text, const TextStyle& style) const {
+  return total_width(state_->cairo.get(), {{text, Script::none, style.bold}}, style.size);
+}
+
 }  // namespace avo::figures

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines over a common x axis, as the paper's Fig. 10.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,12 +13,14 @@
 namespace avo::figures {
 
 struct Series {
-  std::string label;         ///< markup, for the legend
+  std::string label;         ///< markup, for the legend below the axes; empty: not there
   std::vector<Vec2> points;  ///< by ascending x
   Color color;
   bool marks = true;   ///< a dot at each point
   double dash = 0.0;   ///< pt, 0: solid
   bool plain = false;  ///< the label is no markup
+  /// pt, drawn and left out in turn, in place of `dash` where the first one is not 0.
+  std::array<double, 4> pattern = {};
 };
 
 struct Chart {

@@ -150,11 +150,12 @@ void draw_state_map(Canvas& canvas, const Box& page, const Simulation::Perceptio
 
 std::string draw_state_map(const Simulation::Perception& perception, const Planner& planner,
                            const std::string& path, const FigureOptions& options) {
-  const double side = options.width - kAxesLeft - kMapRight;
+  const Box view = view_of_states(perception);
+  const double left = axes_left(path, view, {.most_ticks_y = kMostTicks});
+  const double side = options.width - left - kMapRight;
   Canvas canvas(path, options.width, kMapTop + side + kAxesBottom + kLegend);
-  const Box page{{kAxesLeft, kMapTop}, {kAxesLeft + side, kMapTop + side}};
-  draw_state_map(canvas, page, perception, planner, view_of_states(perception), kUsualCells,
-                 options);
+  const Box page{{left, kMapTop}, {left + side, kMapTop + side}};
+  draw_state_map(canvas, page, perception, planner, view, kUsualCells, options);
   draw_legend(canvas, page);
   return canvas.finish();
 }

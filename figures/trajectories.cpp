@@ -88,7 +88,7 @@ double panel_height(const Box& world, double panel_width) {
 std::string draw_panels(std::span<const TimeLapse> panels, const Box& world,
                         std::span<const std::string> titles, const std::string& path,
                         const FigureOptions& options) {
-  const double left = options.axes ? kAxesLeft : kMargin;
+  const double left = options.axes ? axes_left(path, world, {.most_ticks_y = kMostTicks}) : kMargin;
   const double bottom = options.axes ? kAxesBottom : kMargin;
   const double top = (options.title.empty() ? kMargin : kTitleHeight) +
                      (titles.empty() ? 0.0 : kTitleHeight - 4.0);
@@ -106,7 +106,7 @@ std::string draw_panels(std::span<const TimeLapse> panels, const Box& world,
     draw_lapse(canvas, panels[i]);
     if (options.axes) {
       const auto ticks = [](double length) {
-        return std::clamp(static_cast<int>(length / 28.0), 3, 9);
+        return std::clamp(static_cast<int>(length / 28.0), 3, kMostTicks);
       };
       draw_axes(canvas, {.x_label = "x (m)",
                          .y_label = i == 0 ? "y (m)" : "",

@@ -221,7 +221,7 @@ void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& s
   }
   if (options.axes) {
     const auto ticks = [](double length) {
-      return std::clamp(static_cast<int>(length / 20.0), 2, 9);
+      return std::clamp(static_cast<int>(length / 20.0), 2, kMostTicks);
     };
     draw_axes(canvas, {.x_label = "*v*_x (m/s)",
                        .y_label = "*v*_y (m/s)",
@@ -236,10 +236,10 @@ void draw_velocity_space(Canvas& canvas, const Box& page, const VelocitySpace& s
 
 std::string draw_velocity_space(const VelocitySpace& space, const std::string& path,
                                 const FigureOptions& options) {
-  const double left = options.axes ? kAxesLeft : kMargin;
+  const Box world = space.view ? *space.view : default_view(space);
+  const double left = options.axes ? axes_left(path, world, {.most_ticks_y = kMostTicks}) : kMargin;
   const double bottom = options.axes ? kAxesBottom : kMargin;
   const double top = options.title.empty() ? kMargin : kTitleHeight;
-  const Box world = space.view ? *space.view : default_view(space);
   const Vec2 size = world.upper - world.lower;
   const double width = options.width - left - kMargin;
   const double height = width * std::clamp(size.y / size.x, 0.4, 1.3);

@@ -72,6 +72,12 @@ inline constexpr std::size_t kMostCurves = 12;
 std::string draw_arrivals(const std::vector<Case>& cases, const std::vector<std::string>& keys,
                           const std::string& role, const std::string& path);
 
+/// ms a step over the number of robots, a curve for each label: at each number the median over all
+/// runs with so many, in whatever case. Labels have what varies, but for scenes, and for keys that
+/// do nothing but to say how many robots there are.
+std::vector<std::pair<std::string, std::vector<avo::Vec2>>> scaling_of(
+    const std::vector<Case>& cases);
+
 /// What the files at `path` are to hold. Throw UsageError, which calls the option `role`, where
 /// there is nothing to draw.
 std::string draw_arrivals(const Comparison& comparison, const std::string& role,

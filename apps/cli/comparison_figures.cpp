@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What avo compare draws.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -21,7 +22,12 @@ using avo::figures::Series;
 
 constexpr std::size_t kMostPanels = 6;
 
-/// Gives colors. Throws UsageError where there are too many or none.
+/// pt, drawn and left out in turn: who sees no colors tells curves by them. Those that share one
+/// have opposite colors where there are twelve.
+constexpr std::array<std::array<double, 4>, 6> kDashes{
+    {{}, {6, 3, 6, 3}, {1.5, 2, 1.5, 2}, {8, 2.5, 1.5, 2.5}, {13, 3, 13, 3}, {5, 2, 2, 2}}};
+
+/// Gives colors and dashes. Throws UsageError where there are too many or none.
 std::string draw(avo::figures::Chart chart, const std::string& role, const std::string& path) {
   const std::size_t count = chart.series.size();
   if (count > kMostCurves)
@@ -33,6 +39,7 @@ std::string draw(avo::figures::Chart chart, const std::string& role, const std::
     series.color =
         avo::figures::hue_color(210.0 + 360.0 * static_cast<double>(k) /
                                             static_cast<double>(std::max<std::size_t>(count, 3)));
+    series.pattern = kDashes[k % kDashes.size()];
   }
   return draw_chart(chart, path);
 }
@@ -113,26 +120,10 @@ std::string draw_traces(const Comparison& comparison, const std::string& role,
 std::string draw_scaling(const Comparison& comparison, const std::string& role,
                          const std::string& path) {
   avo::figures::Chart chart{"number of robots", "time of a step (ms)", {}};
-  const std::vector<Case> cases = cases_of(comparison);
-  std::vector<std::string> keys = varying_keys(cases);
-  std::erase(keys, "scene");
-  if (keys.empty()) keys = {"method"};
-  for (const Case& entry : cases) {
-    std::vector<double> times = entry.values("step_milliseconds_median");
-    const std::vector<double> robots = entry.values("robots");
-    if (times.empty() || robots.empty()) continue;
-    const std::string label = label_of(entry, keys);
-    auto curve = std::find_if(chart.series.begin(), chart.series.end(),
-                              [&](const Series& known) { return known.label == label; });
-    if (curve == chart.series.end()) curve = chart.series.insert(curve, Series{label, {}, {}});
-    std::sort(times.begin(), times.end());
-    const double median = 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2]);
-    curve->points.push_back({robots.front(), median});
-  }
+  for (const auto& [label, points] : scaling_of(cases_of(comparison)))
+    chart.series.push_back({label, points, {}});
   if (chart.series.empty())
     throw UsageError(role + ": found no table with times of steps, must be one of avo sweep");
-  for (Series& curve : chart.series)
-    std::sort(curve.points.begin(), curve.points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
   return draw(std::move(chart), role, path);
 }
 
