@@ -2,6 +2,7 @@
 // Another program that reads what we write.
 #include "child_process.h"
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -22,6 +23,8 @@ extern char** environ;
 
 namespace avo_cli {
 namespace {
+
+std::atomic<pid_t> running_child = -1;
 
 [[noreturn]] void fail(const std::string& name, int reason) {
   throw avo_io::FileError(name + ": " + std::generic_category().message(reason));
@@ -57,7 +60,10 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) : name_(comm
   const int reason = posix_spawnp(&pid_, words[0], &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[0]);
-  if (reason == 0) return;
+  if (reason == 0) {
+    running_child = pid_;
+    return;
+  }
   close(input_);
   close(errors_);
   pid_ = -1;
@@ -71,6 +77,7 @@ ChildProcess::~ChildProcess() {
   if (pid_ > 0) {
     kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
+    running_child = -1;
   }
   if (errors_ >= 0) close(errors_);
 }
@@ -91,11 +98,23 @@ void ChildProcess::finish() {
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
-  pid_ = -1;
+  pid_ = running_child = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   const std::string said = avo_io::printable(last_line(errors_), 200);
   throw avo_io::FileError(
       fmt::format("{}: {}", name_, said.empty() ? "it has failed without a word" : said));
+}
+
+void stop_child() {
+  const pid_t child = running_child;
+  if (child <= 0 || kill(child, SIGSTOP) != 0) return;
+  siginfo_t info = {};
+  waitid(P_PID, static_cast<id_t>(child), &info, WSTOPPED | WEXITED | WNOWAIT);
+}
+
+void kill_child() {
+  const pid_t child = running_child;
+  if (child > 0) kill(child, SIGKILL);
 }
 
 }  // namespace avo_cli

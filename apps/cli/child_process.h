@@ -27,4 +27,9 @@ class ChildProcess {
   int pid_ = -1, input_ = -1, errors_ = -1;
 };
 
+/// For a program that is about to end, from any thread: the child that was started last does
+/// nothing any more; and it is killed. Nothing happens where there is none.
+void stop_child();
+void kill_child();
+
 }  // namespace avo_cli

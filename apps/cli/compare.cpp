@@ -10,6 +10,7 @@
 #include "comparison.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "signals.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -43,6 +44,7 @@ void read_into(Comparison& comparison, const std::string& path) {
 }  // namespace
 
 int compare(const CompareArguments& arguments) {
+  catch_signals(Patience::none);
   const std::vector<ComparisonFigure> figures = figures_of(arguments);
   std::vector<NamedFile> inputs, outputs;
   for (const std::string& file : arguments.files) inputs.push_back({"the input", file});

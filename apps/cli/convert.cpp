@@ -17,6 +17,7 @@
 #include "exit_codes.h"
 #include "files.h"
 #include "settings_report.h"
+#include "signals.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -101,6 +102,7 @@ void report(const ConvertArguments& arguments, const avo_io::Converted& converte
 }  // namespace
 
 int convert(const ConvertArguments& arguments) {
+  catch_signals(Patience::none);
   const ExportFormat format = format_of(arguments);
   if (arguments.recording == "-" && arguments.scene.scene == "-")
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");

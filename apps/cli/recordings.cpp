@@ -8,6 +8,7 @@
 #include "avo_io/replay.h"
 #include "exit_codes.h"
 #include "files.h"
+#include "signals.h"
 #include "terminal.h"
 #include "verbs.h"
 
@@ -43,6 +44,7 @@ int replay(const ReplayArguments& arguments) {
 }
 
 int recover(const RecoverArguments& arguments) {
+  catch_signals(Patience::none);
   const std::string path = recovered_path(arguments);
   require_distinct({{"the spool", arguments.spool}}, {{"the recording", path}});
   const avo_io::Recovered found = avo_io::recover(arguments.spool, path);

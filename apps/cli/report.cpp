@@ -21,6 +21,7 @@
 #include "measuring_line.h"
 #include "report_parts.h"
 #include "report_replay.h"
+#include "signals.h"
 #include "sweep_report.h"
 #include "terminal.h"
 #include "verbs.h"
@@ -154,6 +155,7 @@ std::string recording_page(const ReportArguments& arguments) {
 }  // namespace
 
 int report(const ReportArguments& arguments) {
+  catch_signals(Patience::none);
   require_ending({"the report", arguments.output}, {".html"});
   require_distinct({{"the input", arguments.input}, {"--spec", arguments.spec}},
                    {{"the report", arguments.output}});

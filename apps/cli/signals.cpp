@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "avo_io/output_file.h"
+#include "child_process.h"
 #include "exit_codes.h"
 #include "terminal.h"
 
@@ -58,11 +59,22 @@ bool is_heard() {
   return poll(&error_output, 1, 0) == 1;
 }
 
+// First the child rests, so that it makes no file anew that is removed; then it goes, and whoever
+// waits for its end in another thread finds the outputs locked.
+[[noreturn]] void end_now(int signal) {
+  stop_child();
+  avo_io::abandon_outputs();
+  kill_child();
+  if (is_heard()) say("ended by a signal; outputs that were not complete are not there");
+  _exit(kSignal + signal);
+}
+
 void end_on_signals(const sigset_t& signals, Patience patience) {
   int first = 0;
   while (sigwait(&signals, &first) != 0) {
   }
   noted_signal = first;
+  if (patience == Patience::none) end_now(first);
   std::this_thread::sleep_for(kSame);
   sigset_t same;
   sigemptyset(&same);
@@ -71,9 +83,7 @@ void end_on_signals(const sigset_t& signals, Patience patience) {
   int second = wait_until(Clock::now() + kPatience, signals);
   while (second == 0 && patience == Patience::until_second_signal)
     second = wait_until(Clock::now() + kPatience, signals);
-  avo_io::abandon_outputs();
-  if (is_heard()) say("ended by a signal; outputs that were not complete are not there");
-  _exit(kSignal + (second != 0 ? second : first));
+  end_now(second != 0 ? second : first);
 }
 
 }  // namespace

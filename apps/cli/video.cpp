@@ -56,19 +56,36 @@ avo::Scenario scenario_of(const VideoArguments& arguments) {
   return std::move(own->scenario);
 }
 
-/// All that is there at any time of the recording.
-figures::Box world_of(const VideoArguments& arguments, const avo::Scenario& scenario) {
-  figures::Box world = figures::world_of(scenario);
+/// All that is there at any time of the recording, and when.
+struct Extent {
+  figures::Box world;
+  double first = 0.0, last = 0.0;  // s
+};
+Extent extent_of(const VideoArguments& arguments, const avo::Scenario& scenario) {
+  Extent extent{figures::world_of(scenario)};
   avo_io::RecordingReader reader(arguments.recording,
                                  static_cast<std::int64_t>(scenario.robots.size()));
   avo_io::RecordedTime moment;
-  while (reader.next(moment)) {
+  for (bool begun = false; reader.next(moment); begun = true) {
+    if (!begun) extent.first = moment.time;
+    extent.last = moment.time;
     for (const avo::CheckedState& row : moment.rows) {
       const avo::RobotSetup& robot = scenario.robots[static_cast<std::size_t>(row.robot)];
-      world = enclosing(world, figures::enclosing(avo::Disc{row.position, disc_radius(robot)}));
+      extent.world =
+          enclosing(extent.world, figures::enclosing(avo::Disc{row.position, disc_radius(robot)}));
     }
   }
-  return world;
+  return extent;
+}
+
+void check_frames(const VideoArguments& arguments, const Extent& extent) {
+  constexpr double kMostVideoFrames = 1e6;
+  const double frames =
+      std::floor((extent.last - extent.first) / arguments.speed * arguments.fps + 1e-6) + 1.0;
+  if (frames > kMostVideoFrames)
+    throw UsageError(
+        fmt::format("--fps {} and --speed {}: found {:.0f} frames, must be {:.0f} at most",
+                    arguments.fps, arguments.speed, frames, kMostVideoFrames));
 }
 
 /// The longer side has `size` pixels; both are even.
@@ -145,7 +162,9 @@ int video(const VideoArguments& arguments) {
                    {{"the video", arguments.output}});
   catch_signals();
   const avo::Scenario scenario = scenario_of(arguments);
-  const figures::Box world = world_of(arguments, scenario);
+  const Extent extent = extent_of(arguments, scenario);
+  check_frames(arguments, extent);
+  const figures::Box& world = extent.world;
   const Pixels pixels = pixels_of(world, arguments.size);
   figures::MomentPainter painter(scenario, world, pixels.width, pixels.height);
   avo_io::OutputFile file(arguments.output);
@@ -153,13 +172,16 @@ int video(const VideoArguments& arguments) {
     throw avo_io::FileError(arguments.output + ": found no regular file, a video must be one");
   ChildProcess child(ffmpeg(arguments, pixels, file.temporary()));
   const std::int64_t count = draw_frames(arguments, scenario, painter, child);
+  if (const int caught = signal_caught(); caught != 0) {
+    say("stopped by a signal; there is no video");
+    return kSignal + caught;
+  }
   child.finish();
   file.commit();
   print_results(fmt::format("{}: {} frames of {} x {} pixels, {:.1f} s\n", arguments.output, count,
                             pixels.width, pixels.height,
                             static_cast<double>(count) / arguments.fps));
-  const int caught = signal_caught();
-  return caught == 0 ? kDone : kSignal + caught;
+  return kDone;
 }
 
 }  // namespace avo_cli
