@@ -11,7 +11,8 @@
 namespace avo {
 namespace {
 
-constexpr double kRounding = 0x1p-40;  // of coordinates and lengths, more than all that is lost
+constexpr double kContactRounding =
+    0x1p-40;  // of coordinates and lengths, more than all that is lost
 
 // m: how far something may be from a path at the time t, start + t speed + t²/2 acceleration.
 struct Spread {
@@ -108,8 +109,8 @@ std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& nei
   const Vec2 p = robot.position - neighbor.position;
   const Vec2 kept = decides ? Vec2{} : neighbor.acceleration;
   const double lost =
-      kRounding * (length_1(robot.position) + length_1(neighbor.position) + robot.radius);
-  const double contact = (1.0 - kRounding) * (robot.radius + neighbor.radius) - lost;
+      kContactRounding * (length_1(robot.position) + length_1(neighbor.position) + robot.radius);
+  const double contact = (1.0 - kContactRounding) * (robot.radius + neighbor.radius) - lost;
   // A may be off its present course by what its acceleration does, and off its place by its speed
   const std::array closings{
       Closing{p,
@@ -125,8 +126,9 @@ std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& nei
 
 std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
   const Segment segment{wall.a - robot.position, wall.b - robot.position};
-  const double lost = kRounding * (length_1(robot.position) + length_1(wall.a) + length_1(wall.b));
-  const double contact = (1.0 - kRounding) * (robot.radius + wall.radius) - lost;
+  const double lost =
+      kContactRounding * (length_1(robot.position) + length_1(wall.a) + length_1(wall.b));
+  const double contact = (1.0 - kContactRounding) * (robot.radius + wall.radius) - lost;
   const Spread spread{0.0, 0.0, robot.max_acceleration};
   const double end = spread.time_of(contact);
   const double away = distance(Vec2{}, segment);

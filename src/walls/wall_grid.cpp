@@ -13,7 +13,7 @@ constexpr double kMostCells = 0x1p18;
 constexpr std::size_t kMostEntries = std::size_t{1} << 22, kMostEntriesEach = 64;
 constexpr double kCellsPerReach = 2.0;
 // Of a cell: what rounding may hide of where its border is.
-constexpr double kRounding = 0x1p-20;
+constexpr double kCellRounding = 0x1p-20;
 
 struct Interval {
   double min, max;  // m
@@ -43,7 +43,7 @@ struct WallGrid::Run {
 
 template <typename Visit>
 void WallGrid::for_each_run(const Wall& wall, double reach, const Visit& visit) const {
-  const double within = reach + kRounding * side_;
+  const double within = reach + kCellRounding * side_;
   const auto index = [this](double offset, std::size_t count) {
     const double cell = std::floor(offset / side_);
     return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));
