@@ -3,6 +3,7 @@
 #include "avo_io/sweep.h"
 
 #include <algorithm>
+#include <atomic>
 #include <fmt/format.h>
 #include <map>
 #include <mutex>
@@ -38,16 +39,22 @@ double cost_of(const avo::Scenario& scenario) {
   return static_cast<double>(scenario.robots.size()) * (scenario.duration / scenario.time_step);
 }
 
-/// Checks every run, and puts those first that may take longest: else the last one may keep all
-/// but one processor waiting.
+/// Checks every run that is still to be made, and puts those first that may take longest: else the
+/// last one may keep all but one processor waiting.
 void prepare(SweepPlan& plan, int jobs, const SweepOptions& options) {
   plan.cost.resize(plan.runs.size());
+  std::atomic<std::int64_t> done = 0;
   work_through(
       plan.runs.size(), jobs,
       [&](std::size_t i) {
         plan.cost[i] = cost_of(plan.scenario(run_of(plan.spec, plan.runs[i])));
+        ++done;
       },
-      options.stops, [] {});
+      options.stops,
+      [&] {
+        const std::int64_t before = std::ssize(plan.sources);
+        if (options.preparing) options.preparing(before + done, before + std::ssize(plan.runs));
+      });
   std::vector<std::size_t> order(plan.runs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -72,7 +79,12 @@ std::int64_t number_of(const std::vector<std::string>& row) {
 }  // namespace
 
 SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options) {
-  SweepPlan plan{spec, hash_sources(spec), {}, runs_of(spec, options.shard), {}};
+  const int jobs = jobs_for(options.jobs);
+  SweepPlan plan{spec, {}, {}, runs_of(spec, options.shard), {}};
+  plan.sources = hash_sources(spec, jobs, [&](std::int64_t done) {
+    const std::int64_t kinds = run_count(spec) / runs_of_one_kind(spec);
+    if (options.preparing) options.preparing(done, kinds + std::ssize(plan.runs));
+  });
   plan.sweep = fingerprint(spec, plan.sources);
   SweepResult result;
   result.table.columns = sweep_columns(spec);
@@ -84,7 +96,6 @@ SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options) {
   for (const std::vector<std::string>& row : journal.rows()) rows[number_of(row)] = row;
   result.resumed = std::ssize(rows);
   std::erase_if(plan.runs, [&](std::int64_t run) { return rows.contains(run); });
-  const int jobs = jobs_for(options.jobs);
   prepare(plan, jobs, options);
 
   std::mutex guard;  // of rows and journal

@@ -3,6 +3,7 @@
 #include "sweep_runs.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <fmt/format.h>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "avo/version.h"
 #include "avo_io/scene.h"
 #include "core/ranges.h"
+#include "parallel_work.h"
 #include "sweep_hash.h"
 
 namespace avo_io {
@@ -115,13 +117,23 @@ std::int64_t runs_of_one_kind(const SweepSpec& spec) {
   return std::max<std::int64_t>(std::ssize(spec.seeds), 1);
 }
 
-std::vector<std::uint64_t> hash_sources(const SweepSpec& spec) {
-  std::vector<std::uint64_t> hashes;
-  for (std::int64_t run = 0; run < run_count(spec); run += runs_of_one_kind(spec)) {
-    SceneSource source;
-    scenario_of(spec, run_of(spec, run), source);
-    hashes.push_back(hash_of(source));
-  }
+std::vector<std::uint64_t> hash_sources(const SweepSpec& spec, int jobs,
+                                        const std::function<void(std::int64_t done)>& tell) {
+  const std::int64_t each = runs_of_one_kind(spec);
+  std::vector<std::uint64_t> hashes(static_cast<std::size_t>(run_count(spec) / each));
+  std::atomic<std::int64_t> done = 0;
+  work_through(
+      hashes.size(), jobs,
+      [&](std::size_t kind) {
+        SceneSource source;
+        scenario_of(spec, run_of(spec, static_cast<std::int64_t>(kind) * each), source);
+        hashes[kind] = hash_of(source);
+        ++done;
+      },
+      {},
+      [&] {
+        if (tell) tell(done);
+      });
   return hashes;
 }
 

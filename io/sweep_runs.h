@@ -2,6 +2,7 @@
 // The runs of a sweep, one at a time.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,8 +50,9 @@ std::vector<std::string> sweep_row(const SweepSpec& spec, const std::string& swe
                                    const RunOutcome& outcome);
 
 /// Of each scene x method x parameters, by ascending number of its runs, a hash of the texts that
-/// it is made of. Throws what scenario_of() does.
-std::vector<std::uint64_t> hash_sources(const SweepSpec& spec);
+/// it is made of; `tell` hears of how many by now. Throws what scenario_of() does.
+std::vector<std::uint64_t> hash_sources(const SweepSpec& spec, int jobs = 1,
+                                        const std::function<void(std::int64_t done)>& tell = {});
 /// Of all that the results follow from: what varies, the sources, and the version of avo.
 std::string fingerprint(const SweepSpec& spec, const std::vector<std::uint64_t>& sources);
 /// How many runs, one after the other, differ in nothing but their seeds.

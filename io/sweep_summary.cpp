@@ -21,7 +21,16 @@ bool is_share(std::string_view column) {
   return std::find(kShares.begin(), kShares.end(), column) != kShares.end();
 }
 
-void append_statistics(std::vector<double> values, bool share, std::vector<std::string>& row) {
+/// Runs that are one and the same are no sample of others: one, or several with one state at their
+/// ends, whose scene does not use the seed.
+bool is_sample(const std::vector<const std::vector<std::string>*>& group, std::size_t state_hash) {
+  return std::any_of(group.begin(), group.end(), [&](const std::vector<std::string>* run) {
+    return (*run)[state_hash] != (*group.front())[state_hash];
+  });
+}
+
+void append_statistics(std::vector<double> values, bool share, bool sample,
+                       std::vector<std::string>& row) {
   row.push_back(fmt::format("{}", values.size()));
   if (values.empty()) {
     row.resize(row.size() + kStatistics.size() - 1);
@@ -33,8 +42,9 @@ void append_statistics(std::vector<double> values, bool share, std::vector<std::
   else
     for (const double part : {0.5, 0.95}) row.push_back(avo::text(quantile(values, part)));
   row.push_back(avo::text(mean_of(values)));
-  std::optional<Interval> interval = mean_interval(values);
-  if (share) {
+  std::optional<Interval> interval;
+  if (sample && !share) interval = mean_interval(values);
+  if (sample && share) {
     const auto ones = std::count(values.begin(), values.end(), 1.0);
     interval = share_interval(ones, std::ssize(values));
   }
@@ -73,11 +83,12 @@ SweepTable summary_of(const SweepTable& runs) {
     const std::vector<const Row*>& group = groups[key];
     Row row = std::move(key);
     row.push_back(fmt::format("{}", group.size()));
+    const bool sample = is_sample(group, seed + 1);
     for (std::size_t c = first; c < runs.columns.size(); ++c) {
       std::vector<double> values;
       for (const Row* run : group)
         if (const std::optional<double> value = number_in((*run)[c])) values.push_back(*value);
-      append_statistics(std::move(values), is_share(runs.columns[c]), row);
+      append_statistics(std::move(values), is_share(runs.columns[c]), sample, row);
     }
     summary.rows.push_back(std::move(row));
   }

@@ -28,6 +28,9 @@ SweepTable read_sweep_csv(const std::string& path) {
   SweepTable table;
   std::string line;
   for (std::int64_t number = 1; std::getline(file, line); ++number) {
+    if (file.eof())  // what is there may look whole: 12 for 123
+      throw RecordingError(
+          fmt::format("{}:{}: found no end of the line, the table was cut off", path, number));
     if (line.ends_with('\r')) line.pop_back();
     std::optional<Row> row = csv_fields(line);
     if (!row) throw RecordingError(fmt::format("{}:{}: found wrong quotes", path, number));
@@ -85,6 +88,8 @@ SweepTable read_sweep(const std::string& path) {
   } catch (const RecordingError& error) {
     throw RecordingError(fmt::format("{}: {}", path, error.what()));
   }
+  if (table.rows.empty())
+    throw RecordingError(path + ": found a table without runs, must have one or more");
   return table;
 }
 

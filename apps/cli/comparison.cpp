@@ -18,6 +18,9 @@ namespace {
 
 using TextRow = std::vector<std::string>;
 
+constexpr std::size_t kRunColumn = 1;
+constexpr std::size_t kBehindSeed = 2;  // from the seed to the first result
+
 constexpr const char* kUsualColumns[] = {"all_arrived",   "collided",
                                          "mean_arrival",  "last_arrival",
                                          "min_clearance", "step_milliseconds_median"};
@@ -113,6 +116,7 @@ std::vector<Case> cases_of(const Comparison& comparison) {
       const auto [place, is_new] = known.try_emplace(values, cases.size());
       if (is_new) {
         Case& entry = cases.emplace_back();
+        entry.file = name;
         entry.table = &table;
         if (comparison.tables.size() > 1) entry.keys.emplace_back("table", name);
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -144,6 +148,34 @@ std::string label_of(const Case& entry, const std::vector<std::string>& keys, bo
   return avo_io::printable(label);
 }
 
+/// Throws UsageError where a column that --columns names is none of the results, and RecordingError
+/// where a run has something else than a number in it.
+void require_numbers(const std::vector<Case>& cases, const std::string& column) {
+  const avo_io::SweepTable& first = *cases.front().table;
+  const auto results = static_cast<std::ptrdiff_t>(parameters_of(first).second + kBehindSeed);
+  const TextRow allowed(first.columns.begin() + results, first.columns.end());
+  const bool is_key = std::find(first.columns.begin(), first.columns.begin() + results, column) !=
+                      first.columns.begin() + results;
+  if (is_key)
+    throw UsageError(fmt::format(
+        "--columns: found {}, which says what a run is, must be a result in numbers, e.g. {}",
+        avo_io::printable(column, kLongestWord), allowed.empty() ? "robots" : allowed.front()));
+  require_one_of("--columns", column, allowed);
+  for (const Case& entry : cases) {
+    const std::vector<std::string>& columns = entry.table->columns;
+    const auto at = std::find(columns.begin(), columns.end(), column);
+    if (at == columns.end()) continue;
+    for (const auto* run : entry.runs) {
+      const std::string& field = (*run)[static_cast<std::size_t>(at - columns.begin())];
+      if (!field.empty() && !avo_io::number_in(field))
+        throw avo_io::RecordingError(
+            fmt::format("{}: run {}: {}: found {}, must be a number or empty", entry.file,
+                        avo_io::printable((*run)[kRunColumn], kLongestWord), column,
+                        avo_io::printable(field, kLongestWord)));
+    }
+  }
+}
+
 std::string usual_by(const std::vector<Case>& cases) {
   const std::vector<std::string> varying = varying_keys(cases);
   const auto has = [&](const std::string& key) {
@@ -159,7 +191,7 @@ std::vector<ComparisonBlock> blocks_of(const std::vector<Case>& cases, const std
                                        std::vector<std::string> columns) {
   require_one_of("--by", by, keys_of(cases));
   const std::vector<std::string>& known = cases.front().table->columns;
-  for (const std::string& column : columns) require_one_of("--columns", column, known);
+  for (const std::string& column : columns) require_numbers(cases, column);
   if (columns.empty())
     std::copy_if(std::begin(kUsualColumns), std::end(kUsualColumns), std::back_inserter(columns),
                  [&](const char* name) {

@@ -17,6 +17,7 @@ namespace avo_cli {
 /// Runs of one table, scene, method and set of parameters.
 struct Case {
   std::vector<std::pair<std::string, std::string>> keys;  ///< what tells it from others
+  std::string file;                                       ///< of the table
   const avo_io::SweepTable* table = nullptr;
   std::vector<const std::vector<std::string>*> runs;
 

@@ -101,24 +101,38 @@ int merge(const SweepArguments& arguments, const avo_io::SweepSpec& spec) {
   return kIncomplete;
 }
 
-/// Shows the progress and, once, what a signal leads to.
+/// Of the scenes, which are made and checked before the first run, and then of the runs. Shows the
+/// progress and, once, what a signal leads to.
 class SweepProgress {
  public:
+  void prepare(std::int64_t done, std::int64_t all) {
+    if (all != scenes_) bar_.reset(new Progress(Progress::of_scenes(static_cast<int>(all))));
+    scenes_ = all;
+    bar_->show(static_cast<double>(done));
+    heed_signal();
+  }
   void show(std::int64_t done, std::int64_t all) {
-    if (!bar_) {
+    if (!bar_ || scenes_ != 0) {
+      scenes_ = 0;
+      bar_.reset();  // and is wiped before the next one is there
       bar_.reset(new Progress(Progress::of_parts(static_cast<int>(all - done))));
       first_ = done;
     }
     bar_->show(static_cast<double>(done - first_));
+    heed_signal();
+  }
+
+ private:
+  void heed_signal() {
     if (signal_caught() == 0 || told_) return;
     told_ = true;
     if (volume() != Volume::quiet)
       say("ends with the runs that are under way; a second signal ends it at once");
   }
 
- private:
   std::unique_ptr<Progress> bar_;
-  std::int64_t first_ = 0;  // runs done before
+  std::int64_t scenes_ = 0;  // of the bar; 0: it is that of the runs
+  std::int64_t first_ = 0;   // runs done before
   bool told_ = false;
 };
 
@@ -129,6 +143,11 @@ int sweep(const SweepArguments& arguments) {
   const avo_io::SweepShard shard = shard_of(arguments.shard);
   const avo_io::SweepSpec spec = avo_io::load_sweep(arguments.spec);
   if (!arguments.tables.empty()) return merge(arguments, spec);
+  if (shard.count > run_count(spec))  // a table without runs is none
+    throw UsageError(
+        fmt::format("--shard: found {}, must be one of at most {} parts, as many as {} "
+                    "has runs",
+                    arguments.shard, run_count(spec), spec.name));
   catch_signals(Patience::until_second_signal);
   const auto start = std::chrono::steady_clock::now();
   const std::string journal = arguments.output + kJournal;
@@ -136,11 +155,13 @@ int sweep(const SweepArguments& arguments) {
   {
     SweepProgress progress;
     result = run_sweep(
-        spec, {.jobs = arguments.jobs,
-               .shard = shard,
-               .journal = journal,
-               .progress = [&](std::int64_t done, std::int64_t all) { progress.show(done, all); },
-               .stops = [] { return signal_caught() != 0; }});
+        spec,
+        {.jobs = arguments.jobs,
+         .shard = shard,
+         .journal = journal,
+         .progress = [&](std::int64_t done, std::int64_t all) { progress.show(done, all); },
+         .preparing = [&](std::int64_t done, std::int64_t all) { progress.prepare(done, all); },
+         .stops = [] { return signal_caught() != 0; }});
   }
   if (!result.complete()) {
     say(fmt::format("stopped by a signal after {} of {} runs; the same command goes on from there",

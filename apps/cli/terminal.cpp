@@ -142,6 +142,10 @@ Progress Progress::of_parts(int parts) {
   return {static_cast<double>(parts), "{:.0f} of {:.0f} parts", ""};
 }
 
+Progress Progress::of_scenes(int scenes) {
+  return {static_cast<double>(scenes), "{:.0f} of {:.0f} scenes checked", ""};
+}
+
 Progress::~Progress() {
   if (bar_shown.exchange(false)) write_error(kWipe);
 }

@@ -49,6 +49,7 @@ class Progress {
   explicit Progress(double duration, bool may_end_before = false);
   /// Of so many parts, each of which takes about as long.
   static Progress of_parts(int parts);
+  static Progress of_scenes(int scenes);  ///< likewise, to be made and checked
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

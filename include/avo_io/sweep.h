@@ -97,6 +97,9 @@ struct SweepOptions {
   /// Told from the calling thread ten times a second: how many runs are done, those of the journal
   /// included, and how many there are.
   std::function<void(std::int64_t done, std::int64_t all)> progress = {};
+  /// Told likewise before that: how many scenes are made and checked, of those that there are to
+  /// be.
+  std::function<void(std::int64_t done, std::int64_t all)> preparing = {};
   /// Asked before each run, from any thread; true: no further run begins.
   std::function<bool()> stops = {};
 };
@@ -126,7 +129,8 @@ AVO_API SweepMerge merge_sweep(const SweepSpec& spec,
 
 /// One row for each scene x method x parameters: in how many runs a column has a value ("count"),
 /// their median, 95th percentile ("p95"), mean, and a 95 % interval of the mean ("low", "high"): by
-/// Student's t, of shares (columns of 0 and 1) by Wilson's score.
+/// Student's t, of shares (columns of 0 and 1) by Wilson's score. No interval of runs whose states
+/// at the end are all the same: they are one run.
 AVO_API SweepTable summary_of(const SweepTable& runs);
 
 /// As text with commas, as RFC 4180 quotes them.

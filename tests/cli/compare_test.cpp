@@ -18,11 +18,11 @@ const std::string kColumns =
     "sweep,run,scene,method,time_horizon,seed,state_hash,robots,collided,arrival_50,arrival_100,"
     "step_milliseconds_median\n";
 
-/// Two methods x two horizons x two seeds, by hand.
+/// Two methods x two horizons x two seeds, by hand. Of orca both runs are one and the same.
 std::string by_hand(const std::string& name) {
   write_file(path_of(name), kColumns +
-                                "s,0,a,avo,5,1,0x,10,0,4,9,1\ns,1,a,avo,5,2,0x,10,1,6,11,3\n"
-                                "s,2,a,avo,8,1,0x,10,0,4,9,1\ns,3,a,avo,8,2,0x,10,0,6,,1\n"
+                                "s,0,a,avo,5,1,0x1,10,0,4,9,1\ns,1,a,avo,5,2,0x2,10,1,6,11,3\n"
+                                "s,2,a,avo,8,1,0x1,10,0,4,9,1\ns,3,a,avo,8,2,0x2,10,0,6,,1\n"
                                 "s,4,a,orca,5,1,0x,10,1,5,12,2\ns,5,a,orca,5,2,0x,10,1,5,12,2\n"
                                 "s,6,a,orca,8,1,0x,10,1,5,12,2\ns,7,a,orca,8,2,0x,10,1,5,12,2\n");
   return path_of(name);
@@ -36,11 +36,11 @@ TEST(Compare, has_a_row_for_each_method_and_a_block_for_all_else) {
             "time_horizon 5\n"
             "  method  runs               collided         arrival_100\n"
             "  avo        2  0.5 [0.09453, 0.9055]  10 [-2.706, 22.71]\n"
-            "  orca       2          1 [0.3424, 1]                  12\n"
+            "  orca       2                      1                  12\n"
             "time_horizon 8\n"
             "  method  runs       collided  arrival_100\n"
             "  avo        2  0 [0, 0.6576]       9 of 1\n"
-            "  orca       2  1 [0.3424, 1]           12\n");
+            "  orca       2              1           12\n");
 }
 
 TEST(Compare, has_a_row_for_each_value_of_another_key) {
@@ -147,6 +147,21 @@ TEST(Compare, refuses_what_it_cannot_compare_in_one_line) {
               HasSubstr("--traces: found no recording, must be one or more"));
   EXPECT_THAT(refused({table, "--clearance", figure}, 2), HasSubstr("--clearance: found no"));
   EXPECT_THAT(refused({table, "--arrival", "f.txt"}, 2), HasSubstr("--arrival"));
+  EXPECT_EQ(refused({table, "--columns", "state_hash"}, 2),
+            "avo: --columns: found state_hash, which says what a run is, must be a result in "
+            "numbers, e.g. robots\n");
+  EXPECT_THAT(refused({table, "--columns", "scene"}, 2), HasSubstr("--columns: found scene, "));
+  EXPECT_THAT(refused({table, "--columns", "seed"}, 2), HasSubstr("--columns: found seed, "));
+  const std::string bad = path_of("bad.csv"), text = read_file(table);
+  write_file(bad, kColumns + "s,0,a,avo,5,1,0x,10,0,4,9,1\ns,1,a,avo,5,1,0x,10,0,4,9 s,1\n");
+  EXPECT_EQ(refused({bad, "--columns", "arrival_100"}, 3),
+            bad + ": run 1: arrival_100: found 9 s, must be a number or empty\n");
+  write_file(bad, text.substr(0, text.size() - 1));
+  EXPECT_EQ(refused({bad}, 3), bad + ":9: found no end of the line, the table was cut off\n");
+  write_file(bad, kColumns.substr(0, kColumns.size() - 1));
+  EXPECT_EQ(refused({bad}, 3), bad + ":1: found no end of the line, the table was cut off\n");
+  write_file(bad, kColumns);
+  EXPECT_EQ(refused({bad}, 3), bad + ": found a table without runs, must have one or more\n");
   EXPECT_THAT(refused({path_of("none.csv")}, 4), HasSubstr("none.csv"));
   EXPECT_THAT(refused({path_of("none.h5")}, 4), HasSubstr("none.h5"));
   write_file(path_of("text.csv"), "time,robot\n0,1\n");

@@ -65,10 +65,10 @@ TEST(Statistics, interval_of_a_share) {
 TEST(Statistics, summary_has_a_row_for_each_set_of_parameters) {
   const avo_io::SweepTable runs{
       {"sweep", "run", "scene", "method", "d", "seed", "state_hash", "collided", "last_arrival"},
-      {{"s", "0", "a", "avo", "1", "1", "0x", "0", "10"},
-       {"s", "1", "a", "avo", "2", "1", "0x", "1", ""},
-       {"s", "2", "a", "avo", "1", "2", "0x", "1", "30"},
-       {"s", "3", "a", "avo", "1", "3", "0x", "0", ""}}};
+      {{"s", "0", "a", "avo", "1", "1", "0x0", "0", "10"},
+       {"s", "1", "a", "avo", "2", "1", "0x1", "1", ""},
+       {"s", "2", "a", "avo", "1", "2", "0x2", "1", "30"},
+       {"s", "3", "a", "avo", "1", "3", "0x3", "0", ""}}};
   const avo_io::SweepTable summary = summary_of(runs);
   EXPECT_THAT(
       summary.columns,
@@ -85,6 +85,8 @@ TEST(Statistics, summary_has_a_row_for_each_set_of_parameters) {
   EXPECT_EQ((Strings{one.begin() + 10, one.begin() + 14}), (Strings{"2", "20", "29", "20"}));
   EXPECT_NEAR(*avo_io::number_in(one[14]), 20.0 - 127.06204736174705, 1e-9);
   EXPECT_EQ((Strings{two.begin(), two.begin() + 5}), (Strings{"a", "avo", "2", "1", "1"}));
+  EXPECT_EQ((Strings{two.begin() + 7, two.begin() + 10}), (Strings{"1", "", ""}))
+      << "of one run no interval, not of shares either";
   EXPECT_EQ((Strings{two.begin() + 10, two.end()}), (Strings{"0", "", "", "", "", ""}));
 }
 

@@ -56,6 +56,10 @@ TEST(SweepMerge, refuses_tables_that_are_none) {
   EXPECT_THAT(refused(""), HasSubstr("bad.csv: found no table of avo sweep"));
   EXPECT_THAT(refused(text + "1,2,3\n"), HasSubstr("bad.csv:26: found 3 values, must be "));
   EXPECT_THAT(refused(text + "\"1,2\n"), HasSubstr("bad.csv:26: found wrong quotes"));
+  EXPECT_THAT(refused(text.substr(0, text.size() - 1)),
+              HasSubstr("bad.csv:25: found no end of the line, the table was cut off"));
+  EXPECT_THAT(refused(text.substr(0, text.find('\n') + 1)),
+              HasSubstr("bad.csv: found a table without runs, must have one or more"));
   std::string number = text;
   number.replace(number.find(",0,circle-5"), 2, ",99");
   EXPECT_THAT(refused(number), HasSubstr("bad.csv: found run 99, must be 0 to 23"));

@@ -124,6 +124,9 @@ TEST(SweepSpec, refuses_wrong_words_of_the_command_line) {
     EXPECT_EQ(result.exit_code, 2) << shard;
     EXPECT_THAT(result.err, HasSubstr("--shard: found"));
   }
+  const ProcessResult empty = sweep(kSmallSweep, {"--out", out, "--shard", "3/25"});
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_THAT(empty.err, HasSubstr("--shard: found 3/25, must be one of at most 24 parts"));
   EXPECT_EQ(sweep(kSmallSweep, {"--out", "-"}).exit_code, 2);
   EXPECT_EQ(sweep(kSmallSweep, {"--out", path_of("runs.txt")}).exit_code, 2);
   EXPECT_EQ(sweep(kSmallSweep, {"--out", path_of("sweep.yaml")}).exit_code, 2);

@@ -135,6 +135,52 @@ TEST(Sweep, measures_the_flow_across_a_line) {
   EXPECT_EQ(column(avo_io::read_sweep(swept(head, "without.csv")), "flow"), Strings{});
 }
 
+TEST(Sweep, has_no_interval_of_runs_that_are_one_and_the_same) {
+  const std::string summary = path_of("summary.csv");
+  swept("version: 1\nscenes: [circle-5, uniform-8]\nseeds: {count: 3}\n", "runs.csv",
+        {"--summary", summary});
+  const std::vector<std::string> lines = lines_of(read_file(summary));
+  ASSERT_EQ(lines.size(), 3U);
+  avo_io::SweepTable table;
+  for (const std::string& line : lines) {
+    Strings row;
+    for (std::size_t at = 0; at <= line.size();) {
+      const std::size_t end = std::min(line.find(',', at), line.size());
+      row.push_back(line.substr(at, end - at));
+      at = end + 1;
+    }
+    if (table.columns.empty())
+      table.columns = row;
+    else
+      table.rows.push_back(row);
+  }
+  for (const char* name : {"mean_arrival", "collided", "step_milliseconds_median"}) {
+    const Strings low = column(table, std::string(name) + ".low");
+    const Strings high = column(table, std::string(name) + ".high");
+    EXPECT_EQ(column(table, std::string(name) + ".count")[0], "3") << name;
+    EXPECT_EQ(low[0] + high[0], "") << name << ": the seed changes nothing of a circle";
+    EXPECT_NE(low[1], "") << name;
+    EXPECT_NE(high[1], "") << name;
+  }
+}
+
+TEST(Sweep, prepares_no_run_again_that_is_done) {
+  const avo_io::SweepSpec spec = avo_io::parse_sweep(kSmallSweep, path_of("s"));
+  std::vector<std::pair<std::int64_t, std::int64_t>> told;
+  const avo_io::SweepOptions options{
+      .jobs = 2,
+      .journal = path_of("runs.part"),
+      .preparing = [&](std::int64_t done, std::int64_t all) { told.emplace_back(done, all); }};
+  EXPECT_EQ(run_sweep(spec, options).resumed, 0);
+  ASSERT_FALSE(told.empty());
+  for (const auto& [done, all] : told) EXPECT_EQ(all, 8 + 24) << "kinds of runs, and runs";
+  EXPECT_EQ(told.back().first, 8 + 24);
+  told.clear();
+  EXPECT_EQ(run_sweep(spec, options).resumed, 24);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back().first, 8) << "only to tell that it is the same sweep";
+}
+
 /// Ends the long sweep once some of its runs are done.
 ProcessResult ended_by(int signal) {
   const std::string journal = path_of("runs.csv.part");
