@@ -85,7 +85,8 @@ TEST(Refusals, of_csv_whose_times_a_scene_never_has) {
                            ":3: time: found 100000000000 s, must be 100000000 steps of 0.1 s later "
                            "than the row before at most\n";
   for (const Strings& verb :
-       {Strings{"check", csv}, Strings{"video", csv, path_of("out.gif"), "--size", "64"}}) {
+       {Strings{"check", csv},
+        Strings{"video", csv, path_of("out.gif"), "--size", "64", "--fps=1", "--speed=1e6"}}) {
     Strings command = verb;
     command.insert(command.end(), {"--scene", "person"});
     EXPECT_EQ(in_little_memory(command).err, late) << verb[0];
