@@ -37,13 +37,13 @@ void WallJudge::judge(const Mover& robot, const Step& step) {
 }
 
 void WallJudge::meet(const Mover& robot, std::size_t wall, const Step& step) {
-  const auto& [a, b, wall_radius] = walls_[wall];
+  const Vec2 a = walls_[wall].a, along = walls_[wall].b - a;
   const std::size_t parts = robot.parts();
-  const auto piece = [&, a = a, b = b](std::size_t k) {
-    return WallPath{path_of(robot, step.duration, a, k, parts), b - a};
+  const auto piece = [&](std::size_t k) {
+    return WallPath{path_of(robot, step.duration, a, k, parts), along};
   };
   const Pieces<decltype(piece)> path{parts, piece};
-  const double contact = robot.radius + wall_radius;
+  const double contact = robot.radius + walls_[wall].radius;
   // the rows themselves are not interpolated
   const double row_limit = contact * (1.0 - step.relative_tolerance);
   const double limit = row_limit - robot.error;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The seam between the simulation and threads, behind which a host's own job system can take the
-// place of ThreadPool.
+// The seam between the simulation and threads, behind which a host's own job system, or none, can
+// take the place of ThreadPool.
 #pragma once
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <memory>
 
 #include "avo/executor.h"
 
@@ -18,6 +19,11 @@ class SerialExecutor final : public Executor {
     for (std::size_t i = 0; i < count; ++i) task(context, i, 0);
   }
 };
+
+inline constexpr std::size_t kMostWorkers = 1024;
+/// The library's own: so many workers, at most kMostWorkers, or for 0 one a processor. Where it is
+/// built without threads there is one.
+std::shared_ptr<Executor> make_executor(std::size_t workers);
 
 /// Below so many robots threads cost more than they save, and on a busy machine far more.
 inline constexpr std::size_t kFewestParallel = 256;

@@ -160,4 +160,9 @@ void ThreadPool::run(std::size_t count, Task task, void* context) {
   if (!paid) alone_ = next_alone_;
 }
 
+std::shared_ptr<Executor> make_executor(std::size_t workers) {
+  return std::make_shared<ThreadPool>(workers > 0 ? workers
+                                                  : std::min(usable_processors(), kMostWorkers));
+}
+
 }  // namespace avo

@@ -23,8 +23,6 @@ struct Patience {
   std::chrono::nanoseconds time = kMost;
 };
 
-inline constexpr std::size_t kMostWorkers = 1024;
-
 /// Threads that help the one that calls run(). Nobody waits for a helper that has not begun, and a
 /// wait that lasts gives the processor away. Where the machine is busy with other work a helper may
 /// lose its processor in the midst of a task: where waiting for it took longer than its tasks would

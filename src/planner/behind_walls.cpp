@@ -73,7 +73,7 @@ struct HidingWalls {
         neighbor.loiter)
       return false;
     const Vec2 q = neighbor.position;
-    return std::any_of(walls.begin(), walls.begin() + count, [&](const Wall* wall) {
+    return std::any_of(walls.data(), walls.data() + count, [&](const Wall* wall) {
       if (!crosses(p, q, *wall)) return false;
       if (!keeps_clear(q, neighbor.velocity, braking_limit(neighbor), neighbor.radius, *wall, law))
         return false;

@@ -67,7 +67,7 @@ Tried controls_near(const Robot& robot, Controls wanted) {
   const auto off = [&](const Controls& c) {
     return norm_squared(Vec2{c.ahead - wanted.ahead, c.left - wanted.left});
   };
-  std::stable_sort(tried.controls.begin(), tried.controls.begin() + tried.count,
+  std::stable_sort(tried.controls.data(), tried.controls.data() + tried.count,
                    [&](const Controls& a, const Controls& b) { return off(a) < off(b); });
   return tried;
 }

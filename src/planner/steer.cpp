@@ -38,7 +38,7 @@ struct Surroundings {
                           std::min(contact + kKeepsOnceBegun * robot.radius, nearest)};
   }
   bool are_clear(Vec2 place, bool begun) const {
-    return std::none_of(obstacles.begin(), obstacles.begin() + count, [&](const Obstacle& o) {
+    return std::none_of(obstacles.data(), obstacles.data() + count, [&](const Obstacle& o) {
       return distance(place, o.segment) < (begun ? o.keep_once_begun : o.keep);
     });
   }

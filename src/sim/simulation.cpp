@@ -6,14 +6,14 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "avo/error.h"
+#include "core/executor.h"
 #include "core/hash.h"
+#include "core/mutex.h"
 #include "core/ranges.h"
-#include "core/thread_pool.h"
 #include "planner/decision.h"
 #include "sim/clocks.h"
 #include "sim/edits.h"
@@ -81,8 +81,7 @@ std::shared_ptr<Executor> thread_pool(int threads) {
   if (threads < 0 || threads > kMost) {
     refuse("threads", std::to_string(threads), "0 (all there are) to " + std::to_string(kMost));
   }
-  return std::make_shared<ThreadPool>(threads > 0 ? static_cast<std::size_t>(threads)
-                                                  : std::min(usable_processors(), kMostWorkers));
+  return make_executor(static_cast<std::size_t>(threads));
 }
 
 std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
@@ -106,7 +105,7 @@ struct Simulation::State : World {
   using World::World;
 
   // in the order of ids; made when it is asked for
-  std::mutex looking;
+  Mutex looking;
   std::atomic<bool> is_mirrored = false;
   FleetMirror mirror;
 };
@@ -172,7 +171,7 @@ void Simulation::restore(std::span<const std::byte> saved) {
 FleetView Simulation::fleet() const {
   State& state = *state_;
   if (!state.is_mirrored) {
-    const std::lock_guard lock(state.looking);
+    const Lock lock(state.looking);
     if (!state.is_mirrored) state.mirror.copy(state.fleet);
     state.is_mirrored = true;
   }
@@ -267,7 +266,7 @@ std::uint64_t Simulation::state_hash() const {
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   State& state = *state_;
   if (state.changed) {
-    const std::lock_guard lock(state.looking);
+    const Lock lock(state.looking);
     find_walls(state);
   }
   const std::uint32_t slot = state.fleet.slot_of[robot];

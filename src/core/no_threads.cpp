@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// In the place of thread_pool.cpp where there are no threads (AVO_THREADS=OFF).
+#include "core/executor.h"
+
+namespace avo {
+
+std::shared_ptr<Executor> make_executor(std::size_t) {
+  return std::make_shared<SerialExecutor>();
+}
+
+}  // namespace avo
