@@ -24,8 +24,7 @@ struct MomentPainter::State {
 };
 
 MomentPainter::MomentPainter(const Scenario& scenario, const Box& world, int width, int height)
-    : state_(std::make_unique<State>(scenario, world, 0.5 * width, 0.5 * height,
-                                     robot_colors(scenario))) {}
+    : state_(new State{scenario, world, 0.5 * width, 0.5 * height, robot_colors(scenario), {}}) {}
 MomentPainter::~MomentPainter() = default;
 
 void MomentPainter::State::draw_ways(std::span<const TrajectoryFrame> frames,

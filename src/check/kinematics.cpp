@@ -16,11 +16,11 @@
 namespace avo::judge {
 namespace {
 
-constexpr double kRowRounding = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr double kLimitRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 // Rows' angles are wrapped into a turn.
 double angle_rounding(const RowStep& step) {
-  return kRowRounding *
+  return kLimitRounding *
          (1.0 + std::abs(step.before.heading->angle) + std::abs(step.now.heading->angle));
 }
 
@@ -52,16 +52,16 @@ Pull pull_of(const RowStep& step, const Arc& arc) {
   pull.along = std::abs(arc.next_speed - arc.speed) / step.duration;
   pull.across = lateral_acceleration(arc);
   const double top = top_speed(arc);
-  pull.along_rounding = late * pull.along + kRowRounding * top / step.duration;
+  pull.along_rounding = late * pull.along + kLimitRounding * top / step.duration;
   const double per_turn = top > 0.0 ? top * (top / way_of(arc)) : 0.0;
-  pull.across_rounding = (late + kRowRounding) * pull.across + per_turn * angle_rounding(step);
+  pull.across_rounding = (late + kLimitRounding) * pull.across + per_turn * angle_rounding(step);
   return pull;
 }
 
 // m: positions of this step may be off by this. The tolerance is that of lengths.
 double granted_way(const RowStep& step, double way, double speed) {
   const double places = norm(step.before.position) + norm(step.now.position);
-  return step.tolerance * (step.robot.radius + way) + kRowRounding * (places + way) +
+  return step.tolerance * (step.robot.radius + way) + kLimitRounding * (places + way) +
          angle_rounding(step) * way + step.time_rounding * speed;
 }
 
@@ -98,7 +98,7 @@ void judge(const RowStep& step, const CheckedCar& car, CheckReport& report) {
   hold(step, report.turns, std::abs(arc.turn), most,
        angle_rounding(step) + step.tolerance + (std::isfinite(most) ? late * most : 0.0));
 
-  const double at_rest = (step.tolerance + kRowRounding) * speed_scale(step.robot);
+  const double at_rest = (step.tolerance + kLimitRounding) * speed_scale(step.robot);
   const double backwards = car.reverse ? 0.0 : -std::min(arc.speed, arc.next_speed);
   const double both_ways =
       changes_direction(arc) ? std::min(std::abs(arc.speed), std::abs(arc.next_speed)) : 0.0;
@@ -124,19 +124,19 @@ void judge(const RowStep& step, const CheckedDrive& drive, CheckReport& report) 
   const double late = step.time_rounding / step.duration;
   const double acceleration = norm(axle.acceleration);
   report.largest_acceleration = std::max(report.largest_acceleration, acceleration);
-  const double velocity_rounding = kRowRounding * speeds / step.duration;
+  const double velocity_rounding = kLimitRounding * speeds / step.duration;
   hold(step, report.accelerations, acceleration, max_acceleration(step.robot),
        velocity_rounding + late * acceleration);
 
   const WheelPeaks peaks = wheel_peaks(axle, drive.track);
   const double lever = 1.0 + 0.5 * drive.track / drive.offset;
   hold(step, report.wheel_speeds, peaks.speed, step.robot.parked ? 0.0 : drive.wheel_speed,
-       kRowRounding * lever * speeds);
+       kLimitRounding * lever * speeds);
   const double spin = lever * speeds / drive.offset;  // 1/s
   hold(step, report.wheel_accelerations, peaks.acceleration,
        step.robot.parked ? 0.0 : drive.wheel_acceleration,
        lever * (velocity_rounding + late * acceleration) +
-           (kRowRounding + angle_rounding(step)) * (spin * speeds + acceleration));
+           (kLimitRounding + angle_rounding(step)) * (spin * speeds + acceleration));
 
   // the axle is where the point tows it, and so is the heading
   const Vec2 h = elementary::direction(step.now.heading->angle);
@@ -164,7 +164,8 @@ void judge_heading(const CheckedRobot& robot, const CheckedState& row, double ti
                    double tolerance, CheckReport& report) {
   const Vec2 h = elementary::direction(row.heading->angle);
   const double speed = row.heading->speed, granted = tolerance * speed_scale(robot);
-  const double rounding = kRowRounding * (1.0 + std::abs(row.heading->angle)) * norm(row.velocity);
+  const double rounding =
+      kLimitRounding * (1.0 + std::abs(row.heading->angle)) * norm(row.velocity);
   // a drive's point swings out besides
   const bool swings = std::holds_alternative<CheckedDrive>(robot.kinematics);
   const double off =

@@ -24,7 +24,7 @@ namespace avo {
 namespace {
 
 // 5.4 m as a sum of decimal fractions may exceed 5.4 m by its rounding.
-constexpr double kSensingRounding = 1e-12;
+constexpr double kSumRounding = 1e-12;
 
 // What a robot at its highest speed needs that is unseen until the next step.
 struct Part {
@@ -166,7 +166,7 @@ CertificateLaw certificate_law(const Scenario& scenario) {
 }
 
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed) {
-  return !needed || sensing_radius >= (1.0 - kSensingRounding) * needed->range;
+  return !needed || sensing_radius >= (1.0 - kSumRounding) * needed->range;
 }
 
 std::optional<SensingNeed> sensing_need(const Scenario& scenario) {
