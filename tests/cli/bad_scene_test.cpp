@@ -297,7 +297,8 @@ const std::vector<BadScene> kBadScenes{
      s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, position: [0, "
        "0]}\n"),
      "3:54: groups.0: found the unknown key \"position\", allowed are number, placement, goals, "
-     "velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, drive, "
+     "jitter, velocity, radius, max_speed, max_acceleration, preferred_speed, model, heading, car, "
+     "drive, "
      "airplane, priority, max_braking, parked, layers, avoids, time_step"},
     {"placement_unknown",
      s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
