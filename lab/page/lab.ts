@@ -22,14 +22,21 @@ export interface Past {
   statusOf(robot: number): Uint8Array;
 }
 
-/** Where two discs came to touch; kept until the run goes back before it. */
+/** Where two discs touched, from `time` to `last` (s): one mark on the map. */
 export interface Contact {
   time: number;
+  last: number;
   a: string;      // "robots.3", "moving_obstacles.0", "obstacles.2"
   b: string;
   x: number;      // m
   y: number;
-  depth: number;  // m, the deepest so far
+  depth: number;  // m, at its deepest, which was at (x, y)
+}
+
+/** The world view's canvas, for pictures and films of it. */
+export interface WorldPicture {
+  readonly canvas: HTMLCanvasElement;
+  draw(): void;  // now; the pixels can be read until the present task ends
 }
 
 export interface Lab {
@@ -48,13 +55,14 @@ export interface Lab {
   readonly past: Past;
   readonly contacts: readonly Contact[];
   readonly theme: "light" | "dark";
+  readonly picture: WorldPicture | null;       // null until the world view stands
   error: AvoError | null;
   on(event: LabEvent, listener: () => void): () => void;
   select(robot: number | null): void;
   highlight(name: string | null): void;
   openText(yaml: string, name?: string, options?: SceneOptions): void;  // on error keeps what is there and says `error`
   openFile(name: string, bytes: Uint8Array): Promise<void>;             // by its content: YAML, CSV, HDF5
-  set(path: string, value: unknown): void;     // set("robots.0.radius", 0.4): the text follows, the run goes on
+  set(path: string, value: unknown): void;     // set("robots.0.radius", 0.4), or "robots.*.radius" of all
   textWith(path: string, value: unknown): string;  // the text as set() would make it
   play(): void;
   pause(): void;
