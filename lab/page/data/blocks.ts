@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings in blocks of 64 times, whose chunks are shuffled and compressed as io/recording_blocks.cpp does. What is
+// shown is uncompressed, block by block, and the last ones are kept.
+import { refuse } from "./bytes.ts";
+import { uncompressed } from "./compression.ts";
+import { ABSENT, emptyFrame, LARGEST, MOST_ROBOTS, type RecordedFrame, STATE_COLUMNS } from "./recording.ts";
+import { shortest } from "./words.ts";
+
+export const BLOCK_TIMES = 64;
+const MOST_ROBOTS_OF_CHUNK = 1024;
+const MOST_PER_BYTE = 1032;         // of deflate
+const KEPT_BYTES = 96 * 2 ** 20;    // of blocks, but two at least
+const LAST_STATUS = 5;              // of PlanStatus
+
+export interface BlockShape { robots: number; columns: number }
+
+/** Robots are split in parts of as many, each a chunk of its own. */
+export const partsOf = ({ robots }: BlockShape) => Math.ceil(robots / MOST_ROBOTS_OF_CHUNK);
+export const robotsOfChunk = (shape: BlockShape) => Math.ceil(shape.robots / partsOf(shape));
+
+/** Of all columns, of the status, of the clearance. */
+export const chunksOf = (shape: BlockShape) => (shape.columns + 2) * partsOf(shape);
+
+export interface StoredBlocks {
+  shape: BlockShape;
+  times: Float64Array;
+  /** Stored bytes: of each column all parts, then of the status, of the clearance. */
+  chunk(block: number, number: number): Uint8Array;
+}
+
+/** Tables [time, robot]. */
+interface Block { columns: Float64Array[]; status: Uint8Array; clearance: Float32Array }
+
+/** What promises more than the stored bytes can hold is refused before memory is taken for it. */
+export function requireSize({ shape, times, chunk }: StoredBlocks): void {
+  if (shape.robots > MOST_ROBOTS)
+    refuse(`robots: found ${shape.robots}, must be ${MOST_ROBOTS} at most to be shown here`);
+  const blocks = Math.ceil(times.length / BLOCK_TIMES);
+  const bytes = BLOCK_TIMES * shape.robots * (8 * shape.columns + 5);
+  for (let b = 0; b < blocks; ++b) {
+    let stored = 0;
+    for (let k = 0; k < chunksOf(shape); ++k) stored += chunk(b, k).length;
+    if (stored * MOST_PER_BYTE < bytes) refuse("found less than all of its rows, must be all");
+  }
+}
+
+/** Times as no run records them are refused. */
+export function requireTimes(times: Float64Array): void {
+  let last = -Infinity;
+  for (const time of times) {
+    const must = !Number.isFinite(time) ? "a finite number" : time < 0 ? ">= 0 s"
+      : time <= last ? `> ${shortest(last)} s, the time before` : time > LARGEST ? `<= ${shortest(LARGEST)} s` : null;
+    if (must !== null) refuse(`time: found ${shortest(time)} s, must be ${must}`);
+    last = time;
+  }
+}
+
+/** From all first bytes of the values, then all second ones, ... to the robots from `first` on of every row. */
+function unshuffle(bytes: Uint8Array, size: number, width: number, table: Uint8Array, robots: number, first: number) {
+  const count = Math.min(width, robots - first);
+  for (let b = 0; b < size; ++b)
+    for (let k = 0; k < BLOCK_TIMES; ++k) {
+      let from = (b * BLOCK_TIMES + k) * width;
+      let to = (k * robots + first) * size + b;
+      for (let i = 0; i < count; ++i, to += size) table[to] = bytes[from++];
+    }
+}
+
+async function readBlock(stored: StoredBlocks, block: number): Promise<Block> {
+  const { shape } = stored;
+  const { robots } = shape;
+  const parts = partsOf(shape);
+  const width = robotsOfChunk(shape);
+  const rows = BLOCK_TIMES * robots;
+  const columns = Array.from({ length: shape.columns }, () => new Float64Array(rows));
+  const status = new Uint8Array(rows);
+  const clearance = new Float32Array(rows);
+  await Promise.all([...columns, status, clearance].map(async (table, t) => {
+    const size = table.BYTES_PER_ELEMENT;
+    const target = new Uint8Array(table.buffer);
+    for (let part = 0; part < parts; ++part) {
+      const whole = BLOCK_TIMES * width * size;
+      const bytes = await uncompressed(stored.chunk(block, t * parts + part), "deflate", whole);
+      if (bytes.length !== whole) refuse("found a damaged block, must be whole");
+      unshuffle(bytes, size, width, target, robots, part * width);
+    }
+  }));
+  return { columns, status, clearance };
+}
+
+/** As many columns of the robot as it has: 4, or 6 with a heading. */
+function columnsOf(block: Block, at: number): number {
+  const { columns } = block;
+  return columns.length > 4 && !(Number.isNaN(columns[4][at]) && Number.isNaN(columns[5][at])) ? 6 : 4;
+}
+
+function requireNumbers(block: Block, at: number, time: number, robot: number): void {
+  const where = `time ${shortest(time)} s, robot ${robot}`;
+  if (block.status[at] > LAST_STATUS)
+    refuse(`${where}: status: found ${block.status[at]}, must be 0 to ${LAST_STATUS}, or ${ABSENT}, absent`);
+  for (let c = 0; c < columnsOf(block, at); ++c) {
+    const value = block.columns[c][at];
+    if (Math.abs(value) <= LARGEST) continue;
+    const range = `from -${shortest(LARGEST)} to ${shortest(LARGEST)}`;
+    const must = Number.isFinite(value) ? range : "a finite number";
+    refuse(`${where}: ${STATE_COLUMNS[c]}: found ${shortest(value)}, must be ${must}`);
+  }
+}
+
+function frameOf({ shape, times }: StoredBlocks, block: Block, k: number): RecordedFrame {
+  const frame = emptyFrame(times[k], shape.robots);
+  const [x, y, vx, vy, heading, speed] = block.columns;
+  const first = (k % BLOCK_TIMES) * shape.robots;
+  for (let i = 0; i < shape.robots; ++i) {
+    const at = first + i;
+    if (block.status[at] === ABSENT) continue;
+    requireNumbers(block, at, times[k], i);
+    frame.there[i] = 1;
+    frame.position[2 * i] = x[at];
+    frame.position[2 * i + 1] = y[at];
+    frame.velocity[2 * i] = vx[at];
+    frame.velocity[2 * i + 1] = vy[at];
+    if (heading !== undefined) frame.heading[i] = heading[at];
+    if (speed !== undefined) frame.speed[i] = speed[at];
+    frame.status[i] = block.status[at];
+    frame.clearance[i] = block.clearance[at];
+  }
+  return frame;
+}
+
+/** Reads frames; the block behind that of the frame is read ahead. */
+export function frameReader(stored: StoredBlocks): (k: number) => Promise<RecordedFrame> {
+  const blocks = Math.ceil(stored.times.length / BLOCK_TIMES);
+  const bytes = BLOCK_TIMES * stored.shape.robots * (8 * stored.shape.columns + 5);
+  const most = Math.max(2, Math.floor(KEPT_BYTES / bytes));
+  const kept = new Map<number, Promise<Block>>();  // the last used ones last
+  const block = (b: number): Promise<Block> => {
+    const found = kept.get(b) ?? readBlock(stored, b);
+    kept.delete(b);
+    kept.set(b, found);
+    if (kept.size > most) kept.delete(kept.keys().next().value as number);
+    return found;
+  };
+  return async (k) => {
+    const b = Math.floor(k / BLOCK_TIMES);
+    const read = await block(b);
+    if (b + 1 < blocks) block(b + 1).catch(() => undefined);  // told when it is asked for
+    return frameOf(stored, read, k);
+  };
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// States as a table of text: the bytes that `avo run --record FILE.csv` would write.
+import { shortest } from "./words.ts";
+
+/** Robots at one time: those of a recording, where `there` tells who is, or those of a run, by their numbers. */
+export interface CsvFrame {
+  time: number;             // s
+  robot?: ArrayLike<number>;  // ascending; without it each robot's number is its place
+  there?: ArrayLike<number>;
+  position: ArrayLike<number>;
+  velocity: ArrayLike<number>;
+  heading?: ArrayLike<number>;  // NaN of who has none
+  speed?: ArrayLike<number>;    // along the heading; without it that of the velocity
+}
+
+/** `headings`: of robots with wheels or wings. `every`: steps from row to row. */
+export interface CsvOptions { headings?: boolean; every?: number }
+
+export function csvHeader({ headings = false, every = 1 }: CsvOptions = {}): string {
+  return `time,robot,x,y,vx,vy${headings ? ",heading,speed" : ""}${every > 1 ? ",every" : ""}\n`;
+}
+
+function headingColumns(frame: CsvFrame, k: number): string {
+  const heading = frame.heading?.[k] ?? NaN;
+  if (Number.isNaN(heading)) return ",,";
+  const along = Math.cos(heading) * frame.velocity[2 * k] + Math.sin(heading) * frame.velocity[2 * k + 1];
+  return `,${shortest(heading)},${shortest(frame.speed?.[k] ?? along + 0)}`;
+}
+
+export function csvRows(frame: CsvFrame, { headings = false, every = 1 }: CsvOptions = {}): string {
+  const time = shortest(frame.time);
+  const { position: p, velocity: v } = frame;
+  const last = every > 1 ? `,${every}\n` : "\n";
+  let rows = "";
+  for (let k = 0; 2 * k < p.length; ++k) {
+    if (frame.there !== undefined && frame.there[k] === 0) continue;
+    const state = [p[2 * k], p[2 * k + 1], v[2 * k], v[2 * k + 1]].map(shortest).join(",");
+    rows += `${time},${frame.robot?.[k] ?? k},${state}${headings ? headingColumns(frame, k) : ""}${last}`;
+  }
+  return rows;
+}
+
+export function csvOf(frames: Iterable<CsvFrame>, options: CsvOptions = {}): string {
+  let text = csvHeader(options);
+  for (const frame of frames) text += csvRows(frame, options);
+  return text;
+}

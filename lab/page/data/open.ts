@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a file is that somebody opens, told by its content.
+import { frameReader, requireSize, requireTimes } from "./blocks.ts";
+import { RecordingError, refuse } from "./bytes.ts";
+import { looksLikeCsv, openCsv } from "./csv.ts";
+import { openHdf5 } from "./hdf5.ts";
+import { isHdf5 } from "./hdf5_objects.ts";
+import type { Recording } from "./recording.ts";
+import { attributesOf } from "./recording_fields.ts";
+import { isSpool, openSpool } from "./spool.ts";
+
+export type FileFormat = "hdf5" | "spool" | "csv" | "yaml" | "unknown";
+
+const FIRST_BYTES = 4096;
+const HDF5_NAME = /\.h5(\.part)?$/i;
+
+/** By the first bytes; the name's ending where they tell of no recording. unknown: neither a text nor a recording. */
+export function formatOf(name: string, bytes: Uint8Array): FileFormat {
+  if (isHdf5(bytes)) return "hdf5";
+  if (isSpool(bytes)) return "spool";
+  if (HDF5_NAME.test(name) || bytes.subarray(0, FIRST_BYTES).includes(0)) return "unknown";
+  return /\.csv$/i.test(name) || looksLikeCsv(bytes) ? "csv" : "yaml";
+}
+
+function openBlocks(kind: "hdf5" | "spool", name: string, bytes: Uint8Array): Recording {
+  const { header, fields, stored } = kind === "hdf5" ? openHdf5(bytes) : openSpool(bytes);
+  requireTimes(stored.times);
+  requireSize(stored);
+  return { ...header, kind, name, times: stored.times, attributes: attributesOf(fields), frame: frameReader(stored) };
+}
+
+/** Errors in one line with the file's name in front. */
+function named(name: string, error: unknown): Error {
+  if (!(error instanceof RecordingError)) return error as Error;
+  return new Error(/^\d+: /.test(error.message) ? `${name}:${error.message}` : `${name}: ${error.message}`);
+}
+
+/** Rejects with an Error of one line where the file is damaged or no recording. */
+export async function openRecording(name: string, bytes: Uint8Array): Promise<Recording> {
+  try {
+    const kind = formatOf(name, bytes);
+    if (kind === "yaml") refuse("found a scene, must be a recording");
+    if (kind === "unknown" && HDF5_NAME.test(name))
+      refuse("found neither HDF5 nor a spool in it, cut off or damaged, must be one of them, whole");
+    if (kind === "unknown") refuse("found no text, must be a scene as YAML, or a recording as CSV or HDF5");
+    const recording = kind === "csv" ? openCsv(name, bytes) : openBlocks(kind, name, bytes);
+    const { frame } = recording;
+    recording.frame = (k) => frame(k).catch((error) => Promise.reject(named(name, error)));
+    return recording;
+  } catch (error) {
+    throw named(name, error);
+  }
+}

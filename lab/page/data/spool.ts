@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Spools (io/spool.h), which a run that was killed leaves: records with checksums. What is behind the last whole
+// block is lost.
+import { beginsWith, ByteReader, RecordingError, refuse } from "./bytes.ts";
+import { BLOCK_TIMES, type BlockShape, chunksOf } from "./blocks.ts";
+import { MOST_ROBOTS } from "./recording.ts";
+import { type Fields, headerOf, type OpenedBlocks } from "./recording_fields.ts";
+
+const BEGIN = "avo spool 1\n";
+const HEADER = 1, BLOCK = 2;
+const HEAD_SIZE = 20;  // type, checksum of the payload, its length, checksum of these
+
+export const isSpool = (bytes: Uint8Array) => beginsWith(bytes, BEGIN);
+
+const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let value = byte;
+  for (let bit = 0; bit < 8; ++bit) value = (value >>> 1) ^ ((value & 1) !== 0 ? 0xedb88320 : 0);
+  return value;
+});
+
+function crc32(bytes: Uint8Array): number {
+  let value = -1;
+  for (let k = 0; k < bytes.length; ++k) value = CRC_TABLE[(value ^ bytes[k]) & 0xff] ^ (value >>> 8);
+  return ~value >>> 0;
+}
+
+interface Record { type: number; payload: Uint8Array }
+
+/** null where no whole record stands. */
+function readRecord(reader: ByteReader): Record | null {
+  if (reader.left < HEAD_SIZE) return null;
+  const begin = reader.offset;
+  const [type, checksum, length] = [reader.u32(), reader.u32(), reader.u64()];
+  if (reader.u32() !== crc32(reader.bytes.subarray(begin, begin + 16)) || length > reader.left) return null;
+  const payload = reader.take(length);
+  return crc32(payload) === checksum ? { type, payload } : null;
+}
+
+function fieldsOf(payload: Uint8Array): Fields {
+  const reader = new ByteReader(payload, 0, "header");
+  const fields: Fields = new Map();
+  while (reader.left > 0) {
+    const name = new TextDecoder().decode(reader.take(reader.u64()));
+    const kind = reader.u64();
+    if (kind > 1) refuse("found no whole header, cut off or damaged, must be a spool of avo");
+    fields.set(name, kind === 0 ? reader.exact64() : reader.take(reader.u64()));
+  }
+  return fields;
+}
+
+interface SpoolBlock { times: Float64Array; chunks: Uint8Array[] }
+
+/** null where it is no block of that shape. */
+function blockOf(payload: Uint8Array, shape: BlockShape): SpoolBlock | null {
+  try {
+    const reader = new ByteReader(payload);
+    const count = reader.u64();
+    if (count === 0 || count > BLOCK_TIMES) return null;
+    const times = reader.float64s(count);
+    const chunks = Array.from({ length: chunksOf(shape) }, () => reader.take(reader.u64()));
+    return reader.left === 0 ? { times, chunks } : null;
+  } catch (error) {
+    if (error instanceof RecordingError) return null;
+    throw error;
+  }
+}
+
+/** All whole blocks. */
+export function openSpool(file: Uint8Array): OpenedBlocks {
+  const reader = new ByteReader(file, BEGIN.length);
+  const first = readRecord(reader);
+  if (first === null || first.type !== HEADER)
+    refuse("found no whole header, cut off or damaged, must be a spool of avo");
+  const fields = fieldsOf(first.payload);
+  const header = headerOf(fields);
+  const shape: BlockShape = { robots: header.robots, columns: header.headings ? 6 : 4 };
+  if (shape.robots > MOST_ROBOTS)
+    refuse(`robots: found ${shape.robots}, must be ${MOST_ROBOTS} at most to be shown here`);
+  const blocks: SpoolBlock[] = [];
+  let record = readRecord(reader);
+  for (; record?.type === BLOCK; record = readRecord(reader)) {
+    const block = blockOf(record.payload, shape);
+    if (block === null) break;
+    blocks.push(block);
+    if (block.times.length < BLOCK_TIMES) break;
+  }
+  if (blocks.length === 0) refuse("found no whole block, must be one or more");
+  const times = Float64Array.from(blocks.flatMap((block) => Array.from(block.times)));
+  return { header, fields, stored: { shape, times, chunk: (block, number) => blocks[block].chunks[number] } };
+}
