@@ -14,15 +14,9 @@
 #include "regular_file.h"
 
 namespace avo_io {
-namespace {
 
-constexpr std::size_t kLongestLine = std::size_t{1} << 16U;
-constexpr std::size_t kBufferSize = 4 * kLongestLine;
-
-}  // namespace
-
-LineReader::LineReader(const std::string& path)
-    : name_(path == "-" ? kStandardInput : path), buffer_(kBufferSize) {
+LineReader::LineReader(const std::string& path, std::size_t longest)
+    : name_(path == "-" ? kStandardInput : path), longest_(longest), buffer_(4 * longest) {
   descriptor_ = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status = {};
   if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) throw FileError(with_errno(name_));
@@ -58,16 +52,17 @@ std::optional<std::string_view> LineReader::next() {
     const void* end = std::memchr(start + searched, '\n', there - searched);
     const std::size_t length =
         end != nullptr ? static_cast<std::size_t>(static_cast<const char*>(end) - start) : there;
-    if (length > kLongestLine)
+    if (length > longest_)
       throw RecordingError(
           fmt::format("{}:{}: found more than {} characters, a line must be shorter", name_,
-                      number_ + 1, kLongestLine));
+                      number_ + 1, longest_));
     searched = there;
     if (end == nullptr && fill()) continue;
     if (end == nullptr && there == 0) return std::nullopt;
     const std::string_view line(buffer_.data() + begin_, length);
     begin_ += length + (end != nullptr ? 1 : 0);
     ++number_;
+    has_end_ = end != nullptr;
     return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
   }
 }

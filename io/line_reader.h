@@ -12,8 +12,10 @@ namespace avo_io {
 
 class LineReader {
  public:
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 16U;  // bytes
+
   /// "-" is the standard input. Throws FileError.
-  explicit LineReader(const std::string& path);
+  explicit LineReader(const std::string& path, std::size_t longest = kLongestLine);
   ~LineReader();
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
@@ -23,6 +25,8 @@ class LineReader {
   std::optional<std::string_view> next();
   /// Of the line last returned, from 1.
   [[nodiscard]] std::int64_t number() const { return number_; }
+  /// Whether the line last returned had an end; the last one of a file that was cut off has none.
+  [[nodiscard]] bool has_end() const { return has_end_; }
   /// What messages call the file.
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -30,10 +34,12 @@ class LineReader {
   bool fill();
 
   std::string name_;
+  std::size_t longest_;
   int descriptor_ = -1;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // what is read and not yet returned
   std::int64_t number_ = 0;
+  bool has_end_ = false;
 };
 
 }  // namespace avo_io

@@ -112,12 +112,12 @@ class SweepHdf5Reader {
  public:
   explicit SweepHdf5Reader(const std::string& path) : path_(path) {}
 
-  SweepTable read() const {
+  SweepTable read() {
     if (access(path_.c_str(), R_OK) != 0) throw FileError(with_errno(path_));
     const Hdf5Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     const Hdf5Handle group(file ? H5Gopen2(file.id(), "runs", H5P_DEFAULT) : H5I_INVALID_HID,
                            H5Gclose);
-    if (!group) refuse();
+    if (!group || H5Fget_filesize(file.id(), &bytes_left_) < 0) refuse();
     SweepTable table;
     const std::string names = columns_of(group.id());
     for (std::size_t at = 0; at <= names.size();) {
@@ -170,8 +170,22 @@ class SweepHdf5Reader {
       table.rows[i][c] = texts.substr(i * width, width).c_str();  // up to the padding
   }
 
-  void read_column(hid_t group, std::size_t c, SweepTable& table) const {
-    const Hdf5Handle column(H5Dopen2(group, table.columns[c].c_str(), H5P_DEFAULT), H5Dclose);
+  // All columns together promise no more bytes than the file has, before memory is taken for them.
+  void take_bytes(hid_t column, hid_t type, hsize_t size) {
+    const Hdf5Handle layout(H5Dget_create_plist(column), H5Pclose);
+    const hsize_t bytes = H5Dget_storage_size(column);
+    if (!layout || H5Pget_layout(layout.id()) != H5D_CONTIGUOUS ||
+        H5Pget_external_count(layout.id()) != 0 || bytes != size * H5Tget_size(type) ||
+        bytes > bytes_left_)
+      refuse();
+    bytes_left_ -= bytes;
+  }
+
+  void read_column(hid_t group, std::size_t c, SweepTable& table) {
+    H5L_info_t link{};  // in the file itself: a link could lead to another file
+    const char* const name = table.columns[c].c_str();
+    if (H5Lget_info(group, name, &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) refuse();
+    const Hdf5Handle column(H5Dopen2(group, name, H5P_DEFAULT), H5Dclose);
     const Hdf5Handle space(column ? H5Dget_space(column.id()) : H5I_INVALID_HID, H5Sclose);
     const Hdf5Handle type(column ? H5Dget_type(column.id()) : H5I_INVALID_HID, H5Tclose);
     hsize_t size = 0;
@@ -179,6 +193,8 @@ class SweepHdf5Reader {
         H5Sget_simple_extent_dims(space.id(), &size, nullptr) < 0 ||
         size > static_cast<hsize_t>(kMostSweepRuns))
       refuse();
+    if (c == 0 && size * table.columns.size() > bytes_left_) refuse();
+    if (size > 0) take_bytes(column.id(), type.id(), size);
     if (c == 0) table.rows.assign(size, std::vector<std::string>(table.columns.size()));
     if (size != table.rows.size()) refuse();
     if (size == 0) return;
@@ -194,6 +210,7 @@ class SweepHdf5Reader {
   }
 
   const std::string& path_;
+  hsize_t bytes_left_ = 0;  // of the file, for columns that are not read yet
 };
 
 }  // namespace

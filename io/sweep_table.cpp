@@ -4,12 +4,12 @@
 #include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <map>
 
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"
 #include "csv_text.h"
+#include "line_reader.h"
 #include "regular_file.h"
 #include "sweep_hdf5.h"
 #include "sweep_runs.h"
@@ -20,30 +20,36 @@ namespace {
 using Row = std::vector<std::string>;
 constexpr std::size_t kRun = 1;  // column
 
+void require_columns(const SweepTable& table, const std::string& path) {
+  try {
+    parameters_of(table);
+  } catch (const RecordingError& error) {
+    throw RecordingError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
 SweepTable read_sweep_csv(const std::string& path) {
+  constexpr std::size_t kLongestRow = std::size_t{1} << 20U;  // bytes
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) read_regular_file(path);  // says why not
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(with_errno(path));
+  LineReader lines(path, kLongestRow);
   SweepTable table;
-  std::string line;
-  for (std::int64_t number = 1; std::getline(file, line); ++number) {
-    if (file.eof())  // what is there may look whole: 12 for 123
-      throw RecordingError(
-          fmt::format("{}:{}: found no end of the line, the table was cut off", path, number));
-    if (line.ends_with('\r')) line.pop_back();
-    std::optional<Row> row = csv_fields(line);
-    if (!row) throw RecordingError(fmt::format("{}:{}: found wrong quotes", path, number));
-    if (number == 1) {
+  while (const std::optional<std::string_view> line = lines.next()) {
+    if (!lines.has_end())  // what is there may look whole: 12 for 123
+      throw RecordingError(fmt::format("{}:{}: found no end of the line, the table was cut off",
+                                       path, lines.number()));
+    std::optional<Row> row = csv_fields(*line);
+    if (!row) throw RecordingError(fmt::format("{}:{}: found wrong quotes", path, lines.number()));
+    if (lines.number() == 1) {
       table.columns = std::move(*row);
+      require_columns(table, path);
       continue;
     }
     if (row->size() != table.columns.size())
-      throw RecordingError(fmt::format("{}:{}: found {} values, must be {}", path, number,
+      throw RecordingError(fmt::format("{}:{}: found {} values, must be {}", path, lines.number(),
                                        row->size(), table.columns.size()));
     table.rows.push_back(std::move(*row));
   }
-  if (file.bad()) throw FileError(with_errno(path));
   return table;
 }
 
@@ -83,11 +89,7 @@ std::pair<std::size_t, std::size_t> parameters_of(const SweepTable& table) {
 
 SweepTable read_sweep(const std::string& path) {
   SweepTable table = is_hdf5_path(path) ? read_sweep_hdf5(path) : read_sweep_csv(path);
-  try {
-    parameters_of(table);
-  } catch (const RecordingError& error) {
-    throw RecordingError(fmt::format("{}: {}", path, error.what()));
-  }
+  require_columns(table, path);
   if (table.rows.empty())
     throw RecordingError(path + ": found a table without runs, must have one or more");
   return table;
