@@ -9,6 +9,7 @@
 #include "export_mcap_file.h"
 #include "export_protobuf.h"
 #include "export_target.h"
+#include "mover_walk.h"
 
 namespace avo_io {
 namespace {
@@ -27,7 +28,7 @@ struct Paint {
   double r, g, b;
 };
 constexpr Paint kRobotPaint{0.12, 0.47, 0.71}, kArrowPaint{0.9, 0.5, 0.1},
-    kWallPaint{0.3, 0.3, 0.3};
+    kWallPaint{0.3, 0.3, 0.3}, kMoverPaint{0.84, 0.15, 0.16};
 
 std::string color_of(const Paint& paint) {
   ProtoBytes color;
@@ -107,6 +108,14 @@ ProtoBytes entity_of(const std::string& timestamp, std::string_view id) {
   return entity;
 }
 
+/// A disc that moves: a cylinder, and an arrow unless it is at rest.
+std::string disc_of(ProtoBytes entity, Vec2 center, Vec2 velocity, double radius,
+                    const Paint& paint) {
+  if (norm(velocity) > kAtRest) entity.text(7, arrow_of(center, velocity, radius));
+  entity.text(10, cylinder_of(center, radius, paint));
+  return entity.bytes();
+}
+
 class McapExport final : public ExportTarget {
  public:
   McapExport(OutputFile& file, const avo::Scenario& scenario);
@@ -118,22 +127,25 @@ class McapExport final : public ExportTarget {
                                      const std::string& timestamp) const;
   [[nodiscard]] std::string robots_of(const RecordedTime& moment, const std::string& timestamp);
   [[nodiscard]] std::string walls(const std::string& timestamp) const;
+  [[nodiscard]] std::string movers_of(const RecordedTime& moment, const std::string& timestamp);
 
   const avo::Scenario& scenario_;
   McapFile file_;
-  std::uint16_t walls_ = 0, robots_ = 0, poses_ = 0;  // channels
+  MoverWalk walk_;
+  std::uint16_t walls_ = 0, robots_ = 0, poses_ = 0, movers_ = 0;  // channels
   bool begun_ = false;
   std::vector<std::int64_t> there_;  // robots of the time before
 };
 
 McapExport::McapExport(OutputFile& file, const avo::Scenario& scenario)
-    : scenario_(scenario), file_(file) {
+    : scenario_(scenario), file_(file), walk_(scenario) {
   const std::string descriptors = foxglove_schema();
   const std::uint16_t update = file_.add_schema("foxglove.SceneUpdate", descriptors);
   const std::uint16_t poses = file_.add_schema("foxglove.PosesInFrame", descriptors);
   walls_ = file_.add_channel("/walls", update);
   robots_ = file_.add_channel("/robots", update);
   poses_ = file_.add_channel("/poses", poses);
+  if (!scenario.moving_obstacles.empty()) movers_ = file_.add_channel("/moving_obstacles", update);
 }
 
 std::string McapExport::walls(const std::string& timestamp) const {
@@ -156,10 +168,23 @@ std::string McapExport::robot_of(const avo::CheckedState& row, const std::string
   const double radius = disc_radius(setup);
   const Vec2 center =
       row.heading ? avo::disc_center(setup.model, row.position, row.heading->angle) : row.position;
-  ProtoBytes entity = entity_of(timestamp, fmt::format("{}", row.robot));
-  if (norm(row.velocity) > kAtRest) entity.text(7, arrow_of(center, row.velocity, radius));
-  entity.text(10, cylinder_of(center, radius, kRobotPaint));
-  return entity.bytes();
+  return disc_of(entity_of(timestamp, fmt::format("{}", row.robot)), center, row.velocity, radius,
+                 kRobotPaint);
+}
+
+// Recordings have no rows of them: they are where their scene leads them.
+std::string McapExport::movers_of(const RecordedTime& moment, const std::string& timestamp) {
+  try {
+    walk_.go_to(moment.time);
+    if (moment.every > 1 && moment.time > 0.0) walk_.require_known(moment.time);
+  } catch (const avo::Error& error) {
+    throw RecordingError(error.what());
+  }
+  ProtoBytes update;
+  for (std::size_t k = 0; k < scenario_.moving_obstacles.size(); ++k)
+    update.text(2, disc_of(entity_of(timestamp, fmt::format("{}", k)), walk_.position(k),
+                           walk_.velocity(k), scenario_.moving_obstacles[k].radius, kMoverPaint));
+  return update.bytes();
 }
 
 // Whoever is no longer there goes.
@@ -188,6 +213,7 @@ void McapExport::add(const ExportedTime& moment) {
   if (!begun_) file_.write(walls_, time, walls(timestamp));
   begun_ = true;
   file_.write(robots_, time, robots_of(moment.recorded, timestamp));
+  if (movers_ != 0) file_.write(movers_, time, movers_of(moment.recorded, timestamp));
   ProtoBytes poses;
   poses.text(1, timestamp);
   poses.text(2, kFrameId);

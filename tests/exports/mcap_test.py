@@ -87,6 +87,8 @@ def one(fields, *numbers, default=0.0):
 
 
 class Mcap(Exported):
+    movers = False  # whether the scene has moving obstacles
+
     def taken(self, recording, *arguments):
         """Its messages (topic, time, fields), once its structure has been looked at."""
         data = self.convert(recording, "out.mcap", *arguments).read_bytes()
@@ -102,8 +104,8 @@ class Mcap(Exported):
                 fields = Fields(content)
                 channel = fields.number(2)
                 channels[channel] = (fields.number(2), fields.text(), fields.text(), fields.text())
-        self.assertEqual(channels, {1: (1, "/walls", "protobuf", ""), 2: (1, "/robots", "protobuf", ""),
-                                    3: (2, "/poses", "protobuf", "")})
+        topics = [(1, "/walls"), (1, "/robots"), (2, "/poses")] + [(1, "/moving_obstacles")] * self.movers
+        self.assertEqual(channels, {k: (schema, topic, "protobuf", "") for k, (schema, topic) in enumerate(topics, 1)})
         messages, indices = self.chunks(data, found[:end + 1])
         self.summary(data, found, end, messages, indices)
         return [(channels[channel][1], time, message(content)) for channel, time, content in messages]
@@ -164,8 +166,9 @@ class Mcap(Exported):
                              [content for _, other, content in found[:end] if other == opcode])
         statistics = Fields(groups[STATISTICS][0][1])
         self.assertEqual([statistics.number(n) for n in (8, 2, 4, 4, 4, 4, 8, 8)],
-                         [len(messages), 2, 3, 0, 0, len(indices), messages[0][1], messages[-1][1]])
-        self.assertEqual(statistics.pairs(2, 8), [(k, sum(1 for m in messages if m[0] == k)) for k in (1, 2, 3)])
+                         [len(messages), 2, 3 + self.movers, 0, 0, len(indices), messages[0][1], messages[-1][1]])
+        self.assertEqual(statistics.pairs(2, 8),
+                         [(k, sum(1 for m in messages if m[0] == k)) for k in range(1, 4 + self.movers)])
         told = []
         for _, content in groups[CHUNK_INDEX]:
             index = Fields(content)
@@ -209,6 +212,27 @@ class Mcap(Exported):
         line = message(south[11][0])
         self.assertEqual([(one(message(p), 1), one(message(p), 2)) for p in line[5]], [(0, -8), (0, -0.8)])
         self.assertEqual(one(line, 3), 0.02)
+
+    def test_moving_obstacles_are_where_their_scene_leads_them(self):
+        self.movers = True
+        recording = self.record("moving-obstacle", "--duration", 5)
+        found = [m for m in self.taken(recording) if m[0] == "/moving_obstacles"]
+        self.assertEqual([m[1] for m in found], sorted({round(row["time"] * 1e9) for row in self.rows(recording)}))
+        for _, time, fields in found:
+            entity = message(fields[2][0])
+            self.assertEqual((len(fields[2]), entity[3]), (1, [b"0"]))
+            self.assertAlmostEqual(one(entity, 10, 1, 1, 1), 10 - time * 1e-9, places=12)  # -1 m/s
+            self.assertEqual((one(entity, 10, 1, 1, 2), one(entity, 10, 2, 1)), (0, 1))
+            self.assertEqual(one(entity, 7, 2) + one(entity, 7, 4), 1)
+
+    def test_moving_obstacles_turn_at_the_points_of_their_paths(self):
+        self.movers = True
+        messages = self.taken(self.record("person", "--duration", 40, "--every", 7))
+        places = [one(message(fields[2][0]), 10, 1, 1, 1) for topic, _, fields in messages
+                  if topic == "/moving_obstacles"]
+        # its points that are farthest in that direction are (3, -3), (3, 3) and (-7, 2); its radius is 0.3
+        self.assertLess(abs(max(places) - 3), 0.3)
+        self.assertLess(abs(min(places) + 7), 0.3)
 
     def test_whoever_leaves_is_deleted(self):
         recording = self.record("planes-12", "--duration", 300, "--until-arrived")
