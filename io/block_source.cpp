@@ -145,6 +145,8 @@ RecordingFormat format_of(const std::string& path) {
                                           spool, path)
                             : std::string()));
   }
+  if (type == std::filesystem::file_type::directory)
+    throw FileError(path + ": found a directory, must be a file");
   // whatever is read of a pipe is gone
   if (type != std::filesystem::file_type::regular) return RecordingFormat::csv;
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);

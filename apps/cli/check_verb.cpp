@@ -26,8 +26,9 @@ bool has_limits(const CheckArguments& arguments) {
 /// The scene that the recording has in itself, where no other one and no limits are given.
 std::optional<avo_io::RecordedScene> own_scene(const CheckArguments& arguments) {
   if (!arguments.scene.scene.empty() || has_limits(arguments)) return std::nullopt;
-  if (!std::filesystem::exists(arguments.recording) && !avo_io::is_hdf5_path(arguments.recording))
-    return std::nullopt;
+  const bool may_have_one =
+      avo_io::is_hdf5_path(arguments.recording) || arguments.recording.ends_with(".part");
+  if (!may_have_one && !std::filesystem::exists(arguments.recording)) return std::nullopt;
   return avo_io::read_recorded_scene(arguments.recording, arguments.scene.overrides);
 }
 

@@ -30,16 +30,12 @@ std::atomic<pid_t> running_child = -1;
   throw avo_io::FileError(name + ": " + std::generic_category().message(reason));
 }
 
-/// The last line of what is there.
-std::string last_line(int file) {
+/// The first line of what is there: what has failed first is why the rest has.
+std::string first_line(int file) {
   char text[4096];
-  const off_t size = lseek(file, 0, SEEK_END);
-  const off_t from =
-      size > static_cast<off_t>(sizeof text) ? size - static_cast<off_t>(sizeof text) : 0;
-  const ssize_t got = pread(file, text, sizeof text, from);
-  std::string lines(text, got > 0 ? static_cast<std::size_t>(got) : 0);
-  while (!lines.empty() && lines.back() == '\n') lines.pop_back();
-  return lines.substr(lines.rfind('\n') + 1);
+  const ssize_t got = pread(file, text, sizeof text, 0);
+  const std::string lines(text, got > 0 ? static_cast<std::size_t>(got) : 0);
+  return lines.substr(0, lines.find('\n'));
 }
 
 }  // namespace
@@ -100,7 +96,7 @@ void ChildProcess::finish() {
   }
   pid_ = running_child = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  const std::string said = avo_io::printable(last_line(errors_), 200);
+  const std::string said = avo_io::printable(first_line(errors_), 200);
   throw avo_io::FileError(
       fmt::format("{}: {}", name_, said.empty() ? "it has failed without a word" : said));
 }

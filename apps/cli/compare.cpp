@@ -41,6 +41,13 @@ void read_into(Comparison& comparison, const std::string& path) {
     comparison.tables.emplace_back(path, avo_io::read_sweep(path));
 }
 
+/// Of recordings alone, nobody would read these options.
+void require_table(const CompareArguments& arguments, const Comparison& comparison) {
+  if (!comparison.tables.empty() || (arguments.by.empty() && arguments.columns.empty())) return;
+  throw UsageError(fmt::format("{}: found without a table of avo sweep, must be with one or more",
+                               arguments.by.empty() ? "--columns" : "--by"));
+}
+
 }  // namespace
 
 int compare(const CompareArguments& arguments) {
@@ -56,6 +63,7 @@ int compare(const CompareArguments& arguments) {
   Comparison comparison;
   comparison.tables.reserve(arguments.files.size());  // cases point to them
   for (const std::string& file : arguments.files) read_into(comparison, file);
+  require_table(arguments, comparison);
   const std::string text =
       readable(cases_of(comparison), arguments.by, arguments.columns) + readable(comparison);
   std::vector<std::unique_ptr<avo_io::OutputFile>> files;

@@ -26,15 +26,20 @@ namespace figures = avo::figures;
 
 constexpr double kWays = 4.0;  // s of the simulation: how far back ways are shown
 
+std::string ending_of(const std::string& path) {
+  return std::filesystem::path(path).extension().string();
+}
 bool is_gif(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  return ending == ".gif" || ending == ".GIF";
+  return ending_of(path) == ".gif" || ending_of(path) == ".GIF";
+}
+bool is_mp4(const std::string& path) {
+  return ending_of(path) == ".mp4" || ending_of(path) == ".MP4";
 }
 
 void check_arguments(const VideoArguments& arguments) {
-  require_ending({"the video", arguments.output}, {".mp4", ".gif"});
-  if (!std::filesystem::path(arguments.output).has_extension())
-    throw UsageError(arguments.output + ": found no ending, must be .mp4 or .gif");
+  if (!is_mp4(arguments.output) && !is_gif(arguments.output))
+    throw UsageError(fmt::format("the video {}: found the ending \"{}\", must be .mp4 or .gif",
+                                 arguments.output, ending_of(arguments.output)));
   const auto require = [](const char* option, double value, double most) {
     if (!(value > 0.0 && value <= most))
       throw UsageError(fmt::format("{}: found {}, must be > 0, <= {}", option, value, most));

@@ -83,6 +83,12 @@ TEST(BadRecording, files_that_cannot_be_read_exit_with_4) {
   };
   expect("no-such.csv", "no-such.csv: No such file or directory");
   expect(folder(), folder() + ": found a directory, must be a file");
+  for (const Strings& verb : {Strings{"check"}, Strings{"compare"}, Strings{"replay"}}) {
+    const ProcessResult result = run_avo({verb[0], folder()});
+    EXPECT_EQ(result.exit_code, 4) << verb[0];
+    EXPECT_EQ(result.err, folder() + ": found a directory, must be a file\n") << verb[0];
+  }
+  EXPECT_EQ(run_avo({"check", "no.h5.part"}).err, "no.h5.part: No such file or directory\n");
   const ProcessResult scene =
       run_avo({"check", recording(kGood), "--scene", path_of("no-such.yaml")});
   EXPECT_EQ(scene.exit_code, 4);

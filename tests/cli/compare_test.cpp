@@ -152,6 +152,11 @@ TEST(Compare, refuses_what_it_cannot_compare_in_one_line) {
             "numbers, e.g. robots\n");
   EXPECT_THAT(refused({table, "--columns", "scene"}, 2), HasSubstr("--columns: found scene, "));
   EXPECT_THAT(refused({table, "--columns", "seed"}, 2), HasSubstr("--columns: found seed, "));
+  const std::string h5 = path_of("run.h5");
+  ASSERT_EQ(run_avo({"run", "circle-2", "--duration", "1", "--record", h5, "-q"}).exit_code, 0);
+  EXPECT_EQ(refused({h5, "--by", "method"}, 2),
+            "avo: --by: found without a table of avo sweep, must be with one or more\n");
+  EXPECT_THAT(refused({h5, "--columns", "x"}, 2), HasSubstr("--columns: found without a table"));
   const std::string bad = path_of("bad.csv"), text = read_file(table);
   write_file(bad, kColumns + "s,0,a,avo,5,1,0x,10,0,4,9,1\ns,1,a,avo,5,1,0x,10,0,4,9 s,1\n");
   EXPECT_EQ(refused({bad, "--columns", "arrival_100"}, 3),

@@ -107,15 +107,16 @@ TEST(Video, says_what_is_wrong_and_leaves_nothing) {
     EXPECT_EQ(result.exit_code, code);
     EXPECT_EQ(result.err, message + "\n");
   };
-  refused({"x.avi"}, 2, "avo: the video x.avi: found the ending .avi, must be .mp4, .gif or none");
-  refused({"x"}, 2, "avo: x: found no ending, must be .mp4 or .gif");
+  refused({"x.avi"}, 2, "avo: the video x.avi: found the ending \".avi\", must be .mp4 or .gif");
+  refused({"x"}, 2, "avo: the video x: found the ending \"\", must be .mp4 or .gif");
   refused({"x.mp4", "--size=99"}, 2,
           "avo: --size: found 99, must be an even number from 16 to 8192");
   refused({"x.mp4", "--fps=0"}, 2, "avo: --fps: found 0, must be > 0, <= 240");
   refused({"x.mp4", "--speed=nan"}, 2, "avo: --speed: found nan, must be > 0, <= 1000000");
   EXPECT_EQ(run_avo({"video", path_of("none.h5"), "x.mp4"}).exit_code, 4);
   // a program of that name that fails
-  write_file(path_of("ffmpeg"), "#!/bin/sh\necho 'no room' >&2\nexit 1\n");
+  write_file(path_of("ffmpeg"),
+             "#!/bin/sh\necho 'no room' >&2\necho 'so there is no video' >&2\nexit 1\n");
   ASSERT_EQ(chmod(path_of("ffmpeg").c_str(), 0755), 0);
   const std::string here = folder();
   const ProcessResult result =
