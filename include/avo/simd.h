@@ -5,8 +5,9 @@
 
 namespace avo {
 
-/// "avx512", "avx2", "sse4", "neon" or "scalar": what AVO_SIMD asks for in the environment, or the
-/// best of this machine where it asks for nothing, for "auto", or for what cannot be had.
+/// "avx512", "avx2", "sse4", "neon", "simd128" (WebAssembly) or "scalar": what AVO_SIMD asks for in
+/// the environment, or the best of this machine where it asks for nothing, for "auto", or for what
+/// cannot be had.
 AVO_API const char* simd_target();
 
 /// Throws Error if AVO_SIMD names no instruction set, or one that this machine or build lacks.

@@ -22,6 +22,9 @@ AVO_END_KERNELS
 // what is left is the instruction set of the whole build
 #include "core/kernel_pass.h"
 #endif
+#ifdef AVO_SIMD128
+#include "core/kernel_pass.h"
+#endif
 
 namespace avo {
 static constexpr auto kKernels = [] {
@@ -37,6 +40,9 @@ static constexpr auto kKernels = [] {
 #endif
 #if AVO_TARGETS & HWY_NEON
   table[SimdTarget::neon] = &N_NEON::kKernels;
+#endif
+#ifdef AVO_SIMD128
+  table[SimdTarget::simd128] = &simd128::kKernels;
 #endif
   table[SimdTarget::scalar] = &scalar::kKernels;
   return table;

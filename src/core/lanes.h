@@ -127,60 +127,6 @@ HWY_INLINE std::size_t store_chosen(std::uint32_t chosen, const Pack<double> (&v
 }
 #endif
 
-/// Two packs as one: while the one waits for its divisions the other goes on.
-struct TwoMasks {
-  MaskOf<double> a, b;
-  friend HWY_INLINE TwoMasks operator&(TwoMasks x, TwoMasks y) { return {x.a & y.a, x.b & y.b}; }
-  friend HWY_INLINE TwoMasks operator|(TwoMasks x, TwoMasks y) { return {x.a | y.a, x.b | y.b}; }
-  friend HWY_INLINE TwoMasks operator!(TwoMasks x) { return {!x.a, !x.b}; }
-  friend HWY_INLINE bool any(TwoMasks x) { return any(x.a | x.b); }
-  friend HWY_INLINE std::uint32_t bits(TwoMasks x) {
-    return bits(x.a) | bits(x.b) << Pack<double>::kLanes;
-  }
-};
-
-struct TwoPacks {
-  using Mask = TwoMasks;
-  static constexpr std::size_t kLanes = 2 * Pack<double>::kLanes;
-  Pack<double> a, b;
-
-  TwoPacks() = default;
-  HWY_INLINE TwoPacks(double constant) : a(constant), b(constant) {}  // NOLINT: as literals are
-  HWY_INLINE TwoPacks(Pack<double> first, Pack<double> second) : a(first), b(second) {}
-
-  static HWY_INLINE TwoPacks load(const double* from) {
-    return {Pack<double>::load(from), Pack<double>::load(from + Pack<double>::kLanes)};
-  }
-  HWY_INLINE void store(double* to) const {
-    a.store(to);
-    b.store(to + Pack<double>::kLanes);
-  }
-
-  friend HWY_INLINE TwoPacks operator+(TwoPacks x, TwoPacks y) { return {x.a + y.a, x.b + y.b}; }
-  friend HWY_INLINE TwoPacks operator-(TwoPacks x, TwoPacks y) { return {x.a - y.a, x.b - y.b}; }
-  friend HWY_INLINE TwoPacks operator*(TwoPacks x, TwoPacks y) { return {x.a * y.a, x.b * y.b}; }
-  friend HWY_INLINE TwoPacks operator/(TwoPacks x, TwoPacks y) { return {x.a / y.a, x.b / y.b}; }
-  friend HWY_INLINE TwoPacks operator-(TwoPacks x) { return {-x.a, -x.b}; }
-  friend HWY_INLINE Mask operator<(TwoPacks x, TwoPacks y) { return {x.a < y.a, x.b < y.b}; }
-  friend HWY_INLINE Mask operator<=(TwoPacks x, TwoPacks y) { return {x.a <= y.a, x.b <= y.b}; }
-  friend HWY_INLINE Mask operator>(TwoPacks x, TwoPacks y) { return {x.a > y.a, x.b > y.b}; }
-  friend HWY_INLINE Mask operator>=(TwoPacks x, TwoPacks y) { return {x.a >= y.a, x.b >= y.b}; }
-  friend HWY_INLINE TwoPacks sqrt(TwoPacks x) { return {sqrt(x.a), sqrt(x.b)}; }
-  friend HWY_INLINE TwoPacks abs(TwoPacks x) { return {abs(x.a), abs(x.b)}; }
-  friend HWY_INLINE TwoPacks floor(TwoPacks x) { return {floor(x.a), floor(x.b)}; }
-  friend HWY_INLINE TwoPacks select(Mask mask, TwoPacks yes, TwoPacks no) {
-    return {select(mask.a, yes.a, no.a), select(mask.b, yes.b, no.b)};
-  }
-  friend HWY_INLINE TwoPacks lookup(const double* table, TwoPacks x) {
-    return {lookup(table, x.a), lookup(table, x.b)};
-  }
-};
-
-HWY_INLINE std::size_t store_chosen(TwoMasks chosen, TwoPacks x, double* to) {
-  const std::size_t count = store_chosen(chosen.a, x.a, to);
-  return count + store_chosen(chosen.b, x.b, to + count);
-}
-
 // Both of these return the second where the comparison fails, as x86 has them.
 HWY_INLINE Pack<double> min(Pack<double> a, Pack<double> b) {
   return HWY_ARCH_X86 ? Pack<double>(hn::Min(a.raw, b.raw)) : select(a < b, a, b);
@@ -188,14 +134,9 @@ HWY_INLINE Pack<double> min(Pack<double> a, Pack<double> b) {
 HWY_INLINE Pack<double> max(Pack<double> a, Pack<double> b) {
   return HWY_ARCH_X86 ? Pack<double>(hn::Max(a.raw, b.raw)) : select(a > b, a, b);
 }
-HWY_INLINE TwoPacks min(TwoPacks x, TwoPacks y) {
-  return {min(x.a, y.a), min(x.b, y.b)};
-}
-HWY_INLINE TwoPacks max(TwoPacks x, TwoPacks y) {
-  return {max(x.a, y.a), max(x.b, y.b)};
-}
 
 }  // namespace avo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
+#include "core/two_packs.h"
 #include "core/vec_kernel.h"

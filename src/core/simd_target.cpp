@@ -16,7 +16,8 @@
 namespace avo {
 namespace {
 
-constexpr std::array<const char*, kSimdTargets> kNames{"avx512", "avx2", "sse4", "neon", "scalar"};
+constexpr std::array<const char*, kSimdTargets> kNames{"avx512", "avx2",    "sse4",
+                                                       "neon",   "simd128", "scalar"};
 
 // What the kernels' instruction sets consist of, see HWY_TARGET_STR. The compiler's own test asks
 // the operating system as well.
@@ -40,16 +41,24 @@ bool has_avx512() {
 }
 std::array<bool, kSimdTargets> find_targets() {
   return {(AVO_TARGETS & HWY_AVX3) != 0 && has_avx512(),
-          (AVO_TARGETS & HWY_AVX2) != 0 && has_avx2(), (AVO_TARGETS & HWY_SSE4) != 0 && has_sse4(),
-          false, true};
+          (AVO_TARGETS & HWY_AVX2) != 0 && has_avx2(),
+          (AVO_TARGETS & HWY_SSE4) != 0 && has_sse4(),
+          false,
+          false,
+          true};
 }
 #elif AVO_TARGETS != 0
 std::array<bool, kSimdTargets> find_targets() {  // compiled for it: the machine has it
-  return {false, false, false, (AVO_TARGETS & HWY_NEON) != 0, true};
+  return {false, false, false, (AVO_TARGETS & HWY_NEON) != 0, false, true};
 }
 #else
 std::array<bool, kSimdTargets> find_targets() {
-  return {false, false, false, false, true};
+#ifdef AVO_SIMD128
+  constexpr bool simd128 = true;
+#else
+  constexpr bool simd128 = false;
+#endif
+  return {false, false, false, false, simd128, true};
 }
 #endif
 

@@ -11,8 +11,8 @@
 namespace avo {
 
 /// Best first; scalar kernels run one pair or robot at a time, without Highway.
-enum class SimdTarget : std::uint8_t { avx512, avx2, sse4, neon, scalar };
-inline constexpr std::size_t kSimdTargets = 5;
+enum class SimdTarget : std::uint8_t { avx512, avx2, sse4, neon, simd128, scalar };
+inline constexpr std::size_t kSimdTargets = 6;
 
 /// The one in use.
 SimdTarget current_simd_target();
