@@ -3,7 +3,8 @@
 // shown is uncompressed, block by block, and the last ones are kept.
 import { refuse } from "./bytes.ts";
 import { uncompressed } from "./compression.ts";
-import { ABSENT, emptyFrame, LARGEST, MOST_ROBOTS, type RecordedFrame, STATE_COLUMNS } from "./recording.ts";
+import { ABSENT, emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type RecordedFrame,
+  STATE_COLUMNS } from "./recording.ts";
 import { shortest } from "./words.ts";
 
 export const BLOCK_TIMES = 64;
@@ -49,7 +50,7 @@ export function requireTimes(times: Float64Array): void {
   let last = -Infinity;
   for (const time of times) {
     const must = !Number.isFinite(time) ? "a finite number" : time < 0 ? ">= 0 s"
-      : time <= last ? `> ${shortest(last)} s, the time before` : time > LARGEST ? `<= ${shortest(LARGEST)} s` : null;
+      : time <= last ? `> ${shortest(last)} s, the time before` : time > LARGEST ? "<= 1e+12 s" : null;
     if (must !== null) refuse(`time: found ${shortest(time)} s, must be ${must}`);
     last = time;
   }
@@ -101,8 +102,7 @@ function requireNumbers(block: Block, at: number, time: number, robot: number): 
   for (let c = 0; c < columnsOf(block, at); ++c) {
     const value = block.columns[c][at];
     if (Math.abs(value) <= LARGEST) continue;
-    const range = `from -${shortest(LARGEST)} to ${shortest(LARGEST)}`;
-    const must = Number.isFinite(value) ? range : "a finite number";
+    const must = Number.isFinite(value) ? LARGEST_RANGE : "a finite number";
     refuse(`${where}: ${STATE_COLUMNS[c]}: found ${shortest(value)}, must be ${must}`);
   }
 }

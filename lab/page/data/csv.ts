@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings as CSV (docs/check.md), read as io/csv_rows.cpp does and refused in its words.
 import { refuse } from "./bytes.ts";
-import { emptyFrame, LARGEST, MOST_ROBOTS, type Recording, type RecordedFrame } from "./recording.ts";
+import { emptyFrame, LARGEST, LARGEST_RANGE, MOST_ROBOTS, type Recording, type RecordedFrame } from "./recording.ts";
 import { inQuotes, nearest, shortest } from "./words.ts";
 
 const COLUMNS = ["time", "robot", "x", "y", "vx", "vy"];
@@ -65,8 +65,7 @@ function numberAt(text: string, name: string, line: number): number {
   const value = parsed(text);
   if (Math.abs(value) <= LARGEST) return value;
   const large = !Number.isNaN(value) && /\d/.test(text);
-  const range = `from -${shortest(LARGEST)} to ${shortest(LARGEST)}`;
-  refuseAt(line, `${name}: found ${inQuotes(text)}, must be ${large ? range : "a finite number"}`);
+  refuseAt(line, `${name}: found ${inQuotes(text)}, must be ${large ? LARGEST_RANGE : "a finite number"}`);
 }
 
 /** An integer, also one that is written as 3.0; -1 of what is none or negative. */

@@ -150,7 +150,8 @@ function shortObject(heap: Heap, offset: number, length: number): Uint8Array {
   let size = heap.start;
   for (let rows = heap.rows, depth = 0; rows > 0; ++depth) {
     let row = 0;
-    for (; row < rows && offset >= heap.width * sizeInRow(heap, row); ++row) offset -= heap.width * sizeInRow(heap, row);
+    for (; row < rows && offset >= heap.width * sizeInRow(heap, row); ++row)
+      offset -= heap.width * sizeInRow(heap, row);
     if (row === rows || depth > MOST_DEPTH) refuse("found an attribute outside of its heap, damaged");
     size = sizeInRow(heap, row);
     address = childAt(heap, address, rows, row * heap.width + Math.floor(offset / size));

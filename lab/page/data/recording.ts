@@ -43,6 +43,7 @@ export const ABSENT = 255;
 export const STATE_COLUMNS = ["x", "y", "vx", "vy", "heading", "speed"];
 /** Of any number in a recording: m, m/s, rad, s. */
 export const LARGEST = 1e12;
+export const LARGEST_RANGE = "from -1e+12 to 1e+12";
 /** A frame has memory for all of them. */
 export const MOST_ROBOTS = 100_000;
 
