@@ -49,6 +49,11 @@ export async function load(source) {
       const at = exports.positions();
       return new Float64Array(memory.buffer, at, 2 * exports.robots()).slice();
     },
+    /** The instructions of the kernels: "simd128" or "scalar". */
+    simdTarget() {
+      const at = exports.simd_target();
+      return text(at, new Uint8Array(memory.buffer, at).indexOf(0));
+    },
     stateHash: () => BigInt.asUintN(64, exports.state_hash()),
   };
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// node check.mjs MODULE STATES STEPS SCENE...: the module comes to the same bits as the native library, saves and
+// node check.mjs MODULE SIMD STATES STEPS SCENE...: the module uses the instructions SIMD, comes to the same bits as the native library, saves and
 // goes on, and says what it refuses.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -8,10 +8,11 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { load } from "../../lab/wasm/load.mjs";
 
-const [module, states, steps, ...scenes] = process.argv.slice(2);
+const [module, simd, states, steps, ...scenes] = process.argv.slice(2);
 const compiled = await WebAssembly.compile(readFileSync(module));
 const folder = mkdtempSync(join(tmpdir(), "avo-wasm-"));
 try {
+  assert.equal((await load(compiled)).simdTarget(), simd);
   const lines = execFileSync(states, [folder, steps, ...scenes], { encoding: "utf8" }).trim().split("\n");
   assert.ok(lines.length >= scenes.length);
   for (const line of lines) {
