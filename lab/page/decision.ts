@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// One decision of a robot and all that it was made from, as `avo explain --json` tells it (docs/scenes.md), in SI units.
+
+/** x, y */
+export type Vec = readonly [number, number];
+
+export interface Disc {
+  center: Vec;
+  radius: number;
+}
+
+/** normal·v' >= offset, m/s; the normal has length 1. */
+export interface HalfPlane {
+  normal: Vec;
+  offset: number;
+}
+
+/** I of robots.I, or "moving_obstacles.K". */
+export type Source = number | string;
+
+export interface Sensed {
+  neighbor: Source;
+  position: Vec;
+  velocity: Vec;
+  acceleration: Vec;
+  radius: number;
+  max_acceleration: number;     // 0 of who does not decide
+  priority: number | null;      // null likewise
+  behavior: "decides" | "moves_on";
+  share: number;                // of what the two have to do, the part of the robot that decides here
+  max_braking?: number;
+  age?: number;                 // steps since it was measured, where it is carried on
+  risk?: number;
+  loiter?: Disc;
+  max_deviation?: number;
+  max_speed?: number | null;
+}
+
+export interface Decision {
+  scene: string;
+  robot: number;
+  time: number;
+  position: Vec;
+  velocity: Vec;
+  goal: Vec;
+  radius: number;
+  max_speed: number;
+  max_acceleration: number;
+  max_braking: number;
+  priority: number;
+  obstacles: Sensed[];
+  rule: "half_planes" | "union_of_obstacles";
+  half_planes: ({ neighbor: Source } & HalfPlane)[];
+  walls: { a: Vec; b: Vec; radius: number }[];
+  wall_half_planes: ({ wall: number; kind: "speed" | "obstacle" } & HalfPlane)[];
+  certificate_kind?: string;
+  certificate?: { neighbor: Source; interval: number; normal: Vec; offset: number }[];
+  wall_certificate?: { wall: number; held: number; distance: number; normal: Vec }[];
+  detour?: number;              // rad, to the right
+  loiter?: Disc;
+  risk?: number;
+  acceleration_disc: Disc | null;
+  speed_disc: Disc | null;
+  preferred_velocity: Vec;
+  new_velocity: Vec;
+  acceleration: Vec;
+  state: "safe" | "doomed" | "unknown";
+  doomed_by: Source | null;     // also "walls.K", of `walls` above
+  contact_within: number | null;
+  status: string;
+  violation: number;
+}
+
+export function parseDecision(text: string): Decision {
+  return JSON.parse(text) as Decision;
+}
+
+/** As the Lab calls it: "robots.3", "moving_obstacles.0". */
+export function nameOf(source: Source): string {
+  return typeof source === "number" ? `robots.${source}` : source;
+}
+
+const KINDS: Record<string, string> = {
+  robots: "robot", moving_obstacles: "moving obstacle", walls: "wall", obstacles: "obstacle",
+};
+
+/** For people: "robot 3". */
+export function labelOf(name: string): string {
+  const [kind, number] = name.split(".");
+  return `${KINDS[kind!] ?? kind} ${number}`;
+}
+
+/** Beside a line, where there is little room: "3", "o0" of a moving obstacle, "w4" of a wall, as in the figures. */
+export function shortLabelOf(name: string): string {
+  const [kind, number] = name.split(".");
+  return `${kind === "robots" ? "" : kind === "walls" ? "w" : "o"}${number}`;
+}
+
+export const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1];
+export const cross = (a: Vec, b: Vec): number => a[0] * b[1] - a[1] * b[0];
+export const norm = (a: Vec): number => Math.hypot(a[0], a[1]);
+export const minus = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1]];
+export const along = (a: Vec, b: Vec, t: number): Vec => [a[0] + t * b[0], a[1] + t * b[1]];
+
+/** By how much `v` misses the half-plane, m/s; <= 0 inside. */
+export function violation(plane: HalfPlane, v: Vec): number {
+  return plane.offset - dot(plane.normal, v);
+}
+
+/** From the surface of the robot to that of the other one, m; negative where they overlap. */
+export function clearanceOf(decision: Decision, other: Sensed): number {
+  return norm(minus(decision.position, other.position)) - decision.radius - other.radius;
+}
+
+/** Methods whose v' lies outside of the union of obstacles, and not within half-planes. */
+export function avoidsUnion(decision: Decision, method: string): boolean {
+  return decision.rule === "union_of_obstacles" || method === "velocity_obstacle" ||
+    method === "reciprocal_velocity_obstacle";
+}
+
+/** A wall of the decision by the number that it has among the scene's walls; -1 where the scene has no such wall. */
+export function sceneWall(decision: Decision, index: number, walls: readonly { a: Vec; b: Vec; radius: number }[]): number {
+  const wall = decision.walls[index];
+  if (!wall) return -1;
+  const same = (p: Vec, q: Vec): boolean => p[0] === q[0] && p[1] === q[1];
+  return walls.findIndex((other) => other.radius === wall.radius &&
+    ((same(other.a, wall.a) && same(other.b, wall.b)) || (same(other.a, wall.b) && same(other.b, wall.a))));
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elements of the page in one expression each, and numbers as people read them.
+
+type Child = Node | string | null;
+
+/** `class` is a string, `on…` a listener, `true` an attribute without a value, `false` none; the rest attributes. */
+export function element<K extends keyof HTMLElementTagNameMap>(
+  name: K, attributes: Record<string, string | number | boolean | ((event: never) => void)> = {}, ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (typeof value === "function") made.addEventListener(key.slice(2), value as EventListener);
+    else if (typeof value === "boolean") made.toggleAttribute(key, value);
+    else made.setAttribute(key, String(value));
+  }
+  made.append(...children.filter((child) => child !== null));
+  return made;
+}
+
+/** With a minus sign that is as wide as a plus, no -0, and words for what is not finite. */
+export function digits(value: number, places = 2): string {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? "–" : value > 0 ? "∞" : "−∞";
+  const text = value.toFixed(places);
+  return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
+}
+
+/** Calls `work` once before the next frame, however often it is asked for. */
+export function oncePerFrame(work: () => void): () => void {
+  let asked = false;
+  return () => {
+    if (asked) return;
+    asked = true;
+    requestAnimationFrame(() => {
+      asked = false;
+      work();
+    });
+  };
+}
+
+/** A 2D context whose unit is a pixel of CSS, on as many pixels as the screen has; cleared. */
+export function crispContext(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
+  const density = Math.max(1, window.devicePixelRatio || 1);
+  const columns = Math.max(1, Math.round(width * density)), rows = Math.max(1, Math.round(height * density));
+  if (canvas.width !== columns || canvas.height !== rows) canvas.width = columns, canvas.height = rows;
+  const context = canvas.getContext("2d")!;
+  context.setTransform(columns / width, 0, 0, rows / height, 0, 0);
+  context.clearRect(0, 0, width, height);
+  return context;
+}
