@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window into a decision: why the selected robot chooses the velocity that it chooses.
+import type { Simulation } from "../avo/avo.ts";
+import { openComparison } from "./comparison.ts";
+import { markNeighbor, neighborTable, numbersTable } from "./decision_tables.ts";
+import { digits, element, oncePerFrame } from "./elements.ts";
+import type { Explained } from "./explained.ts";
+import { explained } from "./explained.ts";
+import { makeHistoryStrip } from "./history_strip.ts";
+import type { Lab } from "./lab.ts";
+import { simulationOfRow } from "./recorded_decision.ts";
+import { makeSpaceCanvas, sharedAxes, type SpaceCanvas } from "./space_canvas.ts";
+import { sentence } from "./why.ts";
+
+const LEAST_PAUSE = 60;  // ms between two decisions while it plays
+const REST = 4;          // of the time goes to everything else
+
+export function mountInspector(lab: Lab, root: HTMLElement): void {
+  const space = makeSpaceCanvas(lab, sharedAxes());
+  const strip = makeHistoryStrip(lab);
+  const title = element("h2", { class: "insp-title" });
+  const when = element("span", { class: "insp-when" });
+  const says = element("p", { class: "insp-sentence", role: "status" });
+  const note = element("p", { class: "insp-note", hidden: true });
+  const numbers = element("div"), neighbors = element("div", { class: "insp-scroll" });
+  const compare = element("button", { type: "button", onclick: () => openComparison(lab) }, "Compare methods");
+  const copy = element("button", { type: "button", title: "the very text of avo explain --json" }, "Copy JSON");
+  const close = element("button", { type: "button", class: "insp-close", "aria-label": "close the inspector", onclick: () => lab.select(null) }, "×");
+  const panel = element("div", { class: "insp", hidden: true },
+    element("header", { class: "insp-head" }, title, when, close),
+    says, note, space.root, tools(space), legend(),
+    element("h3", {}, "History"), strip.root,
+    element("div", { class: "insp-actions" }, compare, copy),
+    element("h3", {}, "Numbers"), numbers,
+    element("h3", {}, "Neighbors"), neighbors);
+  root.replaceChildren(empty(), panel);
+
+  let shown: Explained | null = null;
+  let last = 0, cost = 0, late = 0;
+  copy.addEventListener("click", () => void copyText(shown?.text ?? "", copy));
+  panel.addEventListener("neighbor", (event) => lab.select((event as CustomEvent<number>).detail));
+
+  const fill = (now: Explained): void => {
+    shown = now;
+    const { decision, law, why } = now;
+    title.textContent = `Robot ${decision.robot}`;
+    when.textContent = `at ${digits(lab.moment.time)} s · ${law.method}`;
+    says.textContent = sentence(decision, law, why);
+    space.show(now.source);
+    numbers.replaceChildren(numbersTable(decision));
+    const scrolled = neighbors.scrollTop;
+    neighbors.replaceChildren(neighborTable(lab, decision, why, law, (robot) => lab.select(robot)));
+    neighbors.scrollTop = scrolled;
+    markNeighbor(neighbors, lab.highlighted);
+    panel.classList.remove("insp-silent");
+  };
+  const refresh = (): void => {
+    const robot = lab.selected;
+    panel.hidden = robot === null;
+    (root.firstElementChild as HTMLElement).hidden = robot !== null;
+    if (robot === null) return;
+    strip.redraw();
+    const begun = performance.now();
+    try {
+      note.hidden = lab.live !== null;
+      note.textContent = lab.live ? "" : ROW_NOTE;
+      fill(explained(simulationFor(lab), lab.info, robot, lab.playing));
+    } catch (error) {
+      silence(robot, error);
+    }
+    cost = performance.now() - begun, last = performance.now();
+  };
+  const silence = (robot: number, error: unknown): void => {
+    shown = null;
+    title.textContent = `Robot ${robot}`;
+    when.textContent = `at ${digits(lab.moment.time)} s`;
+    says.textContent = error instanceof Error ? error.message : String(error);
+    panel.classList.add("insp-silent");
+    space.show(null);
+  };
+  const refreshSoon = oncePerFrame(() => {
+    const rest = Math.max(LEAST_PAUSE, REST * cost) - (performance.now() - last);
+    clearTimeout(late);
+    if (!lab.playing || rest <= 0) refresh();
+    else late = window.setTimeout(refresh, rest);
+  });
+  for (const event of ["moment", "scene", "playing"] as const) lab.on(event, refreshSoon);
+  lab.on("selection", refresh);
+  lab.on("theme", refresh);
+  lab.on("highlight", () => {
+    markNeighbor(neighbors, lab.highlighted);
+    space.redraw();
+  });
+  refresh();
+}
+
+const ROW_NOTE = "From the row of the recording: what the robot remembers (its detour) is not recorded, so the decision is " +
+  "that of a robot which begins here.";
+
+let rowOf: { moment: unknown; simulation: Simulation } | null = null;  // the last row is asked about more than once
+
+export function simulationFor(lab: Lab): Simulation {
+  if (lab.live) return lab.live;
+  if (rowOf?.moment !== lab.moment) rowOf = { moment: lab.moment, simulation: simulationOfRow(lab) };
+  return rowOf.simulation;
+}
+
+function tools(space: SpaceCanvas): HTMLElement {
+  const button = (label: string, title: string, act: () => void): HTMLElement =>
+    element("button", { type: "button", title, onclick: act }, label);
+  const layer = (key: "obstacles" | "certificate", label: string, title: string): HTMLElement => {
+    const toggle = element("button", { type: "button", title, "aria-pressed": "true" }, label);
+    toggle.addEventListener("click", () => {
+      space.layers[key] = !space.layers[key];
+      toggle.setAttribute("aria-pressed", String(space.layers[key]));
+      space.refresh();
+    });
+    return toggle;
+  };
+  return element("div", { class: "insp-tools", role: "toolbar", "aria-label": "velocity space" },
+    button("+", "zoom in (+)", () => space.zoom(1.5)), button("−", "zoom out (−)", () => space.zoom(1 / 1.5)),
+    button("All", "all that it may choose (0)", () => space.fit()),
+    button("Step", "what one step reaches", () => space.fitToStep()),
+    layer("obstacles", "Obstacles", "the exact boundary of each obstacle, Eq. (29)"),
+    layer("certificate", "Certificate", "velocities that the certificate admits for the next step"));
+}
+
+function legend(): HTMLElement {
+  const entry = (kind: string, label: string): HTMLElement =>
+    element("span", { class: "insp-key" }, element("i", { class: `insp-swatch insp-${kind}` }), label);
+  return element("div", { class: "insp-legend" }, entry("chosen", "may be chosen"), entry("forbidden", "forbidden"),
+    entry("admitted", "certificate admits"), entry("binding", "binding half-plane"), entry("outline", "obstacle, Eq. (29)"));
+}
+
+function empty(): HTMLElement {
+  return element("div", { class: "insp-empty" },
+    element("h2", {}, "Why did it choose that velocity?"),
+    element("p", {}, "Click a robot, or tap it. Here you then see its velocity space: what it can reach, what its neighbors forbid, and what it chooses."),
+    element("p", {}, "The selection stays while the scene plays. Hover a half-plane to see whose it is."));
+}
+
+async function copyText(text: string, button: HTMLElement): Promise<void> {
+  await navigator.clipboard.writeText(text).catch(() => undefined);
+  const label = button.textContent;
+  button.textContent = "Copied";
+  setTimeout(() => (button.textContent = label), 1200);
+}
