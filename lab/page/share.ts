@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene in an address: whoever opens the link has the whole scene, and no server has seen it.
+import type { Lab } from "./lab.ts";
+import type { SceneOptions } from "../avo/avo.ts";
+import { decodeScene, encodeScene } from "./data/share.ts";
+
+/** Throws one line for a scene that a link cannot hold. */
+export async function linkOf(lab: Lab): Promise<string> {
+  const { overrides = [], files = [], start_at_rest, limit_speed } = lab.options;
+  if (!lab.text) throw new Error("this recording does not hold its scene, so there is no link to it");
+  if (files.some((file) => !file.builtin))
+    throw new Error("this scene reads other files, which a link does not hold: pass the files on instead");
+  const parts = new URLSearchParams({ name: lab.name });
+  for (const override of overrides) parts.append("set", override);
+  if (start_at_rest) parts.set("start_at_rest", "true");
+  if (limit_speed) parts.set("limit_speed", "true");
+  if (lab.selected !== null) parts.set("robot", String(lab.selected));
+  return `${location.href.split("#")[0]}#scene=${await encodeScene(lab.text)}&${parts}`;
+}
+
+/** Of `#scene=...` in the address. Without one: false. */
+export async function openFromAddress(lab: Lab, hash = location.hash): Promise<boolean> {
+  const parts = new URLSearchParams(hash.replace(/^#/, ""));
+  const scene = parts.get("scene");
+  if (scene === null) return false;
+  const options: SceneOptions = {
+    overrides: parts.getAll("set"),
+    start_at_rest: parts.get("start_at_rest") === "true",
+    limit_speed: parts.get("limit_speed") === "true",
+  };
+  lab.openText(await decodeScene(scene), parts.get("name") || "shared scene", options);
+  const robot = Number(parts.get("robot") ?? NaN);
+  if (!lab.error && lab.moment.robot.includes(robot)) lab.select(robot);
+  return true;
+}
