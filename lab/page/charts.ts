@@ -5,6 +5,7 @@ import uPlot from "uplot";
 import type { Lab } from "./lab.ts";
 import { digits, element } from "./elements.ts";
 import { paletteOf } from "./palette.ts";
+import { thinned } from "./thinned.ts";
 
 /** What one chart shows. */
 interface Measure {
@@ -76,20 +77,6 @@ export function mountCharts(lab: Lab, root: HTMLElement): void {
     refresh();
   }).observe(root);
   refresh();
-}
-
-/** Every how many rows one is drawn: the extreme ones of each group stay (the lowest of clearances, else the highest). */
-export function thinned(times: ArrayLike<number>, values: ArrayLike<number>, most: number, lowest: boolean): [number[], (number | null)[]] {
-  const group = Math.max(1, Math.ceil(times.length / most));
-  const at: number[] = [], extreme: (number | null)[] = [];
-  for (let first = 0; first < times.length; first += group) {
-    let best = first;
-    for (let k = first; k < Math.min(first + group, times.length); ++k)
-      if (lowest ? values[k]! < values[best]! : values[k]! > values[best]!) best = k;
-    at.push(times[best]!);
-    extreme.push(Number.isFinite(values[best]!) ? values[best]! : null);
-  }
-  return [at, extreme];
 }
 
 function fill(lab: Lab, chart: Chart): void {

@@ -5,22 +5,10 @@ import { STATUSES } from "../avo/avo.ts";
 import type { Lab } from "./lab.ts";
 import { crispContext, digits, element, oncePerFrame } from "./elements.ts";
 import { STATUS_COLORS, paletteOf } from "./palette.ts";
+import { NO_DECISION, worstByPixel } from "./thinned.ts";
 import { ticks } from "./velocity_view.ts";
 
-const NO_DECISION = 255;
 const HEIGHT = 58, AXIS = 16;  // px
-
-/** For each pixel the worst status of its steps; -1 where nothing was decided. */
-export function worstByPixel(statuses: Uint8Array, times: ArrayLike<number>, end: number, width: number): Int8Array {
-  const worst = new Int8Array(width).fill(-1);
-  for (let k = 1; k < statuses.length; ++k) {  // row 0 is the start, before the first decision
-    const status = statuses[k]!;
-    if (status === NO_DECISION) continue;
-    const first = Math.floor(times[k - 1]! / end * width), last = Math.max(first + 1, Math.ceil(times[k]! / end * width));
-    for (let x = first; x < last && x < width; ++x) worst[x] = Math.max(worst[x]!, status);
-  }
-  return worst;
-}
 
 export interface HistoryStrip {
   root: HTMLElement;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Long columns on few pixels, without losing what is extreme.
+
+/** In place of a status where a robot decided nothing, or was not there. */
+export const NO_DECISION = 255;
+
+/** At most about `most` rows: of each group of rows the one with the lowest value, or the highest. */
+export function thinned(times: ArrayLike<number>, values: ArrayLike<number>, most: number, lowest: boolean): [number[], (number | null)[]] {
+  const group = Math.max(1, Math.ceil(times.length / most));
+  const at: number[] = [], extreme: (number | null)[] = [];
+  for (let first = 0; first < times.length; first += group) {
+    let best = first;
+    for (let k = first; k < Math.min(first + group, times.length); ++k)
+      if (lowest ? values[k]! < values[best]! : values[k]! > values[best]!) best = k;
+    at.push(times[best]!);
+    extreme.push(Number.isFinite(values[best]!) ? values[best]! : null);
+  }
+  return [at, extreme];
+}
+
+/** For each pixel the worst status of its steps; -1 where nothing was decided. */
+export function worstByPixel(statuses: Uint8Array, times: ArrayLike<number>, end: number, width: number): Int8Array {
+  const worst = new Int8Array(width).fill(-1);
+  for (let k = 1; k < statuses.length; ++k) {  // row 0 is the start, before the first decision
+    const status = statuses[k]!;
+    if (status === NO_DECISION) continue;
+    const first = Math.floor(times[k - 1]! / end * width), last = Math.max(first + 1, Math.ceil(times[k]! / end * width));
+    for (let x = first; x < last && x < width; ++x) worst[x] = Math.max(worst[x]!, status);
+  }
+  return worst;
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decisions as `avo explain --json` of the command line tells them, as the inspector reads and judges them.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { minus, norm, parseDecision, sceneWall, violation } from "../../../lab/page/decision.ts";
+import { nearestPoint } from "../../../lab/page/nearest.ts";
+import { sentence, why } from "../../../lab/page/why.ts";
+import { avo } from "../data/native.mjs";
+
+const DELTA = { avo: 2, avo_paper: 4 };  // s, the methods' own
+
+function explained(scene, robot, time, method = "avo") {
+  const { stdout, status, stderr } = avo("explain", scene, "--robot", robot, "--time", time, "--set", `method=${method}`, "--json", "--quiet");
+  assert.equal(status, 0, String(stderr));
+  const decision = parseDecision(String(stdout));
+  const law = { method, motion: "held", time_step: 0.1, control_time: DELTA[method] ?? 0.1, holonomic: true };
+  return { decision, law, found: why(decision, law, { walls: decision.walls }) };
+}
+const binding = ({ cuts }) => cuts.filter((cut) => cut.binds).map((cut) => cut.of).sort();
+const discsOf = (decision) => [decision.acceleration_disc, decision.speed_disc].filter((disc) => disc !== null);
+
+test("robot 3 of circle-10 at 8 s", () => {
+  const { decision, law, found } = explained("circle-10", 3, 8);
+  assert.deepEqual(binding(found), ["robots.2", "robots.4"]);
+  assert.equal(found.wish_changed, false);
+  assert.equal(sentence(decision, law, found), "Robot 3 turns 12° right and slows down: the half-planes of robots 2 and 4 " +
+    "bind. Braking keeps clear of all others (safe).");
+});
+
+test("what the paper's program chooses is the nearest point of CA_A", () => {
+  let bound = 0;
+  for (const method of ["avo_paper", "orca"])
+    for (const scene of ["crossing-streams", "uniform-100"])
+      for (const [robot, time] of [[0, 6], [3, 7.5], [9, 9], [14, 11], [20, 5], [33, 8]]) {
+        const { decision, found } = explained(scene, robot, time, method);
+        const choices = found.cuts.filter((cut) => cut.forbids);
+        const nearest = nearestPoint(choices, discsOf(decision), decision.preferred_velocity);
+        if (decision.status !== "optimal") continue;
+        const name = `${method} ${scene} ${robot} ${time}`;
+        assert.ok(norm(minus(nearest, decision.new_velocity)) < 1e-6, name);
+        // exact: a choice that is not the wish, nor on a disc, rests on a line
+        const onDisc = discsOf(decision).some(({ center, radius }) => Math.abs(norm(minus(decision.new_velocity, center)) - radius) < 1e-6);
+        const isWish = norm(minus(decision.new_velocity, decision.preferred_velocity)) < 1e-6;
+        if (!isWish && !onDisc) assert.ok(binding(found).length > 0, name);
+        bound += binding(found).length > 0 ? 1 : 0;
+        for (const cut of choices) assert.ok(violation(cut, decision.new_velocity) < 1e-6, name);
+      }
+  assert.ok(bound > 5, `${bound} decisions rest on half-planes`);
+});
+
+test("no point where half-planes leave none", () => {
+  const planes = [{ normal: [1, 0], offset: 1 }, { normal: [-1, 0], offset: 0 }];
+  assert.equal(nearestPoint(planes, [{ center: [0, 0], radius: 5 }], [0, 0]), null);
+  assert.deepEqual(nearestPoint([planes[0]], [{ center: [0, 0], radius: 5 }], [0, 2]), [1, 2]);
+});
+
+test("statuses and states in words", () => {
+  const overlapping = explained("circle-100", 3, 22, "avo_paper");
+  assert.equal(overlapping.decision.status, "overlapping");
+  assert.match(sentence(overlapping.decision, overlapping.law, overlapping.found), /in contact .*robot 15 \(doomed\)\.$/);
+  const union = explained("moving-obstacle", 0, 4, "velocity_obstacle");
+  assert.deepEqual(binding(union.found), []);
+  assert.match(sentence(union.decision, union.law, union.found), /obstacles|union/);
+  const unsafe = explained("doorway", 3, 9, "orca");
+  assert.match(sentence(unsafe.decision, unsafe.law, unsafe.found), /misses them by the least that is possible, 0\.01 m\/s/);
+});
+
+test("half-planes of walls are those of the scene's walls, and only forbid where the method heeds them", () => {
+  const { decision, found } = explained("doorway", 3, 9, "orca");
+  const walls = [{ a: [9, 9], b: [9, 8], radius: 0 }, ...decision.walls.map(({ a, b, radius }) => ({ a: b, b: a, radius }))];
+  assert.deepEqual(decision.walls.map((_, k) => sceneWall(decision, k, walls)), decision.walls.map((_, k) => k + 1));
+  assert.ok(found.cuts.some((cut) => cut.of.startsWith("walls.") && cut.forbids));
+  const own = explained("doorway", 3, 9);
+  for (const plane of own.decision.wall_half_planes) {
+    const cut = own.found.cuts.find((other) => other.normal === plane.normal);
+    assert.equal(cut.forbids, plane.kind === "speed");
+  }
+});

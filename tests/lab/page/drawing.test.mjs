@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the drawings are made of: views, ticks, and columns that are thinned.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { digits } from "../../../lab/page/elements.ts";
+import { thinned, worstByPixel } from "../../../lab/page/thinned.ts";
+import { boxOf, panned, ticks, toScreen, toVelocity, zoomed } from "../../../lab/page/velocity_view.ts";
+
+const VIEW = { center: [0.3, -0.2], scale: 90, width: 400, height: 300 };
+const near = (a, b) => a.forEach((value, k) => assert.ok(Math.abs(value - b[k]) < 1e-9, `${a} ${b}`));
+
+test("a view goes there and back, and zooms about a pixel", () => {
+  near(toVelocity(VIEW, ...toScreen(VIEW, [1.25, -2])), [1.25, -2]);
+  const closer = zoomed(VIEW, 3, 30, 250);
+  assert.equal(closer.scale, 270);
+  near(toVelocity(closer, 30, 250), toVelocity(VIEW, 30, 250));
+  near(toScreen(panned(VIEW, 17, -5), [0, 0]), [toScreen(VIEW, [0, 0])[0] + 17, toScreen(VIEW, [0, 0])[1] - 5]);
+  near(boxOf(VIEW), [0.3 - 200 / 90, -0.2 - 150 / 90, 0.3 + 200 / 90, -0.2 + 150 / 90]);
+});
+
+test("ticks are round numbers with as many digits as they need", () => {
+  assert.deepEqual(ticks(-1.1, 1.1, 5).map((tick) => tick.text), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
+  assert.deepEqual(ticks(0, 30, 4).map((tick) => tick.text), ["0", "10", "20", "30"]);
+  assert.deepEqual(ticks(0.001, 0.0031, 3).map((tick) => tick.text), ["0.001", "0.002", "0.003"]);
+});
+
+test("thinned columns keep what exceeds most", () => {
+  const times = Array.from({ length: 1000 }, (_, k) => k), values = times.map((k) => (k === 513 ? -1 : k === 700 ? Infinity : 3));
+  const [at, lowest] = thinned(times, values, 100, true);
+  assert.equal(at.length, 100);
+  assert.deepEqual([Math.min(...lowest), at[lowest.indexOf(-1)]], [-1, 513]);
+  assert.deepEqual(thinned(times, values, 100, false)[1][70], null);  // of infinity there is no place on a chart
+  assert.deepEqual(thinned([0, 1], [5, 6], 100, true), [[0, 1], [5, 6]]);
+});
+
+test("a pixel of the history has the worst status of its steps", () => {
+  const times = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10], statuses = Uint8Array.from([255, 0, 0, 0, 4, 0, 0, 2, 0, 255, 0]);
+  assert.deepEqual([...worstByPixel(statuses, times, 10, 5)], [0, 4, 0, 2, 0]);
+  assert.deepEqual([...worstByPixel(statuses, times, 20, 5)], [4, 2, 0, -1, -1]);
+  assert.deepEqual([...worstByPixel(statuses, times, 10, 10)], [0, 0, 0, 4, 0, 0, 2, 0, -1, 0]);
+});
+
+test("numbers for people", () => {
+  assert.deepEqual([digits(-0.001), digits(-1.5), digits(Infinity), digits(NaN), digits(2, 0)], ["0.00", "−1.50", "∞", "–", "2"]);
+});

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tour: its scenes run, its controls are keys of scenes, and what it claims is so, by the command line.
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { test } from "node:test";
+import { TOUR } from "../../../lab/page/tour_steps.ts";
+import { avo } from "../data/native.mjs";
+
+const library = { builtinText: (name) => String(avo("scenes", name).stdout) };
+
+function summary(step, ...options) {
+  writeFileSync("tour.yaml", TOUR[step].scene(library));
+  const { status, stdout, stderr } = avo("run", "tour.yaml", "--json", "--quiet", ...options);
+  assert.equal(status, 0, String(stderr));
+  return JSON.parse(String(stdout));
+}
+
+test("every step explains its robot at its time, also at the ends of its controls", () => {
+  assert.equal(TOUR.length, 6);
+  TOUR.forEach((step, k) => {
+    writeFileSync("tour.yaml", step.scene(library));
+    const settings = step.tries.flatMap(({ path, range, words }) =>
+      (words ?? [range.least, range.start, range.most]).map((value) => `${path}=${value}`));
+    for (const setting of settings) {
+      const { status, stderr } = avo("explain", "tour.yaml", "--robot", step.robot, "--time", step.time, "--set", setting, "--json");
+      assert.equal(status, 0, `step ${k + 1}, ${setting}: ${stderr}`);
+    }
+  });
+});
+
+test("the velocity obstacle asks for more than a_max, the acceleration-velocity obstacle does not; neither is touched", () => {
+  const [first, second] = [summary(0), summary(1)];
+  assert.ok(first.max_acceleration > 5, String(first.max_acceleration));
+  assert.ok(second.max_acceleration <= 1 + 1e-9, String(second.max_acceleration));
+  assert.deepEqual([first.obstacle_collisions, second.obstacle_collisions], [0, 0]);
+  assert.ok(first.arrived === 1 && second.arrived === 1);
+});
+
+test("two robots exchange places without a contact", () => {
+  const { collision_pairs, arrived } = summary(2);
+  assert.deepEqual([collision_pairs, arrived], [0, 2]);
+});
+
+test("the dense streams collide by the paper's method and by orca, and by avo never", () => {
+  const paper = summary(4, "--duration", "20"), orca = summary(4, "--duration", "30", "--set", "method=orca");
+  assert.ok(paper.collision_pairs > 0 && Math.abs(paper.first_collision_time - 13) < 1, JSON.stringify(paper.first_collision_time));
+  assert.ok(paper.decisions.least_unsafe > 0 && paper.decisions.overlapping > 0);
+  assert.ok(orca.collision_pairs > 0 && orca.max_acceleration > 16, String(orca.max_acceleration));
+  const own = summary(5);
+  assert.equal(own.collision_pairs, 0);
+  assert.ok(own.max_acceleration <= 1 + 1e-9 && own.decisions.candidate > 0);
+});
