@@ -9,8 +9,8 @@ set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_AR llvm-ar-19)
 set(CMAKE_RANLIB llvm-ranlib-19)
 # Sources throw as everywhere. The standard library for WebAssembly cannot unwind: who links has to say what becomes of
-# a throw, and no catch is ever reached.
-set(CMAKE_CXX_FLAGS_INIT "-stdlib=libc++ -fexceptions")
+# a throw, and no catch is ever reached (core/retell.h).
+set(CMAKE_CXX_FLAGS_INIT "-stdlib=libc++ -fexceptions -DAVO_CANNOT_UNWIND")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-mexec-model=reactor")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

@@ -114,7 +114,7 @@ std::vector<Vec2> goals(const Group& group, const Starts& from, const avo::Scena
     result = random_points(group.number, area->min, area->max, radius, space, walls, random);
   } else {
     for (std::size_t i = result.size() - 1; i > 0; --i)  // Sattolo: one cycle through all
-      std::swap(result[i], result[random.below(i)]);
+      std::swap(result[i], result[static_cast<std::size_t>(random.below(i))]);
   }
   return result;
 }

@@ -3,11 +3,11 @@
 #include "read_obstacles.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
 #include <utility>
 #include <variant>
 
+#include "file_names.h"
 #include "moving_ai.h"
 #include "ros_map.h"
 #include "wkt.h"
@@ -112,7 +112,7 @@ StaticObstacle build(const Place& place, MapObstacle& entry) {
 
 StaticObstacle build(const Place& place, RosMapObstacle& entry) {
   const SourceText source = place.file("ros_map", entry.file);
-  const std::string folder = std::filesystem::path(entry.file).parent_path().string();
+  const std::string folder = folder_of(entry.file);
   const OccupancyGrid grid = read_ros_map(source, folder, place.files);
   return obstacle_of(place, "ros_map", source.name(), grid);
 }
@@ -131,8 +131,8 @@ StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
   (add_keys(fields<Kinds>()), ...);
   const auto& [reader, node, path, files, maps] = place;
   reader.check_keys(node, path, keys);
-  const auto given = std::count_if(kinds.begin(), kinds.end(), [&node = node](std::string_view k) {
-    return node.find(k) != nullptr;
+  const auto given = std::count_if(kinds.begin(), kinds.end(), [&place](std::string_view kind) {
+    return place.node.find(kind) != nullptr;
   });
   if (given != 1)
     reader.fail(node, path, fmt::format("{} kinds", given), "must be one of " + joined(kinds));

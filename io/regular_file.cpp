@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -58,6 +59,11 @@ std::string read_regular_file(const std::string& path) {
                                 : S_ISFIFO(status.st_mode) ? "pipe"
                                                            : "device"));
   return read_all(file.value, path);
+}
+
+bool is_missing(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found;
 }
 
 std::string read_standard_input() {

@@ -9,6 +9,9 @@ namespace avo_io {
 /// larger.
 std::string read_regular_file(const std::string& path);
 
+/// Whether there is nothing of that name.
+bool is_missing(const std::string& path);
+
 /// What messages call the standard input.
 inline constexpr const char* kStandardInput = "standard input";
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots of a MovingAI scenario, in the cells of its map.
-#include <filesystem>
 #include <fmt/format.h>
 
+#include "file_names.h"
 #include "free_space.h"
 #include "moving_ai.h"
 #include "placement.h"
@@ -22,11 +22,8 @@ constexpr std::uint64_t kStreamOfScenarios = ~0U;  // groups have the others
 const OccupancyGrid& map_of(const Reader& reader, const YamlNode& node, const std::string& path,
                             const std::vector<NamedMap>& maps, const std::string& name) {
   if (maps.size() == 1) return maps[0].grid;
-  const auto name_of = [](const std::string& file) {
-    return std::filesystem::path(file).filename().string();
-  };
   for (const NamedMap& map : maps)
-    if (name_of(map.file) == name_of(name)) return map.grid;
+    if (file_name_of(map.file) == file_name_of(name)) return map.grid;
   if (maps.empty()) reader.fail(node, path, "no map in obstacles", "must have the scenario's");
   std::vector<std::string_view> files;
   files.reserve(maps.size());

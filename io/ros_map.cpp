@@ -3,10 +3,10 @@
 #include "ros_map.h"
 
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 
 #include "fields.h"
+#include "file_names.h"
 #include "graymap.h"
 #include "reader.h"
 
@@ -49,7 +49,7 @@ OccupancyGrid read_ros_map(const SourceText& source, const std::string& folder, 
   OccupancyGrid grid;
   grid.cell = map.resolution;
   read_origin(reader, document.root, grid);
-  const std::string path = (std::filesystem::path(folder) / map.image).string();
+  const std::string path = path_in(folder, map.image);
   const SourceText text =
       read_named_file(reader, *document.root.find("image"), "image", path, files);
   const Graymap image = read_graymap(text);

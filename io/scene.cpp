@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <fmt/format.h>
 #include <numeric>
 #include <optional>
@@ -14,14 +13,14 @@
 #include <utility>
 
 #include "avo/assumptions.h"
-#include "builtin.h"
+#include "core/retell.h"
+#include "file_names.h"
 #include "overrides.h"
 #include "placement.h"
 #include "read_obstacles.h"
 #include "read_parts.h"
 #include "recorded_scene.h"
-#include "regular_file.h"
-#include "words.h"
+#include "scene_text.h"
 #include "yaml_tree.h"
 
 namespace avo_io {
@@ -213,12 +212,12 @@ class SceneBuilder {
   }
 
   void validate() const {
-    try {
-      avo::validate(scenario_);
-    } catch (const avo::Error& error) {
-      const std::string message = error.what();
-      document_.fail(origin_of(message.substr(0, message.find(':'))), message);
-    }
+    avo::retelling<avo::Error>([this] { avo::validate(scenario_); },
+                               [this](const avo::Error& error) {
+                                 const std::string message = error.what();
+                                 document_.fail(origin_of(message.substr(0, message.find(':'))),
+                                                message);
+                               });
   }
 
   /// The value with that path, or what contains it.
@@ -253,40 +252,31 @@ class SceneBuilder {
   std::vector<const YamlNode*> origins_;  // of each robot: its own map, its group's, or its patch's
 };
 
-Scenario build(std::string_view yaml, const std::string& file,
-               const std::vector<std::string>& overrides, SceneFiles& files,
-               std::optional<std::int64_t> robots = {}) {
-  Document document;
-  document.root = parse_yaml(yaml, file, document);
-  const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
-  return SceneBuilder(document, files)
-      .build(patches, std::filesystem::path(file).stem().string(), robots);
-}
-
 Scenario made_again(const SceneSource& source, std::optional<std::int64_t> robots) {
-  SceneFiles files{std::filesystem::path(source.name).parent_path().string()};
+  SceneFiles files{folder_of(source.name)};
   files.given = &source.files;
-  Scenario scenario = build(source.yaml, source.name, source.overrides, files, robots);
+  Scenario scenario = scenario_of(source.yaml, source.name, source.overrides, files, robots);
   if (source.start_at_rest) avo::start_at_rest(scenario);
   if (source.limit_speed) avo::limit_speed(scenario);
   return scenario;
 }
 
-std::string not_found(const std::string& path) {
-  std::vector<std::string_view> names;
-  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
-  const auto meant = nearest(path, names);
-  return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
-                     joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
-}
-
 }  // namespace
+
+Scenario scenario_of(std::string_view yaml, const std::string& file,
+                     const std::vector<std::string>& overrides, SceneFiles& files,
+                     std::optional<std::int64_t> robots) {
+  Document document;
+  document.root = parse_yaml(yaml, file, document);
+  const std::vector<RobotPatch> patches = apply_overrides(overrides, document);
+  return SceneBuilder(document, files).build(patches, stem_of(file), robots);
+}
 
 Scenario parse_scenario(std::string_view yaml, const std::string& file,
                         const std::vector<std::string>& overrides) {
-  SceneFiles files{std::filesystem::path(file).parent_path().string()};
+  SceneFiles files{folder_of(file)};
   files.builtin = BuiltinFiles::last;  // as from the standard input
-  return build(yaml, file, overrides, files);
+  return scenario_of(yaml, file, overrides, files);
 }
 
 Scenario parse_scenario(const SceneSource& source) {
@@ -295,28 +285,6 @@ Scenario parse_scenario(const SceneSource& source) {
 
 Scenario parse_scenario_of(const SceneSource& source, std::int64_t robots) {
   return made_again(source, robots);
-}
-
-Scenario load_scenario(const std::string& name_or_path, const std::vector<std::string>& overrides,
-                       SceneSource* source) {
-  SceneFiles files{std::filesystem::path(name_or_path).parent_path().string()};
-  const auto build_and_tell = [&](std::string yaml, const std::string& file) {
-    Scenario scenario = build(yaml, file, overrides, files);
-    if (source != nullptr) *source = {file, std::move(yaml), overrides, std::move(files.read)};
-    return scenario;
-  };
-  if (name_or_path == "-") {
-    files.builtin = BuiltinFiles::last;
-    return build_and_tell(read_standard_input(), kStandardInput);
-  }
-  if (std::optional<std::string> yaml = builtin_text(name_or_path)) {
-    files.builtin = BuiltinFiles::first;
-    return build_and_tell(std::move(*yaml), name_or_path);
-  }
-  std::error_code error;
-  if (std::filesystem::status(name_or_path, error).type() == std::filesystem::file_type::not_found)
-    throw FileError(not_found(name_or_path));
-  return build_and_tell(read_regular_file(name_or_path), name_or_path);
 }
 
 }  // namespace avo_io

@@ -3,23 +3,18 @@
 #include "scene_files.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
-#include <system_error>
 
 #include "avo_io/errors.h"
 #include "avo_io/scene.h"
+#include "core/retell.h"
+#include "file_names.h"
 #include "regular_file.h"
 
 namespace avo_io {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
-
-bool is_missing(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found;
-}
 
 /// What is at that path, where it is built in; else the text that is read from there.
 SceneFile file_at(const std::string& path, const std::string& file, const SceneFiles& files) {
@@ -44,14 +39,13 @@ void remember(const SceneFile& file, std::vector<SceneFile>& read) {
 
 SourceText read_named_file(const Reader& reader, const YamlNode& node, const std::string& path,
                            const std::string& file, SceneFiles& files) {
-  const std::string name = (std::filesystem::path(files.folder) / file).string();
-  SceneFile found;
-  try {
-    found = file_at(name, file, files);
-  } catch (const FileError& error) {
-    throw FileError(
-        fmt::format("{}: {}{}", reader.document().where(node), in_front(path), error.what()));
-  }
+  const std::string name = path_in(files.folder, file);
+  SceneFile found = avo::retelling<FileError>(
+      [&] { return file_at(name, file, files); },
+      [&](const FileError& error) {
+        throw FileError(
+            fmt::format("{}: {}{}", reader.document().where(node), in_front(path), error.what()));
+      });
   remember(found, files.read);
   if (found.builtin) return {file, std::move(found.text)};
   files.bytes += found.text.size();

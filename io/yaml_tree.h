@@ -40,8 +40,9 @@ struct Document {
 };
 
 /// Appends `name` to the sources and parses `yaml`. Refused: anything but one document of valid
-/// UTF-8, NUL bytes, anchors, aliases, merge keys, tags, nesting deeper than 64, keys that are not
-/// plain words, more than two million values. A byte order mark and CRLF are taken as they mean.
+/// UTF-8, control characters, anchors, aliases, merge keys, tags, nesting deeper than 64, keys that
+/// are not plain words, more than two million values. A byte order mark and CRLF are taken as they
+/// mean.
 YamlNode parse_yaml(std::string_view yaml, const std::string& name, Document& document);
 
 }  // namespace avo_io

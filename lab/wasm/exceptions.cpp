@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What becomes of a throw: the standard library for WebAssembly has nothing that unwinds. The
 // message goes to the host, which leaves by an exception of its own. Nothing is released, so the
-// host discards the instance. No catch of the library is ever reached.
+// host discards the instance. No catch is ever reached, but retelling() is told.
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <typeinfo>
+
+#include "core/retell.h"
 
 /// Told of `length` bytes at `message`; never returns.
 extern "C" [[noreturn]] __attribute__((import_module("avo"), import_name("fail"))) void
@@ -35,7 +37,9 @@ void __cxa_free_exception(void* memory) noexcept {
 // All that the library throws are std::exceptions, each the first base of its class, so that the
 // object begins with one.
 [[noreturn]] void __cxa_throw(void* thrown, std::type_info*, void (*)(void*)) {
-  fail_with(static_cast<std::exception*>(thrown)->what());
+  const auto* const exception = static_cast<const std::exception*>(thrown);
+  if (const auto* error = dynamic_cast<const avo::Error*>(exception)) avo::Retelling::tell(*error);
+  fail_with(exception->what());
 }
 
 [[noreturn]] void __cxa_rethrow() {

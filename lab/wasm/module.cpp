@@ -1,63 +1,138 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the host may call. Numbers, and places in the module's memory; of a place that a call
-// returns the host makes its views anew, because memory that has grown is another one.
+// A scene, its simulation, and the steps. Of a place in memory that a call returns the host makes
+// its views anew, because memory that has grown is another one.
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "avo/simulation.h"
+#include "avo/error.h"
+#include "avo_io/recording.h"
+#include "avo_io/scene.h"
+#include "builtin.h"
+#include "file_names.h"
+#include "host.h"
 
-/// Under that name; in C++ with avo_ before it, because the C library has a time() of its own.
-#define AVO_EXPORT(type, name) extern "C" __attribute__((export_name(#name), used)) type avo_##name
-
+namespace avo_lab {
 namespace {
 
-// One simulation an instance.
-std::unique_ptr<avo::Simulation> simulation;
-std::vector<std::byte> bytes;  // that the host hands over or takes
+std::vector<std::byte> room;
+
+/// As the host has put it there: name, text, whether robots start at rest and within the admissible
+/// speed, then overrides and files, each behind their number.
+avo_io::SceneSource source_of(Input& input) {
+  avo_io::SceneSource source{input.text(), input.text(), {}, {}};
+  source.start_at_rest = input.whole() != 0;
+  source.limit_speed = input.whole() != 0;
+  for (std::uint32_t left = input.whole(); left > 0; --left)
+    source.overrides.push_back(input.text());
+  for (std::uint32_t left = input.whole(); left > 0; --left) {
+    avo_io::SceneFile file{input.text(), input.text()};
+    file.builtin = input.whole() != 0;
+    source.files.push_back(std::move(file));
+  }
+  // behind those that were given, which are found first
+  for (const avo_io::EmbeddedFile& file : avo_io::embedded_files())
+    if (!file.is_scene)
+      source.files.push_back({avo_io::path_in(avo_io::folder_of(source.name), file.name),
+                              std::string(file.text), true});
+  return source;
+}
 
 }  // namespace
 
-/// Room for `size` bytes, until the next call that hands over or takes bytes.
+Lab& lab() {
+  static Lab lab;
+  return lab;
+}
+
+std::size_t index_of(std::uint64_t robot) {
+  const auto index = lab().simulation->index_of({robot});
+  if (!index) throw avo::Error("robot " + std::to_string(robot) + ": found none of that id");
+  return *index;
+}
+
+std::vector<std::byte> taken_from_room() {
+  return std::exchange(room, {});
+}
+
+std::size_t into_room(std::span<const std::byte> bytes) {
+  room.assign(bytes.begin(), bytes.end());
+  return room.size();
+}
+
+/// Room for `size` bytes, until the next call.
 AVO_EXPORT(std::byte*, room)(std::size_t size) {
-  bytes.resize(size);
-  return bytes.data();
+  room.resize(size);
+  return room.data();
 }
 
-/// Goes on from what is in the room, as Simulation::save() wrote it on any machine.
+/// Where it is, to be read.
+AVO_EXPORT(const std::byte*, room_begin)() {
+  return room.data();
+}
+
+/// The scene in the room and its first state; behind it is whether all steps are observed.
+AVO_EXPORT(void, read_scene)() {
+  Input input(taken_from_room());
+  lab().scenario = avo_io::parse_scenario(source_of(input));
+  lab().simulation = std::make_unique<avo::Simulation>(lab().scenario);
+  if (input.whole() == 0) return;
+  lab().metrics = std::make_unique<avo::Metrics>(lab().scenario);
+  lab().metrics->observe(*lab().simulation);
+}
+
+/// Goes on from what is in the room, as Simulation::save() wrote it on any machine; with a scene
+/// before, that has to be a state of it.
 AVO_EXPORT(void, restore)() {
-  simulation = std::make_unique<avo::Simulation>(std::span<const std::byte>(bytes));
+  const std::vector<std::byte> saved = taken_from_room();
+  lab().metrics.reset();
+  if (lab().simulation)
+    lab().simulation->restore(saved);
+  else
+    lab().simulation = std::make_unique<avo::Simulation>(std::span(saved));
 }
 
-/// Saves into the room; its size.
+/// Saves into the room.
 AVO_EXPORT(std::size_t, save)() {
-  bytes = simulation->save();
-  return bytes.size();
-}
-AVO_EXPORT(const std::byte*, saved)() {
-  return bytes.data();
+  return into_room(lab().simulation->save());
 }
 
 AVO_EXPORT(void, step)() {
-  simulation->step();
+  lab().simulation->step();
+  if (lab().metrics) lab().metrics->observe(*lab().simulation);
+}
+
+/// Whether the next step ends within the scene's duration.
+AVO_EXPORT(bool, can_step)() {
+  return lab().simulation->can_step_by(lab().scenario.duration);
 }
 
 /// s.
 AVO_EXPORT(double, time)() {
-  return simulation->time();
+  return lab().simulation->time();
+}
+
+AVO_EXPORT(double, steps)() {
+  return static_cast<double>(lab().simulation->steps());
+}
+
+AVO_EXPORT(bool, all_at_goal)() {
+  return lab().simulation->all_at_goal();
 }
 
 AVO_EXPORT(std::uint64_t, state_hash)() {
-  return simulation->state_hash();
+  return lab().simulation->state_hash();
 }
 
-AVO_EXPORT(std::size_t, robots)() {
-  return simulation->fleet().position.size();
+/// What `avo run --json` says of the run so far; nothing where steps were not observed, or a state
+/// was restored.
+AVO_EXPORT(std::size_t, summary)() {
+  if (!lab().metrics) return into_room(std::string_view());
+  avo::RunSummary summary = lab().metrics->summary();
+  return into_room(avo_io::to_json(summary));
 }
 
-/// x and y (m) of each robot in turn, by ascending ids; good until the next step.
-AVO_EXPORT(const avo::Vec2*, positions)() {
-  return simulation->fleet().position.data();
-}
+}  // namespace avo_lab

@@ -8,6 +8,7 @@
 #include "avo/assumptions.h"
 #include "avo/error.h"
 #include "core/ranges.h"
+#include "core/retell.h"
 #include "sim/assumptions.h"
 #include "sim/one_sided.h"
 #include "sim/world.h"
@@ -22,13 +23,12 @@ std::string name_of(ObstacleId obstacle) {
 }
 
 void validate_as(const Scenario& scene, std::string_view place, const std::string& name) {
-  try {
-    validate(scene);
-  } catch (const Error& error) {
-    const std::string_view what = error.what();
-    if (!what.starts_with(place)) throw;
-    throw Error(name + ": " + std::string(what.substr(place.size())));
-  }
+  retelling<Error>([&] { validate(scene); },
+                   [&](const Error& error) {
+                     const std::string_view what = error.what();
+                     if (what.starts_with(place))
+                       throw Error(name + ": " + std::string(what.substr(place.size())));
+                   });
 }
 
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {

@@ -9,62 +9,13 @@
 namespace avo_test {
 namespace {
 
-const std::vector<BadScene> kBadTexts{
-    {"anchor", s("version: 1\nrobots:\n  - &a {position: [0, 0], goal: [1, 0]}\n"),
-     "3:5: found an anchor, anchors, aliases and merge keys are not allowed"},
-    {"alias", s("version: 1\nrobots: [*a]\n"),
-     "2:10: found text that is not YAML: the referenced anchor is not defined"},
-    {"merge_key", s("version: 1\nrobots:\n  - {<<: {radius: 1}, position: [0, 0], goal: [1, 0]}\n"),
-     "3:6: found a merge key, anchors, aliases and merge keys are not allowed"},
-    {"tag", s("version: !!int 1\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n"),
-     "1:10: found the tag tag:yaml.org,2002:int, tags are not allowed"},
-    {"key_is_list", s("? [1, 2]\n: 3\n"),
-     "1:3: found a list as a key or one that is not closed, keys must be words such as time_step"},
-    {"key_is_empty", s("version: 1\n: 3\n"),
-     "2:1: found an empty key, keys must be words such as time_step"},
-    {"two_documents", kGood + s("---\nversion: 1\n"),
-     "5:1: found a second document, a scene is one document"},
-    {"tab", s("version: 1\nrobots:\n\011- {position: [0, 0], goal: [1, 0]}\n"),
-     "3:2: found text that is not YAML: illegal block entry"},
-    {"unclosed_list", s("version: 1\nrobots: [1, 2\n"),
-     "2:1: found text that is not YAML: end of sequence flow not found"},
-    {"unclosed_quote", s("version: 1\nname: \"abc\n"),
-     "2:11: found text that is not YAML: illegal EOF in scalar"},
-    {"bad_indentation", s("version: 1\n  name: a\n"),
-     "2:7: found text that is not YAML: illegal map value"},
-    {"nul_byte", s("version: 1\nname: a\000b\n"),
-     "2:8: found the control character 0x00, must be text"},
-    {"bad_utf8", s("version: 1\nname: \"\303(\"\n"),
-     "2:8: found the byte 0xc3, must be UTF-8 text"},
-    {"utf16", s("\377\376v\000e\000r\000s\000i\000o\000n\000:\000 \0001\000\n\000"),
-     "1:1: found the byte 0xff, must be UTF-8 text"},
-    {"escape_byte", s("version: 1\nname: \033[2J\n"),
-     "2:7: found the control character 0x1b, must be text"},
-    {"bom_and_crlf",
-     s("\357\273\277version: 1\015\nrobots:\015\n  - {position: [0, 0], goal: [1, 0], radius: "
-       "-1}\015\n"),
-     "3:46: robots.0.radius: found -1, must be > 0 m"},
-    {"bom_is_no_column", s("\357\273\277a\001"),
-     "1:2: found the control character 0x01, must be text"},
-    {"umlauts_count_as_one",
-     s("version: 1\nname: \"\303\244\303\266\303\274\"\nrobots:\n  - "
-       "{\"\303\244\303\266\303\274\": 1}\n"),
-     s("4:6: robots.0: found the unknown key \"\303\244\303\266\303\274\", allowed are ") +
-         kRobotKeys},
-    {"nested_too_deep",
-     s("version: 1\nrobots: "
-       "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]]]]]"
-       "]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]\n"),
-     "2:72: found more than 64 levels of nesting"},
-};
-
 class BadTextTest : public testing::TestWithParam<BadScene> {};
 
 TEST_P(BadTextTest, is_refused_in_one_line) {
   expect_refused(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, BadTextTest, testing::ValuesIn(kBadTexts),
+INSTANTIATE_TEST_SUITE_P(Scenes, BadTextTest, testing::ValuesIn(bad_texts()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BadText, the_good_one_behind_the_bad_ones_is_good) {

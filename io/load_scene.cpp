@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene by its name or its path, or from the standard input.
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "avo_io/nearest.h"
+#include "avo_io/scene.h"
+#include "file_names.h"
+#include "regular_file.h"
+#include "scene_text.h"
+#include "words.h"
+
+namespace avo_io {
+namespace {
+
+std::string not_found(const std::string& path) {
+  std::vector<std::string_view> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
+  const auto meant = nearest(path, names);
+  return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
+                     joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
+}
+
+}  // namespace
+
+avo::Scenario load_scenario(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides, SceneSource* source) {
+  SceneFiles files{folder_of(name_or_path)};
+  const auto build_and_tell = [&](std::string yaml, const std::string& file) {
+    avo::Scenario scenario = scenario_of(yaml, file, overrides, files);
+    if (source != nullptr) *source = {file, std::move(yaml), overrides, std::move(files.read)};
+    return scenario;
+  };
+  if (name_or_path == "-") {
+    files.builtin = BuiltinFiles::last;
+    return build_and_tell(read_standard_input(), kStandardInput);
+  }
+  if (std::optional<std::string> yaml = builtin_text(name_or_path)) {
+    files.builtin = BuiltinFiles::first;
+    return build_and_tell(std::move(*yaml), name_or_path);
+  }
+  if (is_missing(name_or_path)) throw FileError(not_found(name_or_path));
+  return build_and_tell(read_regular_file(name_or_path), name_or_path);
+}
+
+}  // namespace avo_io

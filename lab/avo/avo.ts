@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The library in a browser or in Node.js: scenes are read, simulated, edited and explained with the same bits and the
+// same words as natively.
+import { addText, emptyBytes, taken } from "./bytes.ts";
+import { getText, instantiate, put } from "./instance.ts";
+import { readScene, Simulation } from "./simulation.ts";
+import type { BuiltinScene, SceneOptions, Setting } from "./types.ts";
+
+export { AvoError } from "./instance.ts";
+export type { Simulation } from "./simulation.ts";
+export type * from "./types.ts";
+
+/** How a decision was made, by Moment's numbers. */
+export const STATUSES = ["optimal", "least_unsafe", "candidate", "braking", "overlapping", "invalid_input"];
+
+export interface Library {
+  readonly version: string;
+  readonly simdTarget: string; // whose instructions the kernels use: simd128 or scalar
+  builtinScenes(): BuiltinScene[];
+  /** The YAML of a built-in scene, of circle-N and uniform-N for any N. */
+  builtinText(name: string): string | undefined;
+  settings(): Setting[];
+  /** Throws AvoError; nothing else is harmed by that. A text as bytes must be UTF-8. */
+  simulate(yaml: string | Uint8Array, options?: SceneOptions): Simulation;
+}
+
+/** Of the bytes of avo.wasm, or what they were compiled to. */
+export async function load(source: BufferSource | WebAssembly.Module): Promise<Library> {
+  const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+  const instance = instantiate(module);
+  const known = JSON.parse(getText(instance, instance.functions["library"]!())) as {
+    version: string;
+    simd_target: string;
+    builtin_scenes: BuiltinScene[];
+    settings: Setting[];
+  };
+  return {
+    version: known.version,
+    simdTarget: known.simd_target,
+    builtinScenes: () => structuredClone(known.builtin_scenes),
+    settings: () => structuredClone(known.settings),
+    builtinText(name) {
+      const bytes = emptyBytes(), asked = instantiate(module); // it may be refused
+      addText(bytes, name);
+      put(asked, taken(bytes));
+      return getText(asked, asked.functions["builtin_text"]!()) || undefined;
+    },
+    simulate: (yaml, options = {}) => new Simulation(module, readScene(module, yaml, options)),
+  };
+}

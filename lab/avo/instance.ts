@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// One instance of the module: its memory, and what it asks of its host.
+import { eventsOf } from "./scene_tree.ts";
+
+/** What the library refuses, as the command line says it: "name:3:7: robots.0.radius: found ...". */
+export class AvoError extends Error {
+  override name = "AvoError";
+  line?: number;
+  column?: number;
+
+  constructor(message: string) {
+    super(message);
+    const place = /^[^\n]*?:(\d+):(\d+): /.exec(message);
+    if (!place) return;
+    this.line = Number(place[1]);
+    this.column = Number(place[2]);
+  }
+}
+
+/** The module's functions by name; those that return a size have put as many bytes into the room. */
+type Functions = Record<string, (...words: number[]) => number>;
+
+export interface Instance {
+  memory: WebAssembly.Memory;
+  functions: Functions;
+}
+
+const NO_SYSTEM = 52; // ENOSYS of WASI
+
+/** Of the C library's functions those that it is built with. */
+function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+  const view = () => new DataView(memory().buffer);
+  const refuse = () => NO_SYSTEM;
+  return {
+    environ_get: () => 0,
+    environ_sizes_get(count: number, size: number) {
+      view().setUint32(count, 0, true);
+      view().setUint32(size, 0, true);
+      return 0;
+    },
+    clock_time_get(_clock: number, _precision: bigint, at: number) {
+      view().setBigUint64(at, BigInt(Math.round(1e6 * performance.now())), true);
+      return 0;
+    },
+    fd_close: refuse,
+    fd_seek: refuse,
+    fd_write: refuse,
+    proc_exit(code: number) {
+      throw new AvoError(`the module ended with status ${code}`);
+    },
+  };
+}
+
+export function instantiate(module: WebAssembly.Module): Instance {
+  const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
+  const text = (at: number, length: number) => decoder.decode(new Uint8Array(instance.memory.buffer, at, length));
+  const { exports } = new WebAssembly.Instance(module, {
+    avo: {
+      fail(message: number, length: number) {
+        throw new AvoError(text(message, length));
+      },
+      parse_yaml(at: number, length: number) {
+        put(instance, eventsOf(text(at, length)));
+      },
+    },
+    wasi_snapshot_preview1: system(() => instance.memory),
+  });
+  const instance: Instance = {
+    memory: exports["memory"] as WebAssembly.Memory,
+    functions: exports as Functions,
+  };
+  instance.functions["_initialize"]!();
+  return instance;
+}
+
+/** Into the room. */
+export function put(instance: Instance, bytes: Uint8Array): void {
+  const at = instance.functions["room"]!(bytes.length); // memory may have grown: the view is made after that
+  new Uint8Array(instance.memory.buffer, at, bytes.length).set(bytes);
+}
+
+/** A copy of what a function has put into the room. */
+export function get(instance: Instance, size: number): Uint8Array {
+  const at = instance.functions["room_begin"]!();
+  return new Uint8Array(instance.memory.buffer, at, size).slice();
+}
+
+export function getText(instance: Instance, size: number): string {
+  return new TextDecoder().decode(get(instance, size));
+}
+
+/** All that the instance is, between two calls. */
+export const imageOf = (instance: Instance): Uint8Array => new Uint8Array(instance.memory.buffer).slice();
+
+/** Another instance that is the same. */
+export function fromImage(module: WebAssembly.Module, image: Uint8Array): Instance {
+  const instance = instantiate(module);
+  const more = image.length - instance.memory.buffer.byteLength;
+  if (more > 0) instance.memory.grow(more / 65536);
+  new Uint8Array(instance.memory.buffer).set(image);
+  return instance;
+}

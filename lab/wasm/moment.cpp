@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The present state as columns, an entry a robot that is there.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "avo/clearance.h"
+#include "host.h"
+
+namespace avo_lab {
+namespace {
+
+/// Finds clearances of the robots that are there, which come and go.
+class Clearances {
+ public:
+  const std::vector<float>& of(const avo::FleetView& fleet) {
+    if (!finder_ || !std::equal(ids_.begin(), ids_.end(), fleet.id.begin(), fleet.id.end())) {
+      ids_.assign(fleet.id.begin(), fleet.id.end());
+      avo::Scenario scene;
+      scene.robots.assign(fleet.setup.begin(), fleet.setup.end());
+      finder_.emplace(scene);
+    }
+    x_.clear(), y_.clear();
+    for (const avo::Vec2 p : fleet.position) x_.push_back(p.x), y_.push_back(p.y);
+    clearance_.resize(ids_.size());
+    finder_->find({x_, y_, fleet.heading}, clearance_);
+    return clearance_;
+  }
+
+ private:
+  std::vector<avo::RobotId> ids_;
+  std::optional<avo::ClearanceFinder> finder_;
+  std::vector<double> x_, y_;
+  std::vector<float> clearance_;
+};
+
+class Columns {
+ public:
+  template <class Value>
+  void add(Value value) {
+    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+    bytes_.insert(bytes_.end(), bytes, bytes + sizeof value);
+  }
+  template <class Column>
+  void add_all(const Column& column) {
+    for (const auto& value : column) add(value);
+  }
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+}  // namespace
+
+/// Into the room, the longer numbers first, so that each column is aligned: time, steps; numbers of
+/// robots n and of moving obstacles m; of the robots position, velocity, goal, heading,
+/// acceleration; of the obstacles position and velocity; of the robots clearance, number, status,
+/// and whether each has decided and is at its goal.
+AVO_EXPORT(std::size_t, moment)() {
+  static Clearances clearances;
+  const avo::Simulation& simulation = *lab().simulation;
+  const avo::FleetView fleet = simulation.fleet();
+  const avo::ObstacleView obstacles = simulation.obstacles();
+  Columns columns;
+  columns.add(simulation.time());
+  columns.add(static_cast<double>(simulation.steps()));
+  columns.add(static_cast<std::uint32_t>(fleet.id.size()));
+  columns.add(static_cast<std::uint32_t>(obstacles.position.size()));
+  columns.add_all(fleet.position);
+  columns.add_all(fleet.velocity);
+  columns.add_all(fleet.goal);
+  columns.add_all(fleet.heading);
+  columns.add_all(fleet.applied_acceleration);
+  for (std::size_t k = 0; k < obstacles.position.size(); ++k)
+    columns.add(obstacles.position[k]), columns.add(obstacles.velocity[k]);
+  columns.add_all(clearances.of(fleet));
+  for (const avo::RobotId id : fleet.id) columns.add(static_cast<std::int32_t>(id.value));
+  for (const avo::Plan& plan : fleet.plan) columns.add(plan.status);
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) columns.add(simulation.decided(k));
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) columns.add(simulation.is_at_goal(k));
+  return into_room(columns.bytes());
+}
+
+}  // namespace avo_lab

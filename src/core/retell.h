@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// An error that says more than the one beneath it: where the value stands that is refused.
+#pragma once
+#ifdef AVO_CANNOT_UNWIND
+#include <functional>
+#endif
+#include <utility>
+
+#include "avo/error.h"
+
+namespace avo {
+
+#ifndef AVO_CANNOT_UNWIND
+
+/// Does `action`. An E that it throws is told to `tell`, which throws what says more, or returns:
+/// then the E goes on.
+template <class E, class Action, class Tell>
+auto retelling(Action&& action, Tell&& tell) {
+  try {
+    return std::forward<Action>(action)();
+  } catch (const E& error) {
+    tell(error);
+    throw;
+  }
+}
+
+#else
+
+/// Whoever throws asks these first, the innermost one first, and calls none while it is told: with
+/// them errors say the same where no catch is ever reached.
+class Retelling {
+ public:
+  explicit Retelling(std::function<void(const Error&)> tell)
+      : tell_(std::move(tell)), outer_(innermost) {
+    innermost = this;
+  }
+  ~Retelling() { innermost = outer_; }
+  Retelling(const Retelling&) = delete;
+  Retelling& operator=(const Retelling&) = delete;
+
+  /// Of an error that is about to be thrown.
+  static void tell(const Error& error) {
+    while (innermost != nullptr) {
+      const Retelling& present = *innermost;
+      innermost = present.outer_;
+      present.tell_(error);
+    }
+  }
+
+ private:
+  static inline Retelling* innermost = nullptr;
+
+  std::function<void(const Error&)> tell_;
+  Retelling* outer_;
+};
+
+template <class E, class Action, class Tell>
+auto retelling(Action&& action, Tell&& tell) {
+  const Retelling inside([&tell](const Error& error) {
+    if (const auto* meant = dynamic_cast<const E*>(&error)) tell(*meant);
+  });
+  return std::forward<Action>(action)();
+}
+
+#endif
+
+}  // namespace avo
