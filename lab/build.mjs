@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes the page: one HTML file with everything inside, so that it runs from file:// and asks nobody for anything.
 //   node build.mjs --wasm build/wasm/avo.wasm --out build/lab/lab.html
+import { createHash } from "node:crypto";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -42,6 +43,7 @@ const [page, script, style, wasm] = await Promise.all([
   readFile(options.wasm),
 ]);
 const parts = { style: inside(style), script: inside(script), wasm: gzipSync(wasm, { level: 9 }).toString("base64") };
+parts.script_hash = createHash("sha256").update(parts.script).digest("base64");  // no other script may run
 const html = page.replace(/\{\{(\w+)\}\}/g, (_, part) => parts[part]);
 await mkdir(dirname(options.out), { recursive: true });
 await writeFile(options.out, html);

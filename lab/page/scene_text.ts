@@ -15,7 +15,10 @@ export function withValue(yaml: string, path: string, value: unknown): string {
   const keys = keysOf(path);
   const known = nodeAt(yaml, keys);
   if (value === undefined) return known ? without(yaml, keys) : yaml;
-  if (known) return splice(yaml, known.range![0], endOf(known), flow(value));
+  if (known) {
+    const end = endOf(known);  // of a block of text: behind its last newline, which stays
+    return splice(yaml, known.range![0], yaml[end - 1] === "\n" ? end - 1 : end, flow(value));
+  }
   const holder = nodeAt(yaml, keys.slice(0, -1));
   if (!isMap(holder)) throw new Error(`the scene has nothing at ${keys.slice(0, -1).join(".") || "its top"}`);
   return withKey(yaml, holder, `${keys[keys.length - 1]}: ${flow(value)}`);

@@ -3,11 +3,12 @@
 
 const QUAD = new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]);
 
-/** Pixels a meter and the middle of the picture turn meters into clip coordinates; u_size is in device pixels. */
+/** u_scale is in device pixels a meter, u_size in device pixels, u_density in device pixels a pixel of CSS. */
 const PLACE = `
 uniform vec2 u_middle;
 uniform vec2 u_size;
 uniform float u_scale;
+uniform float u_density;
 vec2 clip(vec2 meters, vec2 pixels) { return ((meters - u_middle) * u_scale + pixels) * 2.0 / u_size; }
 `;
 
@@ -24,12 +25,12 @@ flat out float v_radius;
 flat out vec4 v_color;
 flat out vec4 v_look;
 void main() {
-  v_radius = max(a_place.z * u_scale, a_look.w);
-  vec2 corner = a_corner * (v_radius + a_look.z + 1.5);
+  v_radius = max(a_place.z * u_scale, a_look.w * u_density);
+  v_look = vec4(a_look.xy, a_look.z * u_density, 0.0);
+  vec2 corner = a_corner * (v_radius + v_look.z + 1.5);
   vec2 ahead = vec2(cos(a_place.w), sin(a_place.w));
   v_at = vec2(dot(corner, ahead), dot(corner, vec2(-ahead.y, ahead.x)));
   v_color = a_color;
-  v_look = a_look;
   gl_Position = vec4(clip(a_place.xy, corner), 0.0, 1.0);
 }`;
 
@@ -52,7 +53,7 @@ void main() {
   else if (form < 2.5) {
     float width = max(v_look.z, 1.0);
     alpha = cover(abs(from - r + width * 0.5) - width * 0.5);
-    if (form > 1.5) alpha *= step(0.0, sin(atan(v_at.y, v_at.x) * 8.0));
+    if (form > 1.5) alpha *= step(0.0, sin(atan(v_at.y, v_at.x) * max(6.0, floor(r * 0.35))));
   } else if (form < 3.5) {
     float d = (abs(v_at.x) + abs(v_at.y)) * 0.7071 - r * 0.7071;
     alpha = cover(abs(d) - max(v_look.z, 1.0) * 0.5);
@@ -91,7 +92,7 @@ void main() {
   vec2 way = (a_place.zw - a_place.xy) * u_scale;
   v_length = length(way);
   vec2 along = v_length > 0.0 ? way / v_length : vec2(1.0, 0.0);
-  v_half = max(a_width.x * u_scale, a_width.y);
+  v_half = max(a_width.x * u_scale, a_width.y * u_density);
   float reach = v_half + 1.0;
   v_at = vec2(a_corner.x < 0.0 ? -reach : v_length + reach, a_corner.y * reach);
   v_color = a_color;
@@ -150,14 +151,15 @@ export function makePainter(gl: WebGL2RenderingContext): Painter {
   return { gl, discs, lines };
 }
 
-/** Where all that is drawn next stands: meters in the middle, device pixels a meter. */
-export function look(painter: Painter, x: number, y: number, scale: number, ink: number[]): void {
+/** Where all that is drawn next stands: meters in the middle, device pixels a meter and a pixel of CSS. */
+export function look(painter: Painter, x: number, y: number, scale: number, density: number, ink: number[]): void {
   const { gl } = painter;
   for (const { program } of [painter.discs, painter.lines]) {
     gl.useProgram(program);
     gl.uniform2f(gl.getUniformLocation(program, "u_middle"), x, y);
     gl.uniform2f(gl.getUniformLocation(program, "u_size"), gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.uniform1f(gl.getUniformLocation(program, "u_scale"), scale);
+    gl.uniform1f(gl.getUniformLocation(program, "u_density"), density);
   }
   gl.useProgram(painter.discs.program);
   gl.uniform4fv(gl.getUniformLocation(painter.discs.program, "u_ink"), ink);

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mouse, pen and fingers on the map: they pan, zoom, pinch, look, choose and drag.
+import { toMeters, zoomAt } from "./camera.ts";
+import { begin, click, type Gesture, type Tool } from "./dragging.ts";
+import { digits } from "./elements.ts";
+import { STATUSES } from "../avo/avo.ts";
+import type { PageLab } from "./make_lab.ts";
+import { nameOf, pick, type Hit } from "./picking.ts";
+import type { WorldView } from "./world_view.ts";
+
+const CLICK = 4;  // pixels that a press may move and still be one
+
+export interface Hand { tool: Tool }
+
+interface Press { px: number; py: number; moved: boolean; gesture: Gesture | null; touch: boolean }
+
+export function mountPointer(lab: PageLab, view: WorldView, hand: Hand, tip: HTMLElement): void {
+  const { canvas, camera } = view;
+  const fingers = new Map<number, [number, number]>();
+  let press: Press | null = null;
+  const at = (event: PointerEvent | WheelEvent): [number, number] => {
+    const box = canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
+  const end = () => {
+    press = null;
+    view.preview = null;
+    view.touch();
+  };
+
+  canvas.addEventListener("pointerdown", (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    fingers.set(event.pointerId, at(event));
+    tip.hidden = true;
+    if (fingers.size > 1) return end();  // a pinch drags nothing
+    const [px, py] = at(event);
+    const touch = event.pointerType === "touch";
+    const hit = pick(lab, view, px, py, touch);
+    const gesture = event.button === 0 ? begin(lab, view, hand.tool, hit, toMeters(camera, px, py)) : null;
+    press = { px, py, moved: false, gesture, touch };
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    const now = at(event);
+    const before = fingers.get(event.pointerId);
+    if (!before) return look(now);
+    fingers.set(event.pointerId, now);
+    if (fingers.size === 2) return pinch(event.pointerId, before, now);
+    if (!press) return;
+    press.moved ||= Math.hypot(now[0] - press.px, now[1] - press.py) > CLICK;
+    if (!press.moved) return;
+    if (press.gesture) {
+      const { gesture } = press;
+      view.preview = (layers, paint) => gesture.show(layers, paint, toMeters(camera, ...now));
+    } else {
+      camera.x -= (now[0] - before[0]) / camera.scale;
+      camera.y += (now[1] - before[1]) / camera.scale;
+    }
+    view.touch();
+  });
+  canvas.addEventListener("pointerup", (event) => {
+    fingers.delete(event.pointerId);
+    const done = press;
+    if (!done) return;
+    const [px, py] = at(event);
+    end();
+    const places = hand.tool === "robot" || hand.tool === "wall";
+    if (done.gesture && (done.moved || places)) done.gesture.drop(toMeters(camera, px, py));
+    else if (!done.moved) click(lab, view, hand.tool, px, py, done.touch);
+  });
+  canvas.addEventListener("pointercancel", (event) => {
+    fingers.delete(event.pointerId);
+    end();
+  });
+  canvas.addEventListener("pointerleave", () => {
+    lab.highlight(null);
+    tip.hidden = true;
+  });
+  canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    const pixels = event.deltaMode === 1 ? 16 * event.deltaY : event.deltaY;
+    zoomAt(camera, ...at(event), Math.exp(-Math.max(-200, Math.min(200, pixels)) / 400));
+    view.touch();
+  }, { passive: false });
+  canvas.addEventListener("dblclick", () => {
+    if (hand.tool === "move" && lab.selected === null) view.fit();
+  });
+
+  function pinch(moved: number, before: [number, number], now: [number, number]): void {
+    const other = [...fingers].find(([finger]) => finger !== moved)![1];
+    const [was, is] = [before, now].map((p) => Math.hypot(p[0] - other[0], p[1] - other[1]));
+    const middle: [number, number] = [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2];
+    camera.x -= (now[0] - before[0]) / 2 / camera.scale;
+    camera.y += (now[1] - before[1]) / 2 / camera.scale;
+    if (was! > 1) zoomAt(camera, ...middle, is! / was!);
+    view.touch();
+  }
+
+  function look(now: [number, number]): void {
+    const hit = pick(lab, view, ...now, false);
+    lab.highlight(nameOf(hit));
+    canvas.style.cursor = cursorOf(hand.tool, hit, lab.live !== null);
+    tip.hidden = hit === null || hit.kind === "wall";
+    if (tip.hidden) return;
+    tip.textContent = saysOf(lab, hit!);
+    tip.style.left = `${Math.min(now[0] + 14, camera.width - 190)}px`;
+    tip.style.top = `${Math.min(now[1] + 14, camera.height - 40)}px`;
+  }
+}
+
+function cursorOf(tool: Tool, hit: Hit | null, live: boolean): string {
+  if (live && (tool === "robot" || tool === "wall")) return "crosshair";
+  if (!hit) return "grab";
+  return tool === "erase" || hit.kind !== "wall" ? "pointer" : "move";
+}
+
+function saysOf(lab: PageLab, hit: Hit): string {
+  if (hit.kind === "goal") return `goal of robot ${hit.robot}`;
+  if (hit.kind === "mover") return `moving obstacle ${hit.mover}`;
+  if (hit.kind === "wall") return "wall";
+  const { moment } = lab;
+  const row = moment.robot.indexOf(hit.robot);
+  const speed = Math.hypot(moment.velocity[2 * row]!, moment.velocity[2 * row + 1]!);
+  const how = moment.arrived[row] ? "at its goal" : moment.decided[row] ? STATUSES[moment.status[row]!]!.replace("_", " ") : "";
+  return [`robot ${hit.robot}`, `${digits(speed)} m/s`, how].filter(Boolean).join(" · ");
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's quantities, to be turned while the run goes on; the scene's text follows.
+import { digits, element } from "./elements.ts";
+import type { PageLab } from "./make_lab.ts";
+import { robotsListed, valueAt, withValue } from "./scene_text.ts";
+
+interface Knob {
+  path: string;          // with * for all robots
+  symbol: string;
+  label: string;
+  unit: string;
+  least: number;
+  most: number;
+  step: number;
+  value(lab: PageLab): number;
+}
+
+const isAvo = (lab: PageLab) => lab.info.options.method === "avo";
+const ofRobot = (key: "radius" | "max_acceleration") => (lab: PageLab) =>
+  (lab.info.robots.find(({ robot }) => robot === lab.selected) ?? lab.info.robots[0])?.[key] ?? NaN;
+
+const KNOBS: Knob[] = [
+  { path: "control_time", symbol: "δ", label: "control time", unit: "s", least: 0.2, most: 8, step: 0.1,
+    value: (lab) => lab.info.options.control_time ?? (isAvo(lab) ? 2 : 4) },
+  { path: "time_horizon", symbol: "τ", label: "time horizon", unit: "s", least: 0.5, most: 15, step: 0.1,
+    value: (lab) => lab.info.options.time_horizon ?? (isAvo(lab) ? 3 : 10) },
+  { path: "robots.*.max_acceleration", symbol: "a_max", label: "acceleration", unit: "m/s²", least: 0.1, most: 5, step: 0.05,
+    value: ofRobot("max_acceleration") },
+  { path: "robots.*.radius", symbol: "r", label: "radius", unit: "m", least: 0.1, most: 1.5, step: 0.01, value: ofRobot("radius") },
+];
+const CHOICES = [
+  { path: "method", label: "Method", unset: "avo" },
+  { path: "certificate", label: "Certificate", unset: "default of the method" },
+];
+const PACE = 120;  // ms between two edits while a slider is dragged
+
+export function mountSliders(lab: PageLab, root: HTMLElement): void {
+  let alone = false;  // radius and acceleration of the selected robot alone
+  const scope = element("div", { class: "scope", role: "group", "aria-label": "whose radius and acceleration" });
+  const all = element("button", { type: "button" }, "All robots");
+  const one = element("button", { type: "button" });
+  all.addEventListener("click", () => { alone = false; refresh(); });
+  one.addEventListener("click", () => { alone = true; refresh(); });
+  scope.append(all, one);
+  const pathOf = (knob: Knob) => (alone ? knob.path.replace("*", String(lab.selected)) : knob.path);
+  const rows = KNOBS.map((knob) => makeKnob(lab, knob, () => pathOf(knob)));
+  const choices = CHOICES.map((choice) => makeChoice(lab, choice.path, choice.label, choice.unset));
+  const notes = element("div", { class: "advice" });
+  root.replaceChildren(...choices.map(({ row }) => row), rows[0]!.row, rows[1]!.row, scope, rows[2]!.row, rows[3]!.row, notes);
+
+  function refresh(): void {
+    const listed = lab.selected !== null && lab.text !== "" && lab.selected < robotsListed(lab.text);
+    alone &&= listed;
+    one.disabled = !listed;
+    one.textContent = lab.selected === null ? "Selected one" : `Robot ${lab.selected}`;
+    one.title = lab.selected === null ? "select a robot first" : listed ? "" : "its group's keys are those of all its robots";
+    all.ariaPressed = String(!alone);
+    one.ariaPressed = String(alone);
+    for (const row of rows) row.refresh();
+    for (const choice of choices) choice.refresh();
+    const { broken_assumptions, advice } = lab.info;
+    notes.replaceChildren(
+      ...broken_assumptions.slice(0, 3).map((line) => element("p", { class: "bad" }, line)),
+      ...advice.slice(0, 3).map((line) => element("p", {}, line)));
+  }
+  lab.on("scene", refresh);
+  lab.on("text", refresh);
+  lab.on("selection", refresh);
+  refresh();
+}
+
+function makeKnob(lab: PageLab, knob: Knob, path: () => string) {
+  const value = element("output", {});
+  const range = element("input", { type: "range", min: knob.least, max: knob.most, step: knob.step, "aria-label": `${knob.label} in ${knob.unit}` });
+  const [letter, below] = knob.symbol.split("_");
+  const row = element("label", { class: "knob" },
+    element("span", {}, element("i", {}, letter!), below ? element("sub", {}, below) : null, ` ${knob.label}`), value, range);
+  const show = (now: number) => {
+    value.textContent = `${digits(now, knob.step < 0.1 ? 2 : 1)} ${knob.unit}`;
+    range.style.setProperty("--now", `${(100 * (now - knob.least)) / (knob.most - knob.least)}%`);
+    range.setAttribute("aria-valuetext", value.textContent);
+  };
+  let waiting: number | undefined;
+  const apply = () => {
+    waiting = undefined;
+    lab.set(path(), Number(range.value));
+  };
+  const refresh = () => {
+    if (waiting !== undefined) return;  // it is being dragged
+    range.disabled = lab.live === null;
+    range.value = String(knob.value(lab));
+    show(knob.value(lab));
+  };
+  range.addEventListener("input", () => {
+    show(Number(range.value));
+    waiting ??= window.setTimeout(apply, PACE);
+  });
+  range.addEventListener("change", () => {
+    clearTimeout(waiting);
+    apply();
+    refresh();
+  });
+  return { row, refresh };
+}
+
+function makeChoice(lab: PageLab, path: string, label: string, unset: string) {
+  const values = lab.library.settings().find(({ key }) => key === path)?.values ?? [];
+  const select = element("select", { "aria-label": label }, element("option", { value: "" }, unset),
+    ...values.filter((value) => value !== unset).map((value) => element("option", { value }, value)));
+  select.addEventListener("change", () => {
+    const leavesAvo = path === "method" && select.value !== "" && valueAt(lab.text, "certificate") !== undefined;
+    const text = lab.textWith(path, select.value || undefined);
+    if (leavesAvo) lab.carryOn(withoutCertificate(lab, text));
+    else lab.carryOn(text);
+    refresh();
+  });
+  const refresh = () => {
+    select.disabled = lab.live === null;
+    const known = lab.text ? valueAt(lab.text, path) : undefined;
+    select.value = typeof known === "string" && known !== unset ? known : "";
+  };
+  return { row: element("label", { class: "choice" }, element("span", {}, label), select), refresh };
+}
+
+/** Only `avo` may have one; what the scene says of another method's is not for this one. */
+function withoutCertificate(lab: PageLab, text: string): string {
+  try {
+    lab.library.simulate(text, { ...lab.options, name: lab.name });
+    return text;
+  } catch {
+    return withValue(text, "certificate", undefined);
+  }
+}

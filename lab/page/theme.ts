@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dark or light: as the system is, until the user says otherwise.
+import type { PageLab } from "./make_lab.ts";
+
+const KEY = "avo-lab-theme";
+
+function stored(): string | null {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;  // some browsers refuse it to files
+  }
+}
+
+export function mountTheme(lab: PageLab, button: HTMLElement): void {
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  const show = (theme: "light" | "dark") => {
+    document.documentElement.dataset["theme"] = theme;
+    button.textContent = theme === "dark" ? "☀" : "☾";
+    button.title = button.ariaLabel = theme === "dark" ? "light colors" : "dark colors";
+    lab.theme = theme;
+    lab.say("theme");
+  };
+  const known = stored();
+  show(known === "dark" || known === "light" ? known : system.matches ? "dark" : "light");
+  system.addEventListener("change", () => { if (!stored()) show(system.matches ? "dark" : "light"); });
+  button.addEventListener("click", () => {
+    const theme = lab.theme === "dark" ? "light" : "dark";
+    try {
+      localStorage.setItem(KEY, theme);
+    } catch {
+      // it lasts as long as the page
+    }
+    show(theme);
+  });
+}

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// The map: it draws what the Lab shows, whenever that changes, and knows what is under a pixel.
+import { emptyBox, fit, include, type Camera } from "./camera.ts";
+import type { Rgb } from "./colors.ts";
+import type { PageLab } from "./make_lab.ts";
+import { drawSelection } from "./selection_layer.ts";
+import { shownOf, type Shown } from "./shown.ts";
+import { noteTrails, type Trails } from "./trails.ts";
+import { look, makePainter, paint, type Painter } from "./webgl.ts";
+import {
+  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, homeColors, Layers, robotColors,
+  themePaint, type Coloring, type Paint,
+} from "./world_layers.ts";
+
+const MARGIN = 36;  // pixels around all that is fitted
+
+export interface WorldView {
+  readonly canvas: HTMLCanvasElement;
+  readonly camera: Camera;
+  coloring: Coloring;
+  shown: Shown;                                   // of the last picture
+  preview: ((layers: Layers, paint: Paint) => void) | null;  // what a gesture is about to do
+  draw(): void;
+  fit(): void;
+  /** Another picture before the next frame. */
+  touch(): void;
+  /** Draws if need be. True: it drew. */
+  frame(): boolean;
+}
+
+export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldView {
+  const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, stencil: false });
+  if (!gl) throw new Error("this browser has no WebGL2, which the map is drawn with");
+  let painter: Painter | null = makePainter(gl);
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    painter = null;
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    painter = makePainter(gl);
+    view.touch();
+  });
+
+  const layers = new Layers();
+  const trails: Trails = { samples: [] };
+  let theme = themePaint();
+  let homes = new Map<number, Rgb>();
+  let trailsAreOld = true;
+  let isOld = true;
+  let fitted = "";
+
+  const view: WorldView = {
+    canvas,
+    camera: { x: 0, y: 0, scale: 10, width: 1, height: 1 },
+    coloring: "goal",
+    shown: shownOf(lab.run, 1),
+    preview: null,
+    touch() { isOld = true; },
+    fit() {
+      fit(view.camera, boxOf(lab, view.shown), MARGIN);
+      isOld = true;
+    },
+    frame() {
+      if (!isOld && !lab.playing) return false;
+      view.draw();
+      return true;
+    },
+    draw() {
+      isOld = false;
+      view.shown = shownOf(lab.run, lab.share);
+      fill();
+      if (painter) show(painter);
+    },
+  };
+
+  function fill(): void {
+    const { shown, camera } = view;
+    layers.clear();
+    const colors = robotColors(lab, shown, view.coloring, homes);
+    if (trailsAreOld) drawTrails(layers, trails, shown, colors);
+    trailsAreOld = false;
+    drawGrid(layers, camera, theme);
+    drawWalls(layers, lab, theme);
+    drawHeads(layers, trails, shown, colors);
+    drawGoals(layers, lab, shown, colors);
+    drawMovers(layers, lab, shown, theme);
+    drawRobots(layers, shown, colors, theme);
+    drawSelection(layers, lab, shown, theme);
+    drawContacts(layers, lab.contacts, lab.moment.time, theme);
+    view.preview?.(layers, theme);
+  }
+
+  function show({ gl, discs, lines }: Painter): void {
+    const { camera } = view;
+    const density = canvas.width / camera.width;
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(...theme.world, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    look({ gl, discs, lines }, camera.x, camera.y, camera.scale * density, density, [...theme.world, 0.9]);
+    paint(gl, lines, layers.ground);
+    paint(gl, lines, layers.trail);
+    paint(gl, lines, layers.heads);
+    paint(gl, discs, layers.below);
+    paint(gl, lines, layers.links);
+    paint(gl, discs, layers.discs);
+    paint(gl, discs, layers.above);
+  }
+
+  function resize(): void {
+    const { clientWidth, clientHeight } = canvas;
+    if (!clientWidth || !clientHeight) return;
+    const density = Math.min(2, window.devicePixelRatio || 1);
+    canvas.width = Math.round(clientWidth * density);
+    canvas.height = Math.round(clientHeight * density);
+    const first = view.camera.width <= 1;
+    const grown = Math.min(clientWidth / view.camera.width, clientHeight / view.camera.height);
+    view.camera.width = clientWidth;
+    view.camera.height = clientHeight;
+    if (first) view.fit();
+    else view.camera.scale *= grown;
+    view.draw();  // at once: a canvas of another size is empty
+  }
+
+  lab.on("moment", () => {
+    noteTrails(trails, shownOf(lab.run, 1));
+    trailsAreOld = true;
+    isOld = true;
+  });
+  lab.on("scene", () => {
+    if (lab.moment.steps === 0 || homes.size === 0) homes = homeColors(shownOf(lab.run, 1), lab.theme);
+    if (fitted === lab.name) return;
+    fitted = lab.name;
+    trails.samples.length = 0;
+    view.shown = shownOf(lab.run, 1);
+    view.fit();
+  });
+  lab.on("theme", () => {
+    theme = themePaint();
+    homes = homeColors(shownOf(lab.run, 1), lab.theme);
+    trailsAreOld = true;
+    isOld = true;
+  });
+  for (const event of ["selection", "highlight"] as const) lab.on(event, view.touch);
+  homes = homeColors(view.shown, lab.theme);
+  fitted = lab.name;
+  noteTrails(trails, view.shown);
+  new ResizeObserver(resize).observe(canvas);
+  resize();
+  return view;
+}
+
+/** Of all that there is, goals included. */
+function boxOf(lab: PageLab, shown: Shown) {
+  const box = emptyBox();
+  const { moment } = shown;
+  moment.robot.forEach((_, i) => {
+    include(box, shown.x[i]!, shown.y[i]!, shown.radius[i]!);
+    include(box, moment.goal[2 * i]!, moment.goal[2 * i + 1]!, shown.radius[i]!);
+  });
+  for (const { a, b, radius } of lab.info.walls) {
+    include(box, ...a, radius);
+    include(box, ...b, radius);
+  }
+  for (const { x, y, radius } of shown.movers) include(box, x, y, radius);
+  return box;
+}
