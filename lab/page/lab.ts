@@ -6,7 +6,7 @@ import type { AvoError, Library, Moment, SceneInfo, SceneOptions, Simulation } f
  * moment: another step or time is shown. scene: other robots, walls, options or another run. text: the YAML changed.
  * Listeners read what they need from the Lab; several events of one kind within a frame may come as one.
  */
-export type LabEvent = "moment" | "scene" | "selection" | "highlight" | "playing" | "error" | "text" | "theme";
+export type LabEvent = "moment" | "scene" | "selection" | "highlight" | "playing" | "error" | "text" | "theme" | "coloring";
 
 /** What each step of the run so far came to: column k is about the moment at times[k]. Lengths are `size`. */
 export interface Past {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Lab: one run at a time, what the user does with it, and who is told.
-import { AvoError, type Library, type Simulation, type SceneOptions } from "../avo/avo.ts";
+import { AvoError, type Library, type SceneFile, type SceneOptions, type Simulation } from "../avo/avo.ts";
 import { formatOf, openRecording } from "./data/open.ts";
 import type { Lab, LabEvent, WorldPicture } from "./lab.ts";
 import { LiveRun } from "./live_run.ts";
@@ -9,13 +9,17 @@ import { infoOf, liveOptions } from "./recorded_scene.ts";
 import { RecordedRun } from "./recorded_run.ts";
 import type { Run } from "./run.ts";
 import { withRobotKey, withValue } from "./scene_text.ts";
+import type { Coloring } from "./world_layers.ts";
 
 /** What the page itself does with the Lab, besides what all views may do. */
 export interface PageLab extends Lab {
   theme: "light" | "dark";
   picture: WorldPicture | null;
+  coloring: Coloring;      // of the robots on the map
   readonly share: number;  // 0 to 1: how far the picture is from `before` to `moment`
   readonly run: Run;
+  /** As in Lab; `files` are what a scene may read. */
+  openFile(name: string, bytes: Uint8Array, files?: SceneFile[]): Promise<void>;
   /** Time passes by `elapsed` seconds; tells listeners of what that changed. */
   frame(elapsed: number): void;
   /** Does `edit` to the simulation now, and again whenever the run comes by here; false and `error` if it is refused. */
@@ -93,6 +97,7 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
     selected: null,
     highlighted: null,
     theme: "light",
+    coloring: "goal",
     picture: null,
     get text() { return text; },
     get run() { return run; },
@@ -133,9 +138,9 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
         start(next);
       });
     },
-    async openFile(name: string, bytes: Uint8Array) {
+    async openFile(name: string, bytes: Uint8Array, files: SceneFile[] = []) {
       try {
-        if (formatOf(name, bytes) === "yaml") return lab.openText(new TextDecoder("utf-8", { fatal: true }).decode(bytes), name, {});
+        if (formatOf(name, bytes) === "yaml") return lab.openText(new TextDecoder("utf-8", { fatal: true }).decode(bytes), name, { files });
         const recording = await openRecording(name, bytes);
         const { info, goals } = infoOf(recording, library);
         const next = await RecordedRun.open(recording, info, goals);

@@ -12,8 +12,14 @@ function stored(): string | null {
   }
 }
 
+const system = matchMedia("(prefers-color-scheme: dark)");
+
+export function chosenTheme(): "light" | "dark" {
+  const known = stored();
+  return known === "dark" || known === "light" ? known : system.matches ? "dark" : "light";
+}
+
 export function mountTheme(lab: PageLab, button: HTMLElement): void {
-  const system = matchMedia("(prefers-color-scheme: dark)");
   const show = (theme: "light" | "dark") => {
     document.documentElement.dataset["theme"] = theme;
     button.textContent = theme === "dark" ? "☀" : "☾";
@@ -21,8 +27,7 @@ export function mountTheme(lab: PageLab, button: HTMLElement): void {
     lab.theme = theme;
     lab.say("theme");
   };
-  const known = stored();
-  show(known === "dark" || known === "light" ? known : system.matches ? "dark" : "light");
+  show(chosenTheme());
   system.addEventListener("change", () => { if (!stored()) show(system.matches ? "dark" : "light"); });
   button.addEventListener("click", () => {
     const theme = lab.theme === "dark" ? "light" : "dark";

@@ -4,7 +4,7 @@ import { digits, element } from "./elements.ts";
 import { icon } from "./icons.ts";
 import type { PageLab } from "./make_lab.ts";
 
-const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 64];
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 64];
 
 export function mountTransport(lab: PageLab, root: HTMLElement): void {
   const button = (name: string, picture: string, action: () => void) =>

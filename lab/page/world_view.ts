@@ -9,7 +9,7 @@ import { noteTrails, type Trails } from "./trails.ts";
 import { look, makePainter, paint, type Painter } from "./webgl.ts";
 import {
   drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, homeColors, Layers, robotColors,
-  themePaint, type Coloring, type Paint,
+  themePaint, type Paint,
 } from "./world_layers.ts";
 
 const MARGIN = 36;  // pixels around all that is fitted
@@ -17,9 +17,9 @@ const MARGIN = 36;  // pixels around all that is fitted
 export interface WorldView {
   readonly canvas: HTMLCanvasElement;
   readonly camera: Camera;
-  coloring: Coloring;
   shown: Shown;                                   // of the last picture
   preview: ((layers: Layers, paint: Paint) => void) | null;  // what a gesture is about to do
+  readonly whenDrawn: Set<() => void>;
   draw(): void;
   fit(): void;
   /** Another picture before the next frame. */
@@ -52,9 +52,9 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
   const view: WorldView = {
     canvas,
     camera: { x: 0, y: 0, scale: 10, width: 1, height: 1 },
-    coloring: "goal",
     shown: shownOf(lab.run, 1),
     preview: null,
+    whenDrawn: new Set(),
     touch() { isOld = true; },
     fit() {
       fit(view.camera, boxOf(lab, view.shown), MARGIN);
@@ -70,13 +70,14 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
       view.shown = shownOf(lab.run, lab.share);
       fill();
       if (painter) show(painter);
+      for (const done of view.whenDrawn) done();
     },
   };
 
   function fill(): void {
     const { shown, camera } = view;
     layers.clear();
-    const colors = robotColors(lab, shown, view.coloring, homes);
+    const colors = robotColors(lab, shown, lab.coloring, homes);
     if (trailsAreOld) drawTrails(layers, trails, shown, colors);
     trailsAreOld = false;
     drawGrid(layers, camera, theme);
@@ -137,6 +138,10 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
   lab.on("theme", () => {
     theme = themePaint();
     homes = homeColors(shownOf(lab.run, 1), lab.theme);
+    trailsAreOld = true;
+    isOld = true;
+  });
+  lab.on("coloring", () => {
     trailsAreOld = true;
     isOld = true;
   });

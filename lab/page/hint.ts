@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first words to somebody who has not done anything yet.
+import { element } from "./elements.ts";
+import type { Lab } from "./lab.ts";
+
+export function mountHint(lab: Lab, root: HTMLElement): void {
+  if (document.body.classList.contains("embedded")) return;
+  const play = element("button", { type: "button", class: "hint-play", onclick: () => lab.play() }, "Play");
+  const says = element("p", {}, "Every robot wants to get to its diamond. ", element("b", {}, "Click one"),
+    " to see why it moves as it does, or ", element("b", {}, "drag"), " robots, goals and walls.");
+  root.replaceChildren(play, says);
+  root.hidden = false;
+  const stops = (["playing", "selection", "moment", "scene"] as const).map((event) => lab.on(event, () => {
+    root.hidden = true;
+    stops.forEach((stop) => stop());
+  }));
+}

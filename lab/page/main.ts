@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page from its first moment on: the module is unpacked, a scene is opened, the panels stand.
+import { load, type Library } from "../avo/avo.ts";
+import { mountCharts } from "./charts.ts";
+import { bytesOfBase64, uncompressed } from "./data/compression.ts";
+import { mountFiles } from "./files.ts";
+import { mountHelp } from "./help.ts";
+import { mountHint } from "./hint.ts";
+import { first, openInput, type Input } from "./input.ts";
+import { mountInspector } from "./inspector.ts";
+import { mountKeys } from "./keys.ts";
+import type { Lab } from "./lab.ts";
+import type { PageLab } from "./make_lab.ts";
+import { mountMapControls } from "./map_controls.ts";
+import { mountNotice } from "./notice.ts";
+import { mountPointer, type Hand } from "./pointer.ts";
+import { mountScenePanel } from "./scene_panel.ts";
+import { mountScenePicker } from "./scene_picker.ts";
+import { openFromAddress } from "./share.ts";
+import { mountTabs } from "./tabs.ts";
+import { mountTheme, chosenTheme } from "./theme.ts";
+import { mountTools } from "./tools.ts";
+import { mountTransport } from "./transport.ts";
+import { toPixels } from "./camera.ts";
+import { makeWorldView, type WorldView } from "./world_view.ts";
+
+const MOST_MODULE_BYTES = 64e6;
+
+/** The Lab as it is found at window.avoLab, by tests and by who is curious. */
+interface OpenLab extends Lab {
+  ready: Promise<void>;                                // the first picture stands
+  toScreen(place: [number, number]): [number, number]; // from m to CSS pixels of the page
+  resetView(): void;                                   // shows all that there is
+}
+
+const at = (id: string): HTMLElement => document.getElementById(id)!;
+
+async function unpack(): Promise<Library> {
+  const packed = bytesOfBase64(at("avo-module").textContent!.trim());
+  return load(await uncompressed(packed, "gzip", MOST_MODULE_BYTES));
+}
+
+function mountPanels(lab: PageLab): WorldView {
+  mountTheme(lab, at("theme"));
+  mountTabs(lab, at("tabs"));
+  mountNotice(lab, at("notice"));
+  const view = makeWorldView(lab, at("world") as HTMLCanvasElement);
+  const hand: Hand = { tool: "move" };
+  const chooseTool = mountMapControls(lab, view, hand, { palette: at("palette"), zoom: at("zoom"), legend: at("legend") });
+  mountPointer(lab, view, hand, at("tip"));
+  mountTransport(lab, at("transport"));
+  mountScenePanel(lab, at("scene"));
+  mountInspector(lab, at("inspector"));
+  mountCharts(lab, at("charts"));
+  mountTools(lab, at("tools"), at("dialog"));
+  const scenes = mountScenePicker(lab, at("scenes"), at("dialog"));
+  const files = mountFiles(lab, at("open"));
+  const help = mountHelp(at("help"), at("dialog"));
+  mountHint(lab, at("hint"));
+  mountKeys(lab, view, { scenes, files, help, tool: chooseTool });
+  lab.picture = { canvas: view.canvas, draw: () => view.draw() };
+  return view;
+}
+
+/** Time passes while pictures are drawn. */
+function keepGoing(lab: PageLab, view: WorldView): void {
+  let last = performance.now();
+  const frame = (now: number): void => {
+    lab.frame(Math.max(0, now - last) / 1000);
+    last = now;
+    view.frame();
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+}
+
+function publish(lab: PageLab, view: WorldView, ready: Promise<void>): void {
+  const open: Pick<OpenLab, "ready" | "toScreen" | "resetView"> = {
+    ready,
+    toScreen(place) {
+      const box = view.canvas.getBoundingClientRect();
+      const [x, y] = toPixels(view.camera, ...place);
+      return [box.left + x, box.top + y];
+    },
+    resetView: () => view.fit(),
+  };
+  (window as unknown as { avoLab: OpenLab }).avoLab = Object.assign(lab, open);
+}
+
+async function begin(): Promise<void> {
+  document.documentElement.dataset["theme"] = chosenTheme();
+  const input = JSON.parse(at("avo-input").textContent!) as Input | null;
+  document.body.classList.toggle("embedded", input?.embedded === true);
+  const library = await unpack();
+  const lab = first(library);
+  const view = mountPanels(lab);
+  const opened = (input ? openInput(lab, input) : openFromAddress(lab).catch(lab.refuse)).then(() => view.draw());
+  publish(lab, view, opened);
+  await opened;
+  keepGoing(lab, view);
+}
+
+begin().catch((error: unknown) => {
+  const notice = at("notice");
+  notice.hidden = false;
+  notice.textContent = `The lab cannot start: ${error instanceof Error ? error.message : String(error)}.`;
+});

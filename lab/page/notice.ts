@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was not done, and why, over the map. What concerns the text is also marked there.
+import { element } from "./elements.ts";
+import type { Lab } from "./lab.ts";
+
+export function mountNotice(lab: Lab, root: HTMLElement): void {
+  const text = element("p", {});
+  const close = element("button", { type: "button", class: "notice-close", "aria-label": "close this message", onclick: () => (root.hidden = true) }, "×");
+  root.replaceChildren(text, close);
+  lab.on("error", () => {
+    root.hidden = lab.error === null;
+    text.textContent = lab.error?.message ?? "";
+  });
+}
