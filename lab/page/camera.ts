@@ -30,15 +30,18 @@ export function toMeters(camera: Camera, px: number, py: number): [number, numbe
   return [camera.x + (px - camera.width / 2) / camera.scale, camera.y - (py - camera.height / 2) / camera.scale];
 }
 
-/** Shows all of `box`, with `margin` pixels around it. */
-export function fit(camera: Camera, box: Box, margin: number): void {
+/** Pixels that stay free around what is fitted. */
+export interface Margin { x: number; top: number; bottom: number }
+
+/** Shows all of `box`. */
+export function fit(camera: Camera, box: Box, { x, top, bottom }: Margin): void {
   if (box.xmin > box.xmax) return;
-  const room = (size: number) => Math.max(40, size - 2 * margin);
-  camera.x = (box.xmin + box.xmax) / 2;
-  camera.y = (box.ymin + box.ymax) / 2;
   const width = Math.max(1, box.xmax - box.xmin);
   const height = Math.max(1, box.ymax - box.ymin);
-  camera.scale = clampScale(Math.min(room(camera.width) / width, room(camera.height) / height));
+  const room = (pixels: number) => Math.max(40, pixels);
+  camera.scale = clampScale(Math.min(room(camera.width - 2 * x) / width, room(camera.height - top - bottom) / height));
+  camera.x = (box.xmin + box.xmax) / 2;
+  camera.y = (box.ymin + box.ymax) / 2 + (top - bottom) / 2 / camera.scale;
 }
 
 /** Zooms about a pixel, which goes on showing the same place. */

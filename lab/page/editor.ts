@@ -39,8 +39,8 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
       numbers.children[error.line - 1]?.classList.add("bad");
     }
     says.classList.toggle("bad", error !== null);
-    says.textContent = error ? error.message : changed() ? "Not applied yet. Ctrl+Enter runs it from its start." : "";
-    apply.disabled = revert.disabled = !changed();
+    says.textContent = error ? error.message : changed() ? "Not applied yet: Ctrl+Enter runs it from its start." : "";
+    root.classList.toggle("changed", changed());
   };
   const check = () => {
     if (!changed()) return mark(null);
@@ -58,7 +58,7 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
   text.addEventListener("scroll", scroll);
   text.addEventListener("input", () => {
     count();
-    apply.disabled = revert.disabled = !changed();
+    root.classList.toggle("changed", changed());
     clearTimeout(timer);
     timer = window.setTimeout(check, PAUSE);
   });

@@ -6,8 +6,8 @@ import type { Lab } from "./lab.ts";
 export function mountHint(lab: Lab, root: HTMLElement): void {
   if (document.body.classList.contains("embedded")) return;
   const play = element("button", { type: "button", class: "hint-play", onclick: () => lab.play() }, "Play");
-  const says = element("p", {}, "Every robot wants to get to its diamond. ", element("b", {}, "Click one"),
-    " to see why it moves as it does, or ", element("b", {}, "drag"), " robots, goals and walls.");
+  const says = element("p", {}, "Each robot wants to get to its goal, and none knows what the others want. ", element("b", {}, "Click one"),
+    " to see why it moves as it does, ", element("b", {}, "drag"), " one to make trouble.");
   root.replaceChildren(play, says);
   root.hidden = false;
   const stops = (["playing", "selection", "moment", "scene"] as const).map((event) => lab.on(event, () => {

@@ -23,11 +23,29 @@ interface InputRecording {
 /** embedded: the page is a part of another one, and shows no bar of its own. */
 export type Input = (InputScene | InputRecording) & { embedded?: boolean };
 
-const FIRST = "circle-20";
+/** It teaches by its comments how a scene is written. */
+const FIRST = `# Press Space to run this. Then change a number, and Ctrl+Enter runs the new text.
+version: 1
+name: first steps
+control_time: 2      # s, how fast velocities follow: δ
+time_horizon: 3      # s, how far ahead a robot looks: τ
+groups:
+  - number: 22       # robots
+    radius: 0.5            # m
+    max_speed: 2           # m/s
+    max_acceleration: 1    # m/s^2
+    placement: {circle: {min_radius: 10, spacing: 2}}
+    goals: antipodal
+robots:              # these can be set one by one
+  - {position: [-4, 0], goal: [4, 0]}
+  - {position: [4, 0.2], goal: [-4, 0]}
+obstacles:
+  - {disc: {center: [0, 3], radius: 0.6}}
+`;
 
 /** A Lab with a scene that always opens. */
 export function first(library: Library): PageLab {
-  return makeLab(library, library.builtinText(FIRST)!, FIRST, {});
+  return makeLab(library, FIRST, "first steps", {});
 }
 
 /** What is wrong with it, the Lab's error says. */

@@ -33,7 +33,7 @@ export function mountInspector(lab: Lab, root: HTMLElement): void {
     element("div", { class: "insp-actions" }, compare, copy),
     element("h3", {}, "Numbers"), numbers,
     element("h3", {}, "Neighbors"), neighbors);
-  root.replaceChildren(empty(), panel);
+  root.replaceChildren(empty(lab), panel);
 
   let shown: Explained | null = null;
   let last = 0, cost = 0, late = 0;
@@ -132,11 +132,23 @@ function legend(): HTMLElement {
     entry("admitted", "certificate admits"), entry("binding", "binding half-plane"), entry("outline", "obstacle, Eq. (29)"));
 }
 
-function empty(): HTMLElement {
+/** The robot with the nearest neighbor: there is something to see. */
+function busiest({ moment }: Lab): number | null {
+  let best = 0;
+  moment.clearance.forEach((clearance, i) => { if (clearance < moment.clearance[best]!) best = i; });
+  return moment.robot[best] ?? null;
+}
+
+function empty(lab: Lab): HTMLElement {
   return element("div", { class: "insp-empty" },
     element("h2", {}, "Why did it choose that velocity?"),
-    element("p", {}, "Click a robot, or tap it. Here you then see its velocity space: what it can reach, what its neighbors forbid, and what it chooses."),
-    element("p", {}, "The selection stays while the scene plays. Hover a half-plane to see whose it is."));
+    element("p", {}, "Click a robot, or tap it. Here you then look into its decision:"),
+    element("ol", {},
+      element("li", {}, "the velocities that it can reach, and those that its neighbors forbid,"),
+      element("li", {}, "the one that it prefers, v^pref, and the one that it chooses, v′, and why,"),
+      element("li", {}, "what the certificate admits, so that all can always brake,"),
+      element("li", {}, "how it has decided so far, and how another method would decide now.")),
+    element("button", { type: "button", onclick: () => lab.select(busiest(lab)) }, "Look into one"));
 }
 
 async function copyText(text: string, button: HTMLElement): Promise<void> {

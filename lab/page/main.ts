@@ -3,6 +3,7 @@
 import { load, type Library } from "../avo/avo.ts";
 import { mountCharts } from "./charts.ts";
 import { bytesOfBase64, uncompressed } from "./data/compression.ts";
+import { mountFigures } from "./figures.ts";
 import { mountFiles } from "./files.ts";
 import { mountHelp } from "./help.ts";
 import { mountHint } from "./hint.ts";
@@ -48,6 +49,7 @@ function mountPanels(lab: PageLab): WorldView {
   const hand: Hand = { tool: "move" };
   const chooseTool = mountMapControls(lab, view, hand, { palette: at("palette"), zoom: at("zoom"), legend: at("legend") });
   mountPointer(lab, view, hand, at("tip"));
+  mountFigures(lab, at("figures"));
   mountTransport(lab, at("transport"));
   mountScenePanel(lab, at("scene"));
   mountInspector(lab, at("inspector"));

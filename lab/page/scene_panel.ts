@@ -3,6 +3,7 @@
 import { mountEditor } from "./editor.ts";
 import { element } from "./elements.ts";
 import type { PageLab } from "./make_lab.ts";
+import { described } from "./scene_picker.ts";
 import { mountSliders } from "./sliders.ts";
 
 export function mountScenePanel(lab: PageLab, root: HTMLElement): void {
@@ -18,7 +19,8 @@ export function mountScenePanel(lab: PageLab, root: HTMLElement): void {
   const refresh = (): void => {
     name.textContent = lab.info.name;
     const recorded = lab.live ? null : lab.text ? "A recording." : "A recording of states alone: its scene is not in it, so radii and limits are the paper's.";
-    says.textContent = recorded ?? descriptions.get(lab.name.replace(/-\d+$/, "-N")) ?? descriptions.get(lab.name) ?? "";
+    const known = descriptions.get(lab.name) ?? descriptions.get(lab.name.replace(/-\d+$/, "-N")) ?? "";
+    says.textContent = recorded ?? described(lab.name, known);
     says.hidden = says.textContent === "";
     run.hidden = lab.live !== null || lab.text === "";
   };

@@ -48,7 +48,7 @@ function scenesOf(lab: PageLab): BuiltinScene[] {
 
 function makeCard(lab: PageLab, scene: BuiltinScene, done: () => void) {
   const canvas = element("canvas", { "aria-hidden": "true" });
-  const description = scene.description.replace(/^N /, `${scene.name.split("-")[1]} `);
+  const description = described(scene.name, scene.description);
   const root = element("button", { type: "button", class: "scene-card" }, canvas, element("b", {}, scene.name), element("small", {}, description));
   const text = () => lab.library.builtinText(scene.name) ?? scene.yaml;
   root.addEventListener("click", () => {
@@ -60,6 +60,11 @@ function makeCard(lab: PageLab, scene: BuiltinScene, done: () => void) {
     drawStart(crispContext(canvas, WIDTH, HEIGHT), lab.library.simulate(text(), { name: scene.name }), WIDTH, HEIGHT, lab.theme, wall);
   };
   return { root, draw, text: `${scene.name} ${description}`.toLowerCase() };
+}
+
+/** "N robots ..." of circle-N with the number that the name has. */
+export function described(name: string, description: string): string {
+  return description.replace(/^N /, `${/\d+$/.exec(name)?.[0] ?? "N"} `);
 }
 
 /** One picture a frame, so that the dialog answers. */

@@ -4,7 +4,7 @@ import type { BrakingPath, Moment, Simulation } from "../avo/avo.ts";
 import type { Rgb } from "./colors.ts";
 import type { PageLab } from "./make_lab.ts";
 import type { Shown } from "./shown.ts";
-import { FORM, line, ring, type Layers, type Paint } from "./world_layers.ts";
+import { disc, FORM, line, ring, type Layers, type Paint } from "./world_layers.ts";
 
 interface Known { live: Simulation; moment: Moment; robot: number; paths: BrakingPath[] }
 let known: Known | null = null;  // of the last moment that was asked for
@@ -37,7 +37,7 @@ export function drawSelection(layers: Layers, lab: PageLab, shown: Shown, paint:
 function drawSelected(layers: Layers, lab: PageLab, shown: Shown, row: number, paint: Paint): void {
   const { moment } = shown;
   const [x, y] = [shown.x[row]!, shown.y[row]!];
-  ring(layers, x, y, lab.info.options.sensing_radius, paint.accent, 1, FORM.dashed);
+  disc(layers.above, x, y, lab.info.options.sensing_radius, paint.accent, 0.4, { form: FORM.dashed, outline: 1 });
   ring(layers, x, y, shown.radius[row]! + 0.12, paint.accent, 2.5);
   const [vx, vy] = [moment.velocity[2 * row]!, moment.velocity[2 * row + 1]!];
   line(layers.links, x, y, x + vx, y + vy, paint.ink, 1, 0, 1.2);

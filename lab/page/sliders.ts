@@ -29,8 +29,8 @@ const KNOBS: Knob[] = [
   { path: "robots.*.radius", symbol: "r", label: "radius", unit: "m", least: 0.1, most: 1.5, step: 0.01, value: ofRobot("radius") },
 ];
 const CHOICES = [
-  { path: "method", label: "Method", unset: "avo" },
-  { path: "certificate", label: "Certificate", unset: "default of the method" },
+  { path: "method", label: "Method" },
+  { path: "certificate", label: "Certificate" },
 ];
 const PACE = 120;  // ms between two edits while a slider is dragged
 
@@ -44,7 +44,7 @@ export function mountSliders(lab: PageLab, root: HTMLElement): void {
   scope.append(all, one);
   const pathOf = (knob: Knob) => (alone ? knob.path.replace("*", String(lab.selected)) : knob.path);
   const rows = KNOBS.map((knob) => makeKnob(lab, knob, () => pathOf(knob)));
-  const choices = CHOICES.map((choice) => makeChoice(lab, choice.path, choice.label, choice.unset));
+  const choices = CHOICES.map((choice) => makeChoice(lab, choice.path, choice.label));
   const notes = element("div", { class: "advice" });
   root.replaceChildren(...choices.map(({ row }) => row), rows[0]!.row, rows[1]!.row, scope, rows[2]!.row, rows[3]!.row, notes);
 
@@ -103,10 +103,10 @@ function makeKnob(lab: PageLab, knob: Knob, path: () => string) {
   return { row, refresh };
 }
 
-function makeChoice(lab: PageLab, path: string, label: string, unset: string) {
+function makeChoice(lab: PageLab, path: string, label: string) {
   const values = lab.library.settings().find(({ key }) => key === path)?.values ?? [];
-  const select = element("select", { "aria-label": label }, element("option", { value: "" }, unset),
-    ...values.filter((value) => value !== unset).map((value) => element("option", { value }, value)));
+  const unset = element("option", { value: "" });
+  const select = element("select", { "aria-label": label }, unset, ...values.map((value) => element("option", { value }, value)));
   select.addEventListener("change", () => {
     const leavesAvo = path === "method" && select.value !== "" && valueAt(lab.text, "certificate") !== undefined;
     const text = lab.textWith(path, select.value || undefined);
@@ -117,7 +117,8 @@ function makeChoice(lab: PageLab, path: string, label: string, unset: string) {
   const refresh = () => {
     select.disabled = lab.live === null;
     const known = lab.text ? valueAt(lab.text, path) : undefined;
-    select.value = typeof known === "string" && known !== unset ? known : "";
+    unset.textContent = known === undefined ? `${lab.info.options[path]} (default)` : "default";
+    select.value = typeof known === "string" ? known : "";
   };
   return { row: element("label", { class: "choice" }, element("span", {}, label), select), refresh };
 }

@@ -5,8 +5,8 @@ import { emptyBox, fit, include, toPixels, type Camera } from "./camera.ts";
 import { cssOf, directionColor } from "./colors.ts";
 import { robotsOf } from "./discs.ts";
 
-const MARGIN = 10;      // pixels
-const MANY_WAYS = 120;  // robots: of more, the ways would hide everything
+const MARGIN = { x: 10, top: 10, bottom: 10 };  // pixels
+const MANY_WAYS = 120;                           // robots: of more, the ways would hide everything
 
 export function drawStart(context: CanvasRenderingContext2D, simulation: Simulation, width: number, height: number,
                           theme: "light" | "dark", wall: string): void {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Play, step, go back, and where in time the run is; beside that, how it goes.
+// Play, step, go back, and where in time the run is.
 import { digits, element } from "./elements.ts";
 import { icon } from "./icons.ts";
 import type { PageLab } from "./make_lab.ts";
 
+const FIRST_SPAN = 60;  // s, of the slider
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 64];
 
 export function mountTransport(lab: PageLab, root: HTMLElement): void {
@@ -18,23 +19,22 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
   const speed = element("select", { class: "speed", "aria-label": "speed: simulated seconds a second", title: "simulated seconds a second" },
     ...SPEEDS.map((value) => element("option", { value }, `${value}×`)));
   speed.addEventListener("change", () => { lab.speed = Number(speed.value); });
-  const figures = element("div", { class: "figures" });
   root.replaceChildren(
     element("div", { class: "buttons" }, button("restart (r)", "restart", () => lab.restart()), back, play,
       button("one step (→)", "forward", () => lab.stepForward())),
-    time, slider, speed, figures);
+    time, slider, speed);
 
   const refresh = () => {
-    const { moment, past, end } = lab;
+    const { moment, past } = lab;
+    const end = shownEnd(lab);
     slider.max = String(end);
     slider.value = String(moment.time);
     const done = (t: number) => `${(100 * Math.min(1, t / (end || 1))).toFixed(2)}%`;
     slider.style.setProperty("--now", done(moment.time));
     slider.style.setProperty("--known", done(past.times[past.size - 1] ?? 0));
     slider.setAttribute("aria-valuetext", `${digits(moment.time, 1)} seconds`);
-    time.replaceChildren(element("b", {}, digits(moment.time, 1)), ` / ${digits(end, 0)} s`);
+    time.replaceChildren(element("b", {}, digits(moment.time, 1)), " s");
     back.disabled = moment.steps === 0;
-    figures.replaceChildren(...figuresOf(lab));
   };
   const playing = () => {
     const name = lab.playing ? "pause (space)" : "play (space)";
@@ -49,18 +49,9 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
   playing();
 }
 
-/** Arrivals, contacts and the least clearance so far, with units. */
-function figuresOf(lab: PageLab): HTMLElement[] {
-  const { moment, past, contacts } = lab;
-  const figure = (label: string, value: string, bad = false) =>
-    element("span", { class: bad ? "figure figure-bad" : "figure" }, element("small", {}, label), element("b", {}, value));
-  const arrived = moment.arrived.reduce((sum, there) => sum + there, 0);
-  const touched = contacts.filter((contact) => contact.time <= moment.time + 1e-9).length;
-  const now = past.clearance[Math.min(moment.steps, past.size - 1)] ?? Infinity;
-  return [
-    figure("robots", String(moment.robot.length)),
-    figure("arrived", String(arrived)),
-    figure("contacts", String(touched), touched > 0),
-    figure("least gap", `${digits(now)} m`, now < -1e-9),
-  ];
+/** s: a recording whole, of a run what is known and some more, in steps, so that the slider does not slide all the time. */
+function shownEnd({ live, past, end }: PageLab): number {
+  if (!live) return end;
+  const known = past.times[past.size - 1] ?? 0;
+  return Math.min(end, FIRST_SPAN * 2 ** Math.max(0, Math.ceil(Math.log2(known / (0.9 * FIRST_SPAN)))));
 }

@@ -100,6 +100,17 @@ export function drawWalls(layers: Layers, lab: Lab, paint: Paint): void {
   });
 }
 
+/** At the start of a run: who wants to go where. */
+export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
+  const { moment } = shown;
+  if (moment.steps > 0 || moment.robot.length > MANY_GOALS) return;
+  const alpha = Math.min(0.45, 6 / moment.robot.length);
+  moment.robot.forEach((_, i) => {
+    const [x, y] = [moment.goal[2 * i]!, moment.goal[2 * i + 1]!];
+    if (Number.isFinite(x)) line(layers.ground, shown.x[i]!, shown.y[i]!, x, y, colors[i]!, alpha, 0, 0.6, 0.3);
+  });
+}
+
 /** The pieces of the trails between steps that are past. */
 export function drawTrails(layers: Layers, trails: Trails, shown: Shown, colors: Rgb[]): void {
   layers.trail.clear();

@@ -8,11 +8,11 @@ import { shownOf, type Shown } from "./shown.ts";
 import { noteTrails, type Trails } from "./trails.ts";
 import { look, makePainter, paint, type Painter } from "./webgl.ts";
 import {
-  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, homeColors, Layers, robotColors,
+  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, drawWays, homeColors, Layers, robotColors,
   themePaint, type Paint,
 } from "./world_layers.ts";
 
-const MARGIN = 36;  // pixels around all that is fitted
+const MARGIN = { x: 56, top: 48, bottom: 74 };  // pixels, for what floats over the map
 
 export interface WorldView {
   readonly canvas: HTMLCanvasElement;
@@ -81,6 +81,7 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     if (trailsAreOld) drawTrails(layers, trails, shown, colors);
     trailsAreOld = false;
     drawGrid(layers, camera, theme);
+    drawWays(layers, shown, colors);
     drawWalls(layers, lab, theme);
     drawHeads(layers, trails, shown, colors);
     drawGoals(layers, lab, shown, colors);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the run goes, in four numbers over the map.
+import { digits, element } from "./elements.ts";
+import type { Lab } from "./lab.ts";
+
+export function mountFigures(lab: Lab, root: HTMLElement): void {
+  const refresh = (): void => root.replaceChildren(...figuresOf(lab));
+  lab.on("moment", refresh);
+  lab.on("scene", refresh);
+  refresh();
+}
+
+function figuresOf(lab: Lab): HTMLElement[] {
+  const { moment, past, contacts } = lab;
+  const figure = (label: string, value: string, bad = false) =>
+    element("span", { class: bad ? "figure figure-bad" : "figure" }, element("b", {}, value), element("small", {}, label));
+  const arrived = moment.arrived.reduce((sum, there) => sum + there, 0);
+  const touched = contacts.filter((contact) => contact.time <= moment.time + 1e-9).length;
+  const now = past.clearance[Math.min(moment.steps, past.size - 1)] ?? Infinity;
+  return [
+    figure("robots", String(moment.robot.length)),
+    figure("arrived", String(arrived)),
+    figure("contacts so far", String(touched), touched > 0),
+    figure("least gap now", `${digits(now)} m`, now < -1e-9),
+  ];
+}
