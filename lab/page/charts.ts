@@ -24,9 +24,9 @@ interface Measure {
 const MEASURES: Measure[] = [
   { title: "clearance", unit: "m", says: "the least of all pairs, surface to surface", limit: () => 0, limit_label: "contact",
     values: (lab) => lab.past.clearance, scale: 1, places: 3, floor: -0.1, ceiling: () => 0.5 },
-  { title: "speed", unit: "% of v_max", says: "the robot that comes nearest to its limit, or exceeds it most", limit: () => 100, limit_label: "v_max",
+  { title: "speed", unit: "% of vₘₐₓ", says: "the robot that comes nearest to its limit, or exceeds it most", limit: () => 100, limit_label: "vₘₐₓ",
     values: (lab) => lab.past.speed_ratio, scale: 100, places: 0, floor: 0, ceiling: () => 115 },
-  { title: "acceleration", unit: "% of a_max", says: "the robot that comes nearest to its limit, or exceeds it most", limit: () => 100, limit_label: "a_max",
+  { title: "acceleration", unit: "% of aₘₐₓ", says: "the robot that comes nearest to its limit, or exceeds it most", limit: () => 100, limit_label: "aₘₐₓ",
     values: (lab) => lab.past.acceleration_ratio, scale: 100, places: 0, floor: 0, ceiling: () => 115 },
   { title: "arrived", unit: "robots", says: "at their goals now", limit: (lab) => lab.moment.robot.length, limit_label: "all",
     values: (lab) => lab.past.arrived, scale: 1, places: 0, floor: 0, ceiling: (lab) => 1.12 * Math.max(1, lab.moment.robot.length) },

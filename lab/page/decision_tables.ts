@@ -26,7 +26,7 @@ const polar = (v: Vec): string => (norm(v) > 0 ? `, ${digits(norm(v))} m/s at ${
 
 function motionRows(decision: Decision): Row[] {
   const { velocity, preferred_velocity, new_velocity, acceleration, max_acceleration, position, goal } = decision;
-  const share = max_acceleration > 0 ? `, ${digits(100 * norm(acceleration) / max_acceleration, 0)} % of a_max` : "";
+  const share = max_acceleration > 0 ? `, ${digits(100 * norm(acceleration) / max_acceleration, 0)} % of aₘₐₓ` : "";
   return [
     { name: "position", label: "position", value: `${pair(position)} m`, exact: position },
     { name: "goal", label: "goal", value: `${pair(goal)} m`, exact: goal },

@@ -2,9 +2,12 @@
 // The scene's text: it is checked while it is typed, and runs when it is applied.
 import { AvoError } from "../avo/avo.ts";
 import { element } from "./elements.ts";
+import type { SceneDraft } from "./lab.ts";
 import type { PageLab } from "./make_lab.ts";
 
-const PAUSE = 350;  // ms without a key, then the text is checked
+const PAUSE = 350;       // ms without a key, then the text is checked
+const LINE = 18, COLUMN = 7.2;  // pixels
+const LONGEST = 300000;  // characters of a refused text that is shown to be corrected
 
 export function mountEditor(lab: PageLab, root: HTMLElement): void {
   const text = element("textarea", {
@@ -20,6 +23,7 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
     says, element("div", { class: "editor-actions" }, apply, revert));
 
   let timer = 0;
+  let draft: SceneDraft | null = null;  // a text of another scene, to be corrected
   const changed = () => text.value !== lab.text;
   const scroll = () => {
     numbers.style.transform = `translateY(${-text.scrollTop}px)`;
@@ -45,15 +49,22 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
   const check = () => {
     if (!changed()) return mark(null);
     try {
-      lab.library.simulate(text.value, { ...lab.options, name: lab.name });
+      lab.library.simulate(text.value, { ...(draft ?? lab).options, name: (draft ?? lab).name });
       mark(null);
     } catch (error) {
       mark(error instanceof AvoError ? error : new AvoError(String(error)));
     }
   };
   const run = () => {
-    lab.openText(text.value);
+    lab.openText(text.value, (draft ?? lab).name, (draft ?? lab).options);
     if (lab.error) mark(lab.error);
+  };
+  /** So that the place of an error is seen. */
+  const scrollTo = ({ line, column }: AvoError) => {
+    if (!line) return;
+    text.scrollTop = Math.max(0, LINE * (line - 1) - text.clientHeight / 2);
+    text.scrollLeft = Math.max(0, COLUMN * (column ?? 1) - text.clientWidth * 0.6);
+    scroll();
   };
   text.addEventListener("scroll", scroll);
   text.addEventListener("input", () => {
@@ -74,6 +85,7 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
   revert.addEventListener("click", () => show());
 
   const show = () => {
+    draft = null;
     const { scrollTop, scrollLeft } = text;
     text.value = lab.text;
     text.readOnly = lab.text === "";
@@ -84,6 +96,17 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
     mark(null);
     scroll();
   };
+  lab.on("error", () => {
+    const { error, refused } = lab;
+    if (!error || !refused || refused.yaml.length > LONGEST) return;
+    if (text.value !== refused.yaml) {
+      draft = refused;
+      text.value = refused.yaml;
+      count();
+    }
+    mark(error);
+    scrollTo(error);
+  });
   let last = lab.text;
   lab.on("text", () => {
     if (text.value === last || text.value === lab.text) show();  // what is being typed is not overwritten

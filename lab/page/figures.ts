@@ -18,9 +18,9 @@ function figuresOf(lab: Lab): HTMLElement[] {
   const touched = contacts.filter((contact) => contact.time <= moment.time + 1e-9).length;
   const now = past.clearance[Math.min(moment.steps, past.size - 1)] ?? Infinity;
   return [
-    figure("robots", String(moment.robot.length)),
+    figure(moment.robot.length === 1 ? "robot" : "robots", String(moment.robot.length)),
     figure("arrived", String(arrived)),
     figure("contacts so far", String(touched), touched > 0),
-    figure("least gap now", `${digits(now)} m`, now < -1e-9),
+    figure("least gap now", now === Infinity ? "–" : `${digits(now, now < 0.1 ? 3 : 2)} m`, now < -1e-9),
   ];
 }

@@ -6,7 +6,7 @@ import type { Lab } from "./lab.ts";
 export function mountHint(lab: Lab, root: HTMLElement): void {
   if (document.body.classList.contains("embedded")) return;
   const play = element("button", { type: "button", class: "hint-play", onclick: () => lab.play() }, "Play");
-  const says = element("p", {}, "Each robot wants to get to its goal, and none knows what the others want. ", element("b", {}, "Click one"),
+  const says = element("p", {}, "Each robot wants to get to its goal. ", element("b", {}, "Click one"),
     " to see why it moves as it does, ", element("b", {}, "drag"), " one to make trouble.");
   root.replaceChildren(play, says);
   root.hidden = false;

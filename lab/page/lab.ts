@@ -39,6 +39,9 @@ export interface WorldPicture {
   draw(): void;  // now; the pixels can be read until the present task ends
 }
 
+/** A text that was to be opened, and what for. */
+export interface SceneDraft { name: string; yaml: string; options: SceneOptions }
+
 export interface Lab {
   readonly library: Library;
   readonly name: string;                       // of the scene or the recording
@@ -57,6 +60,7 @@ export interface Lab {
   readonly theme: "light" | "dark";
   readonly picture: WorldPicture | null;       // null until the world view stands
   error: AvoError | null;
+  readonly refused: SceneDraft | null;         // the text that `error` is about, where it was to be opened
   on(event: LabEvent, listener: () => void): () => void;
   select(robot: number | null): void;
   highlight(name: string | null): void;

@@ -2,7 +2,7 @@
 // The Lab: one run at a time, what the user does with it, and who is told.
 import { AvoError, type Library, type SceneFile, type SceneOptions, type Simulation } from "../avo/avo.ts";
 import { formatOf, openRecording } from "./data/open.ts";
-import type { Lab, LabEvent, WorldPicture } from "./lab.ts";
+import type { Lab, LabEvent, SceneDraft, WorldPicture } from "./lab.ts";
 import { LiveRun } from "./live_run.ts";
 import { moveOn, shareOf, type Playback } from "./playback.ts";
 import { infoOf, liveOptions } from "./recorded_scene.ts";
@@ -43,26 +43,33 @@ function asError(error: unknown): AvoError {
 export function makeLab(library: Library, yaml: string, name: string, options: SceneOptions): PageLab {
   let run: Run = new LiveRun(library.simulate(yaml, { ...options, name }));
   let text = yaml;
+  /** What is no UTF-8, the library refuses in its words. */
+  function yamlOf(bytes: Uint8Array, name: string): string {
+    const yaml = new TextDecoder().decode(bytes);
+    if (yaml.includes("\ufffd")) library.simulate(bytes, { name });
+    return yaml;
+  }
   const playback: Playback = { playing: false, speed: 1, time: 0, target: null };
   const listeners = new Map<LabEvent, Set<() => void>>();
   const say = (event: LabEvent) => listeners.get(event)?.forEach((listener) => listener());
 
-  function fail(error: unknown): false {
+  function fail(error: unknown, refused: SceneDraft | null = null): false {
     lab.error = asError(error);
+    lab.refused = refused;
     say("error");
     return false;
   }
   function clearError(): void {
     if (!lab.error) return;
-    lab.error = null;
+    lab.error = lab.refused = null;
     say("error");
   }
   /** Does what may be refused; true if it was not. */
-  function attempt(action: () => void): boolean {
+  function attempt(action: () => void, draft?: SceneDraft): boolean {
     try {
       action();
     } catch (error) {
-      return fail(error);
+      return fail(error, draft);
     }
     clearError();
     return true;
@@ -94,6 +101,7 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
     options,
     name,
     error: null,
+    refused: null,
     selected: null,
     highlighted: null,
     theme: "light",
@@ -136,11 +144,11 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
         lab.options = options;
         say("text");
         start(next);
-      });
+      }, { yaml, name, options });
     },
     async openFile(name: string, bytes: Uint8Array, files: SceneFile[] = []) {
       try {
-        if (formatOf(name, bytes) === "yaml") return lab.openText(new TextDecoder("utf-8", { fatal: true }).decode(bytes), name, { files });
+        if (formatOf(name, bytes) === "yaml") return lab.openText(yamlOf(bytes, name), name, { files });
         const recording = await openRecording(name, bytes);
         const { info, goals } = infoOf(recording, library);
         const next = await RecordedRun.open(recording, info, goals);

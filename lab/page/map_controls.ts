@@ -87,7 +87,7 @@ function keysOf(coloring: Coloring, theme: "light" | "dark"): HTMLElement[] {
   }
   if (coloring === "speed") {
     const ramp = [0, 0.25, 0.5, 0.75, 1].map((share) => cssOf(shareColor(share))).join(", ");
-    return [swatch(`width:70px;background:linear-gradient(90deg, ${ramp})`, "0 to v_max")];
+    return [swatch(`width:70px;background:linear-gradient(90deg, ${ramp})`, "0 to vₘₐₓ")];
   }
   const circle = Array.from({ length: 13 }, (_, k) => cssOf(directionColor(-(k / 12) * 2 * Math.PI + Math.PI / 2, theme))).join(", ");
   return [swatch(`border-radius:50%;background:conic-gradient(${circle})`, "as on a compass")];

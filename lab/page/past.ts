@@ -95,6 +95,7 @@ function ratios(moment: Moment, info: SceneInfo): { speed: number; acceleration:
     const robot = info.robots[at];
     if (!robot || robot.robot !== moment.robot[i]) continue;
     speed = Math.max(speed, Math.hypot(moment.velocity[2 * i]!, moment.velocity[2 * i + 1]!) / robot.max_speed);
+    if (robot.model === "airplane") continue;  // across its way it has another limit
     acceleration = Math.max(acceleration, moment.acceleration[i]! / robot.max_acceleration);
   }
   return { speed, acceleration };

@@ -117,7 +117,9 @@ function makeChoice(lab: PageLab, path: string, label: string) {
   const refresh = () => {
     select.disabled = lab.live === null;
     const known = lab.text ? valueAt(lab.text, path) : undefined;
-    unset.textContent = known === undefined ? `${lab.info.options[path]} (default)` : "default";
+    const comesTo = known === undefined ? String(lab.info.options[path]) : "";
+    unset.textContent = comesTo || "default";
+    for (const option of select.options) option.hidden = option.value === comesTo;
     select.value = typeof known === "string" ? known : "";
   };
   return { row: element("label", { class: "choice" }, element("span", {}, label), select), refresh };

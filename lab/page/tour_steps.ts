@@ -72,7 +72,7 @@ export const TOUR: TourStep[] = [
       "Outside of it no collision comes before τ, if the robot has its new velocity at once. No robot has.",
     ],
     look: ["Dark in the inspector: the velocity obstacle, moved by the velocity of the obstacle.",
-      "v′ lies on its rim, as near to v^pref as it can.", "Acceleration, below: what this asks for exceeds the limit many times."],
+      "v′ lies on its rim, as near to vᵖʳᵉᶠ as it can.", "Acceleration, below: what this asks for exceeds the limit many times."],
     tries: [{ label: "look ahead, τ", path: "time_horizon", range: { least: 1, most: 10, step: 0.5, unit: "s", start: 4 } }],
     reference: "§III-A, Definition 1, Eqs. (4) to (6), Fig. 2", robot: 0, time: 1.5, speed: 1,
     scene: () => ONE("velocity_obstacle").replace("control_time: 2\n", "time_horizon: 4\n"),
@@ -83,9 +83,9 @@ export const TOUR: TourStep[] = [
       "Now the robot approaches its new velocity by proportional control: at any time its acceleration is the rest of the " +
         "change, divided by δ. So it comes near the new velocity only after a few δ, and it moves on a curve meanwhile.",
       "The velocities that collide on the way are again a union of discs. It is bent, because at early times the present " +
-        "velocity counts more than the new one. What can be chosen is a disc of the radius δ a_max around v.",
+        "velocity counts more than the new one. What can be chosen is a disc of the radius δ aₘₐₓ around v.",
     ],
-    look: ["The obstacle's rim is a curve now: the exact boundary of Eq. (29).", "The solid circle is the reach D(v, δ a_max).",
+    look: ["The obstacle's rim is a curve now: the exact boundary of Eq. (29).", "The solid circle is the reach D(v, δ aₘₐₓ).",
       "Acceleration, below: it stays within the limit."],
     tries: [{ label: "control time, δ", path: "control_time", range: { least: 0.5, most: 4, step: 0.25, unit: "s", start: 2 } }],
     reference: "§III-B, Definition 2, Eqs. (7) to (13), (27) to (29), Figs. 3 and 4", robot: 0, time: 1.5, speed: 1,
@@ -100,7 +100,7 @@ export const TOUR: TourStep[] = [
     ],
     look: ["One line in the inspector: the half-plane of the other robot. Hover it, and the robot stands out in both views.",
       "Select the other robot: its half-plane is the same, turned by 180°.", "The list of neighbors tells the share."],
-    tries: [{ label: "a_max of robot 1", path: "robots.1.max_acceleration", range: { least: 0.2, most: 2, step: 0.1, unit: "m/s²", start: 1 } }],
+    tries: [{ label: "aₘₐₓ of robot 1", path: "robots.1.max_acceleration", range: { least: 0.2, most: 2, step: 0.1, unit: "m/s²", start: 1 } }],
     reference: "§IV-A to IV-C, Eqs. (15) to (21), Fig. 5", robot: 0, time: 2, speed: 1,
     scene: () => TWO,
   },
@@ -108,7 +108,7 @@ export const TOUR: TourStep[] = [
     title: "Half-planes and the linear program",
     paragraphs: [
       "Among many robots each neighbor gives a half-plane. Their intersection with the reach is convex: the bright region CA_A. " +
-        "The robot takes the velocity in it that is nearest to v^pref, by a linear program in two dimensions.",
+        "The robot takes the velocity in it that is nearest to vᵖʳᵉᶠ, by a linear program in two dimensions.",
       "What holds the choice are one or two of the half-planes: those bind, and are drawn bold. All others could be left out.",
     ],
     look: ["v′ lies in a corner or on an edge of the bright region.", "Hover the bold lines: the sentence above names the same robots.",

@@ -14,6 +14,8 @@ export const FORM = { disc: 0, ring: 1, dashed: 2, diamond: 3, cross: 4 };
 export const MARK = { none: 0, wedge: 1, dart: 2, dot: 3, bar: 4 };
 
 const LEAST_RADIUS = 1;      // pixels: a disc never vanishes
+const LEAST_OF_FEW = 3.5;    // the same where there are few, so that they are found
+const FEW = 50;              // robots
 const MANY_GOALS = 250;      // robots: of more, only the goals of those that are looked at are drawn
 const BRAKING = STATUSES.indexOf("braking");
 const OVERLAPPING = STATUSES.indexOf("overlapping");
@@ -137,8 +139,8 @@ export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[])
 
 export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint): void {
   shown.movers.forEach(({ x, y, vx, vy, radius }, k) => {
-    line(layers.links, x, y, x + vx, y + vy, paint.mover, 0.9, 0, 1);
-    disc(layers.below, x, y, radius, paint.mover, 0.85, { mark: MARK.bar, least: LEAST_RADIUS, heading: Math.PI / 4 });
+    line(layers.links, x, y, x + vx, y + vy, paint.mover, 1, 0, 1.2);
+    disc(layers.below, x, y, radius, paint.mover, 0.85, { least: LEAST_RADIUS });
     if (lab.highlighted === `moving_obstacles.${k}`) ring(layers, x, y, radius, paint.ink, 1.5);
   });
 }
@@ -146,12 +148,13 @@ export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint)
 /** Filled: it goes its way. Hollow: it brakes. Dashed: nothing is safe. A heavy rim: it touches. A dot: it has arrived. */
 export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint): void {
   const { moment, robots } = shown;
+  const least = moment.robot.length <= FEW ? LEAST_OF_FEW : LEAST_RADIUS;
   for (let i = 0; i < moment.robot.length; ++i) {
     const [x, y, r, color, heading] = [shown.x[i]!, shown.y[i]!, shown.radius[i]!, colors[i]!, shown.heading[i]!];
     const robot = robots[i];
     const status = moment.decided[i] ? moment.status[i] : -1;
     if (robot?.parked) {
-      disc(layers.discs, x, y, r, paint.mover, 0.9, { mark: MARK.bar, least: LEAST_RADIUS });
+      disc(layers.discs, x, y, r, paint.mover, 0.9, { mark: MARK.bar, least });
       continue;
     }
     const model = robot?.model ?? "holonomic";
@@ -159,12 +162,12 @@ export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: P
     const mark = headed || (moment.arrived[i] ? MARK.dot : MARK.none);
     const touches = status === OVERLAPPING || moment.clearance[i]! < -1e-9;
     const hollow = !touches && !moment.arrived[i] && (status === BRAKING || status === LEAST_UNSAFE || status === INVALID);
-    disc(layers.discs, x, y, r, color, hollow ? 0.28 : moment.arrived[i] ? 0.55 : 1, { mark, least: LEAST_RADIUS, heading });
+    disc(layers.discs, x, y, r, color, hollow ? 0.28 : moment.arrived[i] ? 0.55 : 1, { mark, least, heading });
     if (hollow) {
       const form = status === BRAKING ? FORM.ring : FORM.dashed;
-      disc(layers.discs, x, y, r, color, 1, { form, outline: 2, least: LEAST_RADIUS });
+      disc(layers.discs, x, y, r, color, 1, { form, outline: 2, least });
     }
-    if (touches) disc(layers.discs, x, y, r, paint.danger, 1, { form: FORM.ring, outline: 3, least: LEAST_RADIUS + 1 });
+    if (touches) disc(layers.discs, x, y, r, paint.danger, 1, { form: FORM.ring, outline: 3, least: least + 1 });
   }
 }
 
