@@ -63,7 +63,7 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
   const scrollTo = ({ line, column }: AvoError) => {
     if (!line) return;
     text.scrollTop = Math.max(0, LINE * (line - 1) - text.clientHeight / 2);
-    text.scrollLeft = Math.max(0, COLUMN * (column ?? 1) - text.clientWidth * 0.6);
+    text.scrollLeft = Math.max(0, COLUMN * (column ?? 1) - text.clientWidth * 0.85);
     scroll();
   };
   text.addEventListener("scroll", scroll);
