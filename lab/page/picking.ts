@@ -2,6 +2,7 @@
 // What is under a pixel of the map.
 import { toMeters } from "./camera.ts";
 import type { PageLab } from "./make_lab.ts";
+import { hasGoalShown } from "./world_layers.ts";
 import type { WorldView } from "./world_view.ts";
 
 export type Hit =
@@ -13,19 +14,19 @@ export type Hit =
 const FINGER = 14;  // pixels, that a finger may be off
 const MOUSE = 5;
 
-/** Robots before goals, goals before movers, these before walls; of each the nearest one. */
+/** Robots and goals before movers, these before walls; of a robot and a goal that whose middle is nearer. */
 export function pick(lab: PageLab, view: WorldView, px: number, py: number, touch: boolean): Hit | null {
   const [x, y] = toMeters(view.camera, px, py);
   const slack = (touch ? FINGER : MOUSE) / view.camera.scale;
   const { shown } = view;
   const { moment } = shown;
-  const robot = nearest(moment.robot.length, slack, (i) => Math.hypot(shown.x[i]! - x, shown.y[i]! - y) - shown.radius[i]!);
+  const toRobot = (i: number) => Math.hypot(shown.x[i]! - x, shown.y[i]! - y);
+  const toGoal = (i: number) => Math.hypot(moment.goal[2 * i]! - x, moment.goal[2 * i + 1]! - y);
+  const robot = nearest(moment.robot.length, slack, (i) => toRobot(i) - shown.radius[i]!);
+  const goal = nearest(moment.robot.length, slack + 3 / view.camera.scale, (i) => (hasGoalShown(lab, shown, i) ? toGoal(i) : Infinity));
+  const isGoal = goal >= 0 && (robot < 0 || toGoal(goal) < toRobot(robot) - 2 / view.camera.scale);
+  if (isGoal) return { kind: "goal", robot: moment.robot[goal]! };
   if (robot >= 0) return { kind: "robot", robot: moment.robot[robot]! };
-  const many = moment.robot.length > 250;
-  const goal = nearest(moment.robot.length, slack + 3 / view.camera.scale, (i) =>
-    (many || moment.arrived[i]) && moment.robot[i] !== lab.selected
-      ? Infinity : Math.hypot(moment.goal[2 * i]! - x, moment.goal[2 * i + 1]! - y));
-  if (goal >= 0) return { kind: "goal", robot: moment.robot[goal]! };
   const mover = nearest(shown.movers.length, slack, (k) => Math.hypot(shown.movers[k]!.x - x, shown.movers[k]!.y - y) - shown.movers[k]!.radius);
   if (mover >= 0) return { kind: "mover", mover };
   return pickWall(lab, x, y, slack);

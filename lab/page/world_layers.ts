@@ -124,15 +124,21 @@ export function drawHeads(layers: Layers, trails: Trails, shown: Shown, colors: 
   forHeads(trails, shown, (row, ax, ay, bx, by) => line(layers.heads, ax, ay, bx, by, colors[row]!, 0.5, 0.04, 0.8));
 }
 
+const isLookedAt = (lab: Lab, robot: number) => robot === lab.selected || lab.highlighted === `robots.${robot}`;
+
+/** Of row i: goals of many robots, and of who has arrived, are shown where they are looked at. */
+export function hasGoalShown(lab: Lab, { moment }: Shown, i: number): boolean {
+  if (!Number.isFinite(moment.goal[2 * i]!)) return false;
+  return isLookedAt(lab, moment.robot[i]!) || (moment.robot.length <= MANY_GOALS && !moment.arrived[i]);
+}
+
 export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[]): void {
   const { moment } = shown;
-  const all = moment.robot.length <= MANY_GOALS;
   moment.robot.forEach((robot, i) => {
-    const looked = robot === lab.selected || lab.highlighted === `robots.${robot}`;
-    if ((!all && !looked) || (moment.arrived[i] && !looked)) return;
+    if (!hasGoalShown(lab, shown, i)) return;
+    const looked = isLookedAt(lab, robot);
     const [x, y] = [moment.goal[2 * i]!, moment.goal[2 * i + 1]!];
-    if (!Number.isFinite(x)) return;
-    disc(layers.below, x, y, 0.22, colors[i]!, looked ? 1 : 0.6, { form: FORM.diamond, outline: looked ? 2 : 1.4, least: 3 });
+    disc(layers.above, x, y, 0.22, colors[i]!, looked ? 1 : 0.6, { form: FORM.diamond, outline: looked ? 2 : 1.4, least: 3 });
     if (looked) line(layers.links, shown.x[i]!, shown.y[i]!, x, y, colors[i]!, 0.6, 0, 0.7);
   });
 }
