@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two kinds of shapes, each drawn in one call for as many as there are: discs with marks, and thick lines.
+// Their rows are in a texture, from which each of the six vertices of a shape takes what it needs: where no graphics
+// processor is there, instances would be as slow as one call a shape.
 
-const QUAD = new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]);
+const TEXELS = 3;              // of four numbers, a shape
+export const COLUMNS = 4 * TEXELS;
+const SHAPES_A_LINE = 256;     // of the texture
 
 /** u_scale is in device pixels a meter, u_size in device pixels, u_density in device pixels a pixel of CSS. */
 const PLACE = `
@@ -9,29 +13,34 @@ uniform vec2 u_middle;
 uniform vec2 u_size;
 uniform float u_scale;
 uniform float u_density;
+uniform highp sampler2D u_rows;  // ${SHAPES_A_LINE} shapes a line, ${TEXELS} texels a shape
+const vec2 CORNERS[6] = vec2[6](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(-1, 1), vec2(1, -1), vec2(1, 1));
+vec2 corner() { return CORNERS[gl_VertexID % 6]; }
+vec4 texel(int k) {
+  int shape = gl_VertexID / 6;
+  return texelFetch(u_rows, ivec2((shape % ${SHAPES_A_LINE}) * ${TEXELS} + k, shape / ${SHAPES_A_LINE}), 0);
+}
 vec2 clip(vec2 meters, vec2 pixels) { return ((meters - u_middle) * u_scale + pixels) * 2.0 / u_size; }
 `;
 
-/** A disc is never smaller than a_least pixels, whatever the scale; v_at is in pixels from its middle. */
+/** A disc is never smaller than its least radius, whatever the scale; v_at is in pixels from its middle. */
 const DISC_VERTEX = `#version 300 es
 precision highp float;
-layout(location = 0) in vec2 a_corner;
-layout(location = 1) in vec4 a_place;   // x, y, radius (m), heading (rad)
-layout(location = 2) in vec4 a_color;
-layout(location = 3) in vec4 a_look;    // form, mark, outline (pixels), least radius (pixels)
 ${PLACE}
 out vec2 v_at;
 flat out float v_radius;
 flat out vec4 v_color;
 flat out vec4 v_look;
 void main() {
-  v_radius = max(a_place.z * u_scale, a_look.w * u_density);
-  v_look = vec4(a_look.xy, a_look.z * u_density, 0.0);
-  vec2 corner = a_corner * (v_radius + v_look.z + 1.5);
-  vec2 ahead = vec2(cos(a_place.w), sin(a_place.w));
-  v_at = vec2(dot(corner, ahead), dot(corner, vec2(-ahead.y, ahead.x)));
-  v_color = a_color;
-  gl_Position = vec4(clip(a_place.xy, corner), 0.0, 1.0);
+  vec4 place = texel(0);  // x, y, radius (m), heading (rad)
+  vec4 look = texel(2);   // form, mark, outline (pixels), least radius (pixels)
+  v_radius = max(place.z * u_scale, look.w * u_density);
+  v_look = vec4(look.xy, look.z * u_density, 0.0);
+  vec2 reach = corner() * (v_radius + 1.5);
+  vec2 ahead = vec2(cos(place.w), sin(place.w));
+  v_at = vec2(dot(reach, ahead), dot(reach, vec2(-ahead.y, ahead.x)));
+  v_color = texel(1);
+  gl_Position = vec4(clip(place.xy, reach), 0.0, 1.0);
 }`;
 
 /** Forms: 0 disc, 1 ring, 2 dashed ring, 3 diamond ring, 4 cross. Marks: 1 wedge ahead, 2 dart, 3 dot, 4 bar. */
@@ -75,13 +84,9 @@ void main() {
   color = vec4(paint.rgb, 1.0) * (paint.a * alpha);
 }`;
 
-/** A line from a to b with round ends, at least a_width.y pixels wide. */
+/** A line from a to b with round ends. */
 const LINE_VERTEX = `#version 300 es
 precision highp float;
-layout(location = 0) in vec2 a_corner;
-layout(location = 1) in vec4 a_place;   // a, b (m)
-layout(location = 2) in vec4 a_color;   // at b
-layout(location = 3) in vec3 a_width;   // half of it (m), half of it at least (pixels), share of the color at a
 ${PLACE}
 out vec2 v_at;
 flat out float v_half;
@@ -89,15 +94,18 @@ flat out float v_length;
 flat out float v_fade;
 flat out vec4 v_color;
 void main() {
-  vec2 way = (a_place.zw - a_place.xy) * u_scale;
+  vec4 place = texel(0);  // a, b (m)
+  vec4 width = texel(2);  // half of it (m), half of it at least (pixels), share of the color at a
+  vec2 way = (place.zw - place.xy) * u_scale;
   v_length = length(way);
   vec2 along = v_length > 0.0 ? way / v_length : vec2(1.0, 0.0);
-  v_half = max(a_width.x * u_scale, a_width.y * u_density);
+  v_half = max(width.x * u_scale, width.y * u_density);
   float reach = v_half + 1.0;
-  v_at = vec2(a_corner.x < 0.0 ? -reach : v_length + reach, a_corner.y * reach);
-  v_color = a_color;
-  v_fade = a_width.z;
-  gl_Position = vec4(clip(a_place.xy, along * v_at.x + vec2(-along.y, along.x) * v_at.y), 0.0, 1.0);
+  vec2 side = corner();
+  v_at = vec2(side.x < 0.0 ? -reach : v_length + reach, side.y * reach);
+  v_color = texel(1);  // at b
+  v_fade = width.z;
+  gl_Position = vec4(clip(place.xy, along * v_at.x + vec2(-along.y, along.x) * v_at.y), 0.0, 1.0);
 }`;
 
 const LINE_FRAGMENT = `#version 300 es
@@ -115,87 +123,83 @@ void main() {
   color = vec4(v_color.rgb, 1.0) * (v_color.a * fade * clamp(0.5 - d, 0.0, 1.0));
 }`;
 
-/** Rows of numbers that grow as they are filled. */
+/** Rows of numbers, one a shape, that grow as they are filled. */
 export class Rows {
-  data = new Float32Array(1024);
+  data = new Float32Array(COLUMNS * SHAPES_A_LINE);
   length = 0;
-  constructor(readonly columns: number) {}
   clear(): void { this.length = 0; }
   push(...numbers: number[]): void {
-    if (this.length + this.columns > this.data.length) {
+    if (this.length + COLUMNS > this.data.length) {
       const longer = new Float32Array(2 * this.data.length);
       longer.set(this.data);
       this.data = longer;
     }
     this.data.set(numbers, this.length);
-    this.length += this.columns;
+    this.length += COLUMNS;
   }
 }
 
-export const DISC_COLUMNS = 12;
-export const LINE_COLUMNS = 11;
-
-interface Shape { program: WebGLProgram; array: WebGLVertexArrayObject; buffer: WebGLBuffer; columns: number; room: number }
+interface Shape { program: WebGLProgram; uniform: Record<string, WebGLUniformLocation | null> }
 
 export interface Painter {
   gl: WebGL2RenderingContext;
   discs: Shape;
   lines: Shape;
+  textures: Map<Rows, { texture: WebGLTexture; lines: number }>;
 }
 
 export function makePainter(gl: WebGL2RenderingContext): Painter {
   gl.enable(gl.BLEND);
   gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-  const discs = makeShape(gl, DISC_VERTEX, DISC_FRAGMENT, [4, 4, 4]);
-  const lines = makeShape(gl, LINE_VERTEX, LINE_FRAGMENT, [4, 4, 3]);
-  return { gl, discs, lines };
+  gl.bindVertexArray(gl.createVertexArray());  // of no attributes: a vertex is known by its number
+  return { gl, discs: makeShape(gl, DISC_VERTEX, DISC_FRAGMENT), lines: makeShape(gl, LINE_VERTEX, LINE_FRAGMENT), textures: new Map() };
 }
 
 /** Where all that is drawn next stands: meters in the middle, device pixels a meter and a pixel of CSS. */
-export function look(painter: Painter, x: number, y: number, scale: number, density: number, ink: number[]): void {
-  const { gl } = painter;
-  for (const { program } of [painter.discs, painter.lines]) {
+export function look({ gl, discs, lines }: Painter, x: number, y: number, scale: number, density: number, ink: number[]): void {
+  for (const { program, uniform } of [lines, discs]) {
     gl.useProgram(program);
-    gl.uniform2f(gl.getUniformLocation(program, "u_middle"), x, y);
-    gl.uniform2f(gl.getUniformLocation(program, "u_size"), gl.drawingBufferWidth, gl.drawingBufferHeight);
-    gl.uniform1f(gl.getUniformLocation(program, "u_scale"), scale);
-    gl.uniform1f(gl.getUniformLocation(program, "u_density"), density);
+    gl.uniform2f(uniform["u_middle"]!, x, y);
+    gl.uniform2f(uniform["u_size"]!, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.uniform1f(uniform["u_scale"]!, scale);
+    gl.uniform1f(uniform["u_density"]!, density);
   }
-  gl.useProgram(painter.discs.program);
-  gl.uniform4fv(gl.getUniformLocation(painter.discs.program, "u_ink"), ink);
+  gl.uniform4fv(discs.uniform["u_ink"]!, ink);
 }
 
-export function paint(gl: WebGL2RenderingContext, shape: Shape, rows: Rows): void {
+/** `isNew`: the rows are others than when they were painted last. */
+export function paint(painter: Painter, shape: Shape, rows: Rows, isNew = true): void {
   if (rows.length === 0) return;
+  const { gl } = painter;
   gl.useProgram(shape.program);
-  gl.bindVertexArray(shape.array);
-  gl.bindBuffer(gl.ARRAY_BUFFER, shape.buffer);
-  if (rows.length > shape.room) {
-    shape.room = rows.data.length;
-    gl.bufferData(gl.ARRAY_BUFFER, 4 * shape.room, gl.DYNAMIC_DRAW);
-  }
-  gl.bufferSubData(gl.ARRAY_BUFFER, 0, rows.data, 0, rows.length);
-  gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows.length / shape.columns);
+  upload(painter, rows, isNew);
+  gl.drawArrays(gl.TRIANGLES, 0, 6 * (rows.length / COLUMNS));
 }
 
-function makeShape(gl: WebGL2RenderingContext, vertex: string, fragment: string, widths: number[]): Shape {
+/** Leaves the texture of `rows` bound. */
+function upload({ gl, textures }: Painter, rows: Rows, isNew: boolean): void {
+  let known = textures.get(rows);
+  if (!known) {
+    textures.set(rows, known = { texture: gl.createTexture()!, lines: 0 });
+    gl.bindTexture(gl.TEXTURE_2D, known.texture);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+  }
+  gl.bindTexture(gl.TEXTURE_2D, known.texture);
+  const width = TEXELS * SHAPES_A_LINE;
+  const room = rows.data.length / (COLUMNS * SHAPES_A_LINE);
+  if (known.lines !== room) {
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, room, 0, gl.RGBA, gl.FLOAT, rows.data);
+    known.lines = room;
+  } else if (isNew) {
+    const lines = Math.ceil(rows.length / (COLUMNS * SHAPES_A_LINE));
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, lines, gl.RGBA, gl.FLOAT, rows.data);
+  }
+}
+
+function makeShape(gl: WebGL2RenderingContext, vertex: string, fragment: string): Shape {
   const program = link(gl, vertex, fragment);
-  const array = gl.createVertexArray()!;
-  gl.bindVertexArray(array);
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ARRAY_BUFFER, QUAD, gl.STATIC_DRAW);
-  gl.enableVertexAttribArray(0);
-  gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
-  const buffer = gl.createBuffer()!;
-  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-  const columns = widths.reduce((sum, width) => sum + width, 0);
-  widths.reduce((offset, width, k) => {
-    gl.enableVertexAttribArray(k + 1);
-    gl.vertexAttribPointer(k + 1, width, gl.FLOAT, false, 4 * columns, 4 * offset);
-    gl.vertexAttribDivisor(k + 1, 1);
-    return offset + width;
-  }, 0);
-  return { program, array, buffer, columns, room: 0 };
+  const names = ["u_middle", "u_size", "u_scale", "u_density", "u_ink"];
+  return { program, uniform: Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(program, name)])) };
 }
 
 function link(gl: WebGL2RenderingContext, vertex: string, fragment: string): WebGLProgram {

@@ -7,7 +7,7 @@ import type { Contact, Lab } from "./lab.ts";
 import { STATUS_COLORS } from "./palette.ts";
 import type { Shown } from "./shown.ts";
 import { forHeads, forTrails, type Trails } from "./trails.ts";
-import { DISC_COLUMNS, LINE_COLUMNS, Rows } from "./webgl.ts";
+import { Rows } from "./webgl.ts";
 
 export type Coloring = "goal" | "status" | "speed";
 export const FORM = { disc: 0, ring: 1, dashed: 2, diamond: 3, cross: 4 };
@@ -15,6 +15,7 @@ export const MARK = { none: 0, wedge: 1, dart: 2, dot: 3, bar: 4 };
 
 const LEAST_RADIUS = 1;      // pixels: a disc never vanishes
 const LEAST_OF_FEW = 3.5;    // the same where there are few, so that they are found
+const LEAST_AIRPLANE = 6;    // so that one sees where it flies
 const FEW = 50;              // robots
 const MANY_GOALS = 250;      // robots: of more, only the goals of those that are looked at are drawn
 const BRAKING = STATUSES.indexOf("braking");
@@ -36,13 +37,13 @@ export function themePaint(): Paint {
 
 /** Rows that are filled anew for each picture; `under` is drawn first, `trail` only changes with the steps. */
 export class Layers {
-  ground = new Rows(LINE_COLUMNS);
-  trail = new Rows(LINE_COLUMNS);
-  heads = new Rows(LINE_COLUMNS);
-  below = new Rows(DISC_COLUMNS);
-  links = new Rows(LINE_COLUMNS);
-  discs = new Rows(DISC_COLUMNS);
-  above = new Rows(DISC_COLUMNS);
+  ground = new Rows();
+  trail = new Rows();
+  heads = new Rows();
+  below = new Rows();
+  links = new Rows();
+  discs = new Rows();
+  above = new Rows();
   clear(): void {
     for (const rows of [this.ground, this.heads, this.below, this.links, this.discs, this.above]) rows.clear();
   }
@@ -50,7 +51,7 @@ export class Layers {
 
 export function line(rows: Rows, ax: number, ay: number, bx: number, by: number, color: Rgb, alpha: number,
                      half: number, pixels: number, fade = 1): void {
-  rows.push(ax, ay, bx, by, color[0], color[1], color[2], alpha, half, pixels, fade);
+  rows.push(ax, ay, bx, by, color[0], color[1], color[2], alpha, half, pixels, fade, 0);
 }
 
 export interface DiscLook { form?: number; mark?: number; outline?: number; least?: number; heading?: number }
@@ -154,10 +155,11 @@ export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint)
 /** Filled: it goes its way. Hollow: it brakes. Dashed: nothing is safe. A heavy rim: it touches. A dot: it has arrived. */
 export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint): void {
   const { moment, robots } = shown;
-  const least = moment.robot.length <= FEW ? LEAST_OF_FEW : LEAST_RADIUS;
+  const few = moment.robot.length <= FEW;
   for (let i = 0; i < moment.robot.length; ++i) {
     const [x, y, r, color, heading] = [shown.x[i]!, shown.y[i]!, shown.radius[i]!, colors[i]!, shown.heading[i]!];
     const robot = robots[i];
+    const least = !few ? LEAST_RADIUS : robot?.model === "airplane" ? LEAST_AIRPLANE : LEAST_OF_FEW;
     const status = moment.decided[i] ? moment.status[i] : -1;
     if (robot?.parked) {
       disc(layers.discs, x, y, r, paint.mover, 0.9, { mark: MARK.bar, least });

@@ -79,7 +79,6 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     layers.clear();
     const colors = robotColors(lab, shown, lab.coloring, homes);
     if (trailsAreOld) drawTrails(layers, trails, shown, colors);
-    trailsAreOld = false;
     drawGrid(layers, camera, theme);
     drawWays(layers, shown, colors);
     drawWalls(layers, lab, theme);
@@ -92,20 +91,22 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     view.preview?.(layers, theme);
   }
 
-  function show({ gl, discs, lines }: Painter): void {
+  function show(painter: Painter): void {
+    const { gl, discs, lines } = painter;
     const { camera } = view;
     const density = canvas.width / camera.width;
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(...theme.world, 1);
     gl.clear(gl.COLOR_BUFFER_BIT);
-    look({ gl, discs, lines }, camera.x, camera.y, camera.scale * density, density, [...theme.world, 0.9]);
-    paint(gl, lines, layers.ground);
-    paint(gl, lines, layers.trail);
-    paint(gl, lines, layers.heads);
-    paint(gl, discs, layers.below);
-    paint(gl, lines, layers.links);
-    paint(gl, discs, layers.discs);
-    paint(gl, discs, layers.above);
+    look(painter, camera.x, camera.y, camera.scale * density, density, [...theme.world, 0.9]);
+    paint(painter, lines, layers.ground);
+    paint(painter, lines, layers.trail, trailsAreOld);
+    paint(painter, lines, layers.heads);
+    paint(painter, discs, layers.below);
+    paint(painter, lines, layers.links);
+    paint(painter, discs, layers.discs);
+    paint(painter, discs, layers.above);
+    trailsAreOld = false;
   }
 
   function resize(): void {
