@@ -27,29 +27,6 @@ Vec2 new_velocity_of(const Neighbor& neighbor, const PlannerOptions& options) {
   return neighbor.velocity + options.control_time * neighbor.acceleration;
 }
 
-LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_t i,
-                            const PlannerOptions& options) {
-  const Response response = disregards_acceleration(options.method)
-                                ? Response::velocity()
-                                : Response::proportional(options.control_time);
-  const Neighbor& neighbor = perception.neighbors[i];
-  const Robot& robot = perception.robot;
-  const Pair pair{robot.position - neighbor.position, robot.velocity - neighbor.velocity,
-                  robot.radius + neighbor.radius};
-  if (options.method == Method::reciprocal_velocity_obstacle &&
-      neighbor.behavior == Behavior::decides) {  // α times as large, its apex moved by α to v_B
-    const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
-                                          robot.priority, neighbor.priority);
-    const Pair own{pair.position, alpha * pair.velocity, pair.radius};
-    return {{own, response, options.time_horizon / alpha},
-            robot.velocity - own.velocity,
-            source_label(perception.source[i])};
-  }
-  return {{pair, response, options.time_horizon},
-          new_velocity_of(neighbor, options),
-          source_label(perception.source[i])};
-}
-
 // Does the chosen velocity lie on the line? Programs have tolerances; a figure has pixels.
 bool lies_on(const HalfPlane& plane, Vec2 chosen) {
   return std::fabs(violation(plane, chosen)) < 1e-3;
@@ -72,6 +49,29 @@ void append_walls(const Simulation::Perception& perception, const Planner& plann
 }
 
 }  // namespace
+
+LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_t i,
+                            const PlannerOptions& options) {
+  const Response response = disregards_acceleration(options.method)
+                                ? Response::velocity()
+                                : Response::proportional(options.control_time);
+  const Neighbor& neighbor = perception.neighbors[i];
+  const Robot& robot = perception.robot;
+  const Pair pair{robot.position - neighbor.position, robot.velocity - neighbor.velocity,
+                  robot.radius + neighbor.radius};
+  if (options.method == Method::reciprocal_velocity_obstacle &&
+      neighbor.behavior == Behavior::decides) {  // α times as large, its apex moved by α to v_B
+    const double alpha = reciprocal_share(robot.max_acceleration, neighbor.max_acceleration,
+                                          robot.priority, neighbor.priority);
+    const Pair own{pair.position, alpha * pair.velocity, pair.radius};
+    return {{own, response, options.time_horizon / alpha},
+            robot.velocity - own.velocity,
+            source_label(perception.source[i])};
+  }
+  return {{pair, response, options.time_horizon},
+          new_velocity_of(neighbor, options),
+          source_label(perception.source[i])};
+}
 
 VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner) {
   VelocitySpace space;

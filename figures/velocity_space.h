@@ -55,6 +55,10 @@ struct VelocitySpace {
 /// the walls' obstacles are dashed: it does not look at them.
 VelocitySpace velocity_space(const Simulation::Perception& perception, const Planner& planner);
 
+/// The obstacle of neighbor i of what the robot saw; a label is its source.
+LabeledObstacle obstacle_of(const Simulation::Perception& perception, std::size_t i,
+                            const PlannerOptions& options);
+
 /// Boundary of the obstacle, moved by its offset, inside `view`: closed polygons, exact to about
 /// 1/1000 of the view.
 std::vector<std::vector<Vec2>> obstacle_outline(const LabeledObstacle& obstacle, const Box& view);

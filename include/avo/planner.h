@@ -293,6 +293,15 @@ class AVO_API Planner {
   void collect_half_planes(const Robot& robot, std::span<const Wall> walls,
                            WallPlanes& half_planes) const;
 
+  /// Whether the certificate lets the robot have each of these velocities (m/s) at the end of the
+  /// step, within its own limits: 1 or 0, in `admitted`, which is as long. Of one that is not
+  /// holonomic what it can follow of them is asked about. Without a certificate the limits alone
+  /// count; nothing is admitted of an airplane, which falls back on a circle, nor where plan() says
+  /// invalid_input.
+  void find_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
+                     PlanWorkspace& workspace, std::span<const Vec2> next_velocities,
+                     std::span<std::uint8_t> admitted, std::span<const Wall> walls = {}) const;
+
   /// The probability with which v' does not keep the half-plane of where the neighbor truly is, by
   /// Gaussian errors as in PlannerOptions::sensing_noise: that of the largest quantile with which
   /// it keeps the half-plane; 1 where it does not keep the one of what is sensed. 0 without noise.

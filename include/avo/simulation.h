@@ -110,6 +110,11 @@ class AVO_API Simulation {
   /// The robot forgets what it remembers of the way to its old goal (Detour), but the congestion.
   /// Throws Error if there is none, or it is parked.
   void set_goal(RobotId robot, Vec2 goal);
+  /// Somebody puts the robot down elsewhere, at rest; an airplane keeps its velocity. As if another
+  /// one of its number had come: it forgets what it remembers, is refused as in add_robot(), and a
+  /// start that breaks the invariant is accepted. Throws Error if there is none, or it is parked.
+  /// Changes nothing where it throws.
+  void move_robot(RobotId robot, Vec2 position);
 
   /// A door closes: from the next step on nobody may touch the obstacle. Throws Error on bad values
   /// (see validate), and under a certificate on an obstacle that some robot would come to touch if

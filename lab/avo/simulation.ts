@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene that is simulated.
-import { addText, addWhole, emptyBytes, taken } from "./bytes.ts";
+import { addNumber, addText, addWhole, emptyBytes, taken } from "./bytes.ts";
+import type { Bytes } from "./bytes.ts";
 import { AvoError, fromImage, get, getText, imageOf, instantiate, put } from "./instance.ts";
 import type { Instance } from "./instance.ts";
 import { momentOf } from "./moment.ts";
-import type { Moment, SceneInfo, SceneOptions } from "./types.ts";
+import type { Box, BrakingPath, Contact, Moment, Outline, RobotSetup, SceneInfo, SceneOptions } from "./types.ts";
 
 /** So many steps are done again at most where one fails. */
 const STEPS_BETWEEN_IMAGES = 256;
+/** m: beyond all obstacles; a scene has to have a robot. */
+const FAR = "[1e6, 1e6]";
 
 export class Simulation {
   #module: WebAssembly.Module;
@@ -82,6 +85,73 @@ export class Simulation {
     return this.#text("summary") || "null";
   }
 
+  /** Discs that overlap now, each pair once. */
+  contacts(): Contact[] {
+    return this.#read(() => JSON.parse(this.#text("contacts")) as Contact[]);
+  }
+
+  /** Inside the box [left, bottom, right, top], m/s: of each neighbor that the robot avoids by its obstacle the
+   * boundary of that, Eq. (29), moved by the neighbor's new velocity. */
+  outlines(robot: number, [left, bottom, right, top]: Box): Outline[] {
+    return this.#read(() => JSON.parse(this.#text("outlines", robot, left, bottom, right, top)) as Outline[]);
+  }
+
+  /** A node each of a grid over the box, m/s, bottom row first: 1 where the certificate lets the robot have that velocity
+   * at the end of the step. Nothing of an airplane, which falls back on a circle. */
+  admitted(robot: number, [left, bottom, right, top]: Box, columns: number, rows: number): Uint8Array {
+    return this.#read(() => {
+      const size = this.#instance.functions["admitted"]!(robot, left, bottom, right, top, columns, rows);
+      return get(this.#instance, size);
+    });
+  }
+
+  /** Of the robot and then of those that it sees: where they come to if they brake now. */
+  brakingPaths(robot: number): BrakingPath[] {
+    return this.#read(() => JSON.parse(this.#text("braking_paths", robot)) as BrakingPath[]);
+  }
+
+  /** Its number. Throws AvoError, as all edits do, and then changes nothing. */
+  addRobot(setup: RobotSetup): number {
+    return this.#change(() => this.#add("add_robots_of", "robot", JSON.stringify({ version: 1, robots: [setup] })));
+  }
+
+  removeRobot(robot: number): void {
+    this.#change(() => this.#instance.functions["remove_robot"]!(robot));
+  }
+
+  setGoal(robot: number, x: number, y: number): void {
+    this.#change(() => this.#instance.functions["set_goal"]!(robot, x, y));
+  }
+
+  /** Puts it down elsewhere, at rest; it keeps its number. */
+  moveRobot(robot: number, x: number, y: number): void {
+    this.#change(() => this.#instance.functions["move_robot"]!(robot, x, y));
+  }
+
+  /** `yaml` is what may stand in a list of obstacles, e.g. "{polyline: [[0, 0], [1, 0]]}". Its number. */
+  addObstacle(yaml: string): number {
+    const text = `obstacles: [${yaml}\n]\nversion: 1\nrobots: [{position: ${FAR}, goal: ${FAR}}]\n`;
+    return this.#change(() => this.#add("add_obstacle_of", "obstacle", text));
+  }
+
+  removeObstacle(obstacle: number): void {
+    this.#change(() => this.#instance.functions["remove_obstacle"]!(obstacle));
+  }
+
+  /** Another simulation, of that scene, in which robots are where those of the same numbers are in this one, and as fast;
+   * those that are not there here are not there either. Throws AvoError where the scene is refused. */
+  carriedInto(yaml: string | Uint8Array, options: SceneOptions = {}): Simulation {
+    return new Simulation(this.#module, readScene(this.#module, yaml, options, this.moment()));
+  }
+
+  #add(name: string, called: string, yaml: string): number {
+    const bytes = emptyBytes();
+    addText(bytes, called);
+    addText(bytes, yaml);
+    put(this.#instance, taken(bytes));
+    return this.#instance.functions[name]!();
+  }
+
   #text(name: string, ...words: number[]): string {
     return getText(this.#instance, this.#instance.functions[name]!(...words));
   }
@@ -113,8 +183,10 @@ export class Simulation {
   }
 }
 
-/** The scene in `yaml`, in an instance of its own. */
-export function readScene(module: WebAssembly.Module, yaml: string | Uint8Array, options: SceneOptions): Instance {
+/** The scene in `yaml`, in an instance of its own; its robots start where they are in `moment`. */
+export function readScene(
+  module: WebAssembly.Module, yaml: string | Uint8Array, options: SceneOptions, moment?: Moment,
+): Instance {
   const bytes = emptyBytes();
   addText(bytes, options.name ?? "scene");
   addText(bytes, yaml);
@@ -130,6 +202,8 @@ export function readScene(module: WebAssembly.Module, yaml: string | Uint8Array,
     addWhole(bytes, builtin ? 1 : 0);
   }
   addWhole(bytes, options.metrics ? 1 : 0);
+  addWhole(bytes, moment ? 1 : 0);
+  if (moment) addStarts(bytes, moment);
   const instance = instantiate(module);
   put(instance, taken(bytes));
   try {
@@ -138,4 +212,13 @@ export function readScene(module: WebAssembly.Module, yaml: string | Uint8Array,
     throw error instanceof AvoError ? error : new AvoError(`the module failed: ${String(error)}`);
   }
   return instance;
+}
+
+function addStarts(bytes: Bytes, { robot, position, velocity, heading }: Moment): void {
+  addWhole(bytes, robot.length);
+  robot.forEach((number, k) => {
+    addWhole(bytes, number);
+    for (const value of [position[2 * k]!, position[2 * k + 1]!, velocity[2 * k]!, velocity[2 * k + 1]!, heading[k]!])
+      addNumber(bytes, value);
+  });
 }

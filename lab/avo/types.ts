@@ -110,6 +110,9 @@ export interface Contact {
   depth: number; // m
 }
 
+/** left, bottom, right, top */
+export type Box = readonly [number, number, number, number];
+
 /** Closed polygons around what the obstacle of `of` forbids. */
 export interface Outline {
   of: string;

@@ -32,6 +32,9 @@ Lab& lab();
 /// Index into the fleet of the robot with that number. Throws Error where there is none.
 std::size_t index_of(std::uint64_t robot);
 
+/// "robots.3", or "moving_obstacles.0" of source -1.
+std::string name_of(std::int64_t source);
+
 /// Bytes that the host has put into the room, in their order: numbers of 4 and 8 bytes, and texts
 /// behind their lengths.
 class Input {
@@ -61,6 +64,9 @@ class Input {
   std::vector<std::byte> bytes_;
   std::size_t at_ = 0;
 };
+
+/// m, of each robot of the present fleet, see avo/clearance.h; until the next call.
+std::span<const float> clearances_of(const avo::FleetView& fleet);
 
 /// What is in the room, which is empty then.
 std::vector<std::byte> taken_from_room();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -55,12 +56,16 @@ class Columns {
 
 }  // namespace
 
+std::span<const float> clearances_of(const avo::FleetView& fleet) {
+  static Clearances clearances;
+  return clearances.of(fleet);
+}
+
 /// Into the room, the longer numbers first, so that each column is aligned: time, steps; numbers of
 /// robots n and of moving obstacles m; of the robots position, velocity, goal, heading,
 /// acceleration; of the obstacles position and velocity; of the robots clearance, number, status,
 /// and whether each has decided and is at its goal.
 AVO_EXPORT(std::size_t, moment)() {
-  static Clearances clearances;
   const avo::Simulation& simulation = *lab().simulation;
   const avo::FleetView fleet = simulation.fleet();
   const avo::ObstacleView obstacles = simulation.obstacles();
@@ -76,7 +81,7 @@ AVO_EXPORT(std::size_t, moment)() {
   columns.add_all(fleet.applied_acceleration);
   for (std::size_t k = 0; k < obstacles.position.size(); ++k)
     columns.add(obstacles.position[k]), columns.add(obstacles.velocity[k]);
-  columns.add_all(clearances.of(fleet));
+  columns.add_all(clearances_of(fleet));
   for (const avo::RobotId id : fleet.id) columns.add(static_cast<std::int32_t>(id.value));
   for (const avo::Plan& plan : fleet.plan) columns.add(plan.status);
   for (std::size_t k = 0; k < fleet.id.size(); ++k) columns.add(simulation.decided(k));

@@ -165,18 +165,31 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   return {backup_velocity(robot, law), Chosen::backup};
 }
 
+Proposals proposals_of(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
+                       CertifiedWorkspace& workspace) {
+  const double u = increment(robot.max_acceleration, law.step);
+  return {robot,
+          law,
+          {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
+          is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
+          wanted,
+          workspace};
+}
+
 }  // namespace
+
+bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
+                CertifiedWorkspace& workspace) {
+  const Proposals proposals = proposals_of(robot, next_velocity, law, workspace);
+  proposals.begin();
+  if (!is_within_limits(proposals)) return false;
+  return law.kind == Certificate::none ||
+         is_admitted(proposals, followed(proposals, next_velocity));
+}
 
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace) {
-  const double u = increment(robot.max_acceleration, law.step);
-  const Proposals proposals{
-      robot,
-      law,
-      {robot.velocity, is_holonomic(robot.model) ? u : reach_of(robot.model) * u},
-      is_holonomic(robot.model) ? robot.max_speed : top_speed_of(robot, u),
-      wanted,
-      workspace};
+  const Proposals proposals = proposals_of(robot, wanted, law, workspace);
   return law.kind == Certificate::stopping_capsules ? choose_by_half_planes(proposals)
                                                     : choose_by_cuts(proposals);
 }

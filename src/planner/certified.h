@@ -38,4 +38,8 @@ struct CertifiedWorkspace {
 CertifiedChoice choose_certified(const Robot& robot, Vec2 wanted, const CertificateLaw& law,
                                  CertifiedWorkspace& workspace);
 
+/// Whether choose_certified() could choose what the robot follows of that velocity.
+bool may_choose(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
+                CertifiedWorkspace& workspace);
+
 }  // namespace avo

@@ -44,6 +44,16 @@ std::span<const std::uint32_t> list_planned(const Planner& planner, const Robot&
   return scratch.order;
 }
 
+// scratch.listed becomes those that a certificate looks at, in the order of scratch.order.
+void list_seen(const Planner& planner, const Robot& robot, std::span<const Neighbor> neighbors,
+               std::span<const Wall> walls, PlanWorkspace::Scratch& scratch) {
+  rank(robot, neighbors, scratch);
+  std::sort(scratch.order.begin(), scratch.order.end());
+  leave_out_hidden(planner, robot, neighbors, walls, scratch.order);
+  scratch.listed.clear();
+  for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
+}
+
 // What the circle of an airplane keeps from each.
 void list_walls_of_flight(const Robot& robot, double time_step, std::span<const Wall> walls,
                           std::vector<WallConstraint>& constraints) {
@@ -128,16 +138,28 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
   }
 }
 
+void Planner::find_admitted(const Robot& robot, std::span<const Neighbor> neighbors,
+                            PlanWorkspace& workspace, std::span<const Vec2> next_velocities,
+                            std::span<std::uint8_t> admitted, std::span<const Wall> walls) const {
+  std::fill(admitted.begin(), admitted.end(), std::uint8_t{0});
+  if (is_airplane(robot.model) || !all_valid(robot, neighbors) || !follows_heading(robot) ||
+      !can_follow(robot, neighbors, options_))
+    return;
+  PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+  list_seen(*this, robot, neighbors, walls, scratch);
+  const CertificateLaw law = certificate_law(*this);
+  if (law.kind != Certificate::none)
+    collect_constraints(robot, scratch.listed, law, scratch.certified.constraints, walls);
+  for (std::size_t k = 0; k < next_velocities.size(); ++k)
+    admitted[k] = may_choose(robot, next_velocities[k], law, scratch.certified) ? 1 : 0;
+}
+
 void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
                                   PlanWorkspace& workspace,
                                   std::vector<CertificateConstraint>& constraints,
                                   std::span<const Wall> walls) const {
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-  rank(robot, neighbors, scratch);
-  std::sort(scratch.order.begin(), scratch.order.end());
-  leave_out_hidden(*this, robot, neighbors, walls, scratch.order);
-  scratch.listed.clear();
-  for (const std::uint32_t k : scratch.order) scratch.listed.push_back(neighbors[k]);
+  list_seen(*this, robot, neighbors, walls, scratch);
   if (is_airplane(robot.model)) {
     const Robot on_circle = with_circle(robot);
     collect_flight(on_circle, in_columns(scratch.listed, scratch.alone.neighbors), {},

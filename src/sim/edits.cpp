@@ -3,12 +3,14 @@
 #include "sim/edits.h"
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "avo/error.h"
 #include "core/ranges.h"
+#include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/edit_checks.h"
 #include "sim/world.h"
@@ -139,6 +141,33 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   Detour& detour = world.fleet.detour[slot];
   detour = {.congestion = detour.congestion};  // the rest is about the way to that goal
   if (Flight* flight = world.fleet.flight(slot)) flight->has_arrived = false;
+}
+
+void move_robot(World& world, RobotId robot, Vec2 position) {
+  Fleet& fleet = world.fleet;
+  const std::size_t slot = fleet.find(robot);
+  if (fleet.conduct[slot].parked)
+    refuse(name_of(robot), "another place for it", "one that is not parked");
+  RobotSetup setup = fleet.setup(slot);
+  setup.position = position;
+  if (!passes_goal(setup.model)) setup.velocity = {};
+  check_values(world, setup, robot, !world.statics.walls.empty());
+  const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
+  Ways& ways = world.ways;
+  if (!ways.empty())
+    ways.travels[rank] = ways.plan(disc_radius(setup), disc_center(setup), setup.goal);
+  fleet.position[slot] = disc_center(setup);
+  fleet.velocity[slot] = start_velocity(setup);
+  fleet.nearest[slot] = std::numeric_limits<float>::infinity();
+  fleet.detour[slot] = {};
+  fleet.plan[slot] = {};
+  fleet.applied_acceleration[slot] = 0.0;
+  if (Flight* own = fleet.flight(slot))
+    *own = {*circle_of(setup.model, fleet.position[slot], fleet.velocity[slot])};
+  if (fleet.has_clocks) start_clock(world, slot);
+  world.senses.renew(rank, world.steps);
+  world.senses.note(fleet, world.steps);
+  world.changed = true;
 }
 
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle) {

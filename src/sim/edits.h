@@ -11,6 +11,7 @@ struct World;
 RobotId add_robot(World& world, const RobotSetup& setup);
 void remove_robot(World& world, RobotId robot);
 void set_goal(World& world, RobotId robot, Vec2 goal);
+void move_robot(World& world, RobotId robot, Vec2 position);
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle);
 void remove_obstacle(World& world, ObstacleId obstacle);
 

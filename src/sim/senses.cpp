@@ -189,6 +189,13 @@ void Senses::remove(std::size_t rank) {
   since.erase(since.begin() + static_cast<std::ptrdiff_t>(rank));
 }
 
+void Senses::renew(std::size_t rank, std::int64_t generation) {
+  if (are_exact()) return;
+  const auto first = past.begin() + static_cast<std::ptrdiff_t>(rank * depth);
+  std::fill(first, first + static_cast<std::ptrdiff_t>(depth), PastState{});
+  since[rank] = generation;
+}
+
 void Senses::note(const Fleet& fleet, std::int64_t generation) {
   if (are_exact()) return;
   const std::size_t place = static_cast<std::size_t>(generation) % depth;

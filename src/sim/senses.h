@@ -44,6 +44,8 @@ struct Senses {
   /// Throws nothing after reserve_one().
   void add(std::int64_t generation);
   void remove(std::size_t rank);
+  /// As if another robot had come in its place.
+  void renew(std::size_t rank, std::int64_t generation);
   /// What the present generation is.
   void note(const Fleet& fleet, std::int64_t generation);
 };

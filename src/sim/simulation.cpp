@@ -145,6 +145,11 @@ void Simulation::remove_robot(RobotId robot) {
   state_->is_mirrored = false;
 }
 
+void Simulation::move_robot(RobotId robot, Vec2 position) {
+  avo::move_robot(*state_, robot, position);
+  state_->is_mirrored = false;
+}
+
 void Simulation::set_goal(RobotId robot, Vec2 goal) {
   avo::set_goal(*state_, robot, goal);
   state_->is_mirrored = false;

@@ -241,4 +241,75 @@ TEST(Edits, a_new_goal_begins_anew) {
   EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
 }
 
+// As a scene in which it had stood there from the start: nothing of it is remembered elsewhere.
+TEST(Edits, a_robot_that_is_put_down_elsewhere_is_as_if_it_had_come_there) {
+  Scenario scene = rooms({robot_at({3, 5}, {17, 5}), robot_at({3, 8}, {17, 8})});
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 30; ++k) simulation.step();
+  simulation.move_robot({0}, {2, 2});
+  EXPECT_EQ(simulation.fleet().position[0], (Vec2{2, 2}));
+  EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
+  EXPECT_EQ(simulation.fleet().id[0].value, 0u);
+  EXPECT_NEAR(simulation.way(0).length, norm(Vec2{8, 3}) + 7.0, 1.5);  // by the door, from there
+
+  scene.robots = {simulation.fleet().setup[0], simulation.fleet().setup[1]};
+  scene.robots[1].velocity = simulation.fleet().velocity[1];
+  Simulation fresh(scene, 1);
+  for (int k = 0; k < 60; ++k) {
+    simulation.step(), fresh.step();
+    ASSERT_EQ(simulation.fleet().position[0], fresh.fleet().position[0]) << k;
+  }
+}
+
+TEST(Edits, robots_that_are_moved_are_kept_apart_and_saved) {
+  Judged judged(rooms({robot_at({3, 5}, {17, 5}), robot_at({5, 5.2}, {17, 8})}), 1);
+  Simulation& simulation = judged.simulation;
+  judged.run(2.0);
+  const std::vector<std::byte> before = simulation.save();
+  EXPECT_THROW(simulation.move_robot({7}, {2, 2}), Error);
+  EXPECT_THROW(simulation.move_robot({0}, {std::nan(""), 2}), Error);
+  EXPECT_TRUE(simulation.save() == before);
+  simulation.move_robot({1}, {2, 7});
+  Simulation other(simulation.save(), 1);
+  for (int k = 0; k < 150; ++k) simulation.step(), other.step();
+  EXPECT_EQ(simulation.state_hash(), other.state_hash());
+  EXPECT_GE(norm(simulation.fleet().position[0] - simulation.fleet().position[1]), 1.0);
+}
+
+TEST(Edits, delayed_senses_see_nothing_of_where_a_moved_robot_was) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {20, 0}), robot_at({8, 0}, {-20, 0})};
+  scene.sensing.delay = 5;
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 10; ++k) simulation.step();
+  EXPECT_EQ(simulation.perceive(0).neighbors.size(), 1u);
+  simulation.move_robot({1}, {8, 9});
+  for (const Neighbor& seen : simulation.perceive(0).neighbors)
+    EXPECT_GT(seen.position.y, 8.0) << "where it is, or nothing yet";
+  for (int k = 0; k < 100; ++k) simulation.step();
+  EXPECT_GE(norm(simulation.fleet().position[0] - simulation.fleet().position[1]), 1.0);
+}
+
+TEST(Edits, parked_robots_are_not_moved_and_airplanes_fly_on) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {20, 0}), robot_at({8, 0}, {8, 0})};
+  scene.robots[1].parked = true;
+  Simulation simulation(scene, 1);
+  EXPECT_THROW(simulation.move_robot({1}, {8, 9}), Error);
+
+  Scenario sky;
+  sky.sensing_radius = 100.0;
+  sky.robots = {robot_at({0, 0}, {60, 0})};
+  sky.robots[0].model = Airplane{};
+  sky.robots[0].velocity = {2.0, 0.0};
+  Simulation flying(sky, 1);
+  flying.step();
+  const Vec2 velocity = flying.fleet().velocity[0];
+  flying.move_robot({0}, {0, 30});
+  EXPECT_EQ(flying.fleet().position[0], (Vec2{0, 30}));
+  EXPECT_NEAR(norm(flying.fleet().velocity[0] - velocity), 0.0, 1e-12);
+  flying.step();
+  EXPECT_LT(norm(flying.fleet().position[0] - Vec2{0, 30}), 0.5);
+}
+
 }  // namespace avo

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the host changes between steps. Each of these throws Error on bad input.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "avo_io/scene.h"
+#include "host.h"
+
+namespace avo_lab {
+
+/// The last robot of the scene whose text is in the room, behind its name; its number.
+AVO_EXPORT(double, add_robots_of)() {
+  Input input(taken_from_room());
+  const std::string name = input.text();
+  const avo::Scenario scene = avo_io::parse_scenario(input.text(), name);
+  avo::RobotId added;
+  for (const avo::RobotSetup& robot : scene.robots) added = lab().simulation->add_robot(robot);
+  return static_cast<double>(added.value);
+}
+
+/// The obstacle of the scene whose text is in the room, behind its name; its number.
+AVO_EXPORT(double, add_obstacle_of)() {
+  Input input(taken_from_room());
+  const std::string name = input.text();
+  const avo::Scenario scene = avo_io::parse_scenario(input.text(), name);
+  avo::ObstacleId added;
+  for (const avo::StaticObstacle& obstacle : scene.obstacles)
+    added = lab().simulation->add_obstacle(obstacle);
+  return static_cast<double>(added.value);
+}
+
+AVO_EXPORT(void, remove_robot)(std::uint32_t robot) {
+  lab().simulation->remove_robot({robot});
+}
+
+AVO_EXPORT(void, remove_obstacle)(std::uint32_t obstacle) {
+  lab().simulation->remove_obstacle({obstacle});
+}
+
+/// m.
+AVO_EXPORT(void, set_goal)(std::uint32_t robot, double x, double y) {
+  lab().simulation->set_goal({robot}, {x, y});
+}
+
+/// m.
+AVO_EXPORT(void, move_robot)(std::uint32_t robot, double x, double y) {
+  lab().simulation->move_robot({robot}, {x, y});
+}
+
+}  // namespace avo_lab
