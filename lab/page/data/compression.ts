@@ -58,7 +58,9 @@ export function bytesOfBase64(text: string): Uint8Array<ArrayBuffer> {
   } catch {
     refuse("found a character that is none of base64");
   }
-  return Uint8Array.from(characters, (character) => character.charCodeAt(0));
+  const bytes = new Uint8Array(characters.length);  // from() would take ten times as long
+  for (let k = 0; k < bytes.length; ++k) bytes[k] = characters.charCodeAt(k);
+  return bytes;
 }
 
 /** Base64 that needs no escapes in an address. */
