@@ -66,6 +66,7 @@ export function mountCharts(lab: Lab, root: HTMLElement): void {
     else timer = window.setTimeout(refresh, rest);
   };
   lab.on("moment", soon);
+  lab.on("past", soon);
   lab.on("scene", soon);
   lab.on("theme", () => {
     rebuild();

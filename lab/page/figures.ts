@@ -11,12 +11,12 @@ export function mountFigures(lab: Lab, root: HTMLElement): void {
 }
 
 function figuresOf(lab: Lab): HTMLElement[] {
-  const { moment, past, contacts } = lab;
+  const { moment, contacts } = lab;
   const figure = (label: string, value: string, bad = false) =>
     element("span", { class: bad ? "figure figure-bad" : "figure" }, element("b", {}, value), element("small", {}, label));
   const arrived = moment.arrived.reduce((sum, there) => sum + there, 0);
   const touched = contacts.filter((contact) => contact.time <= moment.time + 1e-9).length;
-  const now = past.clearance[Math.min(moment.steps, past.size - 1)] ?? Infinity;
+  const now = moment.clearance.reduce((least, clearance) => Math.min(least, clearance), Infinity);
   return [
     figure(moment.robot.length === 1 ? "robot" : "robots", String(moment.robot.length)),
     figure("arrived", String(arrived)),

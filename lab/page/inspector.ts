@@ -85,6 +85,7 @@ export function mountInspector(lab: Lab, root: HTMLElement): void {
     else late = window.setTimeout(refresh, rest);
   });
   for (const event of ["moment", "scene", "playing"] as const) lab.on(event, refreshSoon);
+  lab.on("past", () => strip.redraw());
   lab.on("selection", refresh);
   lab.on("theme", refresh);
   lab.on("highlight", () => {

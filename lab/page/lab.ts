@@ -3,10 +3,10 @@
 import type { AvoError, Library, Moment, SceneInfo, SceneOptions, Simulation } from "../avo/avo.ts";
 
 /**
- * moment: another step or time is shown. scene: other robots, walls, options or another run. text: the YAML changed.
+ * moment: another step or time is shown. past: more of a recording has been read. scene: other robots, walls, options or another run. text: the YAML changed.
  * Listeners read what they need from the Lab; several events of one kind within a frame may come as one.
  */
-export type LabEvent = "moment" | "scene" | "selection" | "highlight" | "playing" | "error" | "text" | "theme" | "coloring";
+export type LabEvent = "moment" | "past" | "scene" | "selection" | "highlight" | "playing" | "error" | "text" | "theme" | "coloring";
 
 /** What each step of the run so far came to: column k is about the moment at times[k]. Lengths are `size`. */
 export interface Past {

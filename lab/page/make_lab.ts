@@ -85,7 +85,11 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
     for (const event of events) say(event);
   }
   function start(next: Run): void {
+    if (run instanceof RecordedRun) run.close();
     run = next;
+    if (next instanceof RecordedRun) {
+      next.readPast(() => { if (run === next) say("past"); }).catch((error) => { if (run === next) fail(error); });
+    }
     pauseNow();
     if (lab.selected !== null && !run.moment.robot.includes(lab.selected)) lab.select(null);
     shown("scene", "moment");

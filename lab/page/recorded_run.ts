@@ -9,10 +9,12 @@ import { lastAt, type Run } from "./run.ts";
 
 const FRAMES_KEPT = 128;
 const FRAMES_AHEAD = 24;
+const READING = 12;  // ms at a time, while the past is read
+const RESTING = 20;  // ms in between
 
 export type Goals = Map<number, [number, number]>;
 
-/** Frame `index` is shown; row k of the past is frame k, as far as frames have been shown one after the other. */
+/** Frame `index` is shown; row k of the past is frame k, as far as all frames have been read, one after the other. */
 export class RecordedRun implements Run {
   readonly live = null;
   before: Moment | null = null;
@@ -21,13 +23,33 @@ export class RecordedRun implements Run {
   private readonly log = new ContactLog();
   private readonly frames = new Map<number, Moment>();
   private readonly wanted = new Set<number>();
+  private isClosed = false;
 
   private constructor(readonly recording: Recording, readonly info: SceneInfo, private readonly goals: Goals,
                       public moment: Moment) {
     this.frames.set(0, moment);
-    this.note();
+    this.note(moment);
     this.readAhead();
   }
+
+  /** Reads all frames for the past, while the page goes on; calls `tell` now and then. */
+  async readPast(tell: () => void): Promise<void> {
+    let before = this.frames.get(0)!;
+    let begun = performance.now();
+    for (let k = 1; k < this.recording.times.length && !this.isClosed; ++k) {
+      const moment = momentOf(await this.recording.frame(k), k, this.info, this.goals);
+      moment.acceleration = changeOfVelocity(before, moment);
+      this.note(moment);
+      before = moment;
+      if (performance.now() - begun < READING) continue;
+      await new Promise((rested) => setTimeout(rested, RESTING));
+      begun = performance.now();
+      tell();
+    }
+    if (!this.isClosed) tell();
+  }
+
+  close(): void { this.isClosed = true; }
 
   /** `goals`: x and y (m) by robot number, where the scene is known. */
   static async open(recording: Recording, info: SceneInfo, goals: Goals): Promise<RecordedRun> {
@@ -67,7 +89,6 @@ export class RecordedRun implements Run {
     this.moment = moment;
     this.before = before;
     if (before) moment.acceleration = changeOfVelocity(before, moment);
-    if (this.past.size === k) this.note();
   }
 
   private async read(k: number): Promise<Moment> {
@@ -91,10 +112,11 @@ export class RecordedRun implements Run {
     }
   }
 
-  private note(): void {
-    const touches = touchesIn(this.moment, this.info);
-    this.log.note(touches, this.moment.time, this.index ? this.recording.times[this.index - 1]! : this.moment.time);
-    this.past.push(this.moment, this.info, touches.length);
+  /** Adds the next moment to the past. */
+  private note(moment: Moment): void {
+    const touches = touchesIn(moment, this.info);
+    this.log.note(touches, moment.time, this.past.size ? this.past.times[this.past.size - 1]! : moment.time);
+    this.past.push(moment, this.info, touches.length);
   }
 }
 

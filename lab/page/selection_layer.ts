@@ -2,23 +2,24 @@
 // Who is looked at: the selected robot, its neighbors, and where both would come to rest if they braked now.
 import type { BrakingPath, Moment, Simulation } from "../avo/avo.ts";
 import type { Rgb } from "./colors.ts";
+import { simulationFor } from "./inspector.ts";
 import type { PageLab } from "./make_lab.ts";
 import type { Shown } from "./shown.ts";
 import { disc, FORM, line, ring, type Layers, type Paint } from "./world_layers.ts";
 
-interface Known { live: Simulation; moment: Moment; robot: number; paths: BrakingPath[] }
+interface Known { live: Simulation | null; moment: Moment; robot: number; paths: BrakingPath[] }
 let known: Known | null = null;  // of the last moment that was asked for
 
 /** Of the selected robot first, then of its neighbors; none of who does not decide. */
 function brakingPaths(lab: PageLab, robot: number): BrakingPath[] {
   const { live, moment } = lab;
-  if (!live) return [];
   if (known && known.live === live && known.moment === moment && known.robot === robot) return known.paths;
+  if (!live && lab.playing) return [];  // each row of a recording needs a simulation
   let paths: BrakingPath[] = [];
   try {
-    paths = live.brakingPaths(robot);
+    paths = simulationFor(lab).brakingPaths(robot);
   } catch {
-    // parked, or gone: there is nothing to show
+    // parked, or gone, or not known: there is nothing to show
   }
   known = { live, moment, robot, paths };
   return paths;

@@ -43,6 +43,7 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
     speed.value = String(lab.speed);
   };
   lab.on("moment", refresh);
+  lab.on("past", refresh);
   lab.on("scene", refresh);
   lab.on("playing", playing);
   refresh();

@@ -17,7 +17,7 @@ const MARGIN = { x: 56, top: 48, bottom: 74 };  // pixels, for what floats over 
 export interface WorldView {
   readonly canvas: HTMLCanvasElement;
   readonly camera: Camera;
-  shown: Shown;                                   // of the last picture
+  readonly shown: Shown;                          // of the last picture, or of a later moment
   preview: ((layers: Layers, paint: Paint) => void) | null;  // what a gesture is about to do
   readonly whenDrawn: Set<() => void>;
   draw(): void;
@@ -47,12 +47,18 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
   let homes = new Map<number, Rgb>();
   let trailsAreOld = true;
   let isOld = true;
+  let shown = shownOf(lab.run, 1);
+  let shownIsOld = false;
   let fitted = "";
 
   const view: WorldView = {
     canvas,
     camera: { x: 0, y: 0, scale: 10, width: 1, height: 1 },
-    shown: shownOf(lab.run, 1),
+    get shown() {
+      if (shownIsOld) shown = shownOf(lab.run, lab.share);
+      shownIsOld = false;
+      return shown;
+    },
     preview: null,
     whenDrawn: new Set(),
     touch() { isOld = true; },
@@ -67,7 +73,7 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     },
     draw() {
       isOld = false;
-      view.shown = shownOf(lab.run, lab.share);
+      shownIsOld = true;  // while it plays, every picture is of another time
       fill();
       if (painter) show(painter);
       for (const done of view.whenDrawn) done();
@@ -127,14 +133,14 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
   lab.on("moment", () => {
     noteTrails(trails, shownOf(lab.run, 1));
     trailsAreOld = true;
-    isOld = true;
+    isOld = shownIsOld = true;
   });
   lab.on("scene", () => {
+    shownIsOld = true;
     if (lab.moment.steps === 0 || homes.size === 0) homes = homeColors(shownOf(lab.run, 1), lab.theme);
     if (fitted === lab.name) return;
     fitted = lab.name;
     trails.samples.length = 0;
-    view.shown = shownOf(lab.run, 1);
     view.fit();
   });
   lab.on("theme", () => {
