@@ -46,8 +46,8 @@ function drawSelected(layers: Layers, lab: PageLab, shown: Shown, row: number, p
     drawBraking(layers, points, radius, k === 0 ? paint.accent : paint.mover, k === 0);
     const at = k > 0 && of.startsWith("robots.") ? moment.robot.indexOf(Number(of.slice("robots.".length))) : -1;
     if (at < 0) return;
-    line(layers.links, x, y, shown.x[at]!, shown.y[at]!, paint.accent, 0.35, 0, 0.6);
-    ring(layers, shown.x[at]!, shown.y[at]!, shown.radius[at]! + 0.06, paint.accent, 1.2);
+    line(layers.links, x, y, shown.x[at]!, shown.y[at]!, paint.accent, 0.22, 0, 0.6);
+    disc(layers.above, shown.x[at]!, shown.y[at]!, shown.radius[at]! + 0.1, paint.accent, 0.6, { form: FORM.ring, outline: 1, least: 4 });
   });
 }
 

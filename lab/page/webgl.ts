@@ -84,18 +84,18 @@ void main() {
   color = vec4(paint.rgb, 1.0) * (paint.a * alpha);
 }`;
 
-/** A line from a to b with round ends. */
+/** A line from a to b; with flat ends its pieces join without a trace. */
 const LINE_VERTEX = `#version 300 es
 precision highp float;
 ${PLACE}
 out vec2 v_at;
 flat out float v_half;
 flat out float v_length;
-flat out float v_fade;
+flat out vec2 v_fade;
 flat out vec4 v_color;
 void main() {
   vec4 place = texel(0);  // a, b (m)
-  vec4 width = texel(2);  // half of it (m), half of it at least (pixels), share of the color at a
+  vec4 width = texel(2);  // half of it (m), half of it at least (pixels), share of the color at a, flat ends
   vec2 way = (place.zw - place.xy) * u_scale;
   v_length = length(way);
   vec2 along = v_length > 0.0 ? way / v_length : vec2(1.0, 0.0);
@@ -104,7 +104,7 @@ void main() {
   vec2 side = corner();
   v_at = vec2(side.x < 0.0 ? -reach : v_length + reach, side.y * reach);
   v_color = texel(1);  // at b
-  v_fade = width.z;
+  v_fade = width.zw;
   gl_Position = vec4(clip(place.xy, along * v_at.x + vec2(-along.y, along.x) * v_at.y), 0.0, 1.0);
 }`;
 
@@ -113,14 +113,16 @@ precision highp float;
 in vec2 v_at;
 flat in float v_half;
 flat in float v_length;
-flat in float v_fade;
+flat in vec2 v_fade;   // share of the color at a, flat ends
 flat in vec4 v_color;
 out vec4 color;
 void main() {
   float along = clamp(v_at.x, 0.0, v_length);
   float d = length(v_at - vec2(along, 0.0)) - v_half;
-  float fade = mix(v_fade, 1.0, v_length > 0.0 ? along / v_length : 1.0);
-  color = vec4(v_color.rgb, 1.0) * (v_color.a * fade * clamp(0.5 - d, 0.0, 1.0));
+  float beyond = max(-v_at.x, v_at.x - v_length);
+  float ends = v_fade.y > 0.5 ? clamp(0.5 - beyond, 0.0, 1.0) : 1.0;
+  float fade = mix(v_fade.x, 1.0, v_length > 0.0 ? along / v_length : 1.0);
+  color = vec4(v_color.rgb, 1.0) * (v_color.a * fade * ends * clamp(0.5 - d, 0.0, 1.0));
 }`;
 
 /** Rows of numbers, one a shape, that grow as they are filled. */

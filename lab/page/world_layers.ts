@@ -50,8 +50,8 @@ export class Layers {
 }
 
 export function line(rows: Rows, ax: number, ay: number, bx: number, by: number, color: Rgb, alpha: number,
-                     half: number, pixels: number, fade = 1): void {
-  rows.push(ax, ay, bx, by, color[0], color[1], color[2], alpha, half, pixels, fade, 0);
+                     half: number, pixels: number, fade = 1, flat = false): void {
+  rows.push(ax, ay, bx, by, color[0], color[1], color[2], alpha, half, pixels, fade, Number(flat));
 }
 
 export interface DiscLook { form?: number; mark?: number; outline?: number; least?: number; heading?: number }
@@ -118,11 +118,11 @@ export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
 export function drawTrails(layers: Layers, trails: Trails, shown: Shown, colors: Rgb[]): void {
   layers.trail.clear();
   forTrails(trails, shown.moment, (row, ax, ay, bx, by, young) =>
-    line(layers.trail, ax, ay, bx, by, colors[row]!, 0.5 * Math.max(0, young), 0.04, 0.8));
+    line(layers.trail, ax, ay, bx, by, colors[row]!, 0.5 * Math.max(0, young), 0.04, 0.8, 1, true));
 }
 
 export function drawHeads(layers: Layers, trails: Trails, shown: Shown, colors: Rgb[]): void {
-  forHeads(trails, shown, (row, ax, ay, bx, by) => line(layers.heads, ax, ay, bx, by, colors[row]!, 0.5, 0.04, 0.8));
+  forHeads(trails, shown, (row, ax, ay, bx, by) => line(layers.heads, ax, ay, bx, by, colors[row]!, 0.5, 0.04, 0.8, 1, true));
 }
 
 const isLookedAt = (lab: Lab, robot: number) => robot === lab.selected || lab.highlighted === `robots.${robot}`;
@@ -183,12 +183,17 @@ export function ring(layers: Layers, x: number, y: number, radius: number, color
   disc(layers.above, x, y, radius, color, 1, { form, outline, least: 4 });
 }
 
+const FEW_TOUCHES = 12;  // of more at once, no rings are around the crosses
+
 /** Crosses where discs touched up to now; those that touch now are larger. */
 export function drawContacts(layers: Layers, contacts: readonly Contact[], time: number, paint: Paint): void {
-  for (const { x, y, time: from, last } of contacts) {
-    if (from > time + 1e-9) continue;
-    const now = last >= time - 1e-9;
-    disc(layers.above, x, y, 0, paint.danger, now ? 1 : 0.7, { form: FORM.cross, outline: now ? 2.5 : 1.6, least: now ? 7 : 4 });
-    if (now) disc(layers.above, x, y, 0, paint.danger, 0.9, { form: FORM.ring, outline: 1.5, least: 12 });
+  const begun = contacts.filter((contact) => contact.time <= time + 1e-9);
+  const isNow = ({ last }: Contact) => last >= time - 1e-9;
+  const few = begun.filter(isNow).length <= FEW_TOUCHES;
+  for (const contact of begun) {
+    const { x, y } = contact;
+    const now = isNow(contact);
+    disc(layers.above, x, y, now ? 0.35 : 0.2, paint.danger, now ? 1 : 0.7, { form: FORM.cross, outline: now ? 2.2 : 1.5, least: now ? 4 : 3 });
+    if (now && few) disc(layers.above, x, y, 0, paint.danger, 0.9, { form: FORM.ring, outline: 1.5, least: 12 });
   }
 }
