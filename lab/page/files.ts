@@ -13,7 +13,7 @@ const ROS_MAP = /^image\s*:/m;
 
 /** What a scene reads, and is none itself. */
 function isAuxiliary({ name, bytes }: OpenedFile): boolean {
-  if (/\.(map|scen|pgm|wkt)$/i.test(name)) return true;
+  if (/\.(map|scen|pgm|wkt|txt)$/i.test(name)) return true;
   return /\.ya?ml$/i.test(name) && ROS_MAP.test(textOf(bytes.subarray(0, 4096)));
 }
 

@@ -54,8 +54,8 @@ export function mountSliders(lab: PageLab, root: HTMLElement): void {
     one.disabled = !listed;
     one.textContent = lab.selected === null ? "Selected one" : `Robot ${lab.selected}`;
     one.title = lab.selected === null ? "select a robot first" : listed ? "" : "its group's keys are those of all its robots";
-    all.ariaPressed = String(!alone);
-    one.ariaPressed = String(alone);
+    all.setAttribute("aria-pressed", String(!alone));
+    one.setAttribute("aria-pressed", String(alone));
     for (const row of rows) row.refresh();
     for (const choice of choices) choice.refresh();
     const { broken_assumptions, advice } = lab.info;

@@ -23,7 +23,8 @@ export function mountTheme(lab: PageLab, button: HTMLElement): void {
   const show = (theme: "light" | "dark") => {
     document.documentElement.dataset["theme"] = theme;
     button.textContent = theme === "dark" ? "☀" : "☾";
-    button.title = button.ariaLabel = theme === "dark" ? "light colors" : "dark colors";
+    button.title = theme === "dark" ? "light colors" : "dark colors";
+    button.setAttribute("aria-label", button.title);
     lab.theme = theme;
     lab.say("theme");
   };

@@ -39,7 +39,8 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
   const playing = () => {
     const name = lab.playing ? "pause (space)" : "play (space)";
     play.replaceChildren(icon(lab.playing ? "pause" : "play"));
-    play.title = play.ariaLabel = name;
+    play.title = name;
+    play.setAttribute("aria-label", name);
     speed.value = String(lab.speed);
   };
   lab.on("moment", refresh);
