@@ -16,5 +16,5 @@ export function mountTabs(lab: Lab, root: HTMLElement): void {
   };
   root.replaceChildren(...tabs);
   lab.on("selection", () => { if (lab.selected !== null) show("inspector"); });
-  show("scene");
+  show(document.body.classList.contains("embedded") ? "inspector" : "scene");
 }

@@ -133,13 +133,21 @@ export function hasGoalShown(lab: Lab, { moment }: Shown, i: number): boolean {
   return isLookedAt(lab, moment.robot[i]!) || (moment.robot.length <= MANY_GOALS && !moment.arrived[i]);
 }
 
-export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[]): void {
+/** Whether a robot stands in that very place: who presses there means the robot, see pick(). */
+function isTaken({ x, y }: Shown, px: number, py: number, slack: number): boolean {
+  for (let i = 0; i < x.length; ++i) if (Math.abs(x[i]! - px) <= slack && Math.abs(y[i]! - py) <= slack) return true;
+  return false;
+}
+
+/** Above the robots, except where one stands in the same place; `pixel` in m. */
+export function drawGoals(layers: Layers, lab: Lab, shown: Shown, colors: Rgb[], pixel: number): void {
   const { moment } = shown;
   moment.robot.forEach((robot, i) => {
     if (!hasGoalShown(lab, shown, i)) return;
     const looked = isLookedAt(lab, robot);
     const [x, y] = [moment.goal[2 * i]!, moment.goal[2 * i + 1]!];
-    disc(layers.above, x, y, 0.22, colors[i]!, looked ? 1 : 0.6, { form: FORM.diamond, outline: looked ? 2 : 1.4, least: 3 });
+    const rows = looked || !isTaken(shown, x, y, 2 * pixel) ? layers.above : layers.below;
+    disc(rows, x, y, 0.22, colors[i]!, looked ? 1 : 0.6, { form: FORM.diamond, outline: looked ? 2 : 1.4, least: 3 });
     if (looked) line(layers.links, shown.x[i]!, shown.y[i]!, x, y, colors[i]!, 0.6, 0, 0.7);
   });
 }

@@ -89,7 +89,7 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     drawWays(layers, shown, colors);
     drawWalls(layers, lab, theme);
     drawHeads(layers, trails, shown, colors);
-    drawGoals(layers, lab, shown, colors);
+    drawGoals(layers, lab, shown, colors, 1 / camera.scale);
     drawMovers(layers, lab, shown, theme);
     drawRobots(layers, shown, colors, theme);
     drawSelection(layers, lab, shown, theme);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that are dropped: which of them is opened, and what it may read.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { makeOpener } from "../../../lab/page/files.ts";
+
+const file = (name, text) => ({ name, bytes: new TextEncoder().encode(text) });
+const SCENE = file("mine.yaml", "version: 1\nobstacles:\n  - {map: maps/small.map}\n  - {ros_map: ../hall.yaml}\n");
+const MAP = file("small.map", "type octile\n");
+const HALL = file("hall.yaml", "image: hall.pgm\nresolution: 0.1\n");
+
+/** A Lab that refuses scenes as long as it lacks a file of `needed`. */
+function labThatNeeds(...needed) {
+  const lab = {
+    error: null,
+    opened: [],
+    refuse(message) { lab.error = { message }; },
+    async openFile(name, bytes, files = []) {
+      lab.opened.push(name);
+      const missing = needed.find((path) => !files.some((known) => known.path === path));
+      lab.error = missing ? { message: `${missing}: found no such file` } : null;
+    },
+  };
+  return lab;
+}
+
+test("a scene reads what is dropped with it, by the path that it has for it", async () => {
+  const lab = labThatNeeds("maps/small.map", "../hall.yaml", "hall.pgm");
+  await makeOpener(lab)([MAP, HALL, file("hall.pgm", "P2 1 1 255 0\n"), SCENE]);
+  assert.equal(lab.error, null);
+  assert.deepEqual(lab.opened, ["mine.yaml"]);
+});
+
+test("a scene that was refused is opened again with the file that was missing", async () => {
+  const lab = labThatNeeds("maps/small.map");
+  const open = makeOpener(lab);
+  await open([SCENE]);
+  assert.match(lab.error.message, /small\.map/);
+  await open([MAP]);
+  assert.equal(lab.error, null);
+  assert.deepEqual(lab.opened, ["mine.yaml", "mine.yaml"]);
+});
+
+test("a map alone opens nothing, and is read by scenes that come later", async () => {
+  const lab = labThatNeeds("maps/small.map");
+  const open = makeOpener(lab);
+  await open([MAP]);
+  assert.match(lab.error.message, /small\.map is kept/);
+  await open([SCENE]);
+  assert.equal(lab.error, null);
+  assert.deepEqual(lab.opened, ["mine.yaml"]);
+});
+
+test("a recording is opened as it is", async () => {
+  const lab = labThatNeeds();
+  await makeOpener(lab)([file("states.csv", "time,robot,x,y,vx,vy\n0,0,0,0,0,0\n")]);
+  assert.deepEqual(lab.opened, ["states.csv"]);
+});
