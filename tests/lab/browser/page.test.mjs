@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page as a whole: its size, what the inspector tells, links, files that are saved, and recordings.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { close, frames, launch, open, openText, stateHash, steps } from "./browser.mjs";
+
+const AVO = process.env.AVO_COMMAND;
+const avo = (...words) => execFileSync(AVO, words, { encoding: "utf8" });
+let browser, folder;
+before(async () => {
+  browser = await launch();
+  folder = mkdtempSync(join(tmpdir(), "avo-lab-"));
+});
+after(async () => {
+  rmSync(folder, { recursive: true });
+  await browser.close();
+});
+
+async function withBuiltin(name, count, options = {}) {
+  const lab = await open(browser, options);
+  const text = await lab.page.evaluate((scene) => window.avoLab.library.builtinText(scene), name);
+  await openText(lab.page, text, name);
+  await steps(lab.page, count);
+  return lab;
+}
+
+test("it is one file of 1.5 MB at most", () => {
+  assert.ok(statSync(process.env.AVO_LAB_PAGE).size <= 1.5e6, `${statSync(process.env.AVO_LAB_PAGE).size} bytes`);
+});
+
+test("what the inspector shows is what avo explain says", async () => {
+  const lab = await withBuiltin("doorway", 60);
+  for (const robot of [0, 7, 13, 19]) {
+    await lab.page.evaluate((number) => window.avoLab.select(number), robot);
+    await frames(lab.page, 3);
+    const native = avo("explain", "doorway", "--robot", String(robot), "--time", "6", "--json");
+    assert.equal(await lab.page.evaluate((number) => window.avoLab.live.explain(number), robot), native);
+    const decision = JSON.parse(native);
+    const shown = await lab.page.locator("#inspector").innerText();
+    assert.match(shown, new RegExp(`Robot ${robot}\\b`));
+    assert.match(shown, new RegExp(decision.status.replace("_", "[_ ]"), "i"));
+    assert.match(shown, new RegExp(`\\(${decision.state}\\)`));
+  }
+  await close(lab);
+});
+
+test("a link holds the scene", async () => {
+  const lab = await withBuiltin("office", 10);
+  await lab.page.getByRole("button", { name: "Copy link" }).click();
+  await lab.page.waitForFunction(() => location.hash.startsWith("#scene="));
+  const [hash, text] = await lab.page.evaluate(() => [location.hash, window.avoLab.text]);
+  await close(lab);
+  const other = await open(browser, { hash });
+  assert.equal(await other.page.evaluate(() => window.avoLab.text), text);
+  await close(other);
+  const damaged = await open(browser, { hash: hash.slice(0, 60) });
+  assert.ok(await damaged.page.evaluate(() => window.avoLab.error?.message), "a link that was cut off says so");
+  await close(damaged);
+});
+
+async function saved(lab, label) {
+  const [download] = await Promise.all([
+    lab.page.waitForEvent("download", { timeout: 60_000 }),
+    lab.page.locator("summary", { hasText: "Save as" }).click().then(() => lab.page.locator("button", { hasText: label }).click()),
+  ]);
+  const path = join(folder, download.suggestedFilename());
+  await download.saveAs(path);
+  return path;
+}
+
+test("files that are saved are what other programs read", async () => {
+  const lab = await withBuiltin("circle-10", 40);
+  const yaml = await saved(lab, "Scene (YAML)");
+  assert.match(avo("validate", yaml), /10 robots/);
+  const csv = await saved(lab, "States so far (CSV)");
+  const native = join(folder, "native.csv");
+  avo("run", "circle-10", "--duration", "4", "--record", native, "-q");
+  assert.equal(readFileSync(csv, "utf8"), readFileSync(native, "utf8"));
+  const hash = await stateHash(lab.page);
+  assert.deepEqual([...readFileSync(await saved(lab, "Picture (PNG)")).subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+  assert.equal(readFileSync(await saved(lab, "Animation (GIF)")).subarray(0, 6).toString(), "GIF89a");
+  assert.deepEqual([...readFileSync(await saved(lab, "Film (WebM)")).subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);
+  assert.equal(await stateHash(lab.page), hash, "and the run is where it was");
+  await close(lab);
+});
+
+test("recordings play, as HDF5 and as CSV", async () => {
+  const lab = await open(browser);
+  for (const name of ["run.h5", "run.csv"]) {
+    const path = join(folder, name);
+    avo("run", "circle-10", "--duration", "8", "--record", path, "-q");
+    if (name.endsWith("csv")) await openText(lab.page, avo("scenes", "circle-10"), "circle-10");
+    await lab.page.evaluate(
+      ([called, base64]) => window.avoLab.openFile(called, Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))),
+      [name, readFileSync(path).toString("base64")],
+    );
+    assert.equal(await lab.page.evaluate(() => window.avoLab.error?.message ?? null), null);
+    await lab.page.evaluate(() => window.avoLab.seek(8));
+    await lab.page.waitForFunction(() => Math.abs(window.avoLab.moment.time - 8) < 1e-6);
+    const rows = avo("run", "circle-10", "--duration", "8", "--record", "-", "-q").trim().split("\n").slice(-10);
+    const positions = rows.flatMap((row) => row.split(",").slice(2, 4).map(Number));
+    assert.deepEqual(await lab.page.evaluate(() => [...window.avoLab.moment.position]), positions, name);
+  }
+  await close(lab);
+});
+
+test("what the command line puts into the page is opened", async () => {
+  const html = readFileSync(process.env.AVO_LAB_PAGE, "utf8");
+  const empty = '<script id="avo-input" type="application/json">null</script>';
+  assert.ok(html.includes(empty));
+  const input = {
+    kind: "scene", name: "given", yaml: "version: 1\nname: '</script>'\nrobots:\n  - {position: [0, 0], goal: [9, 0]}\n",
+    overrides: ["robots.0.radius=0.25"], files: [], start_at_rest: false, limit_speed: false,
+  };
+  const path = join(folder, "given.html");
+  writeFileSync(path, html.replace(empty, () => empty.replace("null", () => JSON.stringify(input).replaceAll("<", "\\u003c"))));
+  const lab = await open(browser, { path });
+  assert.deepEqual(await lab.page.evaluate(() => [window.avoLab.info.name, window.avoLab.info.robots[0].radius]), ["</script>", 0.25]);
+  await close(lab);
+});
