@@ -4,7 +4,7 @@ import type { Moment } from "../avo/avo.ts";
 import type { Shown } from "./shown.ts";
 
 const SECONDS = 4;         // of the scene's time scale: a robot comes a few of its diameters far
-const SEGMENTS = 6000;     // at most, of all robots together
+const SEGMENTS = 4000;     // at most, of all robots together
 const MOST_SAMPLES = 24;   // of one robot
 
 interface Sample { time: number; places: Map<number, [number, number]> }

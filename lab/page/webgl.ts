@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two kinds of shapes, each drawn in one call for as many as there are: discs with marks, and thick lines.
-// Their rows are in a texture, from which each of the six vertices of a shape takes what it needs: where no graphics
+// Their rows are in a texture, from which each of the four vertices of a shape takes what it needs: where no graphics
 // processor is there, instances would be as slow as one call a shape.
 
 const TEXELS = 3;              // of four numbers, a shape
@@ -14,10 +14,9 @@ uniform vec2 u_size;
 uniform float u_scale;
 uniform float u_density;
 uniform highp sampler2D u_rows;  // ${SHAPES_A_LINE} shapes a line, ${TEXELS} texels a shape
-const vec2 CORNERS[6] = vec2[6](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(-1, 1), vec2(1, -1), vec2(1, 1));
-vec2 corner() { return CORNERS[gl_VertexID % 6]; }
+vec2 corner() { return vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1); }
 vec4 texel(int k) {
-  int shape = gl_VertexID / 6;
+  int shape = gl_VertexID >> 2;
   return texelFetch(u_rows, ivec2((shape % ${SHAPES_A_LINE}) * ${TEXELS} + k, shape / ${SHAPES_A_LINE}), 0);
 }
 vec2 clip(vec2 meters, vec2 pixels) { return ((meters - u_middle) * u_scale + pixels) * 2.0 / u_size; }
@@ -148,13 +147,16 @@ export interface Painter {
   discs: Shape;
   lines: Shape;
   textures: Map<Rows, { texture: WebGLTexture; lines: number }>;
+  corners: number;  // how many shapes have their corners in the index buffer
 }
 
 export function makePainter(gl: WebGL2RenderingContext): Painter {
   gl.enable(gl.BLEND);
   gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   gl.bindVertexArray(gl.createVertexArray());  // of no attributes: a vertex is known by its number
-  return { gl, discs: makeShape(gl, DISC_VERTEX, DISC_FRAGMENT), lines: makeShape(gl, LINE_VERTEX, LINE_FRAGMENT), textures: new Map() };
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  const [discs, lines] = [makeShape(gl, DISC_VERTEX, DISC_FRAGMENT), makeShape(gl, LINE_VERTEX, LINE_FRAGMENT)];
+  return { gl, discs, lines, textures: new Map(), corners: 0 };
 }
 
 /** Where all that is drawn next stands: meters in the middle, device pixels a meter and a pixel of CSS. */
@@ -175,7 +177,17 @@ export function paint(painter: Painter, shape: Shape, rows: Rows, isNew = true):
   const { gl } = painter;
   gl.useProgram(shape.program);
   upload(painter, rows, isNew);
-  gl.drawArrays(gl.TRIANGLES, 0, 6 * (rows.length / COLUMNS));
+  const count = rows.length / COLUMNS;
+  if (count > painter.corners) makeCorners(painter, rows.data.length / COLUMNS);
+  gl.drawElements(gl.TRIANGLES, 6 * count, gl.UNSIGNED_INT, 0);
+}
+
+/** Two triangles each for `count` shapes. */
+function makeCorners(painter: Painter, count: number): void {
+  const corners = new Uint32Array(6 * count);
+  for (let shape = 0; shape < count; ++shape) corners.set([0, 1, 2, 2, 1, 3].map((corner) => 4 * shape + corner), 6 * shape);
+  painter.gl.bufferData(painter.gl.ELEMENT_ARRAY_BUFFER, corners, painter.gl.STATIC_DRAW);
+  painter.corners = count;
 }
 
 /** Leaves the texture of `rows` bound. */
