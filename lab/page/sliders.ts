@@ -77,7 +77,7 @@ function makeKnob(lab: PageLab, knob: Knob, path: () => string) {
     element("span", {}, element("i", {}, letter!), below ? element("sub", {}, below) : null, ` ${knob.label}`), value, range);
   const show = (now: number) => {
     value.textContent = `${digits(now, knob.step < 0.1 ? 2 : 1)} ${knob.unit}`;
-    range.style.setProperty("--now", `${(100 * (now - knob.least)) / (knob.most - knob.least)}%`);
+    range.style.setProperty("--now", `${(100 * ((now || knob.least) - knob.least)) / (knob.most - knob.least)}%`);
     range.setAttribute("aria-valuetext", value.textContent);
   };
   let waiting: number | undefined;
@@ -87,9 +87,10 @@ function makeKnob(lab: PageLab, knob: Knob, path: () => string) {
   };
   const refresh = () => {
     if (waiting !== undefined) return;  // it is being dragged
-    range.disabled = lab.live === null;
-    range.value = String(knob.value(lab));
-    show(knob.value(lab));
+    const now = knob.value(lab);
+    range.disabled = lab.live === null || Number.isNaN(now);
+    range.value = String(Number.isNaN(now) ? knob.least : now);
+    show(now);
   };
   range.addEventListener("input", () => {
     show(Number(range.value));
