@@ -33,7 +33,10 @@ export function mountScenePicker(lab: PageLab, button: HTMLElement, place: HTMLE
     drawWhenIdle(dialog, cards.map(({ draw }) => draw));
   };
   button.addEventListener("click", open);
-  const refresh = (): void => button.replaceChildren(element("b", {}, lab.info.name), " ▾");
+  const refresh = (): void => {
+    button.replaceChildren(element("b", {}, lab.info.name), " ▾");
+    document.title = `${lab.info.name} · avo lab`;
+  };
   lab.on("scene", refresh);
   refresh();
   return open;
