@@ -2,6 +2,7 @@
 // Recordings as HDF5 files (docs/recordings.md).
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,16 @@ bool is_hdf5(std::string_view begin);
 /// Writes all blocks of the spool to the file at `path`, as they are compressed. Returns how many
 /// times there are. Throws FileError, which calls the file `name`, and RecordingError.
 std::int64_t write_hdf5(const std::string& spool, const std::string& path, const std::string& name);
+
+/// All of a recording, for who writes it.
+struct RecordedTables {
+  const RecordingHeader& header;
+  const BlockShape& shape;
+  const std::vector<double>& times;                  ///< s, of all blocks
+  std::function<bool(CompressedBlock& block)> next;  ///< false at the end
+};
+/// The bytes of its file. Throws FileError, which calls it `name`, and what next() throws.
+std::string hdf5_bytes(const RecordedTables& recording, const std::string& name);
 
 /// Reads one block after the other.
 class Hdf5Reader {

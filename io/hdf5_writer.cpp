@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings as HDF5 files: written from a spool, whose compressed chunks are copied.
 #include <algorithm>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <initializer_list>
+#include <unistd.h>
 
 #include "avo/planner.h"
 #include "avo_io/errors.h"
@@ -98,6 +102,34 @@ std::vector<double> times_of(const std::string& path, RecordingHeader& header) {
   return times;
 }
 
+void write_all(const Hdf5Output& target, hid_t file, const RecordedTables& recording) {
+  target.write_attribute(file, "format", kRecordingFormat);
+  for (const RecordingField& field : fields_of(recording.header))
+    std::visit([&](const auto& value) { target.write_attribute(file, field.name, value); },
+               field.value);
+  write_times(target, file, recording.times);
+  const Tables tables(target, file, recording.shape, recording.times.size());
+  CompressedBlock block;
+  for (hsize_t first = 0; recording.next(block); first += kBlockTimes)
+    tables.write(target, block, recording.shape, first);
+}
+
+/// A file that is gone with its descriptor, once it has lost its name. (HDF5's own files in memory
+/// have a wrong checksum as long as they are open for writing.)
+struct TemporaryFile {
+  std::string path = (std::filesystem::temp_directory_path() / "avo-XXXXXX").string();
+  int descriptor = mkostemp(path.data(), O_CLOEXEC);
+
+  TemporaryFile() = default;
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    unlink(path.c_str());  // still there where HDF5 could not open it
+    close(descriptor);
+  }
+  [[nodiscard]] off_t size() const { return lseek(descriptor, 0, SEEK_END); }
+};
+
 }  // namespace
 
 std::int64_t write_hdf5(const std::string& spool, const std::string& path,
@@ -107,20 +139,30 @@ std::int64_t write_hdf5(const std::string& spool, const std::string& path,
   const std::vector<double> times = times_of(spool, header);
   if (times.empty()) throw RecordingError(spool + ": found no whole block, must be one or more");
   Hdf5Handle file = target.create_file(path, true);
-  target.write_attribute(file.id(), "format", kRecordingFormat);
-  for (const RecordingField& field : fields_of(header))
-    std::visit([&](const auto& value) { target.write_attribute(file.id(), field.name, value); },
-               field.value);
-  write_times(target, file.id(), times);
-  {
-    SpoolReader reader(spool);
-    const Tables tables(target, file.id(), reader.shape(), times.size());
-    CompressedBlock block;
-    for (hsize_t first = 0; reader.next(block); first += kBlockTimes)
-      tables.write(target, block, reader.shape(), first);
-  }
+  SpoolReader reader(spool);
+  write_all(target, file.id(), {header, reader.shape(), times, [&](CompressedBlock& block) {
+                                  return reader.next(block);
+                                }});
   target.finish(file);
   return static_cast<std::int64_t>(times.size());
+}
+
+std::string hdf5_bytes(const RecordedTables& recording, const std::string& name) {
+  const Hdf5Output target{name};
+  const TemporaryFile temporary;
+  if (temporary.descriptor < 0) Hdf5Output{temporary.path}.fail();
+  Hdf5Handle file = target.create_file(temporary.path, true);
+  unlink(temporary.path.c_str());
+  write_all(target, file.id(), recording);
+  target.finish(file);
+  std::string bytes(static_cast<std::size_t>(std::max<off_t>(temporary.size(), 0)), '\0');
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t count = pread(temporary.descriptor, bytes.data() + done, bytes.size() - done,
+                                static_cast<off_t>(done));
+    if (count <= 0) target.fail();
+    done += static_cast<std::size_t>(count);
+  }
+  return bytes;
 }
 
 }  // namespace avo_io

@@ -2,7 +2,9 @@
 // What a run leaves behind: a table of all states, and one object of results; and reading the table
 // again, whoever wrote it.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -129,6 +131,12 @@ struct Recovered {
 /// Makes a recording at `path` of the spool that a run has left, which stays. Throws FileError and
 /// RecordingError.
 AVO_API Recovered recover(const std::string& spool, const std::string& path);
+
+/// An HDF5 recording, or a spool as far as it is whole, as the bytes of an HDF5 file. Of its times
+/// there are `most_times` >= 2 at most: every K-th with the least K for it, and the last one.
+/// Throws FileError and RecordingError.
+AVO_API std::string recording_bytes(
+    const std::string& recording, std::size_t most_times = std::numeric_limits<std::size_t>::max());
 
 /// All rows of one time, by ascending robot.
 struct RecordedTime {
