@@ -2,22 +2,31 @@
 // What the page begins with: what the command line has put into it, else a scene that shows what this is about.
 import type { Library, SceneFile } from "../avo/avo.ts";
 import { bytesOfBase64 } from "./data/compression.ts";
+import { textOf } from "./data/graymap.ts";
+import type { RecordedScene } from "./data/recording.ts";
 import { makeLab, type PageLab } from "./make_lab.ts";
 
-interface InputScene {
-  kind: "scene";
+/** What a scene reads: as base64 if it is no text. */
+type InputFile = SceneFile | { path: string; base64: string; builtin: boolean };
+
+interface SceneOfInput {
   name: string;
   yaml: string;
   overrides: string[];
-  files: SceneFile[];
+  files: InputFile[];
   start_at_rest: boolean;
   limit_speed: boolean;
+}
+
+interface InputScene extends SceneOfInput {
+  kind: "scene";
 }
 
 interface InputRecording {
   kind: "recording";
   name: string;
   base64: string;
+  scene?: SceneOfInput;  // of a recording that has none in itself
 }
 
 /** embedded: the page is a part of another one, and shows no bar of its own. */
@@ -48,9 +57,16 @@ export function first(library: Library): PageLab {
   return makeLab(library, FIRST, "first steps", {});
 }
 
+function sceneOf({ name, yaml, overrides, files, start_at_rest, limit_speed }: SceneOfInput): RecordedScene {
+  const texts = files.map((file) => "text" in file ? file
+    : { path: file.path, text: textOf(bytesOfBase64(file.base64)), builtin: file.builtin });
+  return { name, yaml, overrides, files: texts, start_at_rest, limit_speed };
+}
+
 /** What is wrong with it, the Lab's error says. */
 export async function openInput(lab: PageLab, input: Input): Promise<void> {
-  if (input.kind === "recording") return lab.openFile(input.name, bytesOfBase64(input.base64));
-  const { name, yaml, overrides, files, start_at_rest, limit_speed } = input;
-  lab.openText(yaml, name, { overrides, files, start_at_rest, limit_speed });
+  if (input.kind === "recording")
+    return lab.openFile(input.name, bytesOfBase64(input.base64), [], input.scene ? sceneOf(input.scene) : null);
+  const { name, yaml, ...options } = sceneOf(input);
+  lab.openText(yaml, name, options);
 }

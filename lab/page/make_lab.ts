@@ -2,6 +2,7 @@
 // The Lab: one run at a time, what the user does with it, and who is told.
 import { AvoError, type Library, type SceneFile, type SceneOptions, type Simulation } from "../avo/avo.ts";
 import { formatOf, openRecording } from "./data/open.ts";
+import type { RecordedScene } from "./data/recording.ts";
 import type { Lab, LabEvent, SceneDraft, WorldPicture } from "./lab.ts";
 import { LiveRun } from "./live_run.ts";
 import { moveOn, shareOf, type Playback } from "./playback.ts";
@@ -18,8 +19,8 @@ export interface PageLab extends Lab {
   coloring: Coloring;      // of the robots on the map
   readonly share: number;  // 0 to 1: how far the picture is from `before` to `moment`
   readonly run: Run;
-  /** As in Lab; `files` are what a scene may read. */
-  openFile(name: string, bytes: Uint8Array, files?: SceneFile[]): Promise<void>;
+  /** As in Lab; `files` are what a scene may read, `scene` is that of a recording that has none in itself. */
+  openFile(name: string, bytes: Uint8Array, files?: SceneFile[], scene?: RecordedScene | null): Promise<void>;
   /** Time passes by `elapsed` seconds; tells listeners of what that changed. */
   frame(elapsed: number): void;
   /** Does `edit` to the simulation now, and again whenever the run comes by here; false and `error` if it is refused. */
@@ -150,10 +151,11 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
         start(next);
       }, { yaml, name, options });
     },
-    async openFile(name: string, bytes: Uint8Array, files: SceneFile[] = []) {
+    async openFile(name: string, bytes: Uint8Array, files: SceneFile[] = [], scene: RecordedScene | null = null) {
       try {
         if (formatOf(name, bytes) === "yaml") return lab.openText(yamlOf(bytes, name), name, { files });
         const recording = await openRecording(name, bytes);
+        recording.scene ??= scene;
         const { info, goals } = infoOf(recording, library);
         const next = await RecordedRun.open(recording, info, goals);
         text = recording.scene?.yaml ?? "";

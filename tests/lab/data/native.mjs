@@ -5,7 +5,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 
 export function avo(...args) {
-  const { status, stdout, stderr } = spawnSync(process.env.AVO_BINARY, args, { encoding: "utf8" });
+  const { status, stdout, stderr } = spawnSync(process.env.AVO_BINARY, args, { encoding: "utf8", maxBuffer: 1 << 30 });
   return { status, stdout, stderr };
 }
 
