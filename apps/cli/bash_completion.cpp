@@ -26,14 +26,11 @@ _avo_offer() {
         compopt -o nospace
         mapfile -t COMPREPLY < <(compgen -S = -W "$_avo_settings" -- "$word")
       fi ;;
-    scenes | files*)
+    scenes* | files*)
       compopt -o filenames
       mapfile -t COMPREPLY < <(
-        if [[ $kind == scenes ]]; then
-          compgen -W "$_avo_scenes" -- "$word"
-          kind='files yaml yml'
-        fi
-        for ending in ${kind#files}; do compgen -f -X "!*.$ending" -- "$word"; done
+        if [[ $kind == scenes* ]]; then compgen -W "$_avo_scenes" -- "$word"; fi
+        for ending in ${kind#* }; do compgen -f -X "!*.$ending" -- "$word"; done
         compgen -d -- "$word") ;;
   esac
 }
@@ -89,7 +86,7 @@ std::string kind_of(const OptionText& option) {
     case ValueKind::file:
       return "files " + joined(option.endings);
     case ValueKind::scene:
-      return "scenes";
+      return "scenes " + joined(option.endings);
     case ValueKind::name:
       return "names";
     case ValueKind::setting:

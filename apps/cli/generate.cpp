@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <utility>
 
 #include "avo_io/printable.h"
 #include "avo_io/scene.h"
@@ -24,6 +25,7 @@ std::vector<std::string> endings_of(const std::string& type) {
 ValueKind kind_of(const OptionText& option, const std::string& type) {
   if (option.value.empty()) return ValueKind::none;
   if (type.starts_with("FILE.")) return ValueKind::file;
+  if (type.starts_with("SCENE|FILE.")) return ValueKind::scene;
   const std::pair<const char*, ValueKind> kinds[] = {{"SCENE", ValueKind::scene},
                                                      {"NAME", ValueKind::name},
                                                      {"KEY=VALUE", ValueKind::setting},
@@ -50,7 +52,9 @@ OptionText text_of(const CLI::Option& option) {
     text.repeats = option.get_items_expected_max() > 1;
   }
   text.kind = kind_of(text, type);
-  if (text.kind == ValueKind::file) text.endings = endings_of(type);
+  if (text.kind == ValueKind::scene) text.endings = {"yaml", "yml"};
+  if (text.kind == ValueKind::scene || text.kind == ValueKind::file)
+    for (std::string& ending : endings_of(type)) text.endings.push_back(std::move(ending));
   return text;
 }
 

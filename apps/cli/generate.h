@@ -17,7 +17,7 @@ enum class ValueKind {
   none,      ///< a flag has none
   anything,  ///< e.g. a number
   file,      ///< one of some endings
-  scene,     ///< a built-in scene, or a YAML file
+  scene,     ///< a built-in scene, or a file of some endings
   name,      ///< a built-in scene
   setting,   ///< key=value of a scene
   verb,
@@ -28,7 +28,7 @@ struct OptionText {
   std::string value;               ///< what help calls its value; empty: it has none
   std::string description;
   ValueKind kind = ValueKind::none;
-  std::vector<std::string> endings;  ///< of a file, without the dot
+  std::vector<std::string> endings;  ///< of files, without the dot
   bool is_operand = false;
   bool is_required = false;
   bool repeats = false;

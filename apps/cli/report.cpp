@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo report: a recording, or a sweep, as one page that needs nothing else.
+#include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "figures/trajectories.h"
 #include "files.h"
 #include "html.h"
+#include "lab_page.h"
 #include "measuring_line.h"
 #include "report_parts.h"
 #include "report_replay.h"
@@ -115,6 +117,15 @@ std::string figures_of(const avo_io::RecordedRun& run) {
          chart_of("speed (m/s)", top_speeds_of(run), figures::hue_color(20.0), "fastest robot");
 }
 
+/// In the lab as far as a page of some megabytes holds it, else as a drawing.
+std::string replay_of(const std::string& recording, const avo_io::RecordedRun& run) {
+  if (lab_page().empty()) return page_replay("Replay", run);
+  const std::size_t most = most_frames(static_cast<std::int64_t>(run.scenario.robots.size()));
+  const std::string name = std::filesystem::path(recording).filename().string();
+  return page_lab("Replay",
+                  recording_input(name, avo_io::recording_bytes(recording, most), nullptr, true));
+}
+
 std::string recording_page(const ReportArguments& arguments) {
   const std::optional<avo::MeasuringLine> line = line_of(arguments.line);
   if (!arguments.spec.empty() || arguments.run)
@@ -145,7 +156,7 @@ std::string recording_page(const ReportArguments& arguments) {
       fmt::format("{} robots, method {}, {:.6g} s", scenario.robots.size(),
                   avo::to_string(scenario.method), judgement.report.to),
       {fmt::format("<p><span class=\"verdict {0}\">{0}</span></p>\n", verdict),
-       page_replay("Replay", run), page_figures("Figures", figures_of(run)),
+       replay_of(arguments.input, run), page_figures("Figures", figures_of(run)),
        page_section("Results", again.results),
        page_text("What was judged", avo_io::readable(judgement)),
        page_text("Command", command_of(header, arguments.input, again, run.moments.back().time)),

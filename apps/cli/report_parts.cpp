@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "html.h"
+#include "lab_page.h"
 #include "report_page.h"
 #include "report_replay.h"
 
@@ -46,6 +47,20 @@ std::string page_figures(const std::string& heading, const std::string& images) 
 std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run) {
   return page_section(
       heading, filled(kReportReplay, {{"drawing", drawing_of(run)}, {"data", data_of(run)}}));
+}
+
+// An attribute ends with its quote alone: the page is inside as it is, but for two characters.
+std::string page_lab(const std::string& heading, const std::string& input) {
+  std::string frame = "<iframe class=\"lab\" title=\"" + as_html(heading) + "\" srcdoc=\"";
+  for (const char c : lab_page_with(input)) {
+    if (c == '&')
+      frame += "&amp;";
+    else if (c == '"')
+      frame += "&quot;";
+    else
+      frame += c;
+  }
+  return page_section(heading, frame + "\"></iframe>");
 }
 
 std::string page_of(const std::string& title, const std::string& subtitle,

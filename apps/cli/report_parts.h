@@ -19,8 +19,10 @@ std::string page_section(const std::string& heading, const std::string& html);
 std::string page_text(const std::string& heading, const std::string& text);
 /// Figures side by side.
 std::string page_figures(const std::string& heading, const std::string& images);
-/// The run in motion.
+/// The run in motion, as a drawing; for builds without the lab.
 std::string page_replay(const std::string& heading, const avo_io::RecordedRun& run);
+/// The lab, which opens that (lab_page.h); it must be there.
+std::string page_lab(const std::string& heading, const std::string& input);
 /// The whole page of its sections, in their order.
 std::string page_of(const std::string& title, const std::string& subtitle,
                     const std::vector<std::string>& sections);

@@ -16,6 +16,7 @@
 #include "exit_codes.h"
 #include "figures/trajectories.h"
 #include "html.h"
+#include "lab_page.h"
 #include "report_parts.h"
 #include "report_replay.h"
 #include "terminal.h"
@@ -179,6 +180,14 @@ std::string shard_option(const avo_io::SweepSpec& spec, const avo_io::SweepTable
   return fmt::format(" --shard {}/{}", first + 1, parts);
 }
 
+/// In the lab, which simulates it anew; else as a drawing.
+std::string motion_of(const std::string& heading, const ShownRun& shown) {
+  if (lab_page().empty()) return page_replay(heading, shown.run);
+  avo_io::SceneSource source;
+  (void)avo_io::load_scenario(shown.scene.name, shown.scene.overrides, &source);
+  return page_lab(heading, scene_input(source, true));
+}
+
 std::vector<std::string> run_sections(const ReportArguments& arguments,
                                       const avo_io::SweepSpec& spec,
                                       const avo_io::SweepTable& table) {
@@ -202,7 +211,7 @@ std::vector<std::string> run_sections(const ReportArguments& arguments,
   std::string command = "avo run " + shell_word(shown.scene.name);
   command += set_options(shown.scene.overrides);
   if (spec.until_arrived) command += " --until-arrived";
-  return {page_replay(fmt::format("Run {}: {}", number, name), shown.run),
+  return {motion_of(fmt::format("Run {}: {}", number, name), shown),
           page_text("The command of this run", command), page_text("Its scene", shown.scene.yaml),
           page_section("Its row in the table", "<details><summary>all columns</summary>" +
                                                    table_of(results) + "</details>")};

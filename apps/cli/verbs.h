@@ -104,6 +104,16 @@ struct ReportArguments {
 };
 int report(const ReportArguments& arguments);
 
+struct LabArguments {
+  std::string input;  ///< a scene, or a recording; "-": standard input; empty: none
+  /// What the command line changes of the scene, which is the input, or of a recording as CSV the
+  /// one of --scene. `scene.scene` is the latter; empty: none.
+  SceneArguments scene;
+  std::string output;  ///< empty: by the input
+  bool opens = true;   ///< in a browser
+};
+int lab(const LabArguments& arguments);
+
 struct BenchArguments {
   SceneArguments scene;
   int threads = 0;

@@ -23,6 +23,13 @@ std::string escaped_for_zsh(std::string_view text) {
   return result;
 }
 
+/// What offers files of such endings.
+std::string files_of(const std::vector<std::string>& endings) {
+  // alone in parentheses one would be a qualifier
+  if (endings.size() == 1) return fmt::format("\"*.{}\"", endings[0]);
+  return fmt::format("\"*.({})\"", fmt::join(endings, "|"));
+}
+
 /// What offers such values.
 std::string action_of(const OptionText& option) {
   switch (option.kind) {
@@ -30,11 +37,9 @@ std::string action_of(const OptionText& option) {
     case ValueKind::anything:
       return " ";
     case ValueKind::file:
-      // alone in parentheses one would be a qualifier
-      if (option.endings.size() == 1) return fmt::format("_files -g \"*.{}\"", option.endings[0]);
-      return fmt::format("_files -g \"*.({})\"", fmt::join(option.endings, "|"));
+      return "_files -g " + files_of(option.endings);
     case ValueKind::scene:
-      return "_avo_scenes";
+      return "_avo_scenes " + files_of(option.endings);
     case ValueKind::name:
       return "_avo_names";
     case ValueKind::setting:
@@ -86,7 +91,7 @@ std::string zsh_completion(const ProgramText& text) {
          fmt::format("_avo_verbs() {{\n  local -a verbs=(\n{}  )\n  _describe verb verbs\n}}\n\n",
                      verbs) +
          fmt::format("_avo_names() {{\n  compadd -- {}\n}}\n\n", fmt::join(text.scenes, " ")) +
-         "_avo_scenes() {\n  _avo_names\n  _files -g \"*.(yaml|yml)\"\n}\n\n" +
+         "_avo_scenes() {\n  _avo_names\n  _files -g \"$1\"\n}\n\n" +
          fmt::format(
              "_avo_settings() {{\n  if compset -P '*='; then\n    case ${{${{IPREFIX%=}}##*=}} in\n"
              "{}    esac\n  else\n    compadd -q -S = --{}\n  fi\n}}\n\n",

@@ -36,7 +36,7 @@ void redirect(const std::string& path, int target) {
 }
 
 [[noreturn]] void become_avo(const std::vector<std::string>& arguments, const std::string& out,
-                             const std::string& err, const std::function<void()>& before) {
+                             const std::string& err, const ProcessOptions& options) {
   redirect(out, STDOUT_FILENO);
   redirect(err, STDERR_FILENO);
   std::vector<char*> words;
@@ -46,8 +46,8 @@ void redirect(const std::string& path, int target) {
   for (std::string& word : copies) words.push_back(word.data());
   words.push_back(nullptr);
   setenv("LSAN_OPTIONS", "print_suppressions=0:suppressions=" AVO_SUPPRESSIONS, 1);
-  if (before) before();
-  execv(AVO_BINARY, words.data());
+  if (options.before) options.before();
+  execv(options.binary.empty() ? AVO_BINARY : options.binary.c_str(), words.data());
   _exit(98);
 }
 
@@ -68,7 +68,7 @@ ProcessResult run_avo(const std::vector<std::string>& arguments, const ProcessOp
   const std::string& out = options.out_path.empty() ? own_out : options.out_path;
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork");
-  if (child == 0) become_avo(arguments, out, err, options.before);
+  if (child == 0) become_avo(arguments, out, err, options);
   if (options.meanwhile) options.meanwhile(child);
   int status = 0;
   waitpid(child, &status, 0);

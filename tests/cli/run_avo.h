@@ -13,6 +13,7 @@ struct ProcessResult {
 };
 
 struct ProcessOptions {
+  std::string binary = {};    ///< in place of avo as it was built
   std::string out_path = {};  ///< standard output goes there instead; "|" is a pipe nobody reads
   std::string err_path = {};  ///< the same for the standard error output
   std::function<void()> before = {};            ///< called in the process before avo starts

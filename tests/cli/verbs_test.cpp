@@ -117,7 +117,8 @@ TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
   EXPECT_EQ(
       run_avo({"rnu", "circle-2"}).err,
       "avo: rnu: found no such verb, verbs are run, explain, check, replay, recover, convert, "
-      "video, bench, sweep, compare, report, scenes, validate, schema, help, did you mean run?\n");
+      "video, lab, bench, sweep, compare, report, scenes, validate, schema, help, did you mean "
+      "run?\n");
   EXPECT_EQ(run_avo({"help", "rnu"}).err, run_avo({"rnu"}).err);
   EXPECT_EQ(run_avo({"--vesrion"}).err,
             "avo: --vesrion: found no such option, did you mean --version?\n");

@@ -4,6 +4,7 @@
 import os
 import pathlib
 import re
+import shutil
 import stat
 import subprocess
 import tempfile
@@ -58,6 +59,13 @@ class Setup(unittest.TestCase):
             self.assertEqual(found.returncode, 1, found)
             self.assertEqual(found.stderr, f"missing packages, install them first: {' '.join(wanted[:2])}\n")
 
+    def test_lab_needs_a_part_of_what_the_tests_need(self):
+        found = setup("lab", installed=packages(LISTS[0]))
+        self.assertEqual(found.returncode, 1)
+        missing = found.stderr.split(": ")[1].split()
+        self.assertLess(set(missing), set(packages(LISTS[1])))
+        self.assertTrue({"clang-19", "nodejs", "npm", "wasi-libc"} <= set(missing), missing)
+
     def test_is_silent_where_nothing_is_missing(self):
         found = setup("test", installed=packages(LISTS[0]) + packages(LISTS[1]))
         self.assertEqual((found.returncode, found.stdout, found.stderr), (0, "", ""))
@@ -85,6 +93,15 @@ class Missing(unittest.TestCase):
                      "-DAVO_BENCH=ON", f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON"], capture_output=True, text=True)
                 self.assertNotEqual(found.returncode, 0, package)
                 self.assertIn(package, found.stderr)
+
+    def test_package_of_the_lab_ends_the_configuration(self):
+        places = ["-DCMAKE_IGNORE_PATH=/bin;/usr/bin;/usr/local/bin", f"-DCMAKE_MAKE_PROGRAM={shutil.which('ninja')}",
+                  f"-DCMAKE_C_COMPILER={shutil.which('cc')}", f"-DCMAKE_CXX_COMPILER={shutil.which('c++')}"]
+        with tempfile.TemporaryDirectory() as build:
+            found = subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DAVO_LAB=ON",
+                                    f"-DAVO_NODE={shutil.which('true')}", *places], capture_output=True, text=True)
+        self.assertNotEqual(found.returncode, 0)
+        self.assertIn("AVO_LAB: found no npm, must be there: install the package npm\n", found.stderr)
 
     def test_none_is_looked_for_quietly(self):
         for folder in ("tests", "bench"):

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Built without AVO_LAB.
+#include "lab_page.h"
+
+namespace avo_cli {
+
+std::string_view lab_page() {
+  return {};
+}
+
+}  // namespace avo_cli
