@@ -12,16 +12,15 @@ const CLICK = 4;  // pixels that a press may move and still be one
 
 export interface Hand { tool: Tool }
 
+type Pixel = [number, number];  // of the canvas
+
 interface Press { px: number; py: number; moved: boolean; gesture: Gesture | null; touch: boolean }
 
 export function mountPointer(lab: PageLab, view: WorldView, hand: Hand, tip: HTMLElement): void {
   const { canvas, camera } = view;
-  const fingers = new Map<number, [number, number]>();
+  const fingers = new Map<number, Pixel>();
   let press: Press | null = null;
-  const at = (event: PointerEvent | WheelEvent): [number, number] => {
-    const box = canvas.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
+  const at = (event: PointerEvent) => pixelOf(canvas, event);
   const end = () => {
     press = null;
     view.preview = null;
@@ -42,9 +41,12 @@ export function mountPointer(lab: PageLab, view: WorldView, hand: Hand, tip: HTM
   canvas.addEventListener("pointermove", (event) => {
     const now = at(event);
     const before = fingers.get(event.pointerId);
-    if (!before) return look(now);
+    if (!before) return look(lab, view, hand, tip, now);
     fingers.set(event.pointerId, now);
-    if (fingers.size === 2) return pinch(event.pointerId, before, now);
+    if (fingers.size === 2) {
+      const other = [...fingers].find(([finger]) => finger !== event.pointerId)![1];
+      return pinch(view, other, before, now);
+    }
     if (!press) return;
     press.moved ||= Math.hypot(now[0] - press.px, now[1] - press.py) > CLICK;
     if (!press.moved) return;
@@ -75,36 +77,46 @@ export function mountPointer(lab: PageLab, view: WorldView, hand: Hand, tip: HTM
     lab.highlight(null);
     tip.hidden = true;
   });
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    const pixels = event.deltaMode === 1 ? 16 * event.deltaY : event.deltaY;
-    zoomAt(camera, ...at(event), Math.exp(-Math.max(-200, Math.min(200, pixels)) / 400));
-    view.touch();
-  }, { passive: false });
   canvas.addEventListener("dblclick", () => {
     if (hand.tool === "move" && lab.selected === null) view.fit();
   });
+  mountWheel(view);
+}
 
-  function pinch(moved: number, before: [number, number], now: [number, number]): void {
-    const other = [...fingers].find(([finger]) => finger !== moved)![1];
-    const [was, is] = [before, now].map((p) => Math.hypot(p[0] - other[0], p[1] - other[1]));
-    const middle: [number, number] = [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2];
-    camera.x -= (now[0] - before[0]) / 2 / camera.scale;
-    camera.y += (now[1] - before[1]) / 2 / camera.scale;
-    if (was! > 1) zoomAt(camera, ...middle, is! / was!);
+function pixelOf(canvas: HTMLElement, event: MouseEvent): Pixel {
+  const box = canvas.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
+function mountWheel(view: WorldView): void {
+  view.canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    const pixels = event.deltaMode === 1 ? 16 * event.deltaY : event.deltaY;
+    zoomAt(view.camera, ...pixelOf(view.canvas, event), Math.exp(-Math.max(-200, Math.min(200, pixels)) / 400));
     view.touch();
-  }
+  }, { passive: false });
+}
 
-  function look(now: [number, number]): void {
-    const hit = pick(lab, view, ...now, false);
-    lab.highlight(nameOf(hit));
-    canvas.style.cursor = cursorOf(hand.tool, hit, lab.live !== null);
-    tip.hidden = hit === null || hit.kind === "wall";
-    if (tip.hidden) return;
-    tip.textContent = saysOf(lab, hit!);
-    tip.style.left = `${Math.min(now[0] + 14, camera.width - 190)}px`;
-    tip.style.top = `${Math.min(now[1] + 14, camera.height - 40)}px`;
-  }
+/** One finger moves, the other one rests. */
+function pinch(view: WorldView, other: Pixel, before: Pixel, now: Pixel): void {
+  const { camera } = view;
+  const [was, is] = [before, now].map((p) => Math.hypot(p[0] - other[0], p[1] - other[1]));
+  camera.x -= (now[0] - before[0]) / 2 / camera.scale;
+  camera.y += (now[1] - before[1]) / 2 / camera.scale;
+  if (was! > 1) zoomAt(camera, (now[0] + other[0]) / 2, (now[1] + other[1]) / 2, is! / was!);
+  view.touch();
+}
+
+/** The pointer is there, and nothing is pressed. */
+function look(lab: PageLab, view: WorldView, hand: Hand, tip: HTMLElement, now: Pixel): void {
+  const hit = pick(lab, view, ...now, false);
+  lab.highlight(nameOf(hit));
+  view.canvas.style.cursor = cursorOf(hand.tool, hit, lab.live !== null);
+  tip.hidden = hit === null || hit.kind === "wall";
+  if (tip.hidden) return;
+  tip.textContent = saysOf(lab, hit!);
+  tip.style.left = `${Math.min(now[0] + 14, view.camera.width - 190)}px`;
+  tip.style.top = `${Math.min(now[1] + 14, view.camera.height - 40)}px`;
 }
 
 function cursorOf(tool: Tool, hit: Hit | null, live: boolean): string {

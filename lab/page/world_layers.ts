@@ -73,13 +73,17 @@ export function robotColors(lab: Lab, shown: Shown, coloring: Coloring, homes: M
   });
 }
 
-/** Of each robot the color of the direction from where it is to its goal. */
-export function homeColors(shown: Shown, theme: Lab["theme"]): Map<number, Rgb> {
+/** Of each robot the direction from where it is to its goal, rad. */
+export function homeAngles(shown: Shown): Map<number, number> {
   const { moment } = shown;
   return new Map(Array.from(moment.robot, (robot, i) => {
     const angle = Math.atan2(moment.goal[2 * i + 1]! - shown.y[i]!, moment.goal[2 * i]! - shown.x[i]!);
-    return [robot, directionColor(Number.isFinite(angle) ? angle : robot * 2.4, theme)];
+    return [robot, Number.isFinite(angle) ? angle : robot * 2.4];
   }));
+}
+
+export function homeColors(angles: Map<number, number>, theme: Lab["theme"]): Map<number, Rgb> {
+  return new Map([...angles].map(([robot, angle]) => [robot, directionColor(angle, theme)]));
 }
 
 export function drawGrid(layers: Layers, camera: Camera, paint: Paint): void {

@@ -8,7 +8,7 @@ import { shownOf, type Shown } from "./shown.ts";
 import { noteTrails, type Trails } from "./trails.ts";
 import { look, makePainter, paint, type Painter } from "./webgl.ts";
 import {
-  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, drawWays, homeColors, Layers, robotColors,
+  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, drawWays, homeAngles, homeColors, Layers, robotColors,
   themePaint, type Paint,
 } from "./world_layers.ts";
 
@@ -28,6 +28,19 @@ export interface WorldView {
   frame(): boolean;
 }
 
+/** What is drawn, and what of it is old. */
+interface Drawing {
+  layers: Layers;
+  trails: Trails;
+  theme: Paint;
+  angles: Map<number, number>;  // of each robot's way from start to goal, rad
+  homes: Map<number, Rgb>;      // the colors of these
+  trailsAreOld: boolean;
+  isOld: boolean;
+  shown: Shown;
+  shownIsOld: boolean;
+}
+
 export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldView {
   const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false, stencil: false });
   if (!gl) throw new Error("this browser has no WebGL2, which the map is drawn with");
@@ -41,125 +54,122 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     view.touch();
   });
 
-  const layers = new Layers();
-  const trails: Trails = { samples: [] };
-  let theme = themePaint();
-  let homes = new Map<number, Rgb>();
-  let trailsAreOld = true;
-  let isOld = true;
-  let shown = shownOf(lab.run, 1);
-  let shownIsOld = false;
-  let fitted = "";
-
+  const shown = shownOf(lab.run, 1);
+  const drawing: Drawing = {
+    layers: new Layers(), trails: { samples: [] }, theme: themePaint(), angles: homeAngles(shown),
+    homes: homeColors(homeAngles(shown), lab.theme),
+    trailsAreOld: true, isOld: true, shown, shownIsOld: false,
+  };
   const view: WorldView = {
     canvas,
     camera: { x: 0, y: 0, scale: 10, width: 1, height: 1 },
     get shown() {
-      if (shownIsOld) shown = shownOf(lab.run, lab.share);
-      shownIsOld = false;
-      return shown;
+      if (drawing.shownIsOld) drawing.shown = shownOf(lab.run, lab.share);
+      drawing.shownIsOld = false;
+      return drawing.shown;
     },
     preview: null,
     whenDrawn: new Set(),
-    touch() { isOld = true; },
+    touch() { drawing.isOld = true; },
     fit() {
       fit(view.camera, boxOf(lab, view.shown), MARGIN);
-      isOld = true;
+      drawing.isOld = true;
     },
     frame() {
-      if (!isOld && !lab.playing) return false;
+      if (!drawing.isOld && !lab.playing) return false;
       view.draw();
       return true;
     },
     draw() {
-      isOld = false;
-      shownIsOld = true;  // while it plays, every picture is of another time
-      fill();
-      if (painter) show(painter);
+      drawing.isOld = false;
+      drawing.shownIsOld = true;  // while it plays, every picture is of another time
+      fillLayers(lab, view, drawing);
+      if (painter) paintLayers(painter, view, drawing);
       for (const done of view.whenDrawn) done();
     },
   };
+  noteTrails(drawing.trails, shown);
+  followLab(lab, view, drawing);
+  new ResizeObserver(() => resize(view)).observe(canvas);
+  resize(view);
+  return view;
+}
 
-  function fill(): void {
-    const { shown, camera } = view;
-    layers.clear();
-    const colors = robotColors(lab, shown, lab.coloring, homes);
-    if (trailsAreOld) drawTrails(layers, trails, shown, colors);
-    drawGrid(layers, camera, theme);
-    drawWays(layers, shown, colors);
-    drawWalls(layers, lab, theme);
-    drawHeads(layers, trails, shown, colors);
-    drawGoals(layers, lab, shown, colors, 1 / camera.scale);
-    drawMovers(layers, lab, shown, theme);
-    drawRobots(layers, shown, colors, theme);
-    drawSelection(layers, lab, shown, theme);
-    drawContacts(layers, lab.contacts, lab.moment.time, theme);
-    view.preview?.(layers, theme);
-  }
+function fillLayers(lab: PageLab, view: WorldView, { layers, trails, theme, homes, trailsAreOld }: Drawing): void {
+  const { shown, camera } = view;
+  layers.clear();
+  const colors = robotColors(lab, shown, lab.coloring, homes);
+  if (trailsAreOld) drawTrails(layers, trails, shown, colors);
+  drawGrid(layers, camera, theme);
+  drawWays(layers, shown, colors);
+  drawWalls(layers, lab, theme);
+  drawHeads(layers, trails, shown, colors);
+  drawGoals(layers, lab, shown, colors, 1 / camera.scale);
+  drawMovers(layers, lab, shown, theme);
+  drawRobots(layers, shown, colors, theme);
+  drawSelection(layers, lab, shown, theme);
+  drawContacts(layers, lab.contacts, lab.moment.time, theme);
+  view.preview?.(layers, theme);
+}
 
-  function show(painter: Painter): void {
-    const { gl, discs, lines } = painter;
-    const { camera } = view;
-    const density = canvas.width / camera.width;
-    gl.viewport(0, 0, canvas.width, canvas.height);
-    gl.clearColor(...theme.world, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    look(painter, camera.x, camera.y, camera.scale * density, density, [...theme.world, 0.9]);
-    paint(painter, lines, layers.ground);
-    paint(painter, lines, layers.trail, trailsAreOld);
-    paint(painter, lines, layers.heads);
-    paint(painter, discs, layers.below);
-    paint(painter, lines, layers.links);
-    paint(painter, discs, layers.discs);
-    paint(painter, discs, layers.above);
-    trailsAreOld = false;
-  }
+function paintLayers(painter: Painter, { canvas, camera }: WorldView, drawing: Drawing): void {
+  const { gl, discs, lines } = painter;
+  const { layers, theme } = drawing;
+  const density = canvas.width / camera.width;
+  gl.viewport(0, 0, canvas.width, canvas.height);
+  gl.clearColor(...theme.world, 1);
+  gl.clear(gl.COLOR_BUFFER_BIT);
+  look(painter, camera.x, camera.y, camera.scale * density, density, [...theme.world, 0.9]);
+  paint(painter, lines, layers.ground);
+  paint(painter, lines, layers.trail, drawing.trailsAreOld);
+  paint(painter, lines, layers.heads);
+  paint(painter, discs, layers.below);
+  paint(painter, lines, layers.links);
+  paint(painter, discs, layers.discs);
+  paint(painter, discs, layers.above);
+  drawing.trailsAreOld = false;
+}
 
-  function resize(): void {
-    const { clientWidth, clientHeight } = canvas;
-    if (!clientWidth || !clientHeight) return;
-    const density = Math.min(2, window.devicePixelRatio || 1);
-    canvas.width = Math.round(clientWidth * density);
-    canvas.height = Math.round(clientHeight * density);
-    const first = view.camera.width <= 1;
-    const grown = Math.min(clientWidth / view.camera.width, clientHeight / view.camera.height);
-    view.camera.width = clientWidth;
-    view.camera.height = clientHeight;
-    if (first) view.fit();
-    else view.camera.scale *= grown;
-    view.draw();  // at once: a canvas of another size is empty
-  }
+function resize(view: WorldView): void {
+  const { canvas, camera } = view;
+  const { clientWidth, clientHeight } = canvas;
+  if (!clientWidth || !clientHeight) return;
+  const density = Math.min(2, window.devicePixelRatio || 1);
+  canvas.width = Math.round(clientWidth * density);
+  canvas.height = Math.round(clientHeight * density);
+  const first = camera.width <= 1;
+  const grown = Math.min(clientWidth / camera.width, clientHeight / camera.height);
+  camera.width = clientWidth;
+  camera.height = clientHeight;
+  if (first) view.fit();
+  else camera.scale *= grown;
+  view.draw();  // at once: a canvas of another size is empty
+}
 
+function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
+  let fitted = lab.name;
+  const redraw = () => { drawing.trailsAreOld = drawing.isOld = true; };
   lab.on("moment", () => {
-    noteTrails(trails, shownOf(lab.run, 1));
-    trailsAreOld = true;
-    isOld = shownIsOld = true;
+    noteTrails(drawing.trails, shownOf(lab.run, 1));
+    drawing.shownIsOld = true;
+    redraw();
   });
   lab.on("scene", () => {
-    shownIsOld = true;
-    if (lab.moment.steps === 0 || homes.size === 0) homes = homeColors(shownOf(lab.run, 1), lab.theme);
+    drawing.shownIsOld = true;
+    if (lab.moment.steps === 0) drawing.angles = homeAngles(view.shown);
+    drawing.homes = homeColors(drawing.angles, lab.theme);
     if (fitted === lab.name) return;
     fitted = lab.name;
-    trails.samples.length = 0;
+    drawing.trails.samples.length = 0;
     view.fit();
   });
   lab.on("theme", () => {
-    theme = themePaint();
-    homes = homeColors(shownOf(lab.run, 1), lab.theme);
-    trailsAreOld = true;
-    isOld = true;
+    drawing.theme = themePaint();
+    drawing.homes = homeColors(drawing.angles, lab.theme);
+    redraw();
   });
-  lab.on("coloring", () => {
-    trailsAreOld = true;
-    isOld = true;
-  });
+  lab.on("coloring", redraw);
   for (const event of ["selection", "highlight"] as const) lab.on(event, view.touch);
-  homes = homeColors(view.shown, lab.theme);
-  fitted = lab.name;
-  noteTrails(trails, view.shown);
-  new ResizeObserver(resize).observe(canvas);
-  resize();
-  return view;
 }
 
 /** Of all that there is, goals included. */
