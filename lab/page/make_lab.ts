@@ -41,67 +41,79 @@ function asError(error: unknown): AvoError {
   return error instanceof AvoError ? error : new AvoError(error instanceof Error ? error.message : String(error));
 }
 
-export function makeLab(library: Library, yaml: string, name: string, options: SceneOptions): PageLab {
-  let run: Run = new LiveRun(library.simulate(yaml, { ...options, name }));
-  let text = yaml;
-  /** What is no UTF-8, the library refuses in its words. */
-  function yamlOf(bytes: Uint8Array, name: string): string {
-    const yaml = new TextDecoder().decode(bytes);
-    if (yaml.includes("\ufffd")) library.simulate(bytes, { name });
-    return yaml;
-  }
-  const playback: Playback = { playing: false, speed: 1, time: 0, target: null };
-  const listeners = new Map<LabEvent, Set<() => void>>();
-  const say = (event: LabEvent) => listeners.get(event)?.forEach((listener) => listener());
-
-  function fail(error: unknown, refused: SceneDraft | null = null): false {
-    lab.error = asError(error);
-    lab.refused = refused;
-    say("error");
-    return false;
-  }
-  function clearError(): void {
-    if (!lab.error) return;
-    lab.error = lab.refused = null;
-    say("error");
-  }
+/** What the Lab's parts share. */
+interface Core {
+  readonly library: Library;
+  readonly lab: Mutable<PageLab>;
+  readonly playback: Playback;
+  run: Run;
+  text: string;
+  fail(error: unknown, refused?: SceneDraft | null): false;
   /** Does what may be refused; true if it was not. */
-  function attempt(action: () => void, draft?: SceneDraft): boolean {
-    try {
-      action();
-    } catch (error) {
-      return fail(error, draft);
-    }
-    clearError();
-    return true;
-  }
-  function pauseNow(): void {
-    if (!playback.playing && playback.target === null) return;
-    playback.playing = false;
-    playback.target = null;
-    say("playing");
-  }
-  function shown(...events: LabEvent[]): void {
-    playback.time = run.moment.time;
-    for (const event of events) say(event);
-  }
-  function start(next: Run): void {
-    if (run instanceof RecordedRun) run.close();
-    run = next;
-    if (next instanceof RecordedRun) {
-      next.readPast(() => { if (run === next) say("past"); }).catch((error) => { if (run === next) fail(error); });
-    }
-    pauseNow();
-    if (lab.selected !== null && !run.moment.robot.includes(lab.selected)) lab.select(null);
-    shown("scene", "moment");
-  }
-  function went(done: Promise<void> | void): void {
-    const tell = () => shown("scene", "moment");
-    if (done) done.then(tell, fail);
-    else tell();
-  }
+  attempt(action: () => void, draft?: SceneDraft): boolean;
+  /** Another time or run is shown. */
+  shown(...events: LabEvent[]): void;
+  /** Another run is the one that is shown. */
+  start(next: Run): void;
+}
 
-  const lab: Mutable<PageLab> = {
+export function makeLab(library: Library, yaml: string, name: string, options: SceneOptions): PageLab {
+  const run: Run = new LiveRun(library.simulate(yaml, { ...options, name }));
+  const lab = {} as Mutable<PageLab>;
+  const core: Core = {
+    library,
+    lab,
+    playback: { playing: false, speed: 1, time: 0, target: null },
+    run,
+    text: yaml,
+    fail(error, refused = null) {
+      lab.error = asError(error);
+      lab.refused = refused;
+      lab.say("error");
+      return false;
+    },
+    attempt(action, draft) {
+      try {
+        action();
+      } catch (error) {
+        return core.fail(error, draft);
+      }
+      clearError(lab);
+      return true;
+    },
+    shown(...events) {
+      core.playback.time = core.run.moment.time;
+      for (const event of events) lab.say(event);
+    },
+    start: (next) => start(core, next),
+  };
+  const parts = [stateOf(core, name, options), listeningTo(core), opening(core), editing(core), going(core)];
+  for (const part of parts) Object.defineProperties(lab, Object.getOwnPropertyDescriptors(part));
+  return lab;
+}
+
+function start(core: Core, next: Run): void {
+  const { lab } = core;
+  const isShown = () => core.run === next;
+  if (core.run instanceof RecordedRun) core.run.close();
+  core.run = next;
+  if (next instanceof RecordedRun) {
+    next.readPast(() => { if (isShown()) lab.say("past"); }).catch((error) => { if (isShown()) core.fail(error); });
+  }
+  lab.pause();
+  if (lab.selected !== null && !next.moment.robot.includes(lab.selected)) lab.select(null);
+  core.shown("scene", "moment");
+}
+
+function clearError(lab: Mutable<PageLab>): void {
+  if (!lab.error) return;
+  lab.error = lab.refused = null;
+  lab.say("error");
+}
+
+function stateOf(core: Core, name: string, options: SceneOptions): Partial<PageLab> {
+  const { library, lab, playback } = core;
+  return {
     library,
     options,
     name,
@@ -112,138 +124,173 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
     theme: "light",
     coloring: "goal",
     picture: null,
-    get text() { return text; },
-    get run() { return run; },
-    get moment() { return run.moment; },
-    get info() { return run.info; },
-    get live() { return run.live; },
+    get text() { return core.text; },
+    get run() { return core.run; },
+    get moment() { return core.run.moment; },
+    get info() { return core.run.info; },
+    get live() { return core.run.live; },
     get playing() { return playback.playing; },
     get speed() { return playback.speed; },
-    set speed(speed: number) { playback.speed = speed; say("playing"); },
-    get end() { return run.end; },
-    get past() { return run.past; },
-    get contacts() { return run.contacts; },
-    get share() { return shareOf(playback, run); },
-    say,
-    refuse: (message: string) => void fail(message),
-    on(event: LabEvent, listener: () => void) {
+    set speed(speed: number) { playback.speed = speed; lab.say("playing"); },
+    get end() { return core.run.end; },
+    get past() { return core.run.past; },
+    get contacts() { return core.run.contacts; },
+    get share() { return shareOf(playback, core.run); },
+  };
+}
+
+function listeningTo({ lab, fail }: Core): Partial<PageLab> {
+  const listeners = new Map<LabEvent, Set<() => void>>();
+  return {
+    say: (event) => listeners.get(event)?.forEach((listener) => listener()),
+    refuse: (message) => void fail(message),
+    on(event, listener) {
       const all = listeners.get(event) ?? new Set();
       listeners.set(event, all.add(listener));
       return () => { all.delete(listener); };
     },
-    select(robot: number | null) {
+    select(robot) {
       if (robot === lab.selected) return;
       lab.selected = robot;
-      say("selection");
+      lab.say("selection");
     },
-    highlight(what: string | null) {
+    highlight(what) {
       if (what === lab.highlighted) return;
       lab.highlighted = what;
-      say("highlight");
+      lab.say("highlight");
     },
-    openText(yaml: string, name = lab.name, options: SceneOptions = lab.options) {
-      attempt(() => {
-        const next = new LiveRun(library.simulate(yaml, { ...options, name }));
-        text = yaml;
-        lab.name = name;
-        lab.options = options;
-        say("text");
-        start(next);
-      }, { yaml, name, options });
+  };
+}
+
+/** What is no UTF-8, the library refuses in its words. */
+function yamlOf(library: Library, bytes: Uint8Array, name: string): string {
+  const yaml = new TextDecoder().decode(bytes);
+  if (yaml.includes("\ufffd")) library.simulate(bytes, { name });
+  return yaml;
+}
+
+function opening(core: Core): Partial<PageLab> {
+  const { library, lab } = core;
+  const open = (next: Run, text: string, name: string, options: SceneOptions): void => {
+    core.text = text;
+    lab.name = name;
+    lab.options = options;
+    lab.say("text");
+    core.start(next);
+  };
+  return {
+    openText(yaml, name = lab.name, options = lab.options) {
+      const read = () => new LiveRun(library.simulate(yaml, { ...options, name }));
+      core.attempt(() => open(read(), yaml, name, options), { yaml, name, options });
     },
-    async openFile(name: string, bytes: Uint8Array, files: SceneFile[] = [], scene: RecordedScene | null = null) {
+    async openFile(name, bytes, files = [], scene = null) {
       try {
-        if (formatOf(name, bytes) === "yaml") return lab.openText(yamlOf(bytes, name), name, { files });
+        if (formatOf(name, bytes) === "yaml") return lab.openText(yamlOf(library, bytes, name), name, { files });
         const recording = await openRecording(name, bytes);
         recording.scene ??= scene;
         const { info, goals } = infoOf(recording, library);
         const next = await RecordedRun.open(recording, info, goals);
-        text = recording.scene?.yaml ?? "";
-        lab.name = name;
-        lab.options = liveOptions(recording);
-        clearError();
-        say("text");
-        start(next);
+        clearError(lab);
+        open(next, recording.scene?.yaml ?? "", name, liveOptions(recording));
       } catch (error) {
-        fail(error);
-      }
-    },
-    edit(change: (simulation: Simulation) => void) {
-      const live = run;
-      if (!(live instanceof LiveRun)) return false;
-      return attempt(() => {
-        live.edit((simulation) => { change(simulation); return simulation; });
-        shown("scene", "moment");
-      });
-    },
-    carryOn(yaml: string) {
-      const live = run;
-      if (!(live instanceof LiveRun)) return fail("a recording does not change; run its scene to try something else");
-      const options = { ...lab.options, name: lab.name };
-      return attempt(() => {
-        if (live.moment.steps === 0) run = new LiveRun(library.simulate(yaml, options));
-        else live.edit((simulation) => simulation.carriedInto(yaml, options));
-        text = yaml;
-        say("text");
-        shown("scene", "moment");
-      });
-    },
-    noteText(yaml: string) {
-      text = yaml;
-      say("text");
-    },
-    textWith(path: string, value: unknown) {
-      const all = /^robots\.\*\.(\w+)$/.exec(path);
-      return all ? withRobotKey(text, all[1]!, Number(value)) : withValue(text, path, value);
-    },
-    set(path: string, value: unknown) {
-      try {
-        lab.carryOn(lab.textWith(path, value));
-      } catch (error) {
-        fail(error);
-      }
-    },
-    play() {
-      if (playback.playing) return;
-      if (!run.canStep()) went(run.goTo(run.start));
-      playback.time = run.moment.time;
-      playback.target = null;
-      playback.playing = true;
-      say("playing");
-    },
-    pause: pauseNow,
-    stepForward() {
-      pauseNow();
-      attempt(() => { if (run.canStep() && run.step()) shown("moment"); });
-    },
-    stepBack() {
-      pauseNow();
-      went(run.stepBack());
-    },
-    seek(time: number) {
-      const known = run.past.times[run.past.size - 1]!;
-      if (run.live && time > known + 1e-9) playback.target = time;
-      else playback.target = null;
-      went(run.goTo(time));
-    },
-    restart() {
-      pauseNow();
-      if (run instanceof LiveRun) lab.openText(text);
-      else went(run.goTo(run.start));
-    },
-    frame(elapsed: number) {
-      try {
-        const arrived = run.live?.allAtGoal() ?? false;
-        if (moveOn(playback, run, elapsed)) {
-          say("moment");
-          if (!arrived && run.live?.allAtGoal()) pauseNow();
-        }
-        if (playback.playing && !run.canStep() && playback.time >= run.moment.time - 1e-9) pauseNow();
-      } catch (error) {
-        pauseNow();
-        fail(error);
+        core.fail(error);
       }
     },
   };
-  return lab;
+}
+
+function editing(core: Core): Partial<PageLab> {
+  const { library, lab } = core;
+  return {
+    edit(change) {
+      const live = core.run;
+      if (!(live instanceof LiveRun)) return false;
+      return core.attempt(() => {
+        live.edit((simulation) => { change(simulation); return simulation; });
+        core.shown("scene", "moment");
+      });
+    },
+    carryOn(yaml) {
+      const live = core.run;
+      if (!(live instanceof LiveRun)) return core.fail("a recording does not change; run its scene to try something else");
+      const options = { ...lab.options, name: lab.name };
+      return core.attempt(() => {
+        if (live.moment.steps === 0) core.run = new LiveRun(library.simulate(yaml, options));
+        else live.edit((simulation) => simulation.carriedInto(yaml, options));
+        lab.noteText(yaml);
+        core.shown("scene", "moment");
+      });
+    },
+    noteText(yaml) {
+      core.text = yaml;
+      lab.say("text");
+    },
+    textWith(path, value) {
+      const all = /^robots\.\*\.(\w+)$/.exec(path);
+      return all ? withRobotKey(core.text, all[1]!, Number(value)) : withValue(core.text, path, value);
+    },
+    set(path, value) {
+      try {
+        lab.carryOn(lab.textWith(path, value));
+      } catch (error) {
+        core.fail(error);
+      }
+    },
+  };
+}
+
+function going(core: Core): Partial<PageLab> {
+  const { lab, playback } = core;
+  const went = (done: Promise<void> | void): void => {
+    const tell = () => core.shown("scene", "moment");
+    if (done) done.then(tell, core.fail);
+    else tell();
+  };
+  return {
+    play() {
+      const { run } = core;
+      if (playback.playing) return;
+      if (!run.canStep()) went(run.goTo(run.start));
+      Object.assign(playback, { playing: true, time: run.moment.time, target: null });
+      lab.say("playing");
+    },
+    pause() {
+      if (!playback.playing && playback.target === null) return;
+      Object.assign(playback, { playing: false, target: null });
+      lab.say("playing");
+    },
+    stepForward() {
+      lab.pause();
+      core.attempt(() => { if (core.run.canStep() && core.run.step()) core.shown("moment"); });
+    },
+    stepBack() {
+      lab.pause();
+      went(core.run.stepBack());
+    },
+    seek(time) {
+      const { run } = core;
+      const known = run.past.times[run.past.size - 1]!;
+      playback.target = run.live && time > known + 1e-9 ? time : null;
+      went(run.goTo(time));
+    },
+    restart() {
+      lab.pause();
+      if (core.run instanceof LiveRun) lab.openText(core.text);
+      else went(core.run.goTo(core.run.start));
+    },
+    frame(elapsed) {
+      const { run } = core;
+      try {
+        const arrived = run.live?.allAtGoal() ?? false;
+        if (moveOn(playback, run, elapsed)) {
+          lab.say("moment");
+          if (!arrived && run.live?.allAtGoal()) lab.pause();
+        }
+        if (playback.playing && !run.canStep() && playback.time >= run.moment.time - 1e-9) lab.pause();
+      } catch (error) {
+        lab.pause();
+        core.fail(error);
+      }
+    },
+  };
 }
