@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <fmt/format.h>
 
 #include "avo/assumptions.h"
@@ -22,13 +23,19 @@ std::string name_of(int source) {
                      : fmt::format("moving obstacle {}", -1 - source);
 }
 
+// One of the sixth digit: a power of ten, as formatting and reading round it, correctly.
+double sixth_digit(double value) {
+  const std::string digits = fmt::format("{:.5e}", value);
+  const int exponent = std::atoi(digits.c_str() + digits.find('e') + 1);
+  return std::strtod(fmt::format("1e{}", exponent - 5).c_str(), nullptr);
+}
 // Six digits, rounded so that whoever types them is within the limit: upwards or downwards.
 std::string at_least(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  const double unit = sixth_digit(value);
   return fmt::format("{:.6g}", std::ceil(value / unit * (1.0 - 5e-13)) * unit);
 }
 std::string at_most(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 5.0);
+  const double unit = sixth_digit(value);
   return fmt::format("{:.6g}", std::floor(value / unit) * unit);
 }
 
