@@ -49,6 +49,7 @@ struct ObstacleView {
   std::span<const Vec2> position;
   std::span<const Vec2> velocity;
   std::span<const MovingObstacle> setup;
+  std::span<const std::uint32_t> target;  ///< index of the point of its path that it goes for
 };
 
 /// By ascending id. Valid until the next call that changes the simulation.

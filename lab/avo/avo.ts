@@ -45,6 +45,10 @@ export async function load(source: BufferSource | WebAssembly.Module): Promise<L
       put(asked, taken(bytes));
       return getText(asked, asked.functions["builtin_text"]!()) || undefined;
     },
-    simulate: (yaml, options = {}) => new Simulation(module, readScene(module, yaml, options)),
+    simulate: (yaml, options = {}) => {
+      const instance = instantiate(module);
+      readScene(instance, yaml, options);
+      return new Simulation(module, instance);
+    },
   };
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene that is simulated.
-import { addNumber, addText, addWhole, emptyBytes, taken } from "./bytes.ts";
-import type { Bytes } from "./bytes.ts";
-import { AvoError, fromImage, get, getText, imageOf, instantiate, put } from "./instance.ts";
+import { addText, addWhole, emptyBytes, taken } from "./bytes.ts";
+import { AvoError, fromImage, get, getText, imageOf, put } from "./instance.ts";
 import type { Instance } from "./instance.ts";
 import { momentOf } from "./moment.ts";
 import type { Box, BrakingPath, Contact, Moment, Outline, RobotSetup, SceneInfo, SceneOptions } from "./types.ts";
@@ -138,10 +137,14 @@ export class Simulation {
     this.#change(() => this.#instance.functions["remove_obstacle"]!(obstacle));
   }
 
-  /** Another simulation, of that scene, in which robots are where those of the same numbers are in this one, and as fast;
-   * those that are not there here are not there either. Throws AvoError where the scene is refused. */
+  /** Another simulation, whose time is 0, in which this scene with a changed text goes on: robots and moving obstacles
+   * are where those of the same numbers are in this one, as fast, and on the way to the same goals and points; who came
+   * or left here did so there. What the text says anew holds: settings, walls, other goals, further robots; at step 0
+   * also other starts. What robots remember is forgotten. Throws AvoError where the scene is refused. */
   carriedInto(yaml: string | Uint8Array, options: SceneOptions = {}): Simulation {
-    return new Simulation(this.#module, readScene(this.#module, yaml, options, this.moment()));
+    const copy = fromImage(this.#module, new Uint8Array(this.#instance.memory.buffer));
+    readScene(copy, yaml, options, true);
+    return new Simulation(this.#module, copy);
   }
 
   #add(name: string, called: string, yaml: string): number {
@@ -183,10 +186,8 @@ export class Simulation {
   }
 }
 
-/** The scene in `yaml`, in an instance of its own; its robots start where they are in `moment`. */
-export function readScene(
-  module: WebAssembly.Module, yaml: string | Uint8Array, options: SceneOptions, moment?: Moment,
-): Instance {
+/** The scene in `yaml` is that of the instance then; it may take over from the one that runs there. */
+export function readScene(instance: Instance, yaml: string | Uint8Array, options: SceneOptions, takesOver = false): void {
   const bytes = emptyBytes();
   addText(bytes, options.name ?? "scene");
   addText(bytes, yaml);
@@ -202,23 +203,11 @@ export function readScene(
     addWhole(bytes, builtin ? 1 : 0);
   }
   addWhole(bytes, options.metrics ? 1 : 0);
-  addWhole(bytes, moment ? 1 : 0);
-  if (moment) addStarts(bytes, moment);
-  const instance = instantiate(module);
+  addWhole(bytes, takesOver ? 1 : 0);
   put(instance, taken(bytes));
   try {
     instance.functions["read_scene"]!();
   } catch (error) {
     throw error instanceof AvoError ? error : new AvoError(`the module failed: ${String(error)}`);
   }
-  return instance;
-}
-
-function addStarts(bytes: Bytes, { robot, position, velocity, heading }: Moment): void {
-  addWhole(bytes, robot.length);
-  robot.forEach((number, k) => {
-    addWhole(bytes, number);
-    for (const value of [position[2 * k]!, position[2 * k + 1]!, velocity[2 * k]!, velocity[2 * k + 1]!, heading[k]!])
-      addNumber(bytes, value);
-  });
 }

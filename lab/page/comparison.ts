@@ -7,6 +7,8 @@ import { digits, element, oncePerFrame } from "./elements.ts";
 import type { Explained } from "./explained.ts";
 import { explained } from "./explained.ts";
 import { simulationFor } from "./inspector.ts";
+import { withMethod } from "./method_text.ts";
+import { simulationOfRow } from "./recorded_decision.ts";
 import { makeSpaceCanvas, sharedAxes, type SpaceCanvas } from "./space_canvas.ts";
 import { sentence } from "./why.ts";
 
@@ -32,7 +34,8 @@ export function openComparison(lab: Lab): void {
     if (lab.selected === null) return dialog.close();
     const own = attempt(() => explained(simulationFor(lab), lab.info, lab.selected!, lab.playing));
     const other = attempt(() => {
-      const simulation = simulationFor(lab).carriedInto(lab.textWith("method", method.value), lab.options);
+      const text = withMethod(lab, method.value);
+      const simulation = lab.live?.carriedInto(text, { ...lab.options, name: lab.name }) ?? simulationOfRow(lab, text);
       return explained(simulation, simulation.info(), lab.selected!, lab.playing);
     });
     fillSide(sides[0], lab.info.options.method, own);

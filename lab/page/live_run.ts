@@ -27,6 +27,7 @@ export class LiveRun implements Run {
   }
 
   get live(): Simulation { return this.place.simulation; }
+  get edited(): boolean { return this.place.edits > 0; }
   get contacts() { return this.log.list; }
   get end(): number { return Math.max(this.info.duration, this.past.times[this.past.size - 1]!); }
 

@@ -215,7 +215,7 @@ function editing(core: Core): Partial<PageLab> {
       if (!(live instanceof LiveRun)) return core.fail("a recording does not change; run its scene to try something else");
       const options = { ...lab.options, name: lab.name };
       return core.attempt(() => {
-        if (live.moment.steps === 0) core.run = new LiveRun(library.simulate(yaml, options));
+        if (live.moment.steps === 0 && !live.edited) core.run = new LiveRun(library.simulate(yaml, options));
         else live.edit((simulation) => simulation.carriedInto(yaml, options));
         lab.noteText(yaml);
         core.shown("scene", "moment");

@@ -17,13 +17,13 @@ export function startsOf({ moment, info }: Pick<Lab, "moment" | "info">): string
   return starts;
 }
 
-/** Throws one line that says why the row cannot be explained. */
-export function simulationOfRow(lab: Lab): Simulation {
-  if (!lab.text) throw new Error("This recording does not hold its scene: radii, limits and goals are unknown, so there is nothing to explain.");
+/** By the recording's scene, or another text of it. Throws one line that says why the row cannot be explained. */
+export function simulationOfRow(lab: Lab, text = lab.text): Simulation {
+  if (!text) throw new Error("This recording does not hold its scene: radii, limits and goals are unknown, so there is nothing to explain.");
   if (lab.info.moving_obstacles.length > 0)
     throw new Error("A recording does not tell where moving obstacles are, so this scene's decisions cannot be explained from its rows.");
   const overrides = [...(lab.options.overrides ?? []), ...startsOf(lab)];
-  const simulation = lab.library.simulate(lab.text, { ...lab.options, name: lab.name, overrides });
+  const simulation = lab.library.simulate(text, { ...lab.options, name: lab.name, overrides });
   const present = new Set(lab.moment.robot);
   for (const { robot } of lab.info.robots) if (!present.has(robot)) simulation.removeRobot(robot);
   return simulation;

@@ -2,7 +2,8 @@
 // The paper's quantities, to be turned while the run goes on; the scene's text follows.
 import { digits, element } from "./elements.ts";
 import type { PageLab } from "./make_lab.ts";
-import { robotsListed, valueAt, withValue } from "./scene_text.ts";
+import { withMethod } from "./method_text.ts";
+import { robotsListed, valueAt } from "./scene_text.ts";
 
 interface Knob {
   path: string;          // with * for all robots
@@ -109,10 +110,8 @@ function makeChoice(lab: PageLab, path: string, label: string) {
   const unset = element("option", { value: "" });
   const select = element("select", { "aria-label": label }, unset, ...values.map((value) => element("option", { value }, value)));
   select.addEventListener("change", () => {
-    const leavesAvo = path === "method" && select.value !== "" && valueAt(lab.text, "certificate") !== undefined;
-    const text = lab.textWith(path, select.value || undefined);
-    if (leavesAvo) lab.carryOn(withoutCertificate(lab, text));
-    else lab.carryOn(text);
+    const value = select.value || undefined;
+    lab.carryOn(path === "method" ? withMethod(lab, value) : lab.textWith(path, value));
     refresh();
   });
   const refresh = () => {
@@ -124,14 +123,4 @@ function makeChoice(lab: PageLab, path: string, label: string) {
     select.value = typeof known === "string" ? known : "";
   };
   return { row: element("label", { class: "choice" }, element("span", {}, label), select), refresh };
-}
-
-/** Only `avo` may have one; what the scene says of another method's is not for this one. */
-function withoutCertificate(lab: PageLab, text: string): string {
-  try {
-    lab.library.simulate(text, { ...lab.options, name: lab.name });
-    return text;
-  } catch {
-    return withValue(text, "certificate", undefined);
-  }
 }

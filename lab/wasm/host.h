@@ -23,6 +23,7 @@ namespace avo_lab {
 /// One scene and its simulation an instance.
 struct Lab {
   avo::Scenario scenario;  ///< as it was read
+  avo::Scenario start;     ///< what the simulation began with: that, or what it has taken over
   std::unique_ptr<avo::Simulation> simulation;
   std::unique_ptr<avo::Metrics>
       metrics;  ///< since the start, where they were asked for; none once a state was restored
@@ -64,6 +65,13 @@ class Input {
   std::vector<std::byte> bytes_;
   std::size_t at_ = 0;
 };
+
+/// What a simulation of another text begins with where it takes over from the present one.
+struct Takeover {
+  avo::Scenario start;
+  std::vector<avo::RobotId> gone;  ///< that have to be removed first
+};
+Takeover taken_over_by(const avo::Scenario& text);
 
 /// m, of each robot of the present fleet, see avo/clearance.h; until the next call.
 std::span<const float> clearances_of(const avo::FleetView& fleet);

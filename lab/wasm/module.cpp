@@ -41,26 +41,6 @@ avo_io::SceneSource source_of(Input& input) {
   return source;
 }
 
-/// Puts the robots where those of their numbers are; the others are not there.
-std::vector<avo::RobotId> carry(Input& input, avo::Scenario& scenario) {
-  std::vector<bool> is_there(scenario.robots.size());
-  for (std::uint32_t left = input.whole(); left > 0; --left) {
-    const std::uint32_t number = input.whole();
-    avo::RobotSetup other;
-    avo::RobotSetup& robot = number < is_there.size() ? scenario.robots[number] : other;
-    if (number < is_there.size()) is_there[number] = true;
-    robot.position.x = input.number(), robot.position.y = input.number();
-    robot.velocity.x = input.number(), robot.velocity.y = input.number();
-    robot.heading = input.number();
-    if (robot.parked) robot.goal = robot.position, robot.velocity = {};
-    if (is_holonomic(robot.model)) robot.heading = 0.0;
-  }
-  std::vector<avo::RobotId> missing;
-  for (std::size_t k = 0; k < is_there.size(); ++k)
-    if (!is_there[k]) missing.push_back({k});
-  return missing;
-}
-
 }  // namespace
 
 Lab& lab() {
@@ -99,19 +79,20 @@ AVO_EXPORT(const std::byte*, room_begin)() {
   return room.data();
 }
 
-/// The scene in the room and its first state. Behind it are whether all steps are observed, whether
-/// the robots are where they were in another simulation, and then how many of them there are; of
-/// each its number, and x, y, both of its velocity, and heading.
+/// The scene in the room and its first state. Behind it are whether all steps are observed, and
+/// whether it takes over from the present simulation.
 AVO_EXPORT(void, read_scene)() {
   Input input(taken_from_room());
-  lab().scenario = avo_io::parse_scenario(source_of(input));
+  avo::Scenario scenario = avo_io::parse_scenario(source_of(input));
   const bool observed = input.whole() != 0;
-  const std::vector<avo::RobotId> missing =
-      input.whole() != 0 ? carry(input, lab().scenario) : std::vector<avo::RobotId>{};
-  lab().simulation = std::make_unique<avo::Simulation>(lab().scenario);
-  for (const avo::RobotId robot : missing) lab().simulation->remove_robot(robot);
+  Takeover next = input.whole() != 0 ? taken_over_by(scenario) : Takeover{scenario, {}};
+  lab().simulation = std::make_unique<avo::Simulation>(next.start);
+  for (const avo::RobotId robot : next.gone) lab().simulation->remove_robot(robot);
+  lab().scenario = std::move(scenario);
+  lab().start = std::move(next.start);
+  lab().metrics.reset();
   if (!observed) return;
-  lab().metrics = std::make_unique<avo::Metrics>(lab().scenario);
+  lab().metrics = std::make_unique<avo::Metrics>(lab().start);
   lab().metrics->observe(*lab().simulation);
 }
 

@@ -86,7 +86,7 @@ Json walls_of(const avo::StaticObstacleView& obstacles) {
 
 /// JSON.
 AVO_EXPORT(std::size_t, info)() {
-  const auto& [scenario, simulation, metrics] = lab();
+  const auto& [scenario, start, simulation, metrics] = lab();
   Json moving_obstacles = Json::array();
   for (const avo::MovingObstacle& obstacle : simulation->obstacles().setup)
     moving_obstacles.push_back({{"radius", obstacle.radius}});
@@ -96,8 +96,8 @@ AVO_EXPORT(std::size_t, info)() {
                   {"robots", robots_of(simulation->fleet())},
                   {"walls", walls_of(simulation->static_obstacles())},
                   {"moving_obstacles", moving_obstacles},
-                  {"advice", avo::advice(scenario)},
-                  {"broken_assumptions", avo_io::complaints(scenario)}};
+                  {"advice", avo::advice(start)},
+                  {"broken_assumptions", avo_io::complaints(start)}};
   return into_room(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

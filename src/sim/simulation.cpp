@@ -191,7 +191,7 @@ std::optional<std::size_t> Simulation::index_of(RobotId robot) const {
 
 ObstacleView Simulation::obstacles() const {
   const ObstacleColumns& o = state_->obstacles;
-  return {o.position, o.velocity, o.setup};
+  return {o.position, o.velocity, o.setup, o.target};
 }
 
 StaticObstacleView Simulation::static_obstacles() const {

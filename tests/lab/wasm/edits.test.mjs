@@ -118,6 +118,61 @@ test("another scene's text takes over where everybody is", () => {
   }
 });
 
+const MOVERS = `version: 1
+robots:
+  - {position: [-8, 0], goal: [8, 0]}
+  - {position: [8, 6], goal: [-8, 6]}
+moving_obstacles:
+  - {position: [10, 1], velocity: [-1, 0], acceleration: [0.1, 0], radius: 0.4}
+  - {position: [0, -6], velocity: [0, 0], radius: 0.3, max_speed: 1.3, max_deviation: 2, path: [[0, -5], [5, -5], [5, 5]]}
+`;
+const everything = ({ robot, position, velocity, goal, moving_obstacles }) => ({ robot, position, velocity, goal, moving_obstacles });
+
+test("a changed text takes over moving obstacles, their ways, and goals that were set", () => {
+  const name = "movers";
+  const simulation = steps(library.simulate(MOVERS, { name }), 80);
+  simulation.setGoal(0, 5, 5);
+  let other = simulation.carriedInto(`${MOVERS}time_horizon: 4\n`, { name });
+  assert.deepEqual(everything(other.moment()), everything(simulation.moment()));
+  const [late, alone] = [steps(library.simulate(MOVERS, { name }), 300), steps(other, 220)];
+  assert.deepEqual(alone.moment().moving_obstacles, late.moment().moving_obstacles, "they go on to the same points");
+  other = steps(other.carriedInto(`${MOVERS}time_horizon: 5\n`, { name }), 100);
+  assert.deepEqual(other.moment().moving_obstacles, steps(late, 100).moment().moving_obstacles, "also when taken over twice");
+  // what the text says anew holds
+  const elsewhere = MOVERS.replace("goal: [8, 0]", "goal: [7, 0]").replace("goal: [-8, 6]", "goal: [-7, 6]");
+  assert.deepEqual([...simulation.carriedInto(elsewhere, { name }).moment().goal], [7, 0, -7, 6]);
+  const turned = simulation.carriedInto(MOVERS.replace("[5, -5], [5, 5]", "[-5, -5]"), { name });
+  assert.deepEqual(turned.moment().moving_obstacles, simulation.moment().moving_obstacles);
+  assert.ok(steps(turned, 100).moment().moving_obstacles[4] < 0, "by its new path");
+});
+
+test("a changed text takes over who came and left", () => {
+  const name = "two";
+  const simulation = steps(two(), 10);
+  simulation.removeRobot(1);
+  simulation.addRobot({ position: [0, -5], goal: [0, 5], radius: 0.3 });
+  simulation.removeRobot(simulation.addRobot({ position: [4, -5], goal: [4, 5] }));
+  simulation.addRobot({ position: [-4, -5], goal: [-4, 5] });
+  const other = simulation.carriedInto(`${TWO}time_horizon: 4\n`, { name });
+  assert.deepEqual(everything(other.moment()), everything(simulation.moment()));
+  assert.deepEqual(other.info().robots, simulation.info().robots);
+  assert.equal(other.addRobot({ position: [0, 20], goal: [0, 20] }), 5, "numbers are not given twice");
+  const more = TWO.replace("obstacles:", "  - {position: [1, 20], goal: [1, 21]}\nobstacles:");
+  assert.deepEqual([...steps(two(), 10).carriedInto(more, { name }).moment().robot], [0, 1, 2]);
+  const fewer = TWO.replace("  - {position: [8, 0.5], goal: [-8, 0]}\n", "");
+  assert.deepEqual([...steps(two(), 10).carriedInto(fewer, { name }).moment().robot], [0]);
+});
+
+test("at the start a changed text has other starts, and leaves those that were moved by hand", () => {
+  const name = "two";
+  const simulation = two();
+  simulation.moveRobot(1, 8, 3);
+  simulation.setGoal(1, -8, 3);
+  const other = simulation.carriedInto(TWO.replace("[-8, 0], goal", "[-9, 1], goal"), { name });
+  const { position, goal } = other.moment();
+  assert.deepEqual([[...position], [...goal]], [[-9, 1, 8, 3], [8, 0, -8, 3]]);
+});
+
 test("contacts are those of the clearances, and of walls and movers", () => {
   const crowd = library.simulate(`version: 1
 method: velocity_obstacle

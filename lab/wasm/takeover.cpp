@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// A text that has changed while its scene runs: what it changes holds, the rest goes on as it is.
+#include <algorithm>
+#include <cstddef>
+
+#include "host.h"
+
+namespace avo_lab {
+namespace {
+
+/// Where a robot of the text is once its scene runs; `was` is what the text said of it before, if it
+/// did.
+void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index) {
+  const avo::Simulation& now = *lab().simulation;
+  const avo::FleetView fleet = now.fleet();
+  if (!was || was->goal == robot.goal) robot.goal = fleet.goal[index];
+  const bool same_start = !was || (was->position == robot.position &&
+                                   was->velocity == robot.velocity && was->heading == robot.heading);
+  if (now.steps() > 0 || same_start) {
+    robot.position = fleet.position[index];
+    robot.velocity = fleet.velocity[index];
+    robot.heading = is_holonomic(robot.model) ? 0.0 : fleet.heading[index];
+  }
+  if (robot.parked) robot.goal = robot.position, robot.velocity = {};
+}
+
+void go_on(avo::MovingObstacle& obstacle, const avo::MovingObstacle* was, std::size_t index) {
+  const avo::Simulation& now = *lab().simulation;
+  const avo::ObstacleView movers = now.obstacles();
+  const bool same_start =
+      !was || (was->position == obstacle.position && was->velocity == obstacle.velocity);
+  if (now.steps() == 0 && !same_start) return;
+  obstacle.position = movers.position[index];
+  obstacle.velocity = movers.velocity[index];
+  if (was && was->path != obstacle.path) return;
+  obstacle.path = movers.setup[index].path;  // which begins with what it went for when it took over
+  std::rotate(obstacle.path.begin(), obstacle.path.begin() + static_cast<std::ptrdiff_t>(movers.target[index]),
+              obstacle.path.end());
+}
+
+std::size_t number_of(avo::RobotId robot) {
+  return static_cast<std::size_t>(robot.value);
+}
+
+template <class Setup>
+const Setup* at(const std::vector<Setup>& setups, std::size_t index) {
+  return index < setups.size() ? &setups[index] : nullptr;
+}
+
+}  // namespace
+
+Takeover taken_over_by(const avo::Scenario& text) {
+  const avo::Scenario& was = lab().scenario;
+  const avo::FleetView fleet = lab().simulation->fleet();
+  Takeover next{text, {}};
+  std::vector<avo::RobotSetup>& robots = next.start.robots;
+  const std::size_t listed = robots.size();
+  // numbers that this run has given, to robots of the text and to those that came later
+  std::size_t given = was.robots.size();
+  if (!fleet.id.empty()) given = std::max(given, number_of(fleet.id.back()) + 1);
+  std::vector<bool> is_gone(std::max(given, listed));
+  std::fill_n(is_gone.begin(), given, true);
+  for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+    const std::size_t number = number_of(fleet.id[k]);
+    if (number >= listed && number < was.robots.size()) continue;  // the text has it no longer
+    if (number >= robots.size()) robots.resize(number + 1, fleet.setup[k]);
+    is_gone[number] = false;
+    if (number >= listed) robots[number] = fleet.setup[k];
+    go_on(robots[number], at(was.robots, number), k);
+  }
+  for (std::size_t number = 0; number < robots.size(); ++number)
+    if (is_gone[number]) next.gone.push_back({number});
+  const std::size_t movers = lab().simulation->obstacles().setup.size();
+  std::vector<avo::MovingObstacle>& obstacles = next.start.moving_obstacles;
+  for (std::size_t k = 0; k < std::min(movers, obstacles.size()); ++k)
+    go_on(obstacles[k], at(was.moving_obstacles, k), k);
+  return next;
+}
+
+}  // namespace avo_lab
