@@ -100,6 +100,23 @@ TEST(People, walk_into_robots_at_rest_only) {
   EXPECT_EQ(summary.arrived, 20);
 }
 
+TEST(People, tell_which_point_they_go_for) {
+  Simulation simulation(busy_hall(), 1);
+  std::vector<PathWalk> walks;
+  for (const MovingObstacle& person : simulation.obstacles().setup)
+    walks.push_back({person.position, person.velocity});
+  for (int step = 0; step < 300; ++step) {
+    simulation.step();
+    const ObstacleView people = simulation.obstacles();
+    ASSERT_EQ(people.target.size(), 2u);
+    for (std::size_t k = 0; k < walks.size(); ++k) {
+      walks[k] = next_on_path(people.setup[k], walks[k], 0.1);
+      ASSERT_EQ(people.target[k], walks[k].target) << step;
+    }
+  }
+  EXPECT_EQ(walks[0].target, 1u);
+}
+
 TEST(Braking, towards_a_goal_begins_as_early_as_the_limit_asks_for) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {20, 0})};
