@@ -123,6 +123,8 @@ std::string recorded(const LabArguments& arguments, const std::string& output) {
   if (path == "-")
     throw UsageError("the recording: found -, must be a file; a scene may be the standard input");
   require_distinct({{"the recording", path}, file_of(arguments.scene)}, {{"the page", output}});
+  if (avo_io::is_builtin_scene(path))
+    throw UsageError(path + ": found a built-in scene with --scene, must be a recording as CSV");
   const bool has_scene = avo_io::read_recording_header(path).has_value();
   const std::string& scene = arguments.scene.scene;
   if (!has_scene && scene.empty())

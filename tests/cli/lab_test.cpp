@@ -196,6 +196,7 @@ TEST(Lab, refuses_what_no_page_can_show) {
       {{"run.h5", "--set", "seed=2"}, 2, "--set and the like: found with a recording that has"},
       {{"--set", "seed=2"}, 2, "--set and the like: found without a scene, must be with one"},
       {{"--scene", "circle-3"}, 2, "--scene: found without a recording"},
+      {{"circle-5", "--scene", "circle-3"}, 2, "circle-5: found a built-in scene with --scene"},
       {{"-", "--scene", "circle-3"}, 2, "the recording: found -, must be a file"},
       {{"circle-3", "--out", "out.txt"}, 2, "--out out.txt: found the ending .txt"},
       {{"circle-3", "--set", "robots=1"}, 2, "--set robots=1"},
