@@ -68,6 +68,42 @@ test("a key of all robots comes to those of the list and of the groups", () => {
   assert.ok(hasMoreRobots(SCENE));
 });
 
+test("a key of a thousand robots comes at once, and of ten thousand in ten times as long", () => {
+  const scene = (count) => `version: 1\nrobots:\n${"  - {position: [-8, 0], goal: [8, 0]}\n".repeat(count)}`;
+  const took = (count) => {
+    const yaml = scene(count);
+    const begin = performance.now();
+    assert.equal(withRobotKey(yaml, "radius", 0.4), yaml.replaceAll("}", ", radius: 0.4}"));
+    return performance.now() - begin;
+  };
+  took(1000);
+  const thousand = took(1001);
+  assert.ok(thousand < 300, `${thousand} ms`);
+  assert.ok(took(10000) < 50 * thousand);
+});
+
+test("a word that ends with a space, and JSON", () => {
+  assert.equal(withValue("{\"version\": 1}", "method", "orca"), '{"version": 1, "method": "orca"}');
+  assert.equal(withValue("version: 1\n", "name", "a "), 'version: 1\nname: "a "\n');
+});
+
+test("the next entry of a list in lines has a line of its own", () => {
+  const list = "obstacles: [\n  {disc: {center: [0, 0], radius: 1}}   # one\n]\n";
+  assert.equal(withEntry(list, "obstacles", { wkt: "x" }), "obstacles: [\n  {disc: {center: [0, 0], radius: 1}},   # one\n  {wkt: x}\n]\n");
+  assert.equal(withValue(withEntry(list, "obstacles", 1), "obstacles.1", undefined), list);
+});
+
+test("a value in lines of its own comes to its key", () => {
+  const robot = "robots:\n  - position:   # m\n    - 1\n    - 2\n    goal: [0, 0]\n";
+  assert.equal(withValue(robot, "robots.0.position", [3, 4]), "robots:\n  - position: [3, 4]   # m\n    goal: [0, 0]\n");
+});
+
+test("keys without a value get one", () => {
+  assert.equal(withEntry("version: 1\nobstacles:   # none\nname: a\n", "obstacles", 1), "version: 1\nobstacles:   [1] # none\nname: a\n");
+  assert.equal(withValue("sensing:\nversion: 1\n", "sensing.noise.position", 0.1), "sensing: {noise: {position: 0.1}}\nversion: 1\n");
+  assert.throws(() => withValue("version: 1", "robots.0.position", [1, 2]), { message: "the scene has nothing at robots.0" });
+});
+
 test("numbers have no noise, and words that YAML would take for something else are quoted", () => {
   assert.equal(flow({ a: 0.1 + 0.2, b: ["no", "a word", "1: 2", true] }), '{a: 0.3, b: ["no", a word, "1: 2", true]}');
   for (const text of ["true", "null", "1", "- x", "#", "", "a: b"]) assert.equal(parse(flow(text)), text);
