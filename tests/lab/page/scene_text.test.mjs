@@ -5,6 +5,7 @@ import { test } from "node:test";
 import { parse } from "yaml";
 import { flow, hasMoreRobots, robotsListed, valueAt, withEntry, withRobotKey, withValue } from "../../../lab/page/scene_text.ts";
 import { withoutWall, withWallMoved } from "../../../lab/page/wall_text.ts";
+import { library } from "../wasm/module.mjs";
 
 const SCENE = `# a scene
 version: 1
@@ -119,4 +120,26 @@ test("walls are moved, whole or by one end, whatever they are written as", () =>
   assert.deepEqual(parse(withWallMoved(SCENE, wall([5, 5], [5, 5], 1), null, 1, 1)).obstacles[2].disc.center, [6, 6]);
   assert.equal(withWallMoved(SCENE, wall([50, 50], [60, 60]), null, 1, 1), null, "a wall of a map");
   assert.equal(parse(withoutWall(SCENE, corner)).obstacles.length, 2);
+});
+
+test("a wall is that of its number and its thickness, where others have the same points", () => {
+  const scene = `version: 1
+robots:
+  - {position: [-8, 0], goal: [8, 0]}
+obstacles:
+  - {polyline: [[0, 5], [3, 5]]}
+  - {disc: {center: [0, 5], radius: 1}}
+  - {disc: {center: [0, 5], radius: 0.25}}
+  - {wkt: "LINESTRING (0 5, +3 5)"}
+`;
+  const { walls } = library.simulate(scene).info();
+  for (const one of walls) {
+    const kept = parse(scene).obstacles.filter((_, k) => k !== one.obstacle);
+    assert.deepEqual(parse(withoutWall(scene, one)).obstacles, kept);
+    const moved = library.simulate(withWallMoved(scene, one, null, 0, 1)).info().walls;
+    assert.deepEqual(moved, walls.map((each) => (each === one ? { ...each, a: [each.a[0], 6], b: [each.b[0], 6] } : each)));
+  }
+  const text = withoutWall(scene, walls[0]);  // and the run goes back to when it was there
+  assert.deepEqual(parse(withoutWall(text, walls[2])).obstacles.map((each) => Object.keys(each)[0]), ["disc", "wkt"]);
+  assert.equal(parse(withoutWall(text, walls[2])).obstacles[0].disc.radius, 1);
 });
