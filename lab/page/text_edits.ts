@@ -53,7 +53,7 @@ export function find({ document }: Source, keys: Key[]): Found {
   while (found.missing.length && isCollection(found.node)) {
     const holder = found.node as Collection;
     const key = found.missing[0]!;
-    const at = isSeq(holder) ? Number(key) : holder.items.findIndex((pair) => String(pair.key) === String(key));
+    const at = isSeq(holder) ? (typeof key === "number" ? key : -1) : holder.items.findIndex((pair) => String(pair.key) === String(key));
     const item = holder.items[at] as Item | undefined;
     if (item === undefined) break;
     Object.assign(found, { node: isPair(item) ? item.value : item, holder, at, missing: found.missing.slice(1) });
