@@ -92,7 +92,7 @@ export function adding(source: Source, keys: Key[], written: string): Edit[] {
 export function takingOut(source: Source, keys: Key[]): Edit[] {
   const { holder, at, missing } = find(source, keys);
   if (missing.length > 0 || !holder) return [];
-  const alone = holder.items.length === 1 && !holder.flow;
+  const alone = keys.length > 1 && holder.items.length === 1 && !holder.flow;
   if (alone && isSeq(holder)) return takingOut(source, keys.slice(0, -1));
   const items = tokensOf(holder);
   if (alone || !items) return putInto(source, find(source, keys.slice(0, -1)), "{}");

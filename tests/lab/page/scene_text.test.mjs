@@ -48,6 +48,8 @@ test("a new key stands among those of its kind", () => {
 test("undefined takes a key, an entry or the last entry's list out", () => {
   assert.deepEqual(changes(SCENE, withValue(SCENE, "time_horizon", undefined)), ["-time_horizon: 3.0     # s"]);
   assert.equal(withValue(SCENE, "method", undefined), SCENE);
+  assert.equal(withValue("version: 1  # alone\n", "version", undefined), "");
+  assert.equal(withValue("car:\n  reverse: true\n", "car.reverse", undefined), "car: {}\n");
   const one = withValue(SCENE, "robots.0", undefined);
   assert.deepEqual(parse(one).robots, [parse(SCENE).robots[1]]);
   assert.equal(parse(withValue(one, "robots.0", undefined)).robots, undefined);
