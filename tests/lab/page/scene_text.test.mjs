@@ -79,8 +79,7 @@ test("a key of a thousand robots comes at once, and of ten thousand in ten times
     assert.equal(withRobotKey(yaml, "radius", 0.4), yaml.replaceAll("}", ", radius: 0.4}"));
     return performance.now() - begin;
   };
-  took(1000);
-  const thousand = took(1001);
+  const thousand = Math.min(took(1000), took(1001), took(1002));
   assert.ok(thousand < 300, `${thousand} ms`);
   assert.ok(took(10000) < 50 * thousand);
 });
