@@ -5,6 +5,7 @@ import { formatOf, openRecording } from "./data/open.ts";
 import type { RecordedScene } from "./data/recording.ts";
 import type { Lab, LabEvent, SceneDraft, WorldPicture } from "./lab.ts";
 import { LiveRun } from "./live_run.ts";
+import { folded } from "./overrides.ts";
 import { moveOn, shareOf, type Playback } from "./playback.ts";
 import { infoOf, liveOptions } from "./recorded_scene.ts";
 import { RecordedRun } from "./recorded_run.ts";
@@ -172,9 +173,10 @@ function yamlOf(library: Library, bytes: Uint8Array, name: string): string {
 function opening(core: Core): Partial<PageLab> {
   const { library, lab } = core;
   const open = (next: Run, text: string, name: string, options: SceneOptions): void => {
-    core.text = text;
+    const scene = folded(text, options);
+    core.text = scene.yaml;
     lab.name = name;
-    lab.options = options;
+    lab.options = scene.options;
     lab.say("text");
     core.start(next);
   };

@@ -7,21 +7,28 @@ type Point = [number, number];
 type Wall = SceneInfo["walls"][number];
 type Entry = Record<string, unknown>;
 
-const same = (a: Point, b: Point) => Math.abs(a[0] - b[0]) < 1e-9 && Math.abs(a[1] - b[1]) < 1e-9;
-const NUMBERS = /(-?[\d.]+(?:e[-+]?\d+)?)\s+(-?[\d.]+(?:e[-+]?\d+)?)/gi;
+const near = (a: number, b: number) => Math.abs(a - b) < 1e-9;
+const same = (a: Point, b: Point) => near(a[0], b[0]) && near(a[1], b[1]);
+const NUMBERS = /([-+]?[\d.]+(?:e[-+]?\d+)?)\s+([-+]?[\d.]+(?:e[-+]?\d+)?)/gi;
 
-/** Path of the list or the text that holds the wall's points, and these; null of a wall of a map or of a file. */
-function sourceOf(yaml: string, wall: Wall): { entry: number; path: string; points: Point[]; wkt: string | null } | null {
+/** An entry of `obstacles`, and the path of the list or the text that holds its points. */
+interface Source { entry: number; path: string; points: Point[]; radius: number; wkt: string | null }
+
+/** Null of a wall of a map or of a file. The run may be at a time when the list was another: the number alone may lie. */
+function sourceOf(yaml: string, wall: Wall): Source | null {
   const entries = (valueAt(yaml, "obstacles") ?? []) as Entry[];
-  for (const [entry, known] of entries.entries()) {
-    const shape = ["polyline", "polygon"].find((key) => key in known);
-    const wkt = typeof known["wkt"] === "string" ? known["wkt"] : null;
-    const disc = known["disc"] as { center: Point } | undefined;
-    const points = shape ? (known[shape] as Point[]) : wkt ? pointsOf(wkt) : disc ? [disc.center] : [];
-    if (!points.some((p) => same(p, wall.a)) || !points.some((p) => same(p, wall.b))) continue;
-    return { entry, path: `obstacles.${entry}.${shape ?? (wkt ? "wkt" : "disc.center")}`, points, wkt };
-  }
-  return null;
+  const has = ({ points, radius }: Source) =>
+    near(radius, wall.radius) && points.some((p) => same(p, wall.a)) && points.some((p) => same(p, wall.b));
+  const sources = entries.map(sourceIn).filter(has);
+  return sources.find(({ entry }) => entry === wall.obstacle) ?? sources[0] ?? null;
+}
+
+function sourceIn(known: Entry, entry: number): Source {
+  const shape = ["polyline", "polygon"].find((key) => key in known);
+  const wkt = typeof known["wkt"] === "string" ? known["wkt"] : null;
+  const disc = known["disc"] as { center: Point; radius: number } | undefined;
+  const points = shape ? (known[shape] as Point[]) : wkt ? pointsOf(wkt) : disc ? [disc.center] : [];
+  return { entry, path: `obstacles.${entry}.${shape ?? (wkt ? "wkt" : "disc.center")}`, points, radius: disc?.radius ?? 0, wkt };
 }
 
 function pointsOf(wkt: string): Point[] {

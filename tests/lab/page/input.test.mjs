@@ -60,6 +60,7 @@ test("a recording, as HDF5 with its scene and as CSV with one beside it", async 
     assert.equal(lab.info.robots.length, 4);
     assert.equal(lab.info.options.method, "avo");
     assert.ok(lab.text.includes("groups:"));
+    if (words.length === 1) assert.ok(lab.text.includes("duration: 3"), "what it was run with");
     assert.ok(lab.moment.goal.every(Number.isFinite));
   }
 });

@@ -5,6 +5,7 @@ import { test } from "node:test";
 import { parse } from "yaml";
 import { flow, hasMoreRobots, robotsListed, valueAt, withEntry, withRobotKey, withValue } from "../../../lab/page/scene_text.ts";
 import { withoutWall, withWallMoved } from "../../../lab/page/wall_text.ts";
+import { library } from "../wasm/module.mjs";
 
 const SCENE = `# a scene
 version: 1
@@ -47,6 +48,8 @@ test("a new key stands among those of its kind", () => {
 test("undefined takes a key, an entry or the last entry's list out", () => {
   assert.deepEqual(changes(SCENE, withValue(SCENE, "time_horizon", undefined)), ["-time_horizon: 3.0     # s"]);
   assert.equal(withValue(SCENE, "method", undefined), SCENE);
+  assert.equal(withValue("version: 1  # alone\n", "version", undefined), "");
+  assert.equal(withValue("car:\n  reverse: true\n", "car.reverse", undefined), "car: {}\n");
   const one = withValue(SCENE, "robots.0", undefined);
   assert.deepEqual(parse(one).robots, [parse(SCENE).robots[1]]);
   assert.equal(parse(withValue(one, "robots.0", undefined)).robots, undefined);
@@ -68,6 +71,41 @@ test("a key of all robots comes to those of the list and of the groups", () => {
   assert.ok(hasMoreRobots(SCENE));
 });
 
+test("a key of a thousand robots comes at once, and of ten thousand in ten times as long", () => {
+  const scene = (count) => `version: 1\nrobots:\n${"  - {position: [-8, 0], goal: [8, 0]}\n".repeat(count)}`;
+  const took = (count) => {
+    const yaml = scene(count);
+    const begin = performance.now();
+    assert.equal(withRobotKey(yaml, "radius", 0.4), yaml.replaceAll("}", ", radius: 0.4}"));
+    return performance.now() - begin;
+  };
+  const thousand = Math.min(took(1000), took(1001), took(1002));
+  assert.ok(thousand < 300, `${thousand} ms`);
+  assert.ok(took(10000) < 50 * thousand);
+});
+
+test("a word that ends with a space, and JSON", () => {
+  assert.equal(withValue("{\"version\": 1}", "method", "orca"), '{"version": 1, "method": "orca"}');
+  assert.equal(withValue("version: 1\n", "name", "a "), 'version: 1\nname: "a "\n');
+});
+
+test("the next entry of a list in lines has a line of its own", () => {
+  const list = "obstacles: [\n  {disc: {center: [0, 0], radius: 1}}   # one\n]\n";
+  assert.equal(withEntry(list, "obstacles", { wkt: "x" }), "obstacles: [\n  {disc: {center: [0, 0], radius: 1}},   # one\n  {wkt: x}\n]\n");
+  assert.equal(withValue(withEntry(list, "obstacles", 1), "obstacles.1", undefined), list);
+});
+
+test("a value in lines of its own comes to its key", () => {
+  const robot = "robots:\n  - position:   # m\n    - 1\n    - 2\n    goal: [0, 0]\n";
+  assert.equal(withValue(robot, "robots.0.position", [3, 4]), "robots:\n  - position: [3, 4]   # m\n    goal: [0, 0]\n");
+});
+
+test("keys without a value get one", () => {
+  assert.equal(withEntry("version: 1\nobstacles:   # none\nname: a\n", "obstacles", 1), "version: 1\nobstacles:   [1] # none\nname: a\n");
+  assert.equal(withValue("sensing:\nversion: 1\n", "sensing.noise.position", 0.1), "sensing: {noise: {position: 0.1}}\nversion: 1\n");
+  assert.throws(() => withValue("version: 1", "robots.0.position", [1, 2]), { message: "the scene has nothing at robots.0" });
+});
+
 test("numbers have no noise, and words that YAML would take for something else are quoted", () => {
   assert.equal(flow({ a: 0.1 + 0.2, b: ["no", "a word", "1: 2", true] }), '{a: 0.3, b: ["no", a word, "1: 2", true]}');
   for (const text of ["true", "null", "1", "- x", "#", "", "a: b"]) assert.equal(parse(flow(text)), text);
@@ -83,4 +121,26 @@ test("walls are moved, whole or by one end, whatever they are written as", () =>
   assert.deepEqual(parse(withWallMoved(SCENE, wall([5, 5], [5, 5], 1), null, 1, 1)).obstacles[2].disc.center, [6, 6]);
   assert.equal(withWallMoved(SCENE, wall([50, 50], [60, 60]), null, 1, 1), null, "a wall of a map");
   assert.equal(parse(withoutWall(SCENE, corner)).obstacles.length, 2);
+});
+
+test("a wall is that of its number and its thickness, where others have the same points", () => {
+  const scene = `version: 1
+robots:
+  - {position: [-8, 0], goal: [8, 0]}
+obstacles:
+  - {polyline: [[0, 5], [3, 5]]}
+  - {disc: {center: [0, 5], radius: 1}}
+  - {disc: {center: [0, 5], radius: 0.25}}
+  - {wkt: "LINESTRING (0 5, +3 5)"}
+`;
+  const { walls } = library.simulate(scene).info();
+  for (const one of walls) {
+    const kept = parse(scene).obstacles.filter((_, k) => k !== one.obstacle);
+    assert.deepEqual(parse(withoutWall(scene, one)).obstacles, kept);
+    const moved = library.simulate(withWallMoved(scene, one, null, 0, 1)).info().walls;
+    assert.deepEqual(moved, walls.map((each) => (each === one ? { ...each, a: [each.a[0], 6], b: [each.b[0], 6] } : each)));
+  }
+  const text = withoutWall(scene, walls[0]);  // and the run goes back to when it was there
+  assert.deepEqual(parse(withoutWall(text, walls[2])).obstacles.map((each) => Object.keys(each)[0]), ["disc", "wkt"]);
+  assert.equal(parse(withoutWall(text, walls[2])).obstacles[0].disc.radius, 1);
 });
