@@ -20,10 +20,11 @@ after(async () => {
   await browser.close();
 });
 
+const builtinText = (lab, name) => lab.page.evaluate((scene) => window.avoLab.library.builtinText(scene), name);
+
 async function withBuiltin(name, count, options = {}) {
   const lab = await open(browser, options);
-  const text = await lab.page.evaluate((scene) => window.avoLab.library.builtinText(scene), name);
-  await openText(lab.page, text, name);
+  await openText(lab.page, await builtinText(lab, name), name);
   await steps(lab.page, count);
   return lab;
 }
@@ -48,11 +49,17 @@ test("what the inspector shows is what avo explain says", async () => {
   await close(lab);
 });
 
-test("a link holds the scene", async () => {
-  const lab = await withBuiltin("office", 10);
+/** What "Copy link" puts behind the address. */
+async function linkedBy(lab) {
   await lab.page.getByRole("button", { name: "Copy link" }).click();
   await lab.page.waitForFunction(() => location.hash.startsWith("#scene="));
-  const [hash, text] = await lab.page.evaluate(() => [location.hash, window.avoLab.text]);
+  return lab.page.evaluate(() => location.hash);
+}
+
+test("a link holds the scene", async () => {
+  const lab = await withBuiltin("office", 10);
+  const hash = await linkedBy(lab);
+  const text = await lab.page.evaluate(() => window.avoLab.text);
   await close(lab);
   const other = await open(browser, { hash });
   assert.equal(await other.page.evaluate(() => window.avoLab.text), text);
@@ -60,6 +67,20 @@ test("a link holds the scene", async () => {
   const damaged = await open(browser, { hash: hash.slice(0, 60) });
   assert.ok(await damaged.page.evaluate(() => window.avoLab.error?.message), "a link that was cut off says so");
   await close(damaged);
+});
+
+test("another link in the same tab is opened", async () => {
+  const lab = await withBuiltin("office", 1);
+  const office = await linkedBy(lab);
+  await openText(lab.page, await builtinText(lab, "circle-10"), "circle-10");
+  await lab.page.evaluate(() => { location.hash = "elsewhere"; });
+  assert.equal(await lab.page.evaluate(() => window.avoLab.name), "circle-10");
+  await lab.page.evaluate((hash) => { location.hash = hash; }, office);
+  await lab.page.waitForFunction(() => window.avoLab.name === "office");
+  await lab.page.evaluate(() => { location.hash = "#scene=damaged"; });
+  await lab.page.waitForFunction(() => /damaged or cut off/.test(window.avoLab.error?.message));
+  assert.equal(await lab.page.evaluate(() => window.avoLab.name), "office");
+  await close(lab);
 });
 
 async function saved(lab, label) {
@@ -120,5 +141,13 @@ test("what the command line puts into the page is opened", async () => {
   writeFileSync(path, html.replace(empty, () => empty.replace("null", () => JSON.stringify(input).replaceAll("<", "\\u003c"))));
   const lab = await open(browser, { path });
   assert.deepEqual(await lab.page.evaluate(() => [window.avoLab.info.name, window.avoLab.info.robots[0].radius]), ["</script>", 0.25]);
+  await openText(lab.page, await builtinText(lab, "circle-10"), "circle-10");
+  const hash = await linkedBy(lab);
   await close(lab);
+  const linked = await open(browser, { path, hash }); // a link of this page shows what was linked
+  assert.equal(await linked.page.evaluate(() => window.avoLab.name), "circle-10");
+  await close(linked);
+  const damaged = await open(browser, { path, hash: hash.slice(0, 60) });
+  assert.deepEqual(await damaged.page.evaluate(() => [window.avoLab.name, window.avoLab.error !== null]), ["given", true]);
+  await close(damaged);
 });
