@@ -27,10 +27,11 @@ export function mountKeys(lab: PageLab, view: WorldView, openers: Openers): void
     event.preventDefault();
     action();
   });
-  // a button that was pressed by the pointer gives the keys back to the page
+  // a button that was pressed by the pointer gives the keys back to the page; before the button acts, since a dialog that
+  // it opens would give them back to it
   document.addEventListener("click", (event) => {
     if (event.detail > 0 && document.activeElement instanceof HTMLButtonElement) document.activeElement.blur();
-  });
+  }, { capture: true });
 }
 
 function isTaken(event: KeyboardEvent): boolean {
