@@ -45,18 +45,16 @@ function isTaken(event: KeyboardEvent): boolean {
 type Keys = Record<string, () => void>;
 
 function runKeys(lab: PageLab): Keys {
-  const faster = (by: number): void => {
-    const k = SPEEDS.findIndex((speed) => speed >= lab.speed);
-    lab.speed = SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, k + by))]!;
-  };
+  const faster = (): void => { lab.speed = SPEEDS.find((speed) => speed > lab.speed) ?? lab.speed; };
+  const slower = (): void => { lab.speed = SPEEDS.filter((speed) => speed < lab.speed).pop() ?? lab.speed; };
   return {
     " ": () => (lab.playing ? lab.pause() : lab.play()),
     ArrowRight: () => lab.stepForward(),
     ArrowLeft: () => lab.stepBack(),
     ShiftArrowRight: () => lab.seek(Math.min(lab.end, lab.moment.time + 1)),
     ShiftArrowLeft: () => lab.seek(Math.max(0, lab.moment.time - 1)),
-    ArrowUp: () => faster(1),
-    ArrowDown: () => faster(-1),
+    ArrowUp: faster,
+    ArrowDown: slower,
     r: () => lab.restart(),
   };
 }

@@ -129,6 +129,28 @@ test("keys: space plays, the arrows step", async () => {
   assert.equal(await lab.page.evaluate(() => window.avoLab.playing), false);
 });
 
+test("a dialog that the mouse opened gives the keys back", async () => {
+  for (const button of ["#help", "#scenes"]) {
+    await lab.page.locator(button).click();
+    await lab.page.keyboard.press("Escape");
+    await lab.page.waitForFunction(() => document.querySelector("dialog") === null);
+    await lab.page.keyboard.press(" ");
+    assert.equal(await lab.page.evaluate(() => window.avoLab.playing), true, button);
+    await lab.page.keyboard.press(" ");
+  }
+});
+
+test("any speed is shown, and keys go on to the next one", async () => {
+  const shown = () => lab.page.locator("select.speed option:checked").innerText();
+  await lab.page.evaluate(() => { window.avoLab.speed = 3; });
+  assert.equal(await shown(), "3×");
+  await lab.page.keyboard.press("ArrowUp");
+  assert.equal(await shown(), "4×");
+  await lab.page.evaluate(() => { window.avoLab.speed = 3; });
+  await lab.page.keyboard.press("ArrowDown");
+  assert.equal(await shown(), "2×");
+});
+
 test("a robot that is clicked is inspected", async () => {
   await steps(lab.page, 30);
   const at = await placeOf(1);
