@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { close, frames, launch, open, openText, stateHash, steps } from "./browser.mjs";
 
@@ -109,16 +109,20 @@ test("files that are saved are what other programs read", async () => {
   await close(lab);
 });
 
+async function openRecording(lab, path) {
+  await lab.page.evaluate(
+    ([name, base64]) => window.avoLab.openFile(name, Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))),
+    [basename(path), readFileSync(path).toString("base64")],
+  );
+}
+
 test("recordings play, as HDF5 and as CSV", async () => {
   const lab = await open(browser);
   for (const name of ["run.h5", "run.csv"]) {
     const path = join(folder, name);
     avo("run", "circle-10", "--duration", "8", "--record", path, "-q");
     if (name.endsWith("csv")) await openText(lab.page, avo("scenes", "circle-10"), "circle-10");
-    await lab.page.evaluate(
-      ([called, base64]) => window.avoLab.openFile(called, Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))),
-      [name, readFileSync(path).toString("base64")],
-    );
+    await openRecording(lab, path);
     assert.equal(await lab.page.evaluate(() => window.avoLab.error?.message ?? null), null);
     await lab.page.evaluate(() => window.avoLab.seek(8));
     await lab.page.waitForFunction(() => Math.abs(window.avoLab.moment.time - 8) < 1e-6);
@@ -126,6 +130,22 @@ test("recordings play, as HDF5 and as CSV", async () => {
     const positions = rows.flatMap((row) => row.split(",").slice(2, 4).map(Number));
     assert.deepEqual(await lab.page.evaluate(() => [...window.avoLab.moment.position]), positions, name);
   }
+  await close(lab);
+});
+
+test("a recording is saved as it was recorded, without a scene where it has none", async () => {
+  const lab = await open(browser);
+  const record = (...words) => avo("run", "mixed-yard", "--duration", "4", "--every", "5", ...words, "-q");
+  const native = record("--record", "-");
+  assert.match(native, /^time,robot,x,y,vx,vy,heading,speed,every\n/);
+  for (const name of ["thin.h5", "thin.csv"]) {
+    record("--record", join(folder, name));
+    await openRecording(lab, join(folder, name));
+    assert.equal(readFileSync(await saved(lab, "States so far (CSV)"), "utf8"), native, name);
+  }
+  await lab.page.locator("summary", { hasText: "Save as" }).click();
+  await lab.page.locator("button", { hasText: "Scene (YAML)" }).click();
+  await lab.page.locator(".tool-error", { hasText: "does not hold its scene" }).waitFor();
   await close(lab);
 });
 
