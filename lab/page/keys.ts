@@ -87,7 +87,10 @@ function robotKeys(lab: PageLab): Keys {
     const at = lab.selected === null ? (by > 0 ? -1 : 0) : robot.indexOf(lab.selected);
     if (robot.length) lab.select(robot[(at + by + robot.length) % robot.length]!);
   };
-  const remove = (): void => { if (lab.selected !== null) removeRobot(lab, lab.selected); };
+  const remove = (): void => {
+    const robot = lab.selected;
+    if (robot !== null && !removeRobot(lab, robot)) lab.select(robot);  // it stays, and so does the choice
+  };
   return { n: next(1), p: next(-1), Delete: remove, Backspace: remove, Escape: () => lab.select(null) };
 }
 

@@ -31,6 +31,7 @@ export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
     element("button", { type: "button", class: "icon-button", title: says, "aria-label": says, onclick: action }, icon(picture));
   const tools = TOOLS.map(({ tool, picture, says }) => button(picture, says, () => choose(tool)));
   const choose = (tool: Tool): void => {
+    if (!lab.live && tool !== "move") lab.edit(() => undefined);  // says why not
     hand.tool = lab.live ? tool : "move";
     tools.forEach((shown, k) => shown.setAttribute("aria-pressed", String(TOOLS[k]!.tool === hand.tool)));
   };

@@ -133,6 +133,30 @@ test("recordings play, as HDF5 and as CSV", async () => {
   await close(lab);
 });
 
+test("a recording does not change, and says so", async () => {
+  const lab = await open(browser);
+  const path = join(folder, "fixed.h5");
+  avo("run", "circle-10", "--duration", "4", "--record", path, "-q");
+  await openRecording(lab, path);
+  await lab.page.evaluate(() => window.avoLab.select(3));
+  const says = async (what, act) => {
+    await act();
+    assert.match(await lab.page.evaluate(() => window.avoLab.error?.message ?? ""), /recording does not change/, what);
+    await lab.page.evaluate(() => window.avoLab.stepForward());
+    assert.equal(await lab.page.evaluate(() => window.avoLab.error), null);
+  };
+  for (const key of ["Delete", "2", "3", "4"]) await says(key, () => lab.page.keyboard.press(key));
+  assert.equal(await lab.page.evaluate(() => window.avoLab.selected), 3);
+  await says("a robot dragged", async () => {
+    const [x, y] = await lab.page.evaluate(() => window.avoLab.toScreen([...window.avoLab.moment.position.slice(6, 8)]));
+    await lab.page.mouse.move(x, y);
+    await lab.page.mouse.down();
+    await lab.page.mouse.move(x + 40, y + 40, { steps: 4 });
+    await lab.page.mouse.up();
+  });
+  await close(lab);
+});
+
 test("a recording is saved as it was recorded, without a scene where it has none", async () => {
   const lab = await open(browser);
   const record = (...words) => avo("run", "mixed-yard", "--duration", "4", "--every", "5", ...words, "-q");
