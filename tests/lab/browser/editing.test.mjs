@@ -116,6 +116,25 @@ test("sliders change the text, and the run goes on from where it is", async () =
   await steps(lab.page, 5);
 });
 
+test("what was typed gives way to another scene, and comes back under its own name", async () => {
+  const typed = SCENE.replace("duration: 60", "duration: 30");
+  const field = lab.page.locator(".editor-text");
+  const back = lab.page.getByRole("button", { name: "Back to your text of editing" });
+  await field.fill(typed);
+  await lab.page.locator("#scenes").click();
+  await lab.page.locator(".scene-card", { hasText: "office" }).first().click();
+  const text = await textOf();
+  assert.equal(await field.inputValue(), text);
+  await openText(lab.page, "version: 1\n", "refused"); // has no robots
+  assert.equal(await field.inputValue(), "version: 1\n");
+  await back.click();
+  assert.equal(await field.inputValue(), typed);
+  assert.equal(await back.isVisible(), false);
+  assert.match(await lab.page.locator(".editor-says").innerText(), /The text of editing, not applied yet/);
+  await field.press("Control+Enter");
+  assert.deepEqual(await lab.page.evaluate(() => [window.avoLab.name, window.avoLab.text]), ["editing", typed]);
+});
+
 test("keys: space plays, the arrows step", async () => {
   await lab.page.locator("canvas").first().focus().catch(() => {});
   await lab.page.keyboard.press("ArrowRight");
