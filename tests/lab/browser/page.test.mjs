@@ -195,3 +195,23 @@ test("what the command line puts into the page is opened", async () => {
   assert.deepEqual(await damaged.page.evaluate(() => [window.avoLab.name, window.avoLab.error !== null]), ["given", true]);
   await close(damaged);
 });
+
+test("on a small phone everything is at hand, and nothing covers the other", async () => {
+  const lab = await withBuiltin("circle-10", 20, { width: 320, height: 568, hasTouch: true, isMobile: true });
+  const box = (selector) => lab.page.locator(selector).boundingBox();
+  const apart = async (one, other) => {
+    const [a, b] = [await box(one), await box(other)];
+    assert.ok(a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y, `${one}, ${other}`);
+  };
+  assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth), 320);
+  for (const selector of ["#scenes", "#open", ".tool-menu", "#theme", "#help", "#palette", "#zoom", "#legend"]) {
+    const { x, y, width, height } = await box(selector);
+    assert.ok(x >= 0 && y >= 0 && x + width <= 320 && y + height <= 568, selector);
+  }
+  await apart("#palette", "#legend");
+  await apart("#palette", "#zoom");
+  await lab.page.getByRole("button", { name: "Tour" }).click();
+  await frames(lab.page, 2);
+  for (const selector of ["#inspector", "#world", "#transport"]) await apart(".tour", selector);
+  await close(lab);
+});
