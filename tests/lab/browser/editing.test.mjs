@@ -135,7 +135,7 @@ test("what was typed gives way to another scene, and comes back under its own na
   assert.deepEqual(await lab.page.evaluate(() => [window.avoLab.name, window.avoLab.text]), ["editing", typed]);
 });
 
-test("keys: space plays, the arrows step", async () => {
+test("keys: space plays, the arrows step and go on from any speed to the next one", async () => {
   await lab.page.locator("canvas").first().focus().catch(() => {});
   await lab.page.keyboard.press("ArrowRight");
   await lab.page.keyboard.press("ArrowRight");
@@ -146,6 +146,13 @@ test("keys: space plays, the arrows step", async () => {
   await lab.page.waitForFunction(() => window.avoLab.moment.steps > 3);
   await lab.page.keyboard.press(" ");
   assert.equal(await lab.page.evaluate(() => window.avoLab.playing), false);
+  const speed = () => lab.page.locator("select.speed option:checked").innerText();
+  for (const [key, next] of [["ArrowUp", "4×"], ["ArrowDown", "2×"]]) {
+    await lab.page.evaluate(() => { window.avoLab.speed = 3; });
+    assert.equal(await speed(), "3×");
+    await lab.page.keyboard.press(key);
+    assert.equal(await speed(), next);
+  }
 });
 
 test("a dialog that the mouse opened gives the keys back", async () => {
@@ -157,17 +164,6 @@ test("a dialog that the mouse opened gives the keys back", async () => {
     assert.equal(await lab.page.evaluate(() => window.avoLab.playing), true, button);
     await lab.page.keyboard.press(" ");
   }
-});
-
-test("any speed is shown, and keys go on to the next one", async () => {
-  const shown = () => lab.page.locator("select.speed option:checked").innerText();
-  await lab.page.evaluate(() => { window.avoLab.speed = 3; });
-  assert.equal(await shown(), "3×");
-  await lab.page.keyboard.press("ArrowUp");
-  assert.equal(await shown(), "4×");
-  await lab.page.evaluate(() => { window.avoLab.speed = 3; });
-  await lab.page.keyboard.press("ArrowDown");
-  assert.equal(await shown(), "2×");
 });
 
 test("a robot that is clicked is inspected", async () => {
