@@ -17,7 +17,7 @@ export interface Gesture {
 
 /** Null: the press moves the map. `from` in m. */
 export function begin(lab: PageLab, view: WorldView, tool: Tool, hit: Hit | null, from: Point): Gesture | null {
-  if (!lab.live) return null;
+  if (!lab.live) return hit === null || hit.kind === "mover" ? null : stay(lab);
   if (tool === "robot") return placeRobot(lab, from);
   if (tool === "wall") return drawWall(lab, from);
   if (tool === "erase") return null;
@@ -34,6 +34,11 @@ export function click(lab: PageLab, view: WorldView, tool: Tool, px: number, py:
     if (hit?.kind === "robot") removeRobot(lab, hit.robot);
     else if (hit?.kind === "wall") removeWall(lab, hit.wall);
   } else lab.select(hit?.kind === "robot" || hit?.kind === "goal" ? hit.robot : null);
+}
+
+/** Of what a recording shows: nothing moves, and the Lab says why. */
+function stay(lab: PageLab): Gesture {
+  return { show: () => undefined, drop: () => { lab.edit(() => undefined); } };
 }
 
 function dragRobot(lab: PageLab, view: WorldView, robot: number, from: Point): Gesture {

@@ -21,10 +21,45 @@ function makeField(root: HTMLElement) {
   const says = element("p", { class: "editor-says", role: "status" });
   const apply = element("button", { type: "button", class: "tool-button primary", title: "run this text from its start (Ctrl+Enter)" }, "Apply");
   const revert = element("button", { type: "button", class: "tool-button", title: "back to the text that runs" }, "Revert");
+  const back = element("button", { type: "button", class: "tool-button editor-back", hidden: true });
   root.replaceChildren(
     element("div", { class: "editor-field" }, numbers, element("div", { class: "editor-room" }, band, text)),
-    says, element("div", { class: "editor-actions" }, apply, revert));
-  return { text, numbers, band, says, apply, revert };
+    says, element("div", { class: "editor-actions" }, apply, revert), back);
+  return { text, numbers, band, says, apply, revert, back };
+}
+
+/** Another text in the field, at the place where the last one was. */
+function fill(field: Field, yaml: string): void {
+  const { text } = field;
+  const { scrollTop, scrollLeft } = text;
+  text.value = yaml;
+  text.readOnly = yaml === "";
+  text.placeholder = "This recording does not hold its scene.";
+  text.scrollTop = scrollTop;
+  text.scrollLeft = scrollLeft;
+  countLines(field);
+  scroll(field);
+}
+
+/** Texts that were typed and gave way to another scene before they ran; the button brings the last one back. */
+function keptBy({ back }: Field) {
+  const drafts: SceneDraft[] = [];
+  const tell = (): void => {
+    const last = drafts.at(-1);
+    back.hidden = !last;
+    back.textContent = `Back to your text of ${last?.name}`;
+  };
+  return {
+    push(draft: SceneDraft): void {
+      drafts.push(draft);
+      tell();
+    },
+    pop(): SceneDraft | undefined {
+      const draft = drafts.pop();
+      tell();
+      return draft;
+    },
+  };
 }
 
 /** Line numbers and the mark of an error move with the text. */
@@ -57,58 +92,71 @@ function scrollTo(field: Field, { line, column }: AvoError): void {
   scroll(field);
 }
 
+function refusalOf(lab: PageLab, yaml: string, { name, options }: Omit<SceneDraft, "yaml">): AvoError | null {
+  try {
+    lab.library.simulate(yaml, { ...options, name });
+    return null;
+  } catch (error) {
+    return error instanceof AvoError ? error : new AvoError(String(error));
+  }
+}
+
+const unapplied = (other: SceneDraft | null): string =>
+  `${other ? `The text of ${other.name}, not` : "Not"} applied yet: Ctrl+Enter runs it from its start.`;
+
 export function mountEditor(lab: PageLab, root: HTMLElement): void {
   const field = makeField(root);
   const { text } = field;
-  let draft: SceneDraft | null = null;  // a text of another scene, to be corrected
+  let draft: SceneDraft | null = null;  // a text of another scene, to be corrected or brought back
+  let given = lab.text;                 // as it came here, before anything was typed
+  let { name, options } = lab;          // of the scene that is shown
+  const kept = keptBy(field);
+  const target = () => draft ?? { name, options };
   const changed = () => text.value !== lab.text;
   const mark = (error: AvoError | null) => {
     markLine(field, error);
     field.says.classList.toggle("bad", error !== null);
-    field.says.textContent = error ? error.message : changed() ? "Not applied yet: Ctrl+Enter runs it from its start." : "";
+    field.says.textContent = error ? error.message : changed() ? unapplied(draft?.name === name ? null : draft) : "";
     root.classList.toggle("changed", changed());
   };
-  const check = () => {
-    if (!changed()) return mark(null);
-    try {
-      lab.library.simulate(text.value, { ...(draft ?? lab).options, name: (draft ?? lab).name });
-      mark(null);
-    } catch (error) {
-      mark(error instanceof AvoError ? error : new AvoError(String(error)));
-    }
+  const check = () => mark(changed() ? refusalOf(lab, text.value, target()) : null);
+  const show = (yaml: string, other: SceneDraft | null) => {
+    given = yaml;
+    draft = other;
+    fill(field, yaml);
   };
-  const show = (yaml: string) => {
-    const { scrollTop, scrollLeft } = text;
-    text.value = yaml;
-    text.readOnly = yaml === "";
-    text.placeholder = "This recording does not hold its scene.";
-    text.scrollTop = scrollTop;
-    text.scrollLeft = scrollLeft;
-    countLines(field);
-    scroll(field);
-  };
+  /** What was typed and not applied, before another text takes its place. */
+  const keep = () => { if (![given, lab.text].includes(text.value)) kept.push({ ...target(), yaml: text.value }); };
   const showRunning = () => {
-    draft = null;
-    show(lab.text);
+    show(lab.text, null);
     mark(null);
   };
   lab.on("error", () => {
     const { error, refused } = lab;
     if (!error || !refused || refused.yaml.length > LONGEST) return;
-    draft = refused;
-    if (text.value !== refused.yaml) show(refused.yaml);
+    if (text.value === refused.yaml) draft = refused;  // it was typed here
+    else keep(), show(refused.yaml, refused);
     mark(error);
     scrollTo(field, error);
   });
-  let last = lab.text;
   lab.on("text", () => {
-    const isTyped = ![last, lab.text, draft?.yaml].includes(text.value);  // and so not overwritten
-    if (!isTyped) showRunning();
+    const isOther = lab.options !== options || lab.name !== name;
+    const isTyped = ![given, lab.text].includes(text.value);  // and not overwritten by what a slider does
+    if (isOther) keep();
+    ({ name, options } = lab);
+    if (isOther || !isTyped) showRunning();
     else check();
-    last = lab.text;
   });
-  listenToKeys(root, field, check, () => lab.openText(text.value, (draft ?? lab).name, (draft ?? lab).options));
+  listenToKeys(root, field, check, () => lab.openText(text.value, target().name, target().options));
   field.revert.addEventListener("click", showRunning);
+  field.back.addEventListener("click", () => {
+    const back = kept.pop();
+    if (!back) return;
+    keep();
+    show(back.yaml, back);
+    given = "";  // it is as if it were typed now
+    check();
+  });
   showRunning();
 }
 

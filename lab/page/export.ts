@@ -3,7 +3,10 @@
 import type { Lab } from "./lab.ts";
 import { csvHeader, csvRows } from "./data/csv_writer.ts";
 import { GifEncoder } from "./data/gif.ts";
+import type { Recording } from "./data/recording.ts";
 import { element } from "./elements.ts";
+import type { PageLab } from "./make_lab.ts";
+import { RecordedRun } from "./recorded_run.ts";
 
 export interface Progress {
   tell(share: number): void;  // 0 to 1
@@ -23,6 +26,7 @@ export function download(name: string, blob: Blob): void {
 }
 
 export function saveYaml(lab: Lab): void {
+  if (!lab.text) throw new Error("this recording does not hold its scene, so there is none to save");
   download(fileName(lab, "yaml"), new Blob([lab.text], { type: "application/yaml" }));
 }
 
@@ -56,8 +60,9 @@ function arrival(lab: Lab, time: number): Promise<void> {
 
 const timesSoFar = (lab: Lab): number[] => [...lab.past.times.subarray(0, lab.past.size)];
 
-/** As `avo run --record` writes it: all steps of the run so far. */
-export async function csvOfRun(lab: Lab, progress: Progress): Promise<string> {
+/** As `avo run --record` writes it: all steps of the run so far, all rows of a recording. */
+export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string> {
+  if (lab.run instanceof RecordedRun) return csvOfRecording(lab.run.recording, progress);
   const options = { headings: lab.info.robots.some((robot) => robot.model !== "holonomic") };
   const holonomic = new Set(lab.info.robots.filter((robot) => robot.model === "holonomic").map((robot) => robot.robot));
   const parts = [csvHeader(options)];
@@ -68,7 +73,18 @@ export async function csvOfRun(lab: Lab, progress: Progress): Promise<string> {
   return parts.join("");
 }
 
-export async function saveCsv(lab: Lab, progress: Progress): Promise<void> {
+async function csvOfRecording(recording: Recording, progress: Progress): Promise<string> {
+  const parts = [csvHeader(recording)];
+  const count = recording.times.length;
+  for (let k = 0; k < count && !progress.cancelled; ++k) {
+    parts.push(csvRows(await recording.frame(k), recording));
+    progress.tell((k + 1) / count);
+    if (k % 16 === 15) await pause(0);  // the page stays alive
+  }
+  return parts.join("");
+}
+
+export async function saveCsv(lab: PageLab, progress: Progress): Promise<void> {
   const text = await csvOfRun(lab, progress);
   if (!progress.cancelled) download(fileName(lab, "csv"), new Blob([text], { type: "text/csv" }));
 }

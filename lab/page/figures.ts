@@ -21,6 +21,6 @@ function figuresOf(lab: Lab): HTMLElement[] {
     figure(moment.robot.length === 1 ? "robot" : "robots", String(moment.robot.length)),
     figure("arrived", String(arrived)),
     figure("contacts so far", String(touched), touched > 0),
-    figure("least gap now", now === Infinity ? "–" : `${digits(now, now < 0.1 ? 3 : 2)} m`, now < -1e-9),
+    figure("robots' least gap", now === Infinity ? "–" : `${digits(now, now < 0.1 ? 3 : 2)} m`, now < -1e-9),
   ];
 }

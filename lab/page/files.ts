@@ -9,12 +9,16 @@ import type { PageLab } from "./make_lab.ts";
 export interface OpenedFile { name: string; bytes: Uint8Array }
 
 const MOST_BYTES = 1e9;
+const BEGINNING = 65536;  // bytes, in which a scene names its first key
 const ROS_MAP = /^image\s*:/m;
+const SCENE = /^[\s{]*["']?(version|name|robots|robots_from|groups)["']?\s*:/m;
 
-/** What a scene reads, and is none itself. */
+/** What a scene reads, and is none itself. Where the name's ending does not tell, the content does. */
 function isAuxiliary({ name, bytes }: OpenedFile): boolean {
-  if (/\.(map|scen|pgm|wkt|txt)$/i.test(name)) return true;
-  return /\.ya?ml$/i.test(name) && ROS_MAP.test(textOf(bytes.subarray(0, 4096)));
+  if (/\.(map|scen|pgm|wkt)$/i.test(name)) return true;
+  if (formatOf(name, bytes) !== "yaml") return false;
+  const text = textOf(bytes.subarray(0, BEGINNING));
+  return /\.ya?ml$/i.test(name) ? ROS_MAP.test(text) : !SCENE.test(text);
 }
 
 /** Under each path by which a text may mean the file: that ends with its name. */
@@ -25,6 +29,11 @@ function asSceneFiles(file: OpenedFile, texts: string[]): SceneFile[] {
   return [...paths].map((path) => ({ path, text, builtin: false }));
 }
 
+function filesFor(scene: OpenedFile, kept: OpenedFile[]): SceneFile[] {
+  const texts = [scene, ...kept.filter(({ name }) => /\.ya?ml$/i.test(name))].map(({ bytes }) => textOf(bytes));
+  return kept.flatMap((file) => asSceneFiles(file, texts));
+}
+
 /** Opens what is a scene or a recording of them, with the others as what it reads. */
 export function makeOpener(lab: PageLab): (files: OpenedFile[]) => Promise<void> {
   let kept: OpenedFile[] = [];  // read by scenes that are opened later, too
@@ -32,13 +41,14 @@ export function makeOpener(lab: PageLab): (files: OpenedFile[]) => Promise<void>
   return async (files) => {
     const read = files.filter(isAuxiliary);
     kept = [...kept.filter(({ name }) => !read.some((file) => file.name === name)), ...read];
-    const shown = files.find((file) => !isAuxiliary(file)) ?? waiting;
+    const [first, ...others] = files.filter((file) => !isAuxiliary(file));
+    const shown = first ?? waiting;
     if (!shown) return lab.refuse(`${read[0]!.name} is kept for scenes that read it, e.g. by obstacles: [{map: ${read[0]!.name}}]`);
-    waiting = null;
-    if (formatOf(shown.name, shown.bytes) !== "yaml") return lab.openFile(shown.name, shown.bytes);
-    const texts = [shown, ...kept].filter(({ name }) => /\.ya?ml$/i.test(name)).map(({ bytes }) => textOf(bytes));
-    await lab.openFile(shown.name, shown.bytes, kept.flatMap((file) => asSceneFiles(file, texts)));
-    if (lab.error) waiting = shown;
+    const isScene = formatOf(shown.name, shown.bytes) === "yaml";
+    await lab.openFile(shown.name, shown.bytes, isScene ? filesFor(shown, kept) : []);
+    waiting = isScene && lab.error ? shown : null;
+    if (others.length && !lab.error)
+      lab.refuse(`${shown.name} is opened, and not ${others.map(({ name }) => name).join(", ")}: one scene or recording at a time`);
   };
 }
 

@@ -27,10 +27,11 @@ export function mountKeys(lab: PageLab, view: WorldView, openers: Openers): void
     event.preventDefault();
     action();
   });
-  // a button that was pressed by the pointer gives the keys back to the page
+  // a button that was pressed by the pointer gives the keys back to the page; before the button acts, since a dialog that
+  // it opens would give them back to it
   document.addEventListener("click", (event) => {
     if (event.detail > 0 && document.activeElement instanceof HTMLButtonElement) document.activeElement.blur();
-  });
+  }, { capture: true });
 }
 
 function isTaken(event: KeyboardEvent): boolean {
@@ -44,18 +45,16 @@ function isTaken(event: KeyboardEvent): boolean {
 type Keys = Record<string, () => void>;
 
 function runKeys(lab: PageLab): Keys {
-  const faster = (by: number): void => {
-    const k = SPEEDS.findIndex((speed) => speed >= lab.speed);
-    lab.speed = SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, k + by))]!;
-  };
+  const faster = (): void => { lab.speed = SPEEDS.find((speed) => speed > lab.speed) ?? lab.speed; };
+  const slower = (): void => { lab.speed = SPEEDS.filter((speed) => speed < lab.speed).pop() ?? lab.speed; };
   return {
     " ": () => (lab.playing ? lab.pause() : lab.play()),
     ArrowRight: () => lab.stepForward(),
     ArrowLeft: () => lab.stepBack(),
     ShiftArrowRight: () => lab.seek(Math.min(lab.end, lab.moment.time + 1)),
     ShiftArrowLeft: () => lab.seek(Math.max(0, lab.moment.time - 1)),
-    ArrowUp: () => faster(1),
-    ArrowDown: () => faster(-1),
+    ArrowUp: faster,
+    ArrowDown: slower,
     r: () => lab.restart(),
   };
 }
@@ -88,7 +87,10 @@ function robotKeys(lab: PageLab): Keys {
     const at = lab.selected === null ? (by > 0 ? -1 : 0) : robot.indexOf(lab.selected);
     if (robot.length) lab.select(robot[(at + by + robot.length) % robot.length]!);
   };
-  const remove = (): void => { if (lab.selected !== null) removeRobot(lab, lab.selected); };
+  const remove = (): void => {
+    const robot = lab.selected;
+    if (robot !== null && !removeRobot(lab, robot)) lab.select(robot);  // it stays, and so does the choice
+  };
   return { n: next(1), p: next(-1), Delete: remove, Backspace: remove, Escape: () => lab.select(null) };
 }
 

@@ -12,11 +12,11 @@ export type LabEvent = "moment" | "past" | "scene" | "selection" | "highlight" |
 export interface Past {
   readonly size: number;
   readonly times: Float64Array;               // s
-  readonly clearance: Float64Array;           // m, least of all pairs of discs; +inf where there is one robot
+  readonly clearance: Float64Array;           // m, least of all pairs of robots; +inf where there is one
   readonly speed_ratio: Float64Array;         // largest |v| / max_speed
   readonly acceleration_ratio: Float64Array;  // largest |a| / max_acceleration
   readonly arrived: Float64Array;             // number of robots
-  readonly contacts: Float64Array;            // pairs that overlap
+  readonly contacts: Float64Array;            // pairs that overlap, of a live run with walls too
   readonly statuses: Uint32Array[];           // by PlanStatus: how many decisions of the step had it
   /** Statuses of one robot's decisions, column by column; 255 where it decided nothing or was not there. */
   statusOf(robot: number): Uint8Array;

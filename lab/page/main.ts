@@ -89,6 +89,14 @@ function publish(lab: PageLab, view: WorldView, ready: Promise<void>): void {
   (window as unknown as { avoLab: OpenLab }).avoLab = Object.assign(lab, open);
 }
 
+/** A link comes before what the page was made with. A damaged one says so, over the latter. */
+async function openBeginning(lab: PageLab, input: Input | null): Promise<void> {
+  const linked = await openFromAddress(lab).catch((error: Error) => error);
+  if (linked === true) return;
+  if (input) await openInput(lab, input);
+  if (linked) lab.refuse(linked.message);
+}
+
 async function begin(): Promise<void> {
   document.documentElement.dataset["theme"] = chosenTheme();
   const input = JSON.parse(at("avo-input").textContent!) as Input | null;
@@ -96,7 +104,8 @@ async function begin(): Promise<void> {
   const library = await unpack();
   const lab = first(library);
   const view = mountPanels(lab);
-  const opened = (input ? openInput(lab, input) : openFromAddress(lab).catch(lab.refuse)).then(() => view.draw());
+  const opened = openBeginning(lab, input).then(() => view.draw());
+  window.addEventListener("hashchange", () => { openFromAddress(lab).catch((error: Error) => lab.refuse(error.message)); });
   publish(lab, view, opened);
   await opened;
   keepGoing(lab, view);

@@ -206,7 +206,7 @@ function editing(core: Core): Partial<PageLab> {
   return {
     edit(change) {
       const live = core.run;
-      if (!(live instanceof LiveRun)) return false;
+      if (!(live instanceof LiveRun)) return lab.carryOn(core.text);  // which says why not
       return core.attempt(() => {
         live.edit((simulation) => { change(simulation); return simulation; });
         core.shown("scene", "moment");

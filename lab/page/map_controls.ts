@@ -22,7 +22,7 @@ export const COLORINGS: { coloring: Coloring; label: string }[] = [
   { coloring: "status", label: "status of the decision" },
   { coloring: "speed", label: "speed" },
 ];
-const SCALE_BAR = 70;  // pixels at least
+const SCALE_BAR = 70;  // pixels at least, of a map that has room for 9 of them
 
 /** Returns what chooses a tool. */
 export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
@@ -31,6 +31,7 @@ export function mountMapControls(lab: PageLab, view: WorldView, hand: Hand,
     element("button", { type: "button", class: "icon-button", title: says, "aria-label": says, onclick: action }, icon(picture));
   const tools = TOOLS.map(({ tool, picture, says }) => button(picture, says, () => choose(tool)));
   const choose = (tool: Tool): void => {
+    if (!lab.live && tool !== "move") lab.edit(() => undefined);  // says why not
     hand.tool = lab.live ? tool : "move";
     tools.forEach((shown, k) => shown.setAttribute("aria-pressed", String(TOOLS[k]!.tool === hand.tool)));
   };
@@ -72,7 +73,7 @@ function mountLegend(lab: PageLab, view: WorldView, root: HTMLElement): void {
   view.whenDrawn.add(() => {
     if (view.camera.scale === scale) return;
     scale = view.camera.scale;
-    const meters = roundLength(view.camera, SCALE_BAR);
+    const meters = roundLength(view.camera, Math.min(SCALE_BAR, view.camera.width / 9));
     bar.style.width = `${meters * scale}px`;
     length.textContent = `${digits(meters, meters < 1 ? 2 : 0)} m`;
   });

@@ -3,14 +3,14 @@
 import { element } from "./elements.ts";
 import type { Progress } from "./export.ts";
 import { saveCsv, saveGif, savePng, saveVelocitySpace, saveWebm, saveYaml } from "./export.ts";
-import type { Lab } from "./lab.ts";
+import type { PageLab } from "./make_lab.ts";
 import { linkOf } from "./share.ts";
 import { openTour } from "./tour.ts";
 
 interface Saving {
   label: string;
   says: string;
-  save(lab: Lab, progress: Progress): Promise<void> | void;
+  save(lab: PageLab, progress: Progress): Promise<void> | void;
 }
 
 const SAVINGS: Saving[] = [
@@ -22,7 +22,7 @@ const SAVINGS: Saving[] = [
   { label: "Film (WebM)", says: "the run so far, sharper than a GIF", save: saveWebm },
 ];
 
-export function mountTools(lab: Lab, root: HTMLElement, dialog: HTMLElement): void {
+export function mountTools(lab: PageLab, root: HTMLElement, dialog: HTMLElement): void {
   const said = element("span", { class: "tool-said", role: "status" });
   const tour = element("button", { type: "button", class: "tool-button", title: "the paper in six steps", onclick: () => openTour(lab, dialog) }, "Tour");
   const link = element("button", { type: "button", class: "tool-button", title: "copy a link that holds the whole scene" }, "Copy link");
@@ -41,7 +41,7 @@ function tell(said: HTMLElement, text: string, isError = false): void {
 
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
-async function copyLink(lab: Lab, said: HTMLElement): Promise<void> {
+async function copyLink(lab: PageLab, said: HTMLElement): Promise<void> {
   try {
     const link = await linkOf(lab);
     history.replaceState(null, "", link.slice(link.indexOf("#")));
@@ -52,7 +52,7 @@ async function copyLink(lab: Lab, said: HTMLElement): Promise<void> {
   }
 }
 
-function saveMenu(lab: Lab, said: HTMLElement): HTMLElement {
+function saveMenu(lab: PageLab, said: HTMLElement): HTMLElement {
   const details = element("details", { class: "tool-menu" });
   const close = (): void => details.removeAttribute("open");
   const items = SAVINGS.map((saving) => element("button", {
@@ -81,7 +81,7 @@ function saveMenu(lab: Lab, said: HTMLElement): HTMLElement {
 }
 
 /** With a bar that tells how far it is, and a way out. */
-async function run(lab: Lab, saving: Saving, said: HTMLElement): Promise<void> {
+async function run(lab: PageLab, saving: Saving, said: HTMLElement): Promise<void> {
   let cancelled = false;
   const bar = element("progress", { max: 1, value: 0 });
   const cancel = element("button", { type: "button", class: "tool-button", onclick: () => (cancelled = true) }, "Cancel");

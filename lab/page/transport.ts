@@ -18,6 +18,7 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
   const time = element("output", { class: "time" });
   const speed = element("select", { class: "speed", "aria-label": "speed: simulated seconds a second", title: "simulated seconds a second" },
     ...SPEEDS.map((value) => element("option", { value }, `${value}×`)));
+  const between = element("option", {});  // a speed that is none of those
   speed.addEventListener("change", () => { lab.speed = Number(speed.value); });
   root.replaceChildren(
     element("div", { class: "buttons" }, button("restart (r)", "restart", () => lab.restart()), back, play,
@@ -41,6 +42,12 @@ export function mountTransport(lab: PageLab, root: HTMLElement): void {
     play.replaceChildren(icon(lab.playing ? "pause" : "play"));
     play.title = name;
     play.setAttribute("aria-label", name);
+    between.remove();
+    if (!SPEEDS.includes(lab.speed)) {
+      between.value = String(lab.speed);
+      between.textContent = `${lab.speed}×`;
+      speed.prepend(between);
+    }
     speed.value = String(lab.speed);
   };
   lab.on("moment", refresh);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The map: it draws what the Lab shows, whenever that changes, and knows what is under a pixel.
-import { emptyBox, fit, include, type Camera } from "./camera.ts";
+import { emptyBox, fit, include, type Camera, type Margin } from "./camera.ts";
 import type { Rgb } from "./colors.ts";
 import type { PageLab } from "./make_lab.ts";
 import { drawSelection } from "./selection_layer.ts";
@@ -12,7 +12,9 @@ import {
   themePaint, type Paint,
 } from "./world_layers.ts";
 
-const MARGIN = { x: 56, top: 48, bottom: 74 };  // pixels, for what floats over the map
+// pixels, for what floats over the map; on a phone nothing is beside it
+const MARGIN = { x: 56, top: 48, bottom: 74 };
+const PHONE_MARGIN = { x: 16, top: 84, bottom: 50 };
 
 export interface WorldView {
   readonly canvas: HTMLCanvasElement;
@@ -72,7 +74,7 @@ export function makeWorldView(lab: PageLab, canvas: HTMLCanvasElement): WorldVie
     whenDrawn: new Set(),
     touch() { drawing.isOld = true; },
     fit() {
-      fit(view.camera, boxOf(lab, view.shown), MARGIN);
+      fit(view.camera, boxOf(lab, view.shown), marginOf(view.camera));
       drawing.isOld = true;
     },
     frame() {
@@ -170,6 +172,12 @@ function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
   });
   lab.on("coloring", redraw);
   for (const event of ["selection", "highlight"] as const) lab.on(event, view.touch);
+}
+
+/** Of a low map most is for what it shows. */
+function marginOf({ height }: Camera): Margin {
+  const { x, top, bottom } = matchMedia("(max-width: 720px)").matches ? PHONE_MARGIN : MARGIN;
+  return { x, top: Math.min(top, 0.36 * height), bottom: Math.min(bottom, 0.3 * height) };
 }
 
 /** Of all that there is, goals included. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // States as a table of text: the bytes that `avo run --record FILE.csv` would write.
+import { direction } from "./direction.ts";
 import { shortest } from "./words.ts";
 
 /** Robots at one time: those of a recording, where `there` tells who is, or those of a run, by their numbers. */
@@ -23,8 +24,9 @@ export function csvHeader({ headings = false, every = 1 }: CsvOptions = {}): str
 function headingColumns(frame: CsvFrame, k: number): string {
   const heading = frame.heading?.[k] ?? NaN;
   if (Number.isNaN(heading)) return ",,";
-  const along = Math.cos(heading) * frame.velocity[2 * k] + Math.sin(heading) * frame.velocity[2 * k + 1];
-  return `,${shortest(heading)},${shortest(frame.speed?.[k] ?? along + 0)}`;
+  const [x, y] = direction(heading);
+  const along = x * frame.velocity[2 * k] + y * frame.velocity[2 * k + 1] + 0;  // no negative zero
+  return `,${shortest(heading)},${shortest(frame.speed?.[k] ?? along)}`;
 }
 
 export function csvRows(frame: CsvFrame, { headings = false, every = 1 }: CsvOptions = {}): string {

@@ -116,7 +116,26 @@ test("sliders change the text, and the run goes on from where it is", async () =
   await steps(lab.page, 5);
 });
 
-test("keys: space plays, the arrows step", async () => {
+test("what was typed gives way to another scene, and comes back under its own name", async () => {
+  const typed = SCENE.replace("duration: 60", "duration: 30");
+  const field = lab.page.locator(".editor-text");
+  const back = lab.page.getByRole("button", { name: "Back to your text of editing" });
+  await field.fill(typed);
+  await lab.page.locator("#scenes").click();
+  await lab.page.locator(".scene-card", { hasText: "office" }).first().click();
+  const text = await textOf();
+  assert.equal(await field.inputValue(), text);
+  await openText(lab.page, "version: 1\n", "refused"); // has no robots
+  assert.equal(await field.inputValue(), "version: 1\n");
+  await back.click();
+  assert.equal(await field.inputValue(), typed);
+  assert.equal(await back.isVisible(), false);
+  assert.match(await lab.page.locator(".editor-says").innerText(), /The text of editing, not applied yet/);
+  await field.press("Control+Enter");
+  assert.deepEqual(await lab.page.evaluate(() => [window.avoLab.name, window.avoLab.text]), ["editing", typed]);
+});
+
+test("keys: space plays, the arrows step and go on from any speed to the next one", async () => {
   await lab.page.locator("canvas").first().focus().catch(() => {});
   await lab.page.keyboard.press("ArrowRight");
   await lab.page.keyboard.press("ArrowRight");
@@ -127,6 +146,24 @@ test("keys: space plays, the arrows step", async () => {
   await lab.page.waitForFunction(() => window.avoLab.moment.steps > 3);
   await lab.page.keyboard.press(" ");
   assert.equal(await lab.page.evaluate(() => window.avoLab.playing), false);
+  const speed = () => lab.page.locator("select.speed option:checked").innerText();
+  for (const [key, next] of [["ArrowUp", "4×"], ["ArrowDown", "2×"]]) {
+    await lab.page.evaluate(() => { window.avoLab.speed = 3; });
+    assert.equal(await speed(), "3×");
+    await lab.page.keyboard.press(key);
+    assert.equal(await speed(), next);
+  }
+});
+
+test("a dialog that the mouse opened gives the keys back", async () => {
+  for (const button of ["#help", "#scenes"]) {
+    await lab.page.locator(button).click();
+    await lab.page.keyboard.press("Escape");
+    await lab.page.waitForFunction(() => document.querySelector("dialog") === null);
+    await lab.page.keyboard.press(" ");
+    assert.equal(await lab.page.evaluate(() => window.avoLab.playing), true, button);
+    await lab.page.keyboard.press(" ");
+  }
 });
 
 test("a robot that is clicked is inspected", async () => {

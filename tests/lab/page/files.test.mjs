@@ -56,3 +56,25 @@ test("a recording is opened as it is", async () => {
   await makeOpener(lab)([file("states.csv", "time,robot,x,y,vx,vy\n0,0,0,0,0,0\n")]);
   assert.deepEqual(lab.opened, ["states.csv"]);
 });
+
+test("of several scenes the first is opened, and the others are named", async () => {
+  const lab = labThatNeeds("maps/small.map");
+  await makeOpener(lab)([SCENE, file("other.yaml", "version: 1\n"), MAP, file("third.csv", "time,robot,x,y,vx,vy\n")]);
+  assert.deepEqual(lab.opened, ["mine.yaml"]);
+  assert.equal(lab.error.message, "mine.yaml is opened, and not other.yaml, third.csv: one scene or recording at a time");
+});
+
+test("where a name does not tell what a file is, its content does", async () => {
+  for (const [name, text] of [["scene.txt", "# mine\nversion: 1\nrobots: []\n"], ["scene", "{name: short, groups: []}\n"],
+    ["states.txt", "time,robot,x,y,vx,vy\n0,0,0,0,0,0\n"]]) {
+    const lab = labThatNeeds();
+    await makeOpener(lab)([file(name, text)]);
+    assert.deepEqual(lab.opened, [name]);
+  }
+  const lab = labThatNeeds("hall.txt");
+  const open = makeOpener(lab);
+  await open([file("hall.txt", "POLYGON ((0 0, 1 0, 1 1, 0 0))\n")]);
+  assert.match(lab.error.message, /hall\.txt is kept/);
+  await open([file("mine.txt", "version: 1\nobstacles:\n  - {wkt_file: hall.txt}\n")]);
+  assert.deepEqual([lab.opened, lab.error], [["mine.txt"], null]);
+});
