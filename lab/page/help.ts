@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All keys and gestures on one card.
-import { element } from "./elements.ts";
+import { closeFromBeside, element } from "./elements.ts";
 
 const KEYS: [string, [string, string][]][] = [
   ["The run", [
@@ -36,7 +36,7 @@ export function mountHelp(button: HTMLElement, place: HTMLElement): () => void {
       element("div", { class: "help-columns" }, ...KEYS.map(([title, keys]) => list(title, keys, "kbd")), list("Robots are drawn", SHAPES, "b")),
       element("p", {}, GESTURES));
     dialog.addEventListener("close", () => dialog.remove());
-    dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
+    closeFromBeside(dialog);
     place.append(dialog);
     dialog.showModal();
   };
