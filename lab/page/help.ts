@@ -24,7 +24,8 @@ const GESTURES = "Drag the ground to pan, turn the wheel or pinch to zoom, press
   "(YAML) with their maps, recordings of avo run --record (HDF5), tables of states (CSV).";
 
 const SHAPES: [string, string][] = [
-  ["filled", "goes its way"], ["hollow", "only braking is certified safe"], ["dashed", "nothing is safe: the least unsafe"],
+  ["filled", "goes its way"], ["hollow", "nothing but braking is admitted"],
+  ["dashed", "no velocity satisfies all half-planes"],
   ["heavy rim", "in contact"], ["dot", "at its goal"], ["cross", "a contact happened here"],
 ];
 
