@@ -8,7 +8,7 @@ const KEYS: [string, [string, string][]][] = [
     ["r", "restart"], ["↑  ↓", "faster, slower"],
   ]],
   ["Robots", [
-    ["n  p", "select the next, the previous one"], ["Delete", "remove the selected one"], ["Escape", "select nobody"],
+    ["n  p", "select the next, the previous one"], ["Delete", "remove the selected one"], ["Escape", "give up what is being drawn; select nobody"],
   ]],
   ["The map", [
     ["f", "fit all"], ["+  −", "zoom"], ["h  j  k  l", "pan"], ["c", "color by goal, status, speed"],
