@@ -3,7 +3,7 @@
 import type { Lab } from "./lab.ts";
 import type { Decision } from "./decision.ts";
 import { cross, dot, minus, norm } from "./decision.ts";
-import { digits, element, oncePerFrame } from "./elements.ts";
+import { closeFromBeside, digits, element, oncePerFrame } from "./elements.ts";
 import type { Explained } from "./explained.ts";
 import { explained } from "./explained.ts";
 import { simulationFor } from "./inspector.ts";
@@ -19,7 +19,7 @@ interface Side {
   space: SpaceCanvas;
 }
 
-/** Over the page; Escape closes it. */
+/** Over the page; Escape and a press beside it close it. */
 export function openComparison(lab: Lab): void {
   if (lab.selected === null) return;
   const axes = sharedAxes();
@@ -49,6 +49,7 @@ export function openComparison(lab: Lab): void {
     stops.forEach((stop) => stop());
     dialog.remove();
   });
+  closeFromBeside(dialog);
   document.body.append(dialog);
   dialog.showModal();
   method.focus();

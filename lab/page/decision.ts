@@ -118,6 +118,10 @@ export function avoidsUnion(decision: Decision, method: string): boolean {
     method === "reciprocal_velocity_obstacle";
 }
 
+export function isCertified({ certificate_kind }: Decision): boolean {
+  return certificate_kind !== undefined && certificate_kind !== "none";
+}
+
 /** A wall of the decision by the number that it has among the scene's walls; -1 where the scene has no such wall. */
 export function sceneWall(decision: Decision, index: number, walls: readonly { a: Vec; b: Vec; radius: number }[]): number {
   const wall = decision.walls[index];

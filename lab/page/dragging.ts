@@ -8,6 +8,7 @@ import type { WorldView } from "./world_view.ts";
 
 export type Tool = "move" | "robot" | "wall" | "erase";
 type Point = [number, number];
+const MOVER = "moving obstacles are erased in the text of the scene, under moving_obstacles";
 
 export interface Gesture {
   /** Where the pointer is now (m), and what that looks like. */
@@ -33,6 +34,7 @@ export function click(lab: PageLab, view: WorldView, tool: Tool, px: number, py:
   if (tool === "erase") {
     if (hit?.kind === "robot") removeRobot(lab, hit.robot);
     else if (hit?.kind === "wall") removeWall(lab, hit.wall);
+    else if (hit?.kind === "mover") lab.refuse(MOVER);
   } else lab.select(hit?.kind === "robot" || hit?.kind === "goal" ? hit.robot : null);
 }
 

@@ -24,6 +24,15 @@ export function digits(value: number, places = 2): string {
   return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }
 
+/** A press beside the dialog closes it, one on its rim does not: a phone has no Escape. */
+export function closeFromBeside(dialog: HTMLDialogElement): void {
+  dialog.addEventListener("click", (event) => {
+    const { left, right, top, bottom } = dialog.getBoundingClientRect();
+    const isInside = event.clientX >= left && event.clientX <= right && event.clientY >= top && event.clientY <= bottom;
+    if (event.target === dialog && !isInside) dialog.close();
+  });
+}
+
 /** Calls `work` once before the next frame, however often it is asked for. */
 export function oncePerFrame(work: () => void): () => void {
   let asked = false;

@@ -2,7 +2,7 @@
 // The decision of a robot at the present moment, with what is drawn beside it, from one simulation.
 import type { SceneInfo, Simulation } from "../avo/avo.ts";
 import type { Decision } from "./decision.ts";
-import { parseDecision, sceneWall } from "./decision.ts";
+import { isCertified, parseDecision, sceneWall } from "./decision.ts";
 import type { SpaceSource } from "./space_canvas.ts";
 import type { Box } from "./velocity_view.ts";
 import type { Law, Why } from "./why.ts";
@@ -30,7 +30,7 @@ export function explained(simulation: Simulation, info: SceneInfo, robot: number
     space: { decision, law, why: found },
     outlines: (box: Box) => simulation.outlines(robot, box).map(({ of, rings }) => ({ of: sceneName(of), rings })),
     admitted(box: Box) {
-      if (decision.certificate_kind === undefined || decision.certificate_kind === "none") return null;
+      if (!isCertified(decision)) return null;
       const columns = quick ? COARSE : FINE;
       const rows = Math.max(2, Math.round(columns * (box[3] - box[1]) / (box[2] - box[0])));
       return { box, columns, rows, cells: simulation.admitted(robot, box, columns, rows) };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All keys and gestures on one card.
-import { element } from "./elements.ts";
+import { closeFromBeside, element } from "./elements.ts";
 
 const KEYS: [string, [string, string][]][] = [
   ["The run", [
@@ -8,7 +8,7 @@ const KEYS: [string, [string, string][]][] = [
     ["r", "restart"], ["↑  ↓", "faster, slower"],
   ]],
   ["Robots", [
-    ["n  p", "select the next, the previous one"], ["Delete", "remove the selected one"], ["Escape", "select nobody"],
+    ["n  p", "select the next, the previous one"], ["Delete", "remove the selected one"], ["Escape", "give up what is being drawn; select nobody"],
   ]],
   ["The map", [
     ["f", "fit all"], ["+  −", "zoom"], ["h  j  k  l", "pan"], ["c", "color by goal, status, speed"],
@@ -24,7 +24,8 @@ const GESTURES = "Drag the ground to pan, turn the wheel or pinch to zoom, press
   "(YAML) with their maps, recordings of avo run --record (HDF5), tables of states (CSV).";
 
 const SHAPES: [string, string][] = [
-  ["filled", "goes its way"], ["hollow", "only braking is certified safe"], ["dashed", "nothing is safe: the least unsafe"],
+  ["filled", "goes its way"], ["hollow", "nothing but braking is admitted"],
+  ["dashed", "no velocity satisfies all half-planes"],
   ["heavy rim", "in contact"], ["dot", "at its goal"], ["cross", "a contact happened here"],
 ];
 
@@ -36,7 +37,7 @@ export function mountHelp(button: HTMLElement, place: HTMLElement): () => void {
       element("div", { class: "help-columns" }, ...KEYS.map(([title, keys]) => list(title, keys, "kbd")), list("Robots are drawn", SHAPES, "b")),
       element("p", {}, GESTURES));
     dialog.addEventListener("close", () => dialog.remove());
-    dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
+    closeFromBeside(dialog);
     place.append(dialog);
     dialog.showModal();
   };

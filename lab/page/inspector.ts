@@ -3,10 +3,10 @@
 import type { Simulation } from "../avo/avo.ts";
 import { openComparison } from "./comparison.ts";
 import { markNeighbor, neighborTable, numbersTable } from "./decision_tables.ts";
-import { digits, element, oncePerFrame } from "./elements.ts";
+import { closeFromBeside, digits, element, oncePerFrame } from "./elements.ts";
 import type { Explained } from "./explained.ts";
 import { explained } from "./explained.ts";
-import { makeHistoryStrip } from "./history_strip.ts";
+import { makeHistoryStrip, type HistoryStrip } from "./history_strip.ts";
 import type { Lab } from "./lab.ts";
 import { simulationOfRow } from "./recorded_decision.ts";
 import { makeSpaceCanvas, sharedAxes, type SpaceCanvas } from "./space_canvas.ts";
@@ -15,68 +15,32 @@ import { sentence } from "./why.ts";
 const LEAST_PAUSE = 60;  // ms between two decisions while it plays
 const REST = 4;          // of the time goes to everything else
 
+/** What the panel consists of. */
+interface Panel {
+  root: HTMLElement;
+  title: HTMLElement;
+  when: HTMLElement;
+  says: HTMLElement;
+  note: HTMLElement;
+  space: SpaceCanvas;
+  strip: HistoryStrip;
+  numbers: HTMLElement;
+  neighbors: HTMLElement;
+  shown: Explained | null;  // what is in it
+}
+
 export function mountInspector(lab: Lab, root: HTMLElement): void {
-  const space = makeSpaceCanvas(lab, sharedAxes());
-  const strip = makeHistoryStrip(lab);
-  const title = element("h2", { class: "insp-title" });
-  const when = element("span", { class: "insp-when" });
-  const says = element("p", { class: "insp-sentence", role: "status" });
-  const note = element("p", { class: "insp-note", hidden: true });
-  const numbers = element("div"), neighbors = element("div", { class: "insp-scroll" });
-  const compare = element("button", { type: "button", onclick: () => openComparison(lab) }, "Compare methods");
-  const copy = element("button", { type: "button", title: "the very text of avo explain --json" }, "Copy JSON");
-  const close = element("button", { type: "button", class: "insp-close", "aria-label": "close the inspector", onclick: () => lab.select(null) }, "×");
-  const panel = element("div", { class: "insp", hidden: true },
-    element("header", { class: "insp-head" }, title, when, close),
-    says, note, space.root, tools(space), legend(),
-    element("h3", {}, "History"), strip.root,
-    element("div", { class: "insp-actions" }, compare, copy),
-    element("h3", {}, "Numbers"), numbers,
-    element("h3", {}, "Neighbors"), neighbors);
-  root.replaceChildren(empty(lab), panel);
-
-  let shown: Explained | null = null;
+  const panel = makePanel(lab);
+  const nobody = empty(lab);
+  root.replaceChildren(nobody, panel.root);
   let last = 0, cost = 0, late = 0;
-  copy.addEventListener("click", () => void copyText(shown?.text ?? "", copy));
-  panel.addEventListener("neighbor", (event) => lab.select((event as CustomEvent<number>).detail));
-
-  const fill = (now: Explained): void => {
-    shown = now;
-    const { decision, law, why } = now;
-    title.textContent = `Robot ${decision.robot}`;
-    when.textContent = `at ${digits(lab.moment.time)} s · ${law.method}`;
-    says.textContent = sentence(decision, law, why);
-    space.show(now.source);
-    numbers.replaceChildren(numbersTable(decision));
-    const scrolled = neighbors.scrollTop;
-    neighbors.replaceChildren(neighborTable(lab, decision, why, law, (robot) => lab.select(robot)));
-    neighbors.scrollTop = scrolled;
-    markNeighbor(neighbors, lab.highlighted);
-    panel.classList.remove("insp-silent");
-  };
   const refresh = (): void => {
-    const robot = lab.selected;
-    panel.hidden = robot === null;
-    (root.firstElementChild as HTMLElement).hidden = robot !== null;
-    if (robot === null) return;
-    strip.redraw();
+    nobody.hidden = lab.selected !== null;
+    panel.root.hidden = lab.selected === null;
+    if (lab.selected === null) return;
     const begun = performance.now();
-    try {
-      note.hidden = lab.live !== null;
-      note.textContent = lab.live ? "" : ROW_NOTE;
-      fill(explained(simulationFor(lab), lab.info, robot, lab.playing));
-    } catch (error) {
-      silence(robot, error);
-    }
+    show(lab, panel, lab.selected);
     cost = performance.now() - begun, last = performance.now();
-  };
-  const silence = (robot: number, error: unknown): void => {
-    shown = null;
-    title.textContent = `Robot ${robot}`;
-    when.textContent = `at ${digits(lab.moment.time)} s`;
-    says.textContent = error instanceof Error ? error.message : String(error);
-    panel.classList.add("insp-silent");
-    space.show(null);
   };
   const refreshSoon = oncePerFrame(() => {
     const rest = Math.max(LEAST_PAUSE, REST * cost) - (performance.now() - last);
@@ -84,15 +48,74 @@ export function mountInspector(lab: Lab, root: HTMLElement): void {
     if (!lab.playing || rest <= 0) refresh();
     else late = window.setTimeout(refresh, rest);
   });
+  panel.root.addEventListener("neighbor", (event) => lab.select((event as CustomEvent<number>).detail));
   for (const event of ["moment", "scene", "playing"] as const) lab.on(event, refreshSoon);
-  lab.on("past", () => strip.redraw());
+  lab.on("past", () => panel.strip.redraw());
   lab.on("selection", refresh);
   lab.on("theme", refresh);
   lab.on("highlight", () => {
-    markNeighbor(neighbors, lab.highlighted);
-    space.redraw();
+    markNeighbor(panel.neighbors, lab.highlighted);
+    panel.space.redraw();
   });
   refresh();
+}
+
+function makePanel(lab: Lab): Panel {
+  const title = element("h2", { class: "insp-title" }), when = element("span", { class: "insp-when" });
+  const says = element("p", { class: "insp-sentence", role: "status" });
+  const note = element("p", { class: "insp-note", hidden: true });
+  const space = makeSpaceCanvas(lab, sharedAxes());
+  const strip = makeHistoryStrip(lab);
+  const numbers = element("div"), neighbors = element("div", { class: "insp-scroll" });
+  const close = element("button", { type: "button", class: "insp-close", "aria-label": "close the inspector", onclick: () => lab.select(null) }, "×");
+  const compare = element("button", { type: "button", onclick: () => openComparison(lab) }, "Compare methods");
+  const copy = element("button", { type: "button", title: "the very text of avo explain --json" }, "Copy JSON");
+  copy.addEventListener("click", () => void copyText(panel.shown?.text ?? "", copy));
+  const root = element("div", { class: "insp", hidden: true },
+    element("header", { class: "insp-head" }, title, when, close),
+    says, note, space.root, tools(space), legend(),
+    element("h3", {}, "History"), strip.root,
+    element("div", { class: "insp-actions" }, compare, copy),
+    element("h3", {}, "Numbers"), numbers,
+    element("h3", {}, "Neighbors"), neighbors);
+  const panel: Panel = { root, title, when, says, note, space, strip, numbers, neighbors, shown: null };
+  return panel;
+}
+
+function show(lab: Lab, panel: Panel, robot: number): void {
+  panel.strip.redraw();
+  panel.note.hidden = lab.live !== null;
+  panel.note.textContent = lab.live ? "" : ROW_NOTE;
+  try {
+    fill(lab, panel, explained(simulationFor(lab), lab.info, robot, lab.playing));
+  } catch (error) {
+    silence(lab, panel, robot, error);
+  }
+}
+
+function fill(lab: Lab, panel: Panel, now: Explained): void {
+  const { decision, law, why } = now;
+  const { numbers, neighbors } = panel;
+  panel.shown = now;
+  panel.title.textContent = `Robot ${decision.robot}`;
+  panel.when.textContent = `at ${digits(lab.moment.time)} s · ${law.method}`;
+  panel.says.textContent = sentence(decision, law, why);
+  panel.space.show(now.source);
+  numbers.replaceChildren(numbersTable(decision));
+  const scrolled = neighbors.scrollTop;
+  neighbors.replaceChildren(neighborTable(lab, decision, why, law, (robot) => lab.select(robot)));
+  neighbors.scrollTop = scrolled;
+  markNeighbor(neighbors, lab.highlighted);
+  panel.root.classList.remove("insp-silent");
+}
+
+function silence(lab: Lab, panel: Panel, robot: number, error: unknown): void {
+  panel.shown = null;
+  panel.title.textContent = `Robot ${robot}`;
+  panel.when.textContent = `at ${digits(lab.moment.time)} s`;
+  panel.says.textContent = error instanceof Error ? error.message : String(error);
+  panel.root.classList.add("insp-silent");
+  panel.space.show(null);
 }
 
 const ROW_NOTE = "From the row of the recording: what the robot remembers (its detour) is not recorded, so the decision is " +
@@ -153,8 +176,26 @@ function empty(lab: Lab): HTMLElement {
 }
 
 async function copyText(text: string, button: HTMLElement): Promise<void> {
-  await navigator.clipboard.writeText(text).catch(() => undefined);
-  const label = button.textContent;
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    return showText(text);
+  }
   button.textContent = "Copied";
-  setTimeout(() => (button.textContent = label), 1200);
+  setTimeout(() => (button.textContent = "Copy JSON"), 1200);
+}
+
+/** For a browser that lets no page copy: to be copied by hand. */
+function showText(text: string): void {
+  const area = element("textarea", { class: "insp-text", readonly: true, rows: 16, "aria-label": "the text to copy" }, text);
+  const dialog = element("dialog", { class: "card", "aria-label": "the text to copy" },
+    element("form", { method: "dialog", class: "card-head" }, element("h2", {}, "The browser refuses to copy: do it here"),
+      element("button", { class: "card-close", "aria-label": "close" }, "×")),
+    area);
+  dialog.addEventListener("close", () => dialog.remove());
+  closeFromBeside(dialog);
+  document.body.append(dialog);
+  dialog.showModal();
+  area.focus();
+  area.select();
 }

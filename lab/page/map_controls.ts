@@ -81,10 +81,10 @@ function mountLegend(lab: PageLab, view: WorldView, root: HTMLElement): void {
 }
 
 function keysOf(coloring: Coloring, theme: "light" | "dark"): HTMLElement[] {
-  const swatch = (style: string, label: string) =>
-    element("span", { class: "legend-key" }, element("i", { style }), label);
+  const swatch = (style: string, label: string, title = "") =>
+    element("span", { class: "legend-key", title }, element("i", { style }), label);
   if (coloring === "status") {
-    return Object.entries(STATUS_COLORS).map(([status, colors]) => swatch(`background:${colors[theme]}`, status.replace("_", " ")));
+    return Object.entries(STATUS_COLORS).map(([status, colors]) => swatch(`background:${colors[theme]}`, status.replace("_", " "), colors.says));
   }
   if (coloring === "speed") {
     const ramp = [0, 0.25, 0.5, 0.75, 1].map((share) => cssOf(shareColor(share))).join(", ");

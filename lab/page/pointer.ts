@@ -14,64 +14,27 @@ export interface Hand { tool: Tool }
 
 type Pixel = [number, number];  // of the canvas
 
-interface Press { px: number; py: number; moved: boolean; gesture: Gesture | null; touch: boolean }
+interface Press { px: number; py: number; moved: boolean; gesture: Gesture | null; isFinger: boolean }
+
+/** What fingers, the mouse or a pen are doing. */
+interface Grip {
+  lab: PageLab;
+  view: WorldView;
+  hand: Hand;
+  tip: HTMLElement;
+  fingers: Map<number, Pixel>;  // that are down, by pointer
+  press: Press | null;          // of the first of them
+}
 
 export function mountPointer(lab: PageLab, view: WorldView, hand: Hand, tip: HTMLElement): void {
-  const { canvas, camera } = view;
-  const fingers = new Map<number, Pixel>();
-  let press: Press | null = null;
-  const at = (event: PointerEvent) => pixelOf(canvas, event);
-  const end = () => {
-    press = null;
-    view.preview = null;
-    view.touch();
-  };
-
-  canvas.addEventListener("pointerdown", (event) => {
-    canvas.setPointerCapture(event.pointerId);
-    fingers.set(event.pointerId, at(event));
-    tip.hidden = true;
-    if (fingers.size > 1) return end();  // a pinch drags nothing
-    const [px, py] = at(event);
-    const touch = event.pointerType === "touch";
-    const hit = pick(lab, view, px, py, touch);
-    const gesture = event.button === 0 ? begin(lab, view, hand.tool, hit, toMeters(camera, px, py)) : null;
-    press = { px, py, moved: false, gesture, touch };
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const now = at(event);
-    const before = fingers.get(event.pointerId);
-    if (!before) return look(lab, view, hand, tip, now);
-    fingers.set(event.pointerId, now);
-    if (fingers.size === 2) {
-      const other = [...fingers].find(([finger]) => finger !== event.pointerId)![1];
-      return pinch(view, other, before, now);
-    }
-    if (!press) return;
-    press.moved ||= Math.hypot(now[0] - press.px, now[1] - press.py) > CLICK;
-    if (!press.moved) return;
-    if (press.gesture) {
-      const { gesture } = press;
-      view.preview = (layers, paint) => gesture.show(layers, paint, toMeters(camera, ...now));
-    } else {
-      camera.x -= (now[0] - before[0]) / camera.scale;
-      camera.y += (now[1] - before[1]) / camera.scale;
-    }
-    view.touch();
-  });
-  canvas.addEventListener("pointerup", (event) => {
-    fingers.delete(event.pointerId);
-    const done = press;
-    if (!done) return;
-    const [px, py] = at(event);
-    end();
-    const places = hand.tool === "robot" || hand.tool === "wall";
-    if (done.gesture && (done.moved || places)) done.gesture.drop(toMeters(camera, px, py));
-    else if (!done.moved) click(lab, view, hand.tool, px, py, done.touch);
-  });
+  const { canvas } = view;
+  const grip: Grip = { lab, view, hand, tip, fingers: new Map(), press: null };
+  canvas.addEventListener("pointerdown", (event) => down(grip, event));
+  canvas.addEventListener("pointermove", (event) => move(grip, event));
+  canvas.addEventListener("pointerup", (event) => up(grip, event));
   canvas.addEventListener("pointercancel", (event) => {
-    fingers.delete(event.pointerId);
-    end();
+    grip.fingers.delete(event.pointerId);
+    letGo(grip);
   });
   canvas.addEventListener("pointerleave", () => {
     lab.highlight(null);
@@ -80,7 +43,71 @@ export function mountPointer(lab: PageLab, view: WorldView, hand: Hand, tip: HTM
   canvas.addEventListener("dblclick", () => {
     if (hand.tool === "move" && lab.selected === null) view.fit();
   });
+  mountEscape(grip);
   mountWheel(view);
+}
+
+function down(grip: Grip, event: PointerEvent): void {
+  const { lab, view, hand, tip, fingers } = grip;
+  view.canvas.setPointerCapture(event.pointerId);
+  const [px, py] = pixelOf(view.canvas, event);
+  fingers.set(event.pointerId, [px, py]);
+  tip.hidden = true;
+  if (fingers.size > 1) return letGo(grip);  // a pinch drags nothing
+  const isFinger = event.pointerType === "touch";
+  const hit = pick(lab, view, px, py, isFinger);
+  const gesture = event.button === 0 ? begin(lab, view, hand.tool, hit, toMeters(view.camera, px, py)) : null;
+  grip.press = { px, py, moved: false, gesture, isFinger };
+}
+
+function move({ lab, view, hand, tip, fingers, press }: Grip, event: PointerEvent): void {
+  const { camera } = view;
+  const now = pixelOf(view.canvas, event);
+  const before = fingers.get(event.pointerId);
+  if (!before) return look(lab, view, hand, tip, now);
+  fingers.set(event.pointerId, now);
+  if (fingers.size === 2) {
+    const other = [...fingers].find(([finger]) => finger !== event.pointerId)![1];
+    return pinch(view, other, before, now);
+  }
+  if (!press) return;
+  press.moved ||= Math.hypot(now[0] - press.px, now[1] - press.py) > CLICK;
+  if (!press.moved) return;
+  const { gesture } = press;
+  if (gesture) {
+    view.preview = (layers, paint) => gesture.show(layers, paint, toMeters(camera, ...now));
+  } else {
+    camera.x -= (now[0] - before[0]) / camera.scale;
+    camera.y += (now[1] - before[1]) / camera.scale;
+  }
+  view.touch();
+}
+
+function up(grip: Grip, event: PointerEvent): void {
+  const { lab, view, hand, fingers, press } = grip;
+  fingers.delete(event.pointerId);
+  if (!press) return;
+  const [px, py] = pixelOf(view.canvas, event);
+  letGo(grip);
+  const places = hand.tool === "robot" || hand.tool === "wall";
+  if (press.gesture && (press.moved || places)) press.gesture.drop(toMeters(view.camera, px, py));
+  else if (!press.moved) click(lab, view, hand.tool, px, py, press.isFinger);
+}
+
+/** Nothing is drawn or dragged any more. */
+function letGo(grip: Grip): void {
+  grip.press = null;
+  grip.view.preview = null;
+  grip.view.touch();
+}
+
+/** While something is drawn or dragged, Escape gives that up, and means nothing else. */
+function mountEscape(grip: Grip): void {
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !grip.press?.gesture) return;
+    event.stopPropagation();
+    letGo(grip);
+  }, { capture: true });
 }
 
 function pixelOf(canvas: HTMLElement, event: MouseEvent): Pixel {

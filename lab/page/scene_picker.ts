@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built-in scenes, each with a picture of how it starts.
 import type { BuiltinScene } from "../avo/avo.ts";
-import { crispContext, element } from "./elements.ts";
+import { closeFromBeside, crispContext, element } from "./elements.ts";
 import type { PageLab } from "./make_lab.ts";
 import { drawStart } from "./start_picture.ts";
 
@@ -27,7 +27,7 @@ export function mountScenePicker(lab: PageLab, button: HTMLElement, place: HTMLE
       cards.find(({ root }) => !root.hidden)?.root.click();
     });
     dialog.addEventListener("close", () => dialog.remove());
-    dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
+    closeFromBeside(dialog);
     place.append(dialog);
     dialog.showModal();
     drawWhenIdle(dialog, cards.map(({ draw }) => draw));

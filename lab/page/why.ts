@@ -2,7 +2,7 @@
 // Why a robot decides as it does: which half-planes its choice rests on, and the decision in one sentence.
 import type { SceneInfo } from "../avo/avo.ts";
 import type { Decision, HalfPlane, Vec } from "./decision.ts";
-import { along, avoidsUnion, cross, dot, labelOf, minus, nameOf, norm, sceneWall, violation } from "./decision.ts";
+import { along, avoidsUnion, cross, dot, isCertified, labelOf, minus, nameOf, norm, sceneWall, violation } from "./decision.ts";
 import { nearestPoint } from "./nearest.ts";
 
 /** A half-plane of the decision, and what it has to do with the choice. */
@@ -145,13 +145,15 @@ function reasonOf(decision: Decision, law: Law, found: Why): string {
     : "nothing refuses the velocity that it prefers";
 }
 
-const STATUS_REASONS: Record<string, (decision: Decision) => string> = {
-  least_unsafe: (decision) => `no velocity satisfies all half-planes, and this one misses them by the least that ` +
-    `is possible, ${number(decision.violation)} m/s`,
+const STATUS_REASONS: Record<string, (decision: Decision, law: Law) => string> = {
+  least_unsafe: (decision, law) => (avoidsUnion(decision, law.method)
+    ? "no velocity lies outside of all obstacles, and this is the least unsafe one"
+    : `no velocity satisfies all half-planes, and this one misses them by the least that is possible, ${number(decision.violation)} m/s`) +
+    (isCertified(decision) ? "; the certificate holds" : ""),
   candidate: (decision) => decision.detour
     ? `the way is blocked, so it takes what the certificate admits on a detour of ${number(decision.detour * 180 / Math.PI, 0)}° to the right`
     : "the certificate refuses what the half-planes propose, or the way is blocked, and this is the nearest that it admits",
-  braking: () => "the certificate admits nothing but braking",
+  braking: () => "nothing but braking is admitted",
   overlapping: () => "it is in contact already, or braking no longer avoids it: it separates if it can",
   invalid_input: () => "a number that it knows or senses is not finite or out of range: it brakes",
 };
@@ -167,6 +169,6 @@ export function stateSentence(decision: Decision): string {
 
 /** "Robot 3 turns 12° right: the half-plane of robot 7 binds. Braking keeps clear of all others (safe)." */
 export function sentence(decision: Decision, law: Law, found: Why): string {
-  const reason = STATUS_REASONS[decision.status]?.(decision) ?? reasonOf(decision, law, found);
+  const reason = STATUS_REASONS[decision.status]?.(decision, law) ?? reasonOf(decision, law, found);
   return `Robot ${decision.robot} ${actionOf(decision)}: ${reason}. ${stateSentence(decision)}`;
 }

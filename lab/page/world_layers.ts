@@ -164,7 +164,10 @@ export function drawMovers(layers: Layers, lab: Lab, shown: Shown, paint: Paint)
   });
 }
 
-/** Filled: it goes its way. Hollow: it brakes. Dashed: nothing is safe. A heavy rim: it touches. A dot: it has arrived. */
+/**
+ * Filled: it goes its way. Hollow: it brakes. Dashed: no velocity satisfies all half-planes, or a number is not valid.
+ * A heavy rim: it touches. A dot: it has arrived.
+ */
 export function drawRobots(layers: Layers, shown: Shown, colors: Rgb[], paint: Paint): void {
   const { moment, robots } = shown;
   const few = moment.robot.length <= FEW;

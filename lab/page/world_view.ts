@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The map: it draws what the Lab shows, whenever that changes, and knows what is under a pixel.
-import { emptyBox, fit, include, type Camera, type Margin } from "./camera.ts";
+import type { Moment } from "../avo/avo.ts";
+import { emptyBox, fit, include, toPixels, type Camera, type Margin } from "./camera.ts";
 import type { Rgb } from "./colors.ts";
 import type { PageLab } from "./make_lab.ts";
 import { drawSelection } from "./selection_layer.ts";
@@ -149,7 +150,7 @@ function resize(view: WorldView): void {
 }
 
 function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
-  let fitted = lab.name;
+  const fitted = { name: lab.name, start: lab.moment };
   const redraw = () => { drawing.trailsAreOld = drawing.isOld = true; };
   lab.on("moment", () => {
     noteTrails(drawing.trails, shownOf(lab.run, 1));
@@ -160,8 +161,10 @@ function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
     drawing.shownIsOld = true;
     if (lab.moment.steps === 0) drawing.angles = homeAngles(view.shown);
     drawing.homes = homeColors(drawing.angles, lab.theme);
-    if (fitted === lab.name) return;
-    fitted = lab.name;
+    const { name, start } = fitted;
+    fitted.name = lab.name;
+    if (lab.moment.steps === 0) fitted.start = lab.moment;
+    if (name === lab.name && !(beginsElsewhere(fitted.start, start) && isOutside(view))) return;
     drawing.trails.samples.length = 0;
     view.fit();
   });
@@ -178,6 +181,23 @@ function followLab(lab: PageLab, view: WorldView, drawing: Drawing): void {
 function marginOf({ height }: Camera): Margin {
   const { x, top, bottom } = matchMedia("(max-width: 720px)").matches ? PHONE_MARGIN : MARGIN;
   return { x, top: Math.min(top, 0.36 * height), bottom: Math.min(bottom, 0.3 * height) };
+}
+
+/** Most robots begin where none did before: another scene was opened, which no slider and no drag is. */
+function beginsElsewhere(now: Moment, before: Moment): boolean {
+  if (now === before) return false;
+  const placesOf = ({ robot, position }: Moment) => Array.from(robot, (_, i) => `${position[2 * i]} ${position[2 * i + 1]}`);
+  const known = new Set(placesOf(before));
+  return 2 * placesOf(now).filter((place) => !known.has(place)).length > now.robot.length;
+}
+
+/** Most robots are not in the picture. */
+function isOutside({ camera, shown: { x, y } }: WorldView): boolean {
+  const outside = x.filter((_, i) => {
+    const [px, py] = toPixels(camera, x[i]!, y[i]!);
+    return px < 0 || py < 0 || px > camera.width || py > camera.height;
+  });
+  return 2 * outside.length > x.length;
 }
 
 /** Of all that there is, goals included. */

@@ -58,6 +58,11 @@ export async function steps(page, count) {
   }, count);
 }
 
+/** Pixels of a place in the world, m. */
+export async function pixelsOf(page, place) {
+  return page.evaluate((at) => window.avoLab.toScreen(at), place);
+}
+
 export async function openText(page, text, name = "scene") {
   await page.evaluate(([yaml, called]) => window.avoLab.openText(yaml, called), [text, name]);
 }

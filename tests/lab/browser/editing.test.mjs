@@ -2,7 +2,7 @@
 // What a user does with the mouse and the keys, and that going back and forth leads to the same bits.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { close, frames, launch, open, openText, stateHash, steps } from "./browser.mjs";
+import { close, frames, launch, open, openText, pixelsOf, stateHash, steps } from "./browser.mjs";
 
 const SCENE = `version: 1
 name: editing
@@ -24,8 +24,7 @@ beforeEach(async () => {
 });
 afterEach(() => close(lab));
 
-/** Pixels of a place in the world, m. */
-const pixels = (at) => lab.page.evaluate((place) => window.avoLab.toScreen(place), at);
+const pixels = (at) => pixelsOf(lab.page, at);
 const placeOf = (robot) => lab.page.evaluate((number) => {
   const { moment } = window.avoLab;
   const k = moment.robot.indexOf(number);
@@ -94,14 +93,61 @@ test("a goal dragged is where the robot goes", async () => {
   near(await placeOf(0), [6, 5], "robot 0 at its goal");
 });
 
+const robotsOf = () => lab.page.evaluate(() => [...window.avoLab.moment.robot]);
+const wallsOf = () => lab.page.evaluate(() => window.avoLab.info.walls.map(({ a, b }) => [...a, ...b].map(Math.round)));
+
+/** With the tool of that key. */
+async function draw(key, from, to) {
+  await lab.page.keyboard.press(key);
+  await drag(from, to);
+}
+
+async function erase(at) {
+  await lab.page.keyboard.press("4");
+  await lab.page.mouse.click(...(await pixels(at)));
+  await frames(lab.page, 2);
+}
+
 test("what is added and removed by hand takes part", async () => {
-  await steps(lab.page, 5);
-  const count = await lab.page.evaluate(() => window.avoLab.moment.robot.length);
+  await draw("2", [-6, -5], [6, -5]);
+  assert.deepEqual(await robotsOf(), [0, 1, 2, 3]);
+  await draw("3", [-2, -3], [2, -3]);
+  assert.deepEqual(await wallsOf(), [[-3, 8, 3, 8], [-2, -3, 2, -3]]);
+  await draw("1", [2, -3], [4, -2]);
+  assert.deepEqual(await wallsOf(), [[-3, 8, 3, 8], [-2, -3, 4, -2]], "the end alone was dragged");
+  const text = await textOf();
+  assert.match(text, /this comment stays/);
+  await openText(lab.page, text, "again"); // the text has it all
+  assert.deepEqual([await robotsOf(), (await wallsOf()).length], [[0, 1, 2, 3], 2]);
+  await steps(lab.page, 40);
+  assert.ok((await placeOf(3))[0] > -2, "the robot that was added goes its way");
+  assert.ok((await placeOf(2))[0] < -2, "robot 2 goes around the wall");
+
+  await erase([1, -2.5]);
+  assert.deepEqual(await wallsOf(), [[-3, 8, 3, 8]]);
+  await draw("2", [-6, 5], [6, 5]);
+  await erase(await placeOf(3));
+  assert.deepEqual(await robotsOf(), [0, 1, 2, 4]);
   await lab.page.evaluate(() => window.avoLab.select(1));
   await lab.page.keyboard.press("Delete");
-  await frames(lab.page, 2);
-  assert.equal(await lab.page.evaluate(() => window.avoLab.moment.robot.length), count - 1);
-  assert.ok(!(await lab.page.evaluate(() => [...window.avoLab.moment.robot])).includes(1));
+  assert.deepEqual(await robotsOf(), [0, 2, 4]);
+  await steps(lab.page, 40);
+  assert.ok((await placeOf(4))[0] > -2, "so does one that was added later");
+  await backAndForth(50);
+});
+
+test("Escape gives up what is drawn or dragged, and nothing else", async () => {
+  await lab.page.evaluate(() => window.avoLab.select(1));
+  for (const [key, from, to] of [["1", [-8, 0], [-6, 3]], ["2", [-6, -5], [6, -5]], ["3", [-2, -3], [2, -3]]]) {
+    await lab.page.keyboard.press(key);
+    await lab.page.mouse.move(...(await pixels(from)));
+    await lab.page.mouse.down();
+    await lab.page.mouse.move(...(await pixels(to)), { steps: 3 });
+    await lab.page.keyboard.press("Escape");
+    await lab.page.mouse.up();
+    assert.equal(await textOf(), SCENE, `tool ${key}`);
+  }
+  assert.equal(await lab.page.evaluate(() => window.avoLab.selected), 1);
 });
 
 test("sliders change the text, and the run goes on from where it is", async () => {

@@ -62,7 +62,10 @@ test("statuses and states in words", () => {
   assert.deepEqual(binding(union.found), []);
   assert.match(sentence(union.decision, union.law, union.found), /obstacles|union/);
   const unsafe = explained("doorway", 3, 9, "orca");
-  assert.match(sentence(unsafe.decision, unsafe.law, unsafe.found), /misses them by the least that is possible, 0\.01 m\/s/);
+  assert.match(sentence(unsafe.decision, unsafe.law, unsafe.found), /misses them by the least that is possible, 0\.01 m\/s\. /);
+  const certified = explained("crossing-streams", 13, 12);
+  assert.equal(certified.decision.status, "least_unsafe");
+  assert.match(sentence(certified.decision, certified.law, certified.found), /0\.04 m\/s; the certificate holds\. .*\(safe\)\.$/);
 });
 
 test("half-planes of walls are those of the scene's walls, and only forbid where the method heeds them", () => {
