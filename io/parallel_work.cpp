@@ -78,6 +78,7 @@ void work_through(std::size_t count, int jobs, const std::function<void(std::siz
   }
   threads.clear();
   if (queue.failure) std::rethrow_exception(queue.failure);
+  tick();
 }
 
 }  // namespace avo_io
