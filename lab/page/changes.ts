@@ -54,7 +54,7 @@ function withRobot(yaml: string, setup: { position: Point; goal: Point }): strin
 
 export function removeRobot(lab: PageLab, robot: number): boolean {
   // without it the text would count others anew, who may have been edited
-  const inText = isStart(lab) && !lab.run.edited && isListed(lab, robot) && robotsListed(lab.text) + Number(hasMoreRobots(lab.text)) > 1;
+  const inText = isStart(lab) && !lab.run.handmade && isListed(lab, robot) && robotsListed(lab.text) + Number(hasMoreRobots(lab.text)) > 1;
   if (lab.selected === robot) lab.select(null);
   if (inText) return lab.carryOn(withValue(lab.text, `robots.${robot}`, undefined));
   return lab.edit((simulation) => simulation.removeRobot(robot));

@@ -30,18 +30,22 @@ export function saveYaml(lab: Lab): void {
   download(fileName(lab, "yaml"), new Blob([lab.text], { type: "application/yaml" }));
 }
 
-/** Shows the run at each of `times`, in order, and then where it was. A recording is read as it goes. */
-async function walk(lab: Lab, times: number[], progress: Progress, visit: (k: number) => Promise<void> | void): Promise<void> {
+/** Shows the run at each of `times`, in order, and then goes on as it was. A recording is read as it goes. */
+async function walk(lab: PageLab, times: number[], progress: Progress, visit: (k: number) => Promise<void> | void): Promise<void> {
+  const { run, playing } = lab;
   const back = lab.moment.time;
   lab.pause();
   for (let k = 0; k < times.length && !progress.cancelled; ++k) {
     lab.seek(times[k]!);
     if (Math.abs(lab.moment.time - times[k]!) > 1e-6) await arrival(lab, times[k]!);
+    if (lab.run !== run) throw new Error("another run was opened meanwhile, so nothing was saved");
     await visit(k);
     progress.tell((k + 1) / times.length);
     if (k % 16 === 15) await pause(0);  // the page stays alive
   }
+  if (lab.run !== run) return;
   lab.seek(back);
+  if (playing) lab.play();
 }
 
 const pause = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
@@ -145,7 +149,7 @@ class Film {
   }
 }
 
-export async function saveGif(lab: Lab, progress: Progress): Promise<void> {
+export async function saveGif(lab: PageLab, progress: Progress): Promise<void> {
   const film = new Film(lab);
   const encoder = new GifEncoder(film.canvas.width, film.canvas.height, { delay: FRAME_TIME });
   await walk(lab, filmTimes(lab), progress, () => {
@@ -156,7 +160,7 @@ export async function saveGif(lab: Lab, progress: Progress): Promise<void> {
 }
 
 /** Filmed as it is shown, so it takes as long as the film. */
-export async function saveWebm(lab: Lab, progress: Progress): Promise<void> {
+export async function saveWebm(lab: PageLab, progress: Progress): Promise<void> {
   const type = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"]
     .find((candidate) => typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported(candidate));
   if (!type) throw new Error("this browser does not record WebM: save a GIF instead");

@@ -7,6 +7,7 @@ import type { Simulation } from "../avo/avo.ts";
 export interface Edit {
   step: number;
   apply(simulation: Simulation): Simulation;
+  inText: boolean;  // the scene's text says it as well
 }
 
 interface Keyframe {

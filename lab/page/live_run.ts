@@ -27,7 +27,7 @@ export class LiveRun implements Run {
   }
 
   get live(): Simulation { return this.place.simulation; }
-  get edited(): boolean { return this.place.edits > 0; }
+  get handmade(): boolean { return this.history.edits.slice(0, this.place.edits).some(({ inText }) => !inText); }
   get contacts() { return this.log.list; }
   get end(): number { return Math.max(this.info.duration, this.past.times[this.past.size - 1]!); }
 
@@ -66,7 +66,7 @@ export class LiveRun implements Run {
     this.history.forgetAfter(step, edits);
     this.past.truncate(step);
     this.log.forgetAfter(time);
-    this.history.edits.push({ step, apply });
+    this.history.edits.push({ step, apply, inText: false });
     this.place.edits = edits + 1;
     this.place.offset = time - this.live.time;
     this.history.keep(this.place, true);
@@ -75,6 +75,12 @@ export class LiveRun implements Run {
     this.latest = null;
     this.moment = this.now();
     this.note();
+  }
+
+  /** The text has come to say what the last edit did. */
+  noteInText(): void {
+    const last = this.history.edits[this.place.edits - 1];
+    if (last) last.inText = true;
   }
 
   private goToStep(step: number): void {
@@ -126,7 +132,7 @@ export class LiveRun implements Run {
   private note(): void {
     const { info, past } = this;
     const moment = this.now();
-    const near = info.walls.length > 0 || moment.clearance.some((clearance) => clearance < 0);
+    const near = info.walls.length + info.moving_obstacles.length > 0 || moment.clearance.some((clearance) => clearance < 0);
     const touches = near ? this.live.contacts() : [];
     this.log.note(touches, moment.time, past.size ? past.times[past.size - 1]! : moment.time);
     past.push(moment, info, touches.length);

@@ -17,7 +17,7 @@ import { mountNotice } from "./notice.ts";
 import { mountPointer, type Hand } from "./pointer.ts";
 import { mountScenePanel } from "./scene_panel.ts";
 import { mountScenePicker } from "./scene_picker.ts";
-import { openFromAddress } from "./share.ts";
+import { keepAddressTrue, openFromAddress } from "./share.ts";
 import { mountTabs } from "./tabs.ts";
 import { mountTheme, chosenTheme } from "./theme.ts";
 import { mountTools } from "./tools.ts";
@@ -105,6 +105,7 @@ async function begin(): Promise<void> {
   const lab = first(library);
   const view = mountPanels(lab);
   const opened = openBeginning(lab, input).then(() => view.draw());
+  keepAddressTrue(lab);
   window.addEventListener("hashchange", () => { openFromAddress(lab).catch((error: Error) => lab.refuse(error.message)); });
   publish(lab, view, opened);
   await opened;

@@ -217,7 +217,7 @@ function editing(core: Core): Partial<PageLab> {
       if (!(live instanceof LiveRun)) return core.fail("a recording does not change; run its scene to try something else");
       const options = { ...lab.options, name: lab.name };
       return core.attempt(() => {
-        if (live.moment.steps === 0 && !live.edited) core.run = new LiveRun(library.simulate(yaml, options));
+        if (live.moment.steps === 0 && !live.handmade) core.run = new LiveRun(library.simulate(yaml, options));
         else live.edit((simulation) => simulation.carriedInto(yaml, options));
         lab.noteText(yaml);
         core.shown("scene", "moment");
@@ -225,6 +225,7 @@ function editing(core: Core): Partial<PageLab> {
     },
     noteText(yaml) {
       core.text = yaml;
+      if (core.run instanceof LiveRun) core.run.noteInText();
       lab.say("text");
     },
     textWith(path, value) {

@@ -59,7 +59,7 @@ export class RecordedRun implements Run {
 
   get contacts() { return this.log.list; }
   get start(): number { return this.recording.times[0] ?? 0; }
-  readonly edited = false;
+  readonly handmade = false;
   get end(): number { return this.recording.times[this.recording.times.length - 1] ?? 0; }
 
   canStep(): boolean { return this.index + 1 < this.recording.times.length; }

@@ -13,7 +13,7 @@ export interface Run {
   readonly contacts: readonly Contact[];
   readonly start: number;           // s
   readonly end: number;             // s
-  readonly edited: boolean;         // the user has changed it on the way to this moment
+  readonly handmade: boolean;       // changed on the way to this moment by what its text does not say
   canStep(): boolean;
   step(): boolean;                  // false: what comes next has not been read yet
   stepBack(): Promise<void> | void;

@@ -5,7 +5,7 @@ import type { SceneOptions } from "../avo/avo.ts";
 import { decodeScene, encodeScene } from "./data/share.ts";
 
 /** Throws one line for a scene that a link cannot hold. */
-export async function linkOf(lab: Lab): Promise<string> {
+async function linkOf(lab: Lab): Promise<string> {
   const { overrides = [], files = [], start_at_rest, limit_speed } = lab.options;
   if (!lab.text) throw new Error("this recording does not hold its scene, so there is no link to it");
   if (files.some((file) => !file.builtin))
@@ -18,6 +18,25 @@ export async function linkOf(lab: Lab): Promise<string> {
   return `${location.href.split("#")[0]}#scene=${await encodeScene(lab.text)}&${parts}`;
 }
 
+let linked: string | null = null;  // the text that the address holds
+
+/** The link of the present scene, which is that of the page from now on. */
+export async function putIntoAddress(lab: Lab): Promise<string> {
+  const link = await linkOf(lab);
+  history.replaceState(null, "", link.slice(link.indexOf("#")));
+  linked = lab.text;
+  return link;
+}
+
+/** Another text is not what the address holds: whoever loads the page again would find that. */
+export function keepAddressTrue(lab: Lab): void {
+  lab.on("text", () => {
+    if (linked === null || lab.text === linked) return;
+    linked = null;
+    history.replaceState(null, "", location.href.split("#")[0]);
+  });
+}
+
 /** Of `#scene=...` in the address. Without one: false. */
 export async function openFromAddress(lab: Lab, hash = location.hash): Promise<boolean> {
   const parts = new URLSearchParams(hash.replace(/^#/, ""));
@@ -28,7 +47,10 @@ export async function openFromAddress(lab: Lab, hash = location.hash): Promise<b
     start_at_rest: parts.get("start_at_rest") === "true",
     limit_speed: parts.get("limit_speed") === "true",
   };
-  lab.openText(await decodeScene(scene), parts.get("name") || "shared scene", options);
+  const yaml = await decodeScene(scene);
+  linked = null;
+  lab.openText(yaml, parts.get("name") || "shared scene", options);
+  if (!lab.error) linked = lab.text;
   const robot = Number(parts.get("robot") ?? NaN);
   if (!lab.error && lab.moment.robot.includes(robot)) lab.select(robot);
   return true;

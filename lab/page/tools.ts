@@ -4,17 +4,18 @@ import { element } from "./elements.ts";
 import type { Progress } from "./export.ts";
 import { saveCsv, saveGif, savePng, saveVelocitySpace, saveWebm, saveYaml } from "./export.ts";
 import type { PageLab } from "./make_lab.ts";
-import { linkOf } from "./share.ts";
+import { putIntoAddress } from "./share.ts";
 import { openTour } from "./tour.ts";
 
 interface Saving {
   label: string;
   says: string;
   save(lab: PageLab, progress: Progress): Promise<void> | void;
+  lacks?(lab: PageLab): string;  // what is not in the file
 }
 
 const SAVINGS: Saving[] = [
-  { label: "Scene (YAML)", says: "what avo run, avo lab and this page read", save: saveYaml },
+  { label: "Scene (YAML)", says: "what avo run, avo lab and this page read", save: saveYaml, lacks: besidesText },
   { label: "States so far (CSV)", says: "every step, for avo check and spreadsheets", save: saveCsv },
   { label: "Picture (PNG)", says: "the world as it is on the screen", save: savePng },
   { label: "Velocity space (PNG)", says: "of the selected robot", save: saveVelocitySpace },
@@ -39,14 +40,26 @@ function tell(said: HTMLElement, text: string, isError = false): void {
   timer = window.setTimeout(() => (said.textContent = ""), isError ? 9000 : 4000);
 }
 
+const BY_HAND = "what was changed on the map alone";
+
+/** What of the run its text does not say. */
+function besidesText(lab: PageLab): string {
+  const { overrides = [], start_at_rest, limit_speed } = lab.options;
+  const missing = overrides.map((override) => `--set ${override}`);
+  if (start_at_rest) missing.push("--start-at-rest");
+  if (limit_speed) missing.push("--limit-speed");
+  if (lab.run.handmade) missing.push(BY_HAND);
+  return missing.length > 0 ? `, without ${missing.join(", ")}` : "";
+}
+
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 async function copyLink(lab: PageLab, said: HTMLElement): Promise<void> {
   try {
-    const link = await linkOf(lab);
-    history.replaceState(null, "", link.slice(link.indexOf("#")));
+    const link = await putIntoAddress(lab);
     const copied = await navigator.clipboard.writeText(link).then(() => true, () => false);
-    tell(said, copied ? "Link copied: it holds the whole scene" : "The link is in the address bar: copy it there");
+    const missing = lab.run.handmade ? `, without ${BY_HAND}` : "";
+    tell(said, copied ? `Link copied: it holds the whole scene${missing}` : `The link is in the address bar: copy it there${missing}`);
   } catch (error) {
     tell(said, messageOf(error), true);
   }
@@ -89,7 +102,7 @@ async function run(lab: PageLab, saving: Saving, said: HTMLElement): Promise<voi
   const late = setTimeout(() => document.body.append(shown), 200);
   try {
     await saving.save(lab, { tell: (share) => (bar.value = share), get cancelled() { return cancelled; } });
-    tell(said, cancelled ? "Cancelled" : `Saved: ${saving.label}`);
+    tell(said, cancelled ? "Cancelled" : `Saved: ${saving.label}${saving.lacks?.(lab) ?? ""}`);
   } catch (error) {
     tell(said, messageOf(error), true);
   } finally {

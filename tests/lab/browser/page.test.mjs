@@ -72,7 +72,11 @@ test("a link holds the scene", async () => {
 test("another link in the same tab is opened", async () => {
   const lab = await withBuiltin("office", 1);
   const office = await linkedBy(lab);
+  await lab.page.evaluate(() => window.avoLab.edit((simulation) => simulation.setGoal(0, 1, 1)));
+  await linkedBy(lab);
+  await lab.page.getByText("without what was changed on the map alone").waitFor();
   await openText(lab.page, await builtinText(lab, "circle-10"), "circle-10");
+  assert.equal(await lab.page.evaluate(() => location.hash), "", "the address names nothing that is not shown");
   await lab.page.evaluate(() => { location.hash = "elsewhere"; });
   assert.equal(await lab.page.evaluate(() => window.avoLab.name), "circle-10");
   await lab.page.evaluate((hash) => { location.hash = hash; }, office);

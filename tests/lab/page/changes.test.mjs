@@ -43,8 +43,10 @@ test("a slider leaves robots, goals and moving obstacles where they are", () => 
   go(lab, 10);
   slide(lab);
   assert.deepEqual(place(lab, 3, "goal"), [5, 5]);
+  assert.ok(lab.run.handmade);
   const hash = lab.live.stateHash();
   lab.seek(0);
+  assert.ok(!lab.run.handmade);
   lab.seek(4);
   assert.equal(lab.live.stateHash(), hash, "there again");
 });
@@ -66,9 +68,14 @@ test("at the start what the text cannot say stays as well", () => {
 test("a robot of the list leaves the text, where nobody is numbered anew by that", () => {
   const lab = open();
   addRobot(lab, [0, 12], [0, -12]);
+  go(lab, 5);
+  slide(lab);
+  addRobot(lab, [2, 12], [2, -12]);
+  assert.ok(!lab.run.handmade, "the text says it");
+  lab.seek(0);
   removeRobot(lab, 0);
   assert.doesNotMatch(lab.text, /\[-9, 9\]/);
-  assert.equal(lab.moment.robot.length, 9);
+  assert.equal(lab.moment.robot.length, 10);
 });
 
 test("another method decides on the same state, without the certificate that it cannot have", () => {
