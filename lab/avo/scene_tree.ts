@@ -54,6 +54,15 @@ function beginOf(source: Source, node: ParsedNode): number {
   return begin - (properties?.[0].length ?? 0);
 }
 
+/** "{key:[1]}": to the command line's parser the colon is a part of the key. */
+function refuseAdjacent(source: Source, { flow }: { flow?: boolean }, key: ParsedNode | null): void {
+  if (!flow || !isScalar(key) || key.type !== Scalar.PLAIN) return;
+  const colon = key.range[1];
+  if (!/^:[[{]/.test(source.text.slice(colon, colon + 2))) return;
+  addEvent(source, FAULT, colon + 1, "end of map flow not found");
+  throw new Stopped();
+}
+
 function addNode(source: Source, node: ParsedNode | null, at: number): void {
   if (node === null) {
     if (at >= source.end) throw new Stopped();
@@ -72,6 +81,7 @@ function addNode(source: Source, node: ParsedNode | null, at: number): void {
     addEvent(source, MAP, begin);
     for (const pair of node.items as Pair<ParsedNode, ParsedNode | null>[]) {
       addNode(source, pair.key, node.range[0]);
+      refuseAdjacent(source, node, pair.key);
       addNode(source, pair.value, pair.key?.range?.[1] ?? node.range[1]);
     }
     addEvent(source, CLOSE, begin);
