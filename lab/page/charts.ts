@@ -22,7 +22,7 @@ interface Measure {
 }
 
 const MEASURES: Measure[] = [
-  { title: "clearance", unit: "m between robots", says: "the least of all pairs of robots, surface to surface; triangles are contacts, of a live run with walls too", limit: () => 0, limit_label: "contact",
+  { title: "clearance", unit: "m between robots", says: "the least of all pairs of robots, surface to surface, at the ends of steps; triangles are contacts, of a live run with walls too", limit: () => 0, limit_label: "contact",
     values: (lab) => lab.past.clearance, scale: 1, places: 3, floor: -0.1, ceiling: () => 0.5 },
   { title: "speed", unit: "% of vₘₐₓ", says: "the robot that comes nearest to its limit, or exceeds it most", limit: () => 100, limit_label: "vₘₐₓ",
     values: (lab) => lab.past.speed_ratio, scale: 100, places: 0, floor: 0, ceiling: () => 115 },

@@ -45,6 +45,7 @@ export function openComparison(lab: Lab): void {
   method.addEventListener("change", refresh);
   const stops = (["moment", "scene", "selection", "theme"] as const).map((event) => lab.on(event, refresh));
   stops.push(lab.on("highlight", () => sides.forEach((side) => side.space.redraw())));
+  dialog.addEventListener("neighbor", (event) => lab.select((event as CustomEvent<number>).detail));
   dialog.addEventListener("close", () => {
     stops.forEach((stop) => stop());
     dialog.remove();

@@ -8,7 +8,7 @@ import { LiveRun } from "./live_run.ts";
 import { folded } from "./overrides.ts";
 import { moveOn, shareOf, type Playback } from "./playback.ts";
 import { infoOf, liveOptions } from "./recorded_scene.ts";
-import { RecordedRun } from "./recorded_run.ts";
+import { RecordedRun, whyChangeless } from "./recorded_run.ts";
 import type { Run } from "./run.ts";
 import { withRobotKey, withValue } from "./scene_text.ts";
 import type { Coloring } from "./world_layers.ts";
@@ -214,7 +214,7 @@ function editing(core: Core): Partial<PageLab> {
     },
     carryOn(yaml) {
       const live = core.run;
-      if (!(live instanceof LiveRun)) return core.fail("a recording does not change; run its scene to try something else");
+      if (!(live instanceof LiveRun)) return core.fail(whyChangeless(core.text));
       const options = { ...lab.options, name: lab.name };
       return core.attempt(() => {
         if (live.moment.steps === 0 && !live.handmade) core.run = new LiveRun(library.simulate(yaml, options));

@@ -14,6 +14,10 @@ const RESTING = 20;  // ms in between
 
 export type Goals = Map<number, [number, number]>;
 
+/** `scene` is its text, if it has one. */
+export const whyChangeless = (scene: string): string =>
+  `a recording does not change${scene ? "; run its scene to try something else" : ", and this one does not hold its scene"}`;
+
 /** Frame `index` is shown; row k of the past is frame k, as far as all frames have been read, one after the other. */
 export class RecordedRun implements Run {
   readonly live = null;
