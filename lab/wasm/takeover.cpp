@@ -8,14 +8,15 @@
 namespace avo_lab {
 namespace {
 
-/// Where a robot of the text is once its scene runs; `was` is what the text said of it before, if it
-/// did.
+/// Where a robot of the text is once its scene runs; `was` is what the text said of it before, if
+/// it did.
 void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index) {
   const avo::Simulation& now = *lab().simulation;
   const avo::FleetView fleet = now.fleet();
   if (!was || was->goal == robot.goal) robot.goal = fleet.goal[index];
-  const bool same_start = !was || (was->position == robot.position &&
-                                   was->velocity == robot.velocity && was->heading == robot.heading);
+  const bool same_start =
+      !was || (was->position == robot.position && was->velocity == robot.velocity &&
+               was->heading == robot.heading);
   if (now.steps() > 0 || same_start) {
     robot.position = fleet.position[index];
     robot.velocity = fleet.velocity[index];
@@ -34,7 +35,8 @@ void go_on(avo::MovingObstacle& obstacle, const avo::MovingObstacle* was, std::s
   obstacle.velocity = movers.velocity[index];
   if (was && was->path != obstacle.path) return;
   obstacle.path = movers.setup[index].path;  // which begins with what it went for when it took over
-  std::rotate(obstacle.path.begin(), obstacle.path.begin() + static_cast<std::ptrdiff_t>(movers.target[index]),
+  std::rotate(obstacle.path.begin(),
+              obstacle.path.begin() + static_cast<std::ptrdiff_t>(movers.target[index]),
               obstacle.path.end());
 }
 

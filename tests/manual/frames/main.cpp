@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <avo/avo.h>
-
 #include <cstdio>
 #include <vector>
+
+#include <avo/avo.h>
 
 #pragma GCC diagnostic ignored "-Wunused-variable"
 #pragma GCC diagnostic ignored "-Wunused-but-set-variable"
