@@ -106,6 +106,13 @@ avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_robot_id ro
   });
 }
 
+avo_result avo_simulation_move_robot(avo_simulation_id simulation, avo_robot_id robot,
+                                     avo_vec2 position) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.move_robot(number_of(own, robot), from_c(position));
+  });
+}
+
 avo_result avo_simulation_add_obstacle(avo_simulation_id simulation, const avo_obstacle_def* def,
                                        avo_obstacle_id* obstacle) {
   return changed(simulation, [&](Simulation& own) {

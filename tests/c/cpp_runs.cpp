@@ -89,7 +89,9 @@ void cpp_yard_hashes(uint64_t hashes[3]) {
   simulation.remove_robot({0});
   avo::RobotSetup added;
   added.position = {-14.0, -14.0}, added.goal = {14.0, -14.0};
-  simulation.set_goal(simulation.add_robot(added), {14.0, -13.0});
+  const avo::RobotId robot = simulation.add_robot(added);
+  simulation.set_goal(robot, {14.0, -13.0});
+  simulation.move_robot(robot, {-13.0, -14.0});
   simulation.add_obstacle({.chains = {{{{-20.0, -20.0}, {-18.0, -20.0}}, false}}});
   simulation.remove_obstacle({0});
   step(simulation, 40);

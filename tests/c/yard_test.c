@@ -118,6 +118,11 @@ static void edit(avo_simulation_id simulation) {
   REQUIRE(avo_simulation_add_robot(simulation, &added, &robot));
   CHECK(robot.value == 7);
   REQUIRE(avo_simulation_set_goal(simulation, robot, at(14.0, -13.0)));
+  REQUIRE(avo_simulation_move_robot(simulation, robot, at(-13.0, -14.0)));
+  REQUIRE(avo_simulation_get_position(simulation, robot, &position));
+  CHECK(position.x == -13.0 && position.y == -14.0);
+  REFUSES(avo_simulation_move_robot(simulation, first, at(0.0, 0.0)), AVO_ERROR_INVALID_ID,
+          "robot: found 1");
   REQUIRE(avo_simulation_add_obstacle(simulation, &wall, &obstacle));
   CHECK(obstacle.value == 3);
   there[0].value = 1;

@@ -113,6 +113,9 @@ def test_robots_come_and_go():
     assert tuple(simulation.goal()[9]) == (70.0, 0.0)
     simulation.step(3)
     assert simulation.position().shape == (10, 2) and simulation.velocity()[9, 0] > 0.0
+    simulation.move_robot(added, (55, 1))
+    assert tuple(simulation.position()[9]) == (55.0, 1.0) and not simulation.velocity()[9].any()
+    assert tuple(simulation.goal()[9]) == (70.0, 0.0) and simulation.index_of(added) == 9
 
 
 def test_doors_close_and_open():
@@ -135,6 +138,7 @@ def test_doors_close_and_open():
     (lambda s: s.remove_robot(99), "robot 99: found none of that id"),
     (lambda s: s.set_goal(-1, (0, 0)), "robot -1: found none of that id"),
     (lambda s: s.set_goal(0, (float("nan"), 0)), "goal"),
+    (lambda s: s.move_robot(0, (float("inf"), 0)), "position"),
     (lambda s: s.remove_obstacle(5), "obstacle 5: found none of that id"),
     (lambda s: s.add_robot(avo.RobotSetup(position=(50, 0), goal=(0, 0), radius=-1)), "radius: found -1"),
     (lambda s: s.add_obstacle(avo.StaticObstacle([avo.Chain([(60, 0)])], radius=-1)), "radius: found -1"),

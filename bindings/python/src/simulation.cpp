@@ -191,6 +191,13 @@ void bind_edits(SimulationClass& simulation) {
           },
           arg("id"), arg("goal"), "goal: (x, y), m.")
       .def(
+          "move_robot",
+          [](SharedSimulation& self, std::int64_t id, avo::Vec2 position) {
+            self.alone([&](Simulation& s) { s.move_robot(robot_id(id), position); });
+          },
+          arg("id"), arg("position"),
+          "Puts it down at position, (x, y), m, at rest; it keeps its id.")
+      .def(
           "add_obstacle",
           [](SharedSimulation& self, const avo::StaticObstacle& obstacle) {
             return self.alone([&](Simulation& s) { return s.add_obstacle(obstacle).value; });

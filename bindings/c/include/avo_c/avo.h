@@ -507,6 +507,10 @@ AVO_C_API avo_result avo_simulation_add_robot(avo_simulation_id simulation,
 AVO_C_API avo_result avo_simulation_remove_robot(avo_simulation_id simulation, avo_robot_id robot);
 AVO_C_API avo_result avo_simulation_set_goal(avo_simulation_id simulation, avo_robot_id robot,
                                              avo_vec2 goal);
+/// Somebody puts the robot down elsewhere, at rest; an airplane keeps its velocity. It keeps its
+/// number and forgets what it remembers of its way.
+AVO_C_API avo_result avo_simulation_move_robot(avo_simulation_id simulation, avo_robot_id robot,
+                                               avo_vec2 position);
 /// A door closes. Takes as long as making the simulation, at most.
 AVO_C_API avo_result avo_simulation_add_obstacle(avo_simulation_id simulation,
                                                  const avo_obstacle_def* def,
@@ -533,7 +537,7 @@ AVO_C_API avo_result avo_create_simulation_from_saved(const void* saved, size_t 
 
 /// Columns of the present generation: `count` entries each, one a robot, by ascending id. They
 /// belong to the simulation and are valid until the next call that changes it (step, add, remove,
-/// set_goal, restore, destroy).
+/// set_goal, move_robot, restore, destroy).
 typedef struct avo_columns {
   size_t count;
   const avo_robot_id* id;
