@@ -2,7 +2,7 @@
 // What the user changes on the map. At the start of a run that changes the scene's text; later it changes the run, and
 // the text where it can say so.
 import type { PageLab } from "./make_lab.ts";
-import { hasMoreRobots, robotsListed, withEntry, withValue } from "./scene_text.ts";
+import { hasMoreRobots, robotsListed, valueAt, withEntry, withValue } from "./scene_text.ts";
 import { round, withoutWall, withWallMoved } from "./wall_text.ts";
 
 type Point = [number, number];
@@ -14,8 +14,15 @@ const MAP = "this wall comes from a map or a file, and stays where that has it";
 
 export function moveRobot(lab: PageLab, robot: number, to: Point): boolean {
   const [x, y] = rounded(to);
-  if (isStart(lab) && isListed(lab, robot)) return lab.carryOn(withValue(lab.text, `robots.${robot}.position`, [x, y]));
+  if (isStart(lab) && isListed(lab, robot)) return lab.carryOn(withPosition(lab, robot, [x, y]));
   return lab.edit((simulation) => simulation.moveRobot(robot, x, y));
+}
+
+/** One that is parked has its goal there as well. */
+function withPosition(lab: PageLab, robot: number, to: Point): string {
+  const text = withValue(lab.text, `robots.${robot}.position`, to);
+  const parked = lab.info.robots.find((other) => other.robot === robot)?.parked;
+  return parked && valueAt(text, `robots.${robot}.goal`) ? withValue(text, `robots.${robot}.goal`, to) : text;
 }
 
 export function moveGoal(lab: PageLab, robot: number, to: Point): boolean {

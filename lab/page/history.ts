@@ -7,7 +7,7 @@ import type { Simulation } from "../avo/avo.ts";
 export interface Edit {
   step: number;
   apply(simulation: Simulation): Simulation;
-  inText: boolean;  // the scene's text says it as well
+  text: string | null;  // of the scene from here on; null: it says nothing of this
 }
 
 interface Keyframe {

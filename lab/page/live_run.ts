@@ -2,7 +2,7 @@
 // A run that is simulated while it is shown, with a way back.
 import type { Moment, SceneInfo, Simulation } from "../avo/avo.ts";
 import { ContactLog } from "./contact_log.ts";
-import { History, type Place } from "./history.ts";
+import { History, type Edit, type Place } from "./history.ts";
 import { PastColumns } from "./past.ts";
 import { lastAt, type Run } from "./run.ts";
 
@@ -18,7 +18,8 @@ export class LiveRun implements Run {
   private place: Place;
   private latest: Moment | null = null;  // the present, once it has been read
 
-  constructor(simulation: Simulation) {
+  /** `began` is the scene's text. */
+  constructor(simulation: Simulation, private readonly began: string) {
     this.place = { step: 0, edits: 0, simulation, offset: 0 };
     this.info = simulation.info();
     this.moment = this.now();
@@ -27,9 +28,13 @@ export class LiveRun implements Run {
   }
 
   get live(): Simulation { return this.place.simulation; }
-  get handmade(): boolean { return this.history.edits.slice(0, this.place.edits).some(({ inText }) => !inText); }
+  get text(): string { return this.edits.reduce((text, edit) => edit.text ?? text, this.began); }
+  get handmade(): boolean { return this.edits.some(({ text }) => text === null); }
   get contacts() { return this.log.list; }
   get end(): number { return Math.max(this.info.duration, this.past.times[this.past.size - 1]!); }
+
+  /** Those that have been done on the way to this moment. */
+  private get edits(): Edit[] { return this.history.edits.slice(0, this.place.edits); }
 
   canStep(): boolean {
     return this.live.canStep() && this.moment.time < this.info.duration - 1e-9;
@@ -51,8 +56,8 @@ export class LiveRun implements Run {
     this.goToStep(lastAt(this.past.times, time));
   }
 
-  /** Does `apply` now, and whenever the run comes by here again. A text that is carried gives another simulation. */
-  edit(apply: (simulation: Simulation) => Simulation): void {
+  /** Does `apply` now, and whenever the run comes by here again. A `text` that takes over gives another simulation. */
+  edit(apply: (simulation: Simulation) => Simulation, text: string | null = null): void {
     const { step, edits, offset } = this.place;
     const time = this.live.time + offset;
     const saved = this.live.save();
@@ -66,7 +71,7 @@ export class LiveRun implements Run {
     this.history.forgetAfter(step, edits);
     this.past.truncate(step);
     this.log.forgetAfter(time);
-    this.history.edits.push({ step, apply, inText: false });
+    this.history.edits.push({ step, apply, text });
     this.place.edits = edits + 1;
     this.place.offset = time - this.live.time;
     this.history.keep(this.place, true);
@@ -77,10 +82,10 @@ export class LiveRun implements Run {
     this.note();
   }
 
-  /** The text has come to say what the last edit did. */
-  noteInText(): void {
+  /** This text says what the last edit did. */
+  noteText(text: string): void {
     const last = this.history.edits[this.place.edits - 1];
-    if (last) last.inText = true;
+    if (last) last.text = text;
   }
 
   private goToStep(step: number): void {

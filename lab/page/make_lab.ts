@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Lab: one run at a time, what the user does with it, and who is told.
 import { AvoError, type Library, type SceneFile, type SceneOptions, type Simulation } from "../avo/avo.ts";
-import { formatOf, openRecording } from "./data/open.ts";
 import type { RecordedScene } from "./data/recording.ts";
 import type { Lab, LabEvent, SceneDraft, WorldPicture } from "./lab.ts";
 import { LiveRun } from "./live_run.ts";
-import { folded } from "./overrides.ts";
+import { opening } from "./opening.ts";
 import { moveOn, shareOf, type Playback } from "./playback.ts";
-import { infoOf, liveOptions } from "./recorded_scene.ts";
-import { RecordedRun, whyChangeless } from "./recorded_run.ts";
+import { whyChangeless } from "./recorded_run.ts";
 import type { Run } from "./run.ts";
 import { withRobotKey, withValue } from "./scene_text.ts";
 import type { Coloring } from "./world_layers.ts";
@@ -43,30 +41,33 @@ function asError(error: unknown): AvoError {
 }
 
 /** What the Lab's parts share. */
-interface Core {
+export interface Core {
   readonly library: Library;
   readonly lab: Mutable<PageLab>;
   readonly playback: Playback;
   run: Run;
-  text: string;
+  told: Pick<Run, "text" | "info">;  // what listeners know
   fail(error: unknown, refused?: SceneDraft | null): false;
   /** Does what may be refused; true if it was not. */
   attempt(action: () => void, draft?: SceneDraft): boolean;
+  /** Says these, and what else has changed on the way. */
+  tell(...events: LabEvent[]): void;
   /** Another time or run is shown. */
   shown(...events: LabEvent[]): void;
-  /** Another run is the one that is shown. */
-  start(next: Run): void;
 }
 
+/** A listener finds that what was said before holds. */
+const TELLING_ORDER = ["text", "scene", "moment"] as const;
+
 export function makeLab(library: Library, yaml: string, name: string, options: SceneOptions): PageLab {
-  const run: Run = new LiveRun(library.simulate(yaml, { ...options, name }));
+  const run: Run = new LiveRun(library.simulate(yaml, { ...options, name }), yaml);
   const lab = {} as Mutable<PageLab>;
   const core: Core = {
     library,
     lab,
     playback: { playing: false, speed: 1, time: 0, target: null },
     run,
-    text: yaml,
+    told: { text: run.text, info: run.info },
     fail(error, refused = null) {
       lab.error = asError(error);
       lab.refused = refused;
@@ -82,31 +83,25 @@ export function makeLab(library: Library, yaml: string, name: string, options: S
       clearError(lab);
       return true;
     },
+    tell(...events) {
+      const { text, info } = core.run;
+      const all = new Set(events);
+      if (text !== core.told.text) all.add("text");
+      if (info !== core.told.info) all.add("scene");
+      core.told = { text, info };
+      for (const event of TELLING_ORDER) if (all.has(event)) lab.say(event);
+    },
     shown(...events) {
       core.playback.time = core.run.moment.time;
-      for (const event of events) lab.say(event);
+      core.tell(...events);
     },
-    start: (next) => start(core, next),
   };
   const parts = [stateOf(core, name, options), listeningTo(core), opening(core), editing(core), going(core)];
   for (const part of parts) Object.defineProperties(lab, Object.getOwnPropertyDescriptors(part));
   return lab;
 }
 
-function start(core: Core, next: Run): void {
-  const { lab } = core;
-  const isShown = () => core.run === next;
-  if (core.run instanceof RecordedRun) core.run.close();
-  core.run = next;
-  if (next instanceof RecordedRun) {
-    next.readPast(() => { if (isShown()) lab.say("past"); }).catch((error) => { if (isShown()) core.fail(error); });
-  }
-  lab.pause();
-  if (lab.selected !== null && !next.moment.robot.includes(lab.selected)) lab.select(null);
-  core.shown("scene", "moment");
-}
-
-function clearError(lab: Mutable<PageLab>): void {
+export function clearError(lab: Mutable<PageLab>): void {
   if (!lab.error) return;
   lab.error = lab.refused = null;
   lab.say("error");
@@ -125,7 +120,7 @@ function stateOf(core: Core, name: string, options: SceneOptions): Partial<PageL
     theme: "light",
     coloring: "goal",
     picture: null,
-    get text() { return core.text; },
+    get text() { return core.run.text; },
     get run() { return core.run; },
     get moment() { return core.run.moment; },
     get info() { return core.run.info; },
@@ -163,50 +158,12 @@ function listeningTo({ lab, fail }: Core): Partial<PageLab> {
   };
 }
 
-/** What is no UTF-8, the library refuses in its words. */
-function yamlOf(library: Library, bytes: Uint8Array, name: string): string {
-  const yaml = new TextDecoder().decode(bytes);
-  if (yaml.includes("\ufffd")) library.simulate(bytes, { name });
-  return yaml;
-}
-
-function opening(core: Core): Partial<PageLab> {
-  const { library, lab } = core;
-  const open = (next: Run, text: string, name: string, options: SceneOptions): void => {
-    const scene = folded(text, options);
-    core.text = scene.yaml;
-    lab.name = name;
-    lab.options = scene.options;
-    lab.say("text");
-    core.start(next);
-  };
-  return {
-    openText(yaml, name = lab.name, options = lab.options) {
-      const read = () => new LiveRun(library.simulate(yaml, { ...options, name }));
-      core.attempt(() => open(read(), yaml, name, options), { yaml, name, options });
-    },
-    async openFile(name, bytes, files = [], scene = null) {
-      try {
-        if (formatOf(name, bytes) === "yaml") return lab.openText(yamlOf(library, bytes, name), name, { files });
-        const recording = await openRecording(name, bytes);
-        recording.scene ??= scene;
-        const { info, goals } = infoOf(recording, library);
-        const next = await RecordedRun.open(recording, info, goals);
-        clearError(lab);
-        open(next, recording.scene?.yaml ?? "", name, liveOptions(recording));
-      } catch (error) {
-        core.fail(error);
-      }
-    },
-  };
-}
-
 function editing(core: Core): Partial<PageLab> {
   const { library, lab } = core;
   return {
     edit(change) {
       const live = core.run;
-      if (!(live instanceof LiveRun)) return lab.carryOn(core.text);  // which says why not
+      if (!(live instanceof LiveRun)) return lab.carryOn(lab.text);  // which says why not
       return core.attempt(() => {
         live.edit((simulation) => { change(simulation); return simulation; });
         core.shown("scene", "moment");
@@ -214,23 +171,21 @@ function editing(core: Core): Partial<PageLab> {
     },
     carryOn(yaml) {
       const live = core.run;
-      if (!(live instanceof LiveRun)) return core.fail(whyChangeless(core.text));
+      if (!(live instanceof LiveRun)) return core.fail(whyChangeless(lab.text));
       const options = { ...lab.options, name: lab.name };
       return core.attempt(() => {
-        if (live.moment.steps === 0 && !live.handmade) core.run = new LiveRun(library.simulate(yaml, options));
-        else live.edit((simulation) => simulation.carriedInto(yaml, options));
-        lab.noteText(yaml);
-        core.shown("scene", "moment");
+        if (live.moment.steps === 0 && !live.handmade) core.run = new LiveRun(library.simulate(yaml, options), yaml);
+        else live.edit((simulation) => simulation.carriedInto(yaml, options), yaml);
+        core.shown("text", "scene", "moment");
       });
     },
     noteText(yaml) {
-      core.text = yaml;
-      if (core.run instanceof LiveRun) core.run.noteInText();
-      lab.say("text");
+      if (core.run instanceof LiveRun) core.run.noteText(yaml);
+      core.tell();
     },
     textWith(path, value) {
       const all = /^robots\.\*\.(\w+)$/.exec(path);
-      return all ? withRobotKey(core.text, all[1]!, Number(value)) : withValue(core.text, path, value);
+      return all ? withRobotKey(lab.text, all[1]!, Number(value)) : withValue(lab.text, path, value);
     },
     set(path, value) {
       try {
@@ -278,7 +233,7 @@ function going(core: Core): Partial<PageLab> {
     },
     restart() {
       lab.pause();
-      if (core.run instanceof LiveRun) lab.openText(core.text);
+      if (core.run instanceof LiveRun) lab.openText(lab.text);
       else went(core.run.goTo(core.run.start));
     },
     frame(elapsed) {
@@ -286,7 +241,7 @@ function going(core: Core): Partial<PageLab> {
       try {
         const arrived = run.live?.allAtGoal() ?? false;
         if (moveOn(playback, run, elapsed)) {
-          lab.say("moment");
+          core.tell("moment");
           if (!arrived && run.live?.allAtGoal()) lab.pause();
         }
         if (playback.playing && !run.canStep() && playback.time >= run.moment.time - 1e-9) lab.pause();

@@ -12,7 +12,8 @@ export function folded(yaml: string, options: SceneOptions): { yaml: string; opt
     if (text === null) overrides.push(override);
     else yaml = text;
   }
-  return { yaml, options: { ...options, overrides } };
+  const nothing = overrides.length === (options.overrides?.length ?? 0);
+  return { yaml, options: nothing ? options : { ...options, overrides } };
 }
 
 /** Null where it stays. `othersStay`: which robots these mean, the lists of robots decide. */

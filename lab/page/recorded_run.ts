@@ -29,8 +29,8 @@ export class RecordedRun implements Run {
   private readonly wanted = new Set<number>();
   private isClosed = false;
 
-  private constructor(readonly recording: Recording, readonly info: SceneInfo, private readonly goals: Goals,
-                      public moment: Moment) {
+  private constructor(readonly recording: Recording, readonly info: SceneInfo, readonly text: string,
+                      private readonly goals: Goals, public moment: Moment) {
     this.frames.set(0, moment);
     this.note(moment);
     this.readAhead();
@@ -55,10 +55,10 @@ export class RecordedRun implements Run {
 
   close(): void { this.isClosed = true; }
 
-  /** `goals`: x and y (m) by robot number, where the scene is known. */
-  static async open(recording: Recording, info: SceneInfo, goals: Goals): Promise<RecordedRun> {
+  /** `text` is the scene's, "" where it is not known; `goals`: x and y (m) by robot number, where it is. */
+  static async open(recording: Recording, info: SceneInfo, text: string, goals: Goals): Promise<RecordedRun> {
     const first = momentOf(await recording.frame(0), 0, info, goals);
-    return new RecordedRun(recording, info, goals, first);
+    return new RecordedRun(recording, info, text, goals, first);
   }
 
   get contacts() { return this.log.list; }

@@ -7,6 +7,7 @@ import type { PastColumns } from "./past.ts";
 export interface Run {
   readonly live: Simulation | null;
   readonly info: SceneInfo;
+  readonly text: string;            // of the scene, at this moment; "" where it is not known
   readonly moment: Moment;
   readonly before: Moment | null;   // one step earlier, where it is known: the way from there to `moment` is shown
   readonly past: PastColumns;

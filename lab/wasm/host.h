@@ -70,8 +70,12 @@ class Input {
 struct Takeover {
   avo::Scenario start;
   std::vector<avo::RobotId> gone;  ///< that have to be removed first
+  std::vector<bool> goes_on =
+      {};  ///< of the moving obstacles: is where it was, not where it starts
 };
 Takeover taken_over_by(const avo::Scenario& text);
+/// Puts into the one that takes over what the present simulation knows besides, see Takeover.
+void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on);
 
 /// m, of each robot of the present fleet, see avo/clearance.h; until the next call.
 std::span<const float> clearances_of(const avo::FleetView& fleet);

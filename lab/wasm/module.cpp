@@ -84,10 +84,15 @@ AVO_EXPORT(const std::byte*, room_begin)() {
 AVO_EXPORT(void, read_scene)() {
   Input input(taken_from_room());
   avo::Scenario scenario = avo_io::parse_scenario(source_of(input));
-  const bool observed = input.whole() != 0;
-  Takeover next = input.whole() != 0 ? taken_over_by(scenario) : Takeover{scenario, {}};
-  lab().simulation = std::make_unique<avo::Simulation>(next.start);
-  for (const avo::RobotId robot : next.gone) lab().simulation->remove_robot(robot);
+  const bool observed = input.whole() != 0, takes_over = input.whole() != 0;
+  Takeover next = takes_over ? taken_over_by(scenario) : Takeover{.start = scenario, .gone = {}};
+  // moving obstacles begin as the text says, and then go on from where they are
+  avo::Scenario start = next.start;
+  start.moving_obstacles = scenario.moving_obstacles;
+  auto simulation = std::make_unique<avo::Simulation>(start);
+  for (const avo::RobotId robot : next.gone) simulation->remove_robot(robot);
+  if (takes_over) remember(*simulation, next.goes_on);
+  lab().simulation = std::move(simulation);
   lab().scenario = std::move(scenario);
   lab().start = std::move(next.start);
   lab().metrics.reset();

@@ -25,19 +25,10 @@ void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index
   if (robot.parked) robot.goal = robot.position, robot.velocity = {};
 }
 
-void go_on(avo::MovingObstacle& obstacle, const avo::MovingObstacle* was, std::size_t index) {
-  const avo::Simulation& now = *lab().simulation;
-  const avo::ObstacleView movers = now.obstacles();
-  const bool same_start =
-      !was || (was->position == obstacle.position && was->velocity == obstacle.velocity);
-  if (now.steps() == 0 && !same_start) return;
-  obstacle.position = movers.position[index];
-  obstacle.velocity = movers.velocity[index];
-  if (was && was->path != obstacle.path) return;
-  obstacle.path = movers.setup[index].path;  // which begins with what it went for when it took over
-  std::rotate(obstacle.path.begin(),
-              obstacle.path.begin() + static_cast<std::ptrdiff_t>(movers.target[index]),
-              obstacle.path.end());
+/// Whether the obstacle goes on from where it is.
+bool goes_on(const avo::MovingObstacle& text, const avo::MovingObstacle* was) {
+  return lab().simulation->steps() > 0 || !was ||
+         (was->position == text.position && was->velocity == text.velocity);
 }
 
 std::size_t number_of(avo::RobotId robot) {
@@ -54,7 +45,7 @@ const Setup* at(const std::vector<Setup>& setups, std::size_t index) {
 Takeover taken_over_by(const avo::Scenario& text) {
   const avo::Scenario& was = lab().scenario;
   const avo::FleetView fleet = lab().simulation->fleet();
-  Takeover next{text, {}};
+  Takeover next{.start = text, .gone = {}};
   std::vector<avo::RobotSetup>& robots = next.start.robots;
   const std::size_t listed = robots.size();
   // numbers that this run has given, to robots of the text and to those that came later
@@ -72,10 +63,14 @@ Takeover taken_over_by(const avo::Scenario& text) {
   }
   for (std::size_t number = 0; number < robots.size(); ++number)
     if (is_gone[number]) next.gone.push_back({number});
-  const std::size_t movers = lab().simulation->obstacles().setup.size();
+  const avo::ObstacleView movers = lab().simulation->obstacles();
   std::vector<avo::MovingObstacle>& obstacles = next.start.moving_obstacles;
-  for (std::size_t k = 0; k < std::min(movers, obstacles.size()); ++k)
-    go_on(obstacles[k], at(was.moving_obstacles, k), k);
+  for (std::size_t k = 0; k < std::min(movers.setup.size(), obstacles.size()); ++k) {
+    next.goes_on.push_back(goes_on(obstacles[k], at(was.moving_obstacles, k)));
+    if (!next.goes_on.back()) continue;
+    obstacles[k].position = movers.position[k];
+    obstacles[k].velocity = movers.velocity[k];
+  }
   return next;
 }
 

@@ -118,6 +118,17 @@ test("another scene's text takes over where everybody is", () => {
   }
 });
 
+test("the same text goes on with the same bits", () => {
+  for (const { name } of library.scenes()) {
+    if (/1000|10000/.test(name)) continue;
+    const simulation = steps(builtin(name), 60);
+    const other = simulation.carriedInto(library.builtinText(name), { name });
+    assert.equal(other.stateHash(), simulation.stateHash(), name);
+    assert.equal(other.time, simulation.time, name);
+    assert.equal(steps(other, 20).stateHash(), steps(simulation, 20).stateHash(), `${name}, later`);
+  }
+});
+
 const MOVERS = `version: 1
 robots:
   - {position: [-8, 0], goal: [8, 0]}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a start does not say and a simulation that takes over has to know: states to the last bit,
+// and what robots remember.
+#include <algorithm>
+#include <cstddef>
+
+#include "host.h"
+#include "sim/saved_state.h"
+
+namespace avo_lab {
+namespace {
+
+using avo::SavedState;
+
+/// Whether both have the same robots, of the same bodies.
+bool same_robots(const SavedState& a, const SavedState& b) {
+  if (a.robots.size() != b.robots.size()) return false;
+  for (std::size_t k = 0; k < a.robots.size(); ++k) {
+    const avo::RobotSetup &one = a.scene.robots[k], &other = b.scene.robots[k];
+    if (a.robots[k].id != b.robots[k].id || one.model != other.model ||
+        one.radius != other.radius || one.parked != other.parked)
+      return false;
+  }
+  return true;
+}
+
+bool has_goals_of(const SavedState& a, const SavedState& b) {
+  return std::equal(a.scene.robots.begin(), a.scene.robots.end(), b.scene.robots.begin(),
+                    b.scene.robots.end(),
+                    [](const auto& one, const auto& other) { return one.goal == other.goal; });
+}
+
+/// Robots that stand where they stood: a detour is one on the way to a goal.
+void take_states(const SavedState& now, SavedState& next) {
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < next.robots.size(); ++k) {
+    avo::RobotState& robot = next.robots[k];
+    while (i < now.robots.size() && now.robots[i].id.value < robot.id.value) ++i;
+    if (i == now.robots.size() || now.robots[i].id != robot.id) continue;
+    const avo::RobotSetup &setup = next.scene.robots[k], &was = now.scene.robots[i];
+    if (setup.model != was.model || setup.parked || !(robot.position == now.robots[i].position))
+      continue;
+    const avo::Detour fresh = robot.detour;
+    robot = now.robots[i];
+    if (!(setup.goal == was.goal)) robot.detour = fresh;
+  }
+}
+
+/// The way points that robots aim at are those of a graph, which walls and radii decide.
+void take_ways(const SavedState& now, SavedState& next) {
+  if (now.ways.size() != next.ways.size() || now.scene.obstacles != next.scene.obstacles ||
+      now.scene.navigation != next.scene.navigation)
+    return;
+  for (std::size_t k = 0; k < next.ways.size(); ++k)
+    if (now.scene.robots[k].goal == next.scene.robots[k].goal) next.ways[k] = now.ways[k];
+}
+
+bool same_clocks(const SavedState& a, const SavedState& b) {
+  return a.scene.time_step == b.scene.time_step && a.clocks.size() == b.clocks.size() &&
+         std::equal(a.scene.robots.begin(), a.scene.robots.end(), b.scene.robots.begin(),
+                    b.scene.robots.end(), [](const auto& one, const auto& other) {
+                      return one.time_step == other.time_step;
+                    });
+}
+
+/// When it is, and what was before: of the same robots with the same senses and clocks.
+void take_time(const SavedState& now, SavedState& next) {
+  if (now.scene.clock != next.scene.clock) return;
+  const bool same = same_robots(now, next);
+  const bool remember = !now.past.empty() || !next.past.empty();
+  if (remember && (!same || now.scene.sensing != next.scene.sensing)) return;
+  if (next.scene.clock == avo::Clock::free && (!same || !same_clocks(now, next))) return;
+  next.steps = now.steps;
+  next.now = now.now;
+  next.clocks = now.clocks;
+  next.since = now.since;
+  next.past = now.past;
+}
+
+}  // namespace
+
+void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on) {
+  const SavedState now = avo::from_bytes(lab().simulation->save());
+  SavedState next = avo::from_bytes(simulation.save());
+  take_states(now, next);
+  for (std::size_t k = 0; k < std::min(goes_on.size(), next.obstacles.size()); ++k) {
+    if (!goes_on[k]) continue;
+    next.obstacles[k] = now.obstacles[k];
+    if (now.scene.moving_obstacles[k].path != next.scene.moving_obstacles[k].path)
+      next.obstacles[k].target = 0;
+  }
+  take_time(now, next);
+  if (same_robots(now, next)) {
+    take_ways(now, next);
+    if (has_goals_of(now, next)) next.flights = now.flights;
+  }
+  simulation.restore(avo::to_bytes(std::move(next)));
+}
+
+}  // namespace avo_lab
