@@ -137,10 +137,11 @@ export class Simulation {
     this.#change(() => this.#instance.functions["remove_obstacle"]!(obstacle));
   }
 
-  /** Another simulation, whose time is 0, in which this scene with a changed text goes on: robots and moving obstacles
-   * are where those of the same numbers are in this one, as fast, and on the way to the same goals and points; who came
-   * or left here did so there. What the text says anew holds: settings, walls, other goals, further robots; at step 0
-   * also other starts. What robots remember is forgotten. Throws AvoError where the scene is refused. */
+  /** Another simulation, in which this scene with a changed text goes on: robots and moving obstacles are where those of
+   * the same numbers are in this one, as fast, on the way to the same goals and points, and remember the same; who came or
+   * left here did so there. What the text says anew holds: settings, walls, other goals, further robots; at step 0 also
+   * other starts. With the same text it goes on with the same bits. Its time is this one's; with other sensing, or clocks
+   * that are free and other ones, it is 0. Throws AvoError where the scene is refused. */
   carriedInto(yaml: string | Uint8Array, options: SceneOptions = {}): Simulation {
     const copy = fromImage(this.#module, new Uint8Array(this.#instance.memory.buffer));
     readScene(copy, yaml, options, true);

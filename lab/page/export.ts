@@ -30,15 +30,18 @@ export function saveYaml(lab: Lab): void {
   download(fileName(lab, "yaml"), new Blob([lab.text], { type: "application/yaml" }));
 }
 
+const MEANWHILE = "another run was opened meanwhile, so nothing was saved";
+
 /** Shows the run at each of `times`, in order, and then goes on as it was. A recording is read as it goes. */
 async function walk(lab: PageLab, times: number[], progress: Progress, visit: (k: number) => Promise<void> | void): Promise<void> {
   const { run, playing } = lab;
   const back = lab.moment.time;
   lab.pause();
   for (let k = 0; k < times.length && !progress.cancelled; ++k) {
+    if (lab.run !== run) throw new Error(MEANWHILE);
     lab.seek(times[k]!);
     if (Math.abs(lab.moment.time - times[k]!) > 1e-6) await arrival(lab, times[k]!);
-    if (lab.run !== run) throw new Error("another run was opened meanwhile, so nothing was saved");
+    if (lab.run !== run) throw new Error(MEANWHILE);
     await visit(k);
     progress.tell((k + 1) / times.length);
     if (k % 16 === 15) await pause(0);  // the page stays alive

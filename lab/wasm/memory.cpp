@@ -12,6 +12,8 @@ namespace {
 
 using avo::SavedState;
 
+constexpr double kRounding = 1e-6;  // m
+
 /// Whether both have the same robots, of the same bodies.
 bool same_robots(const SavedState& a, const SavedState& b) {
   if (a.robots.size() != b.robots.size()) return false;
@@ -38,8 +40,8 @@ void take_states(const SavedState& now, SavedState& next) {
     while (i < now.robots.size() && now.robots[i].id.value < robot.id.value) ++i;
     if (i == now.robots.size() || now.robots[i].id != robot.id) continue;
     const avo::RobotSetup &setup = next.scene.robots[k], &was = now.scene.robots[i];
-    if (setup.model != was.model || setup.parked || !(robot.position == now.robots[i].position))
-      continue;
+    const double moved = norm(robot.position - now.robots[i].position);  // a start rounds it
+    if (setup.model != was.model || setup.parked || moved > kRounding) continue;
     const avo::Detour fresh = robot.detour;
     robot = now.robots[i];
     if (!(setup.goal == was.goal)) robot.detour = fresh;

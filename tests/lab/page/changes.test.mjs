@@ -2,7 +2,7 @@
 // What the user changes while a scene runs changes that, and nothing else.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addRobot, moveGoal, moveRobot, removeRobot } from "../../../lab/page/changes.ts";
+import { addRobot, addWall, moveGoal, moveRobot, removeRobot } from "../../../lab/page/changes.ts";
 import { makeLab } from "../../../lab/page/make_lab.ts";
 import { withMethod } from "../../../lab/page/method_text.ts";
 import { library } from "../wasm/module.mjs";
@@ -72,10 +72,10 @@ test("a robot of the list leaves the text, where nobody is numbered anew by that
   slide(lab);
   addRobot(lab, [2, 12], [2, -12]);
   assert.ok(!lab.run.handmade, "the text says it");
-  lab.seek(0);
+  lab.seek(0);  // where the text does not have the second one yet
   removeRobot(lab, 0);
   assert.doesNotMatch(lab.text, /\[-9, 9\]/);
-  assert.equal(lab.moment.robot.length, 10);
+  assert.equal(lab.moment.robot.length, 9);
 });
 
 test("another method decides on the same state, without the certificate that it cannot have", () => {
@@ -86,4 +86,35 @@ test("another method decides on the same state, without the certificate that it 
   assert.equal(other.info().options.method, "orca");
   assert.deepEqual(state({ moment: other.moment() }), state(lab));
   assert.match(withMethod(lab, "avo"), /certificate: stopping_capsules/);
+});
+
+test("the text is that of the moment, back and forth", () => {
+  const lab = open();
+  const told = [];
+  lab.on("text", () => told.push(lab.text));
+  go(lab, 10);
+  lab.set("time_horizon", 5);
+  go(lab, 10);
+  addWall(lab, [-30, -30], [-20, -30]);
+  const [base, horizon, wall] = [SCENE, ...told];
+  assert.match(horizon, /time_horizon: 5/);
+  assert.match(wall, /polyline/);
+  lab.seek(1.5);
+  assert.deepEqual([lab.text, told.at(-1), lab.info.walls.length], [horizon, horizon, 0]);
+  lab.seek(0.5);
+  assert.deepEqual([lab.text, lab.info.options.time_horizon], [base, null]);
+  lab.play();
+  for (let k = 0; k < 60; ++k) lab.frame(0.05);
+  assert.deepEqual([lab.text, told.at(-1), lab.info.walls.length], [wall, wall, 1], "it plays on over both");
+  lab.pause();
+  lab.seek(1.5);
+  removeRobot(lab, 3);  // from here it goes another way, without the wall
+  go(lab, 20);
+  assert.deepEqual([lab.text, lab.info.walls.length], [horizon, 0]);
+});
+
+test("a robot that is parked is dragged with its goal", () => {
+  const lab = open("version: 1\nrobots:\n  - {position: [0, 0], goal: [0, 0], parked: true}\n  - {position: [5, 0], goal: [9, 0]}\n");
+  assert.ok(moveRobot(lab, 0, [1, 2]), lab.error?.message);
+  assert.deepEqual(place(lab, 0, "goal"), [1, 2]);
 });
