@@ -40,10 +40,10 @@ export function addRobot(lab: PageLab, at: Point, goal: Point): boolean {
   const setup = { position: rounded(at), goal: rounded(goal), ...limits };
   const text = withRobot(lab.text, setup);
   if (isStart(lab)) return lab.carryOn(text);
-  const count = lab.info.robots.length;
-  const numbers = lab.info.robots.every(({ robot }, k) => robot === k);
-  if (!lab.edit((simulation) => { simulation.addRobot(setup); })) return false;
-  if (numbers && lab.info.robots.some(({ robot }) => robot === count)) lab.noteText(text);  // the text numbers it likewise
+  let added = -1;
+  if (!lab.edit((simulation) => { added = simulation.addRobot(setup); })) return false;
+  const { robots } = lab.library.simulate(text, { ...lab.options, name: lab.name }).info();
+  if (added === robots.length - 1) lab.noteText(text);  // the text numbers it likewise
   return true;
 }
 

@@ -118,8 +118,8 @@ function silence(lab: Lab, panel: Panel, robot: number, error: unknown): void {
   panel.space.show(null);
 }
 
-const ROW_NOTE = "From the row of the recording: what the robot remembers (its detour) is not recorded, so the decision is " +
-  "that of a robot which begins here.";
+const ROW_NOTE = "From the row of the recording: what robots remember (their detours) and how fast drives turn is not recorded, so the decision is " +
+  "that of robots which begin here.";
 
 let rowOf: { moment: unknown; simulation: Simulation } | null = null;  // the last row is asked about more than once
 

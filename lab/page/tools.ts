@@ -98,15 +98,18 @@ async function run(lab: PageLab, saving: Saving, said: HTMLElement): Promise<voi
   let cancelled = false;
   const bar = element("progress", { max: 1, value: 0 });
   const cancel = element("button", { type: "button", class: "tool-button", onclick: () => (cancelled = true) }, "Cancel");
-  const shown = element("div", { class: "tool-progress", role: "status" }, `${saving.label} …`, bar, cancel);
-  const late = setTimeout(() => document.body.append(shown), 200);
+  // nobody changes the run while it is shown from its start on
+  const shown = element("dialog", { class: "tool-progress", "aria-label": `saving: ${saving.label}` }, `${saving.label} …`, bar, cancel);
+  shown.addEventListener("cancel", () => (cancelled = true));
+  document.body.append(shown);
+  shown.showModal();
   try {
     await saving.save(lab, { tell: (share) => (bar.value = share), get cancelled() { return cancelled; } });
     tell(said, cancelled ? "Cancelled" : `Saved: ${saving.label}${saving.lacks?.(lab) ?? ""}`);
   } catch (error) {
     tell(said, messageOf(error), true);
   } finally {
-    clearTimeout(late);
+    shown.close();
     shown.remove();
   }
 }

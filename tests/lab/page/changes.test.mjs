@@ -118,3 +118,16 @@ test("a robot that is parked is dragged with its goal", () => {
   assert.ok(moveRobot(lab, 0, [1, 2]), lab.error?.message);
   assert.deepEqual(place(lab, 0, "goal"), [1, 2]);
 });
+
+test("a robot that is added after others have left is in the text as well", () => {
+  const lab = open();
+  go(lab, 5);
+  addRobot(lab, [0, 12], [0, -12]);
+  removeRobot(lab, 9);
+  removeRobot(lab, 2);
+  addRobot(lab, [2, 12], [2, -12]);
+  assert.deepEqual([...lab.moment.robot], [0, 1, 3, 4, 5, 6, 7, 8, 10]);
+  lab.set("robots.*.radius", 0.3);
+  assert.equal(lab.error, null);
+  assert.deepEqual(lab.info.robots.map(({ radius }) => radius), Array(9).fill(0.3));
+});
