@@ -125,8 +125,10 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
     draft = other;
     fill(field, yaml);
   };
-  /** What was typed and not applied, before another text takes its place. */
-  const keep = () => { if (![given, lab.text].includes(text.value)) kept.push({ ...target(), yaml: text.value }); };
+  /** It was typed, or refused, and not applied; what a slider does may take the place of anything else. */
+  const isOwn = () => changed() && (draft !== null || text.value !== given);
+  /** Before another text takes its place. */
+  const keep = () => { if (isOwn()) kept.push({ ...target(), yaml: text.value }); };
   const showRunning = () => {
     show(lab.text, null);
     mark(null);
@@ -141,10 +143,10 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
   });
   lab.on("text", () => {
     const isOther = lab.options !== options || lab.name !== name;
-    const isTyped = ![given, lab.text].includes(text.value);  // and not overwritten by what a slider does
+    const stays = isOwn() && !isOther;
     if (isOther) keep();
     ({ name, options } = lab);
-    if (isOther || !isTyped) showRunning();
+    if (!stays) showRunning();
     else check();
   });
   listenToKeys(root, field, check, () => lab.openText(text.value, target().name, target().options));

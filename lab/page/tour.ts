@@ -8,7 +8,11 @@ import { TOUR, type Try } from "./tour_steps.ts";
 export function openTour(lab: Lab, place: HTMLElement, step = 0): void {
   place.querySelector(".tour")?.remove();
   const card = element("section", { class: "tour", role: "dialog", "aria-label": "a tour of the paper", tabindex: -1 });
-  const leave = (): void => card.remove();
+  const from = document.activeElement as HTMLElement | null;
+  const leave = (): void => {
+    card.remove();
+    from?.focus();
+  };
   let at = step;
   const go = (next: number): void => {
     if (next < 0) return;

@@ -172,6 +172,7 @@ test("what was typed gives way to another scene, and comes back under its own na
   const text = await textOf();
   assert.equal(await field.inputValue(), text);
   await openText(lab.page, "version: 1\n", "refused"); // has no robots
+  await lab.page.evaluate(() => window.avoLab.set("time_horizon", 4)); // which is about the office
   assert.equal(await field.inputValue(), "version: 1\n");
   await back.click();
   assert.equal(await field.inputValue(), typed);
