@@ -20,6 +20,8 @@ export interface Library {
   /** The YAML of a built-in scene, of circle-N and uniform-N for any N. */
   builtinText(name: string): string | undefined;
   settings(): Setting[];
+  /** m/s: of that velocity (m/s) along the heading (rad), in the bits of recordings. */
+  speedAlong(heading: number, vx: number, vy: number): number;
   /** Throws AvoError; nothing else is harmed by that. A text as bytes must be UTF-8. */
   simulate(yaml: string | Uint8Array, options?: SceneOptions): Simulation;
 }
@@ -45,6 +47,7 @@ export async function load(source: BufferSource | WebAssembly.Module): Promise<L
       put(asked, taken(bytes));
       return getText(asked, asked.functions["builtin_text"]!()) || undefined;
     },
+    speedAlong: (heading, vx, vy) => instance.functions["speed_along"]!(heading, vx, vy),
     simulate: (yaml, options = {}) => {
       const instance = instantiate(module);
       readScene(instance, yaml, options);

@@ -29,12 +29,6 @@ export function addWhole(bytes: Bytes, value: number): void {
   bytes.size += 4;
 }
 
-export function addNumber(bytes: Bytes, value: number): void {
-  reserve(bytes, 8);
-  bytes.view.setFloat64(bytes.size, value, true);
-  bytes.size += 8;
-}
-
 /** As UTF-8, or bytes as they are. */
 export function addText(bytes: Bytes, text: string | Uint8Array): void {
   const encoded = typeof text === "string" ? encoder.encode(text) : text;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The run as files: the scene, a table of states, pictures and films. All are made here and saved by the browser.
 import type { Lab } from "./lab.ts";
-import { csvHeader, csvRows } from "./data/csv_writer.ts";
+import { csvHeader, csvRows, type SpeedAlong } from "./data/csv_writer.ts";
 import { GifEncoder } from "./data/gif.ts";
 import type { Recording } from "./data/recording.ts";
 import { element } from "./elements.ts";
@@ -69,8 +69,8 @@ const timesSoFar = (lab: Lab): number[] => [...lab.past.times.subarray(0, lab.pa
 
 /** As `avo run --record` writes it: all steps of the run so far, all rows of a recording. */
 export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string> {
-  if (lab.run instanceof RecordedRun) return csvOfRecording(lab.run.recording, progress);
-  const options = { headings: lab.info.robots.some((robot) => robot.model !== "holonomic") };
+  if (lab.run instanceof RecordedRun) return csvOfRecording(lab.run.recording, lab.library.speedAlong, progress);
+  const options = { headings: lab.info.robots.some((robot) => robot.model !== "holonomic"), speedAlong: lab.library.speedAlong };
   const holonomic = new Set(lab.info.robots.filter((robot) => robot.model === "holonomic").map((robot) => robot.robot));
   const parts = [csvHeader(options)];
   await walk(lab, timesSoFar(lab), progress, () => {
@@ -80,11 +80,12 @@ export async function csvOfRun(lab: PageLab, progress: Progress): Promise<string
   return parts.join("");
 }
 
-async function csvOfRecording(recording: Recording, progress: Progress): Promise<string> {
-  const parts = [csvHeader(recording)];
+async function csvOfRecording(recording: Recording, speedAlong: SpeedAlong, progress: Progress): Promise<string> {
+  const options = { headings: recording.headings, every: recording.every };
+  const parts = [csvHeader(options)];
   const count = recording.times.length;
   for (let k = 0; k < count && !progress.cancelled; ++k) {
-    parts.push(csvRows(await recording.frame(k), recording));
+    parts.push(csvRows(await recording.frame(k), { ...options, speedAlong }));
     progress.tell((k + 1) / count);
     if (k % 16 === 15) await pause(0);  // the page stays alive
   }

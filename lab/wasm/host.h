@@ -36,14 +36,13 @@ std::size_t index_of(std::uint64_t robot);
 /// "robots.3", or "moving_obstacles.0" of source -1.
 std::string name_of(std::int64_t source);
 
-/// Bytes that the host has put into the room, in their order: numbers of 4 and 8 bytes, and texts
-/// behind their lengths.
+/// Bytes that the host has put into the room, in their order: whole numbers, and texts behind
+/// their lengths.
 class Input {
  public:
   explicit Input(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
 
   std::uint32_t whole() { return value<std::uint32_t>(); }
-  double number() { return value<double>(); }
   std::string text() {
     const std::uint32_t size = whole();
     std::string text(size, '\0');
@@ -69,9 +68,9 @@ class Input {
 /// What a simulation of another text begins with where it takes over from the present one.
 struct Takeover {
   avo::Scenario start;
-  std::vector<avo::RobotId> gone;  ///< that have to be removed first
-  std::vector<bool> goes_on =
-      {};  ///< of the moving obstacles: is where it was, not where it starts
+  std::vector<avo::RobotId> gone = {};  ///< that have to be removed first
+  /// Of the moving obstacles: whether each is where it was, not where the text lets it start.
+  std::vector<bool> goes_on = {};
 };
 Takeover taken_over_by(const avo::Scenario& text);
 /// Puts into the one that takes over what the present simulation knows besides, see Takeover.

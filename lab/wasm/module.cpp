@@ -85,7 +85,7 @@ AVO_EXPORT(void, read_scene)() {
   Input input(taken_from_room());
   avo::Scenario scenario = avo_io::parse_scenario(source_of(input));
   const bool observed = input.whole() != 0, takes_over = input.whole() != 0;
-  Takeover next = takes_over ? taken_over_by(scenario) : Takeover{.start = scenario, .gone = {}};
+  Takeover next = takes_over ? taken_over_by(scenario) : Takeover{.start = scenario};
   // moving obstacles begin as the text says, and then go on from where they are
   avo::Scenario start = next.start;
   start.moving_obstacles = scenario.moving_obstacles;

@@ -45,7 +45,7 @@ const Setup* at(const std::vector<Setup>& setups, std::size_t index) {
 Takeover taken_over_by(const avo::Scenario& text) {
   const avo::Scenario& was = lab().scenario;
   const avo::FleetView fleet = lab().simulation->fleet();
-  Takeover next{.start = text, .gone = {}};
+  Takeover next{.start = text};
   std::vector<avo::RobotSetup>& robots = next.start.robots;
   const std::size_t listed = robots.size();
   // numbers that this run has given, to robots of the text and to those that came later

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // States as a table of text: the bytes that `avo run --record FILE.csv` would write.
-import { direction } from "./direction.ts";
 import { shortest } from "./words.ts";
 
 /** Robots at one time: those of a recording, where `there` tells who is, or those of a run, by their numbers. */
@@ -14,22 +13,24 @@ export interface CsvFrame {
   speed?: ArrayLike<number>;    // along the heading; without it that of the velocity
 }
 
-/** `headings`: of robots with wheels or wings. `every`: steps from row to row. */
-export interface CsvOptions { headings?: boolean; every?: number }
+/** m/s, of the velocity along the heading (rad): Library.speedAlong. */
+export type SpeedAlong = (heading: number, vx: number, vy: number) => number;
+
+/** `headings`: of robots with wheels or wings, with their speeds. `every`: steps from row to row. */
+export interface CsvOptions { headings?: boolean; every?: number; speedAlong?: SpeedAlong }
 
 export function csvHeader({ headings = false, every = 1 }: CsvOptions = {}): string {
   return `time,robot,x,y,vx,vy${headings ? ",heading,speed" : ""}${every > 1 ? ",every" : ""}\n`;
 }
 
-function headingColumns(frame: CsvFrame, k: number): string {
+function headingColumns(frame: CsvFrame, k: number, speedAlong?: SpeedAlong): string {
   const heading = frame.heading?.[k] ?? NaN;
   if (Number.isNaN(heading)) return ",,";
-  const [x, y] = direction(heading);
-  const along = x * frame.velocity[2 * k] + y * frame.velocity[2 * k + 1] + 0;  // no negative zero
-  return `,${shortest(heading)},${shortest(frame.speed?.[k] ?? along)}`;
+  const speed = frame.speed?.[k] ?? speedAlong!(heading, frame.velocity[2 * k]!, frame.velocity[2 * k + 1]!);
+  return `,${shortest(heading)},${shortest(speed)}`;
 }
 
-export function csvRows(frame: CsvFrame, { headings = false, every = 1 }: CsvOptions = {}): string {
+export function csvRows(frame: CsvFrame, { headings = false, every = 1, speedAlong }: CsvOptions = {}): string {
   const time = shortest(frame.time);
   const { position: p, velocity: v } = frame;
   const last = every > 1 ? `,${every}\n` : "\n";
@@ -37,7 +38,7 @@ export function csvRows(frame: CsvFrame, { headings = false, every = 1 }: CsvOpt
   for (let k = 0; 2 * k < p.length; ++k) {
     if (frame.there !== undefined && frame.there[k] === 0) continue;
     const state = [p[2 * k], p[2 * k + 1], v[2 * k], v[2 * k + 1]].map(shortest).join(",");
-    rows += `${time},${frame.robot?.[k] ?? k},${state}${headings ? headingColumns(frame, k) : ""}${last}`;
+    rows += `${time},${frame.robot?.[k] ?? k},${state}${headings ? headingColumns(frame, k, speedAlong) : ""}${last}`;
   }
   return rows;
 }

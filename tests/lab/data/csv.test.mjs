@@ -6,7 +6,11 @@ import { test } from "node:test";
 import { csvOf } from "../../../lab/page/data/csv_writer.ts";
 import { formatOf, openRecording } from "../../../lab/page/data/open.ts";
 import { shortest } from "../../../lab/page/data/words.ts";
+import { library } from "../wasm/module.mjs";
 import { allFrames, avo, recorded, refusal } from "./native.mjs";
+
+const { speedAlong } = library;
+const optionsOf = ({ headings, every }) => ({ headings, every });
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 
@@ -20,16 +24,16 @@ for (const [scene, ...options] of [["circle-10"], ["circle-10", "--every", "7"],
     const frames = await allFrames(hdf5);
     const states = ({ status, clearance, ...state }) => state;
     assert.deepEqual((await allFrames(csv)).map(states), frames.map(states));
-    assert.deepEqual(csvOf(frames, hdf5), new TextDecoder().decode(table));
-    assert.deepEqual(csvOf(await allFrames(csv), csv), new TextDecoder().decode(table));
+    assert.deepEqual(csvOf(frames, { ...optionsOf(hdf5), speedAlong }), new TextDecoder().decode(table));
+    assert.deepEqual(csvOf(await allFrames(csv), optionsOf(csv)), new TextDecoder().decode(table));
     const ofLive = frames.map(({ speed, ...frame }) => frame);  // whose speed is that of the velocity
-    assert.deepEqual(csvOf(ofLive, hdf5), new TextDecoder().decode(table));
+    assert.deepEqual(csvOf(ofLive, { ...optionsOf(hdf5), speedAlong }), new TextDecoder().decode(table));
   });
 
 test("robots of a run by their numbers; the speed of a velocity", () => {
   const frame = { time: 0.1, robot: [3, 8], position: [1, -0, 1e-7, 2.5e21], velocity: [0, 2, 0, 0],
     heading: [Math.PI / 2, NaN] };
-  assert.equal(csvOf([frame], { headings: true }), "time,robot,x,y,vx,vy,heading,speed\n" +
+  assert.equal(csvOf([frame], { headings: true, speedAlong }), "time,robot,x,y,vx,vy,heading,speed\n" +
     "0.1,3,1,-0,0,2,1.5707963267948966,2\n0.1,8,1e-07,2.5e+21,0,0,,\n");
 });
 
