@@ -19,10 +19,12 @@ class AVO_API Executor {
   Executor& operator=(const Executor&) = delete;
   virtual ~Executor();
 
-  /// Tasks that run at the same time, at most; 1 to 1024, and always as many.
+  /// Tasks that run at the same time, at most; 1 to 1024, and always as many. With one worker run()
+  /// is called as well, so that a host decides which thread that is.
   [[nodiscard]] virtual std::size_t workers() const = 0;
   /// task(context, index, worker) once for every index in [0, count), in any order; worker is in
   /// [0, workers()), and no two tasks at the same time have the same. Returns when all are done.
+  /// count is at least 2: a single task is done by the thread that steps.
   /// What it throws ends the step in its midst: every later one throws Error.
   virtual void run(std::size_t count, Task task, void* context) = 0;
 };

@@ -28,12 +28,12 @@ std::shared_ptr<Executor> make_executor(std::size_t workers);
 /// Below so many robots threads cost more than they save, and on a busy machine far more.
 inline constexpr std::size_t kFewestParallel = 256;
 
-/// body(index, worker) for every index in [0, count), see Executor::run(): what body does must not
-/// depend on the order or on the worker. Throws what a body threw, the first one of them; some
+/// body(index, worker) for every index in [0, count), see Executor::run(); a single one is done by
+/// the caller. What body does must not depend on the order or on the worker. Throws what a body threw, the first one of them; some
 /// others have not been called then.
 template <typename Body>
 void parallel_for(Executor& executor, std::size_t count, const Body& body) {
-  if (count <= 1 || executor.workers() <= 1) {
+  if (count <= 1) {
     for (std::size_t i = 0; i < count; ++i) body(i, std::size_t{0});
     return;
   }

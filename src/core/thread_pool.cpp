@@ -161,8 +161,9 @@ void ThreadPool::run(std::size_t count, Task task, void* context) {
 }
 
 std::shared_ptr<Executor> make_executor(std::size_t workers) {
-  return std::make_shared<ThreadPool>(workers > 0 ? workers
-                                                  : std::min(usable_processors(), kMostWorkers));
+  if (workers == 0) workers = std::min(usable_processors(), kMostWorkers);
+  if (workers == 1) return std::make_shared<SerialExecutor>();
+  return std::make_shared<ThreadPool>(workers);
 }
 
 }  // namespace avo

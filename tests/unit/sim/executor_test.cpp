@@ -107,7 +107,8 @@ TEST(ThreadPool, a_child_of_a_fork_goes_on_without_help_and_ends) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    alarm(60);
+    constexpr unsigned kHang = 1200;  // s
+    alarm(kHang);
     simulation->step();
     const std::uint64_t hash = simulation->state_hash();
     simulation.reset();
@@ -123,12 +124,17 @@ TEST(ThreadPool, a_child_of_a_fork_goes_on_without_help_and_ends) {
 // A host's job system in miniature: backwards, and each task by another worker.
 class Backwards final : public Executor {
  public:
-  [[nodiscard]] std::size_t workers() const override { return 4; }
+  explicit Backwards(std::size_t workers = 4) : workers_(workers) {}
+  [[nodiscard]] std::size_t workers() const override { return workers_; }
   void run(std::size_t count, Task task, void* context) override {
     ++runs;
-    for (std::size_t k = count; k-- > 0;) task(context, k, (k * 7 + 1) % 4);
+    EXPECT_GE(count, 2U);
+    for (std::size_t k = count; k-- > 0;) task(context, k, (k * 7 + 1) % workers_);
   }
   int runs = 0;
+
+ private:
+  std::size_t workers_;
 };
 
 TEST(Executor, another_executor_gives_the_same_bits) {
@@ -159,6 +165,19 @@ TEST(Executor, a_host_steps_simulations_with_its_own) {
   for (int k = 0; k < 20; ++k) restored.step(), alone.step();
   EXPECT_GE(host->runs, before + 20);
   EXPECT_EQ(restored.state_hash(), alone.state_hash());
+}
+
+TEST(Executor, a_host_with_one_worker_does_all_that_is_not_single) {
+  const Scenario scene = test::dense_scene(300, Motion::held);
+  const auto host = std::make_shared<Backwards>(1);
+  Simulation simulation(scene, host), alone(scene, 1);
+  for (int k = 0; k < 20; ++k) simulation.step(), alone.step();
+  EXPECT_GE(host->runs, 20);
+  EXPECT_EQ(simulation.state_hash(), alone.state_hash());
+  Simulation small(test::dense_scene(255, Motion::held), host);
+  const int before = host->runs;
+  small.step();
+  EXPECT_EQ(host->runs, before) << "fewer than 256 robots";
 }
 
 // Says how many workers it has, and does nothing.

@@ -422,7 +422,8 @@ typedef struct avo_sensing_model {
 /// returns when all calls have returned. worker is less than the `workers` of the definition, and
 /// no two calls at the same time have the same one. The task takes no lock that the host could
 /// hold, and calls nothing of the host. This function must not call anything of the simulation that
-/// steps, and must not be left by an exception or longjmp.
+/// steps, and must not be left by an exception or longjmp. It is called for two tasks or more, with
+/// one worker as well, from 256 robots on; whoever steps does single tasks and small fleets.
 typedef void avo_task(void* task_context, size_t index, size_t worker);
 typedef void avo_run_tasks(void* run_context, size_t count, avo_task* task, void* task_context);
 
