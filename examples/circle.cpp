@@ -17,7 +17,8 @@ int main() {
       metrics.observe(simulation);
     }
     const avo::RunSummary summary = metrics.summary();
-    std::printf("%zu of %zu arrived, %zu collisions, state hash 0x%016" PRIx64 "\n",
+    std::printf("%" PRId64 " of %" PRId64 " arrived, %" PRId64
+                " collisions, state hash 0x%016" PRIx64 "\n",
                 summary.arrived, summary.robots, summary.collision_pairs, simulation.state_hash());
   } catch (const avo::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

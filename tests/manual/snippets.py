@@ -7,7 +7,8 @@ usage: snippets.py PREFIX AVO --folder FOLDER [--compiler COMPILER] [--flags FLA
 PREFIX has the installed library, AVO is the command line, FOLDER is emptied and gets a folder for each document,
 --python says where the built module is. C++ is compiled by README.md's line of pkg-config and run, C likewise,
 scenes are validated, Python is run. Commands are run one after the other, without those that build and install: other
-tests try these. A comment before a block, which nobody is shown, may say:
+tests try these. The loader finds shared libraries only where the document's own commands tell it of them. A comment
+before a block, which nobody is shown, may say:
 
 <!-- file: NAME -->       the block is this file, or goes on with it; for all commands of the document
 <!-- frame: NAME -->      it is a part: it stands in place of the line that says so in tests/manual/frames/NAME
@@ -31,10 +32,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs/manual/figures"
 FRAMES = pathlib.Path(__file__).resolve().parent / "frames"
 PLAIN = {"", "text", "json", "cmake"}  # shown, not tried
-# commands that build and install
+# commands that build and install, and those of them that tell the loader
 BUILDS = re.compile(r"(apt-get|cmake|git|sudo|cd|export|(\S*/)?pip|\./scripts/\S+|/usr/bin/python3 -m venv)(\s|$)")
-RUN = {"avo", "g++", "gcc", "c++", "cc", "for", "zcat", "python3"}  # and programs of the document's folder
+TELLS_LOADER = re.compile(r"^(\./scripts/install$|sudo ldconfig\b)", re.M)
+RUN = {"avo", "g++", "gcc", "c++", "cc", "for", "zcat", "python3", "luajit"}  # and programs of the document's folder
 CLONE = ("bindings", "examples")  # what commands name of it
+# also of a number with a sign that is printed as one without, as clang warns by itself
+WARNINGS = "-Wall -Wextra -Wformat-signedness -Wno-unknown-warning-option -Werror"
 
 
 class Failed(Exception):
@@ -43,7 +47,7 @@ class Failed(Exception):
 
 def run(command, folder, environment, status=0):
     done = subprocess.run(["bash", "-euo", "pipefail", "-c", command], cwd=folder, env=environment,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != status:
         raise Failed(f"{command}\nexit status {done.returncode}, {status} expected\n{done.stdout}")
     return done.stdout
@@ -51,8 +55,7 @@ def run(command, folder, environment, status=0):
 
 def environment_of(arguments):
     package = next(arguments.prefix.rglob("pkgconfig"))
-    environment = dict(os.environ, PKG_CONFIG_PATH=str(package), LD_LIBRARY_PATH=str(package.parent),
-                       PATH=f"{arguments.avo.parent}:{os.environ['PATH']}")
+    environment = dict(os.environ, PKG_CONFIG_PATH=str(package), PATH=f"{arguments.avo.parent}:{os.environ['PATH']}")
     return environment | ({"PYTHONPATH": str(arguments.python)} if arguments.python else {})
 
 
@@ -72,10 +75,12 @@ class Trial:
         self.folder.mkdir(parents=True)
         for name in CLONE:
             (self.folder / name).symlink_to(ROOT / name)
-        self.environment = environment_of(arguments)
         self.said = None  # by what was last run
         self.blocks = blocks(ROOT / document)
         self.commands = "".join(block.text for block in self.blocks if block.language == "sh")
+        self.environment = environment_of(arguments)
+        if TELLS_LOADER.search(self.commands):
+            self.environment["LD_LIBRARY_PATH"] = str(next(arguments.prefix.rglob("pkgconfig")).parent)
 
     def run(self, command, status=0):
         return run(command, self.folder, self.environment, status)
@@ -90,7 +95,7 @@ class Trial:
         for block in self.blocks:
             try:
                 self.one(block)
-            except (Failed, OSError, subprocess.TimeoutExpired) as failure:
+            except (Failed, OSError) as failure:
                 failures.append(f"{self.document}:{block.line}: {failure}")
         for drawn in self.folder.glob("*.png"):
             shown = FIGURES / drawn.name
@@ -130,8 +135,7 @@ class Trial:
         source = self.source(block, "cpp")
         before, behind = by_pkg_config()
         program = source.with_suffix("")
-        self.run(f"{self.arguments.compiler} {self.arguments.flags} -Wall -Wextra -Werror {before} {source} {behind} "
-                 f"-o {program}")
+        self.run(f"{self.arguments.compiler} {self.arguments.flags} {WARNINGS} {before} {source} {behind} -o {program}")
         if "frame" not in block.marks:
             self.said = self.run(str(program))
             if not self.said.strip():
@@ -142,8 +146,9 @@ class Trial:
             return
         source = self.source(block, "c")
         whole = "int main" in block.text
-        how = f"{source} $(pkg-config --libs avo_c) -o {source.with_suffix('')}" if whole else f"-c {source}"
-        self.run(f"cc -std=c99 -Wall -Wextra -Wpedantic -Werror $(pkg-config --cflags avo_c) {how}")
+        loader = "-Wl,-rpath,$(pkg-config --variable=libdir avo_c)"
+        how = f"{source} $(pkg-config --libs avo_c) {loader} -o {source.with_suffix('')}" if whole else f"-c {source}"
+        self.run(f"cc -std=c99 -Wpedantic {WARNINGS} $(pkg-config --cflags avo_c) {how}")
         if whole:
             self.said = self.run(str(source.with_suffix("")))
 
@@ -158,6 +163,8 @@ class Trial:
             self.said = self.run(f"/usr/bin/python3 {self.source(block, 'py')}")
 
     def lua(self, block):
+        if "file" in block.marks and f"luajit {block.marks['file']}" in self.commands:
+            return
         self.said = self.run(f"luajit {self.source(block, 'lua')}")
 
     def sh(self, block):
@@ -167,7 +174,7 @@ class Trial:
             return
         said = []
         for line in lines:
-            word = re.sub(r"^(\w+=\S+ )+", "", line).split()[0]
+            word = re.sub(r"^(\w+=(\$\([^)]*\)|\S+) )+", "", line).split()[0]
             if word not in RUN and not (self.folder / word).exists():
                 raise Failed(f"nobody knows how to try {word}")
             if word == "python3" and not self.arguments.python:
@@ -181,7 +188,8 @@ class Trial:
         line = re.sub(r"\bavo bench (?!.*--steps)", "avo bench --steps 1 ", line)
         line = re.sub(r"\bAVO_SIMD=\w+", "AVO_SIMD=auto", line)
         line = re.sub(r"^python3 ", "/usr/bin/python3 ", line)
-        return re.sub(r"^[gc]\+\+ ", f"{self.arguments.compiler} {self.arguments.flags} -Wall -Wextra -Werror ", line)
+        line = re.sub(r"^[gc]\+\+ ", f"{self.arguments.compiler} {self.arguments.flags} {WARNINGS} ", line)
+        return re.sub(r"^g?cc (?!-E)", rf"\g<0>{WARNINGS} ", line)
 
     def compare(self, text):
         if self.said is None:

@@ -25,6 +25,7 @@ import symbols
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 CONSUMER = HERE / "consumer"
+WARNINGS = ["-Wall", "-Wextra", "-Wformat-signedness", "-Wno-unknown-warning-option", "-Werror"]
 QUICK = ["-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DAVO_SIMD=OFF"]
 
 
@@ -104,7 +105,7 @@ def check_examples(arguments, prefix):
         if not (library / "pkgconfig" / f"{name}.pc").exists():
             continue
         words = run("pkg-config", "--cflags", "--libs", name, PKG_CONFIG_PATH=str(library / "pkgconfig")).split()
-        run(compiler, *arguments.flags.split(), ROOT / source, *words, "-o", build / "circle")
+        run(compiler, *arguments.flags.split(), *WARNINGS, ROOT / source, *words, "-o", build / "circle")
         said = run(build / "circle", LD_LIBRARY_PATH=str(library))
         expect(f"100 of 100 arrived, 0 collisions, state hash {pinned}" in said, f"{source}: {said}")
         print("example:     ", said, end="")

@@ -51,6 +51,16 @@ class Lists(unittest.TestCase):
         self.assertIn(f"<version>{version}</version>", (ROOT / "package.xml").read_text())
 
 
+class Rvo2(unittest.TestCase):
+    def test_page_names_all_that_edits_robots_and_obstacles(self):
+        header = (ROOT / "include/avo/simulation.h").read_text()
+        edits = re.findall(r"^  (?:void|RobotId|ObstacleId) (\w+)\((?:RobotId|ObstacleId|const RobotSetup&|"
+                           r"const StaticObstacle&) ", header, re.M)
+        self.assertTrue({"add_robot", "move_robot", "remove_obstacle"} <= set(edits), edits)
+        page = (ROOT / "docs/manual/howto/from_rvo2.md").read_text()
+        self.assertEqual([name for name in edits if f"`Simulation::{name}`" not in page], [])
+
+
 class Setup(unittest.TestCase):
     def test_names_what_is_missing_where_it_may_not_install(self):
         for arguments, lists in (((), LISTS[:1]), (("test",), LISTS[:2]), (("all",), LISTS)):
