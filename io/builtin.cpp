@@ -58,12 +58,22 @@ void replace_all(std::string& text, const Replacement& replacement) {
     text.replace(at, from.size(), to);
 }
 
+constexpr std::string_view kDigits = "0123456789";
+
+bool is_whole(std::string_view number) {
+  return !number.empty() && number.find_first_not_of(kDigits) == number.npos &&
+         (number[0] != '0' || number == "0");
+}
+
+bool is_allowed(double n) {
+  return n >= 2 && n <= static_cast<double>(avo::kMostRobots);
+}
+
 std::optional<std::string> find_member(const Family& family, const std::string& name) {
   const std::string number = name.substr(family.stem.size());
-  const bool whole = !number.empty() && number.find_first_not_of("0123456789") == number.npos;
-  if (!whole || (number[0] == '0' && number != "0")) return std::nullopt;
+  if (!is_whole(number)) return std::nullopt;
   const double n = *to_double(number.substr(0, 20));
-  if (n < 2 || n > static_cast<double>(avo::kMostRobots))
+  if (!is_allowed(n))
     throw OverrideError(fmt::format("{}: found N = {}, must be 2 to {}", name, number.substr(0, 20),
                                     avo::kMostRobots));
   std::string text(find_scene(family.model));
@@ -88,7 +98,23 @@ std::string first_comment(std::string_view yaml) {
   return std::string(line);
 }
 
+/// The members of families that have the number N that a name ends with, if it has no other digits.
+void append_members(std::string_view name, std::vector<std::string>& names) {
+  const std::string_view number = name.substr(std::min(name.find_first_of(kDigits), name.size()));
+  if (!is_whole(number) || !is_allowed(*to_double(number.substr(0, 20)))) return;
+  for (const Family& family : kFamilies)
+    names.push_back(std::string(family.stem).append(number));
+}
+
 }  // namespace
+
+std::optional<std::string> nearest_scene(const std::string& name) {
+  std::vector<std::string> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
+  append_members(name, names);
+  const auto meant = nearest(name, {names.begin(), names.end()});
+  return meant ? std::optional<std::string>(*meant) : std::nullopt;
+}
 
 std::optional<std::string> builtin_text(const std::string& name) {
   for (const Family& family : kFamilies) {

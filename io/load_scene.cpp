@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "avo_io/nearest.h"
 #include "avo_io/scene.h"
 #include "file_names.h"
 #include "regular_file.h"
@@ -19,7 +18,7 @@ namespace {
 std::string not_found(const std::string& path) {
   std::vector<std::string_view> names;
   for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
-  const auto meant = nearest(path, names);
+  const auto meant = nearest_scene(path);
   return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
                      joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
 }

@@ -42,7 +42,7 @@ int parse_and_act(int argc, char** argv) {
     print(std::string("avo ") + avo::kVersion + "\n");
     return kDone;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "; see avo --help");
+    throw UsageError(what_is_wrong(app, error));
   }
   check_environment();
   (void)avo_io::OutputFile("-");  // all verbs write there: not to find out after a long run

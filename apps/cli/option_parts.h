@@ -12,7 +12,8 @@ class Option;
 
 namespace avo_cli {
 
-inline constexpr const char* kScene = "name of a built-in scene, or a YAML file; - is stdin";
+inline constexpr const char* kScene =
+    "name of a built-in scene, see avo scenes, or a YAML file; - is stdin";
 
 /// For options whose empty word could not be told from none.
 CLI::Option* not_empty(CLI::Option* option);

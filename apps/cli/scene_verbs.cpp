@@ -70,8 +70,10 @@ int list_scenes(const std::string& name, bool json) {
       print(text);
       return kDone;
     }
-    throw UsageError(fmt::format("{}: found no such scene, `avo scenes` lists them",
-                                 avo_io::printable(name, kLongestWord)));
+    const auto meant = avo_io::nearest_scene(name);
+    throw UsageError(fmt::format("{}: found no such scene, `avo scenes` lists them{}",
+                                 avo_io::printable(name, kLongestWord),
+                                 meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
   }
   if (json) {
     auto list = nlohmann::ordered_json::array();

@@ -49,6 +49,17 @@ const CLI::App& verb_of(const CLI::App& app, const std::string& word) {
                    list + did_you_mean(word, verbs));
 }
 
+std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> begun = app.get_subcommands();
+  if (begun.empty()) return std::string(error.what()) + "; see avo --help";
+  const CLI::App& verb = *begun.front();
+  std::string text = error.what();
+  for (const CLI::Option* option : verb.get_options())
+    if (text == option->get_name() + " is required")
+      text = "found no " + option->get_name() + " (" + option->get_description() + ")";
+  return verb.get_name() + ": " + text + "; see avo " + verb.get_name() + " --help";
+}
+
 int print_help(const CLI::App& app, const std::string& verb) {
   // not app.help(), which would be that of the verb `help`
   print(verb.empty() ? app.get_formatter()->make_help(&app, "avo", CLI::AppFormatMode::Normal)

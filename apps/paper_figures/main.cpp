@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// paper_figures FOLDER: the figures of the paper and a README.md about them.
+// paper_figures FOLDER: the figures of the paper and a README.md about them; it makes FOLDER.
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include "avo_io/output_file.h"
 #include "figures_of_the_paper.h"
@@ -71,6 +72,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
+    std::filesystem::create_directories(argv[1]);
     avo::paper::draw_all(argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "paper_figures: %s\n", error.what());

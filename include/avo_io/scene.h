@@ -64,6 +64,10 @@ AVO_API const std::vector<BuiltinScene>& builtin_scenes();
 /// range.
 AVO_API std::optional<std::string> builtin_text(const std::string& name);
 
+/// The name of a built-in scene that may have been meant by `name`, which is none: "circle-10" by
+/// "circle10"; none where no name is like it.
+AVO_API std::optional<std::string> nearest_scene(const std::string& name);
+
 /// The text of a file that a built-in scene names, e.g. "arena.map"; empty where there is none.
 AVO_API std::string_view builtin_file(std::string_view name);
 

@@ -39,7 +39,7 @@ TEST(BadText, files_that_are_no_files) {
       "cars-100, circle-N, corridor, corridor-one-lane, crossing-streams, doorway, doorway-narrow, "
       "drives-100, maze, mixed-yard, moving-obstacle, office, permutation-100, person, planes-12, "
       "positions-exchange, reversing-cars, swap-blocks, "
-      "uniform-N, warehouse; did you mean \"circle-N\"?\n");
+      "uniform-N, warehouse; did you mean \"circle-10\"?\n");
 }
 
 TEST(BadText, size_is_limited_before_reading_on) {

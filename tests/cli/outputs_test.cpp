@@ -130,13 +130,17 @@ TEST(Outputs, names_of_another_format_are_refused) {
 }
 
 TEST(Outputs, empty_names_are_refused) {
-  const std::string empty = ": found an empty name, must have one; see avo --help";
+  const auto refused_empty = [](const Strings& arguments, const std::string& option) {
+    const std::string& verb = arguments.front();
+    refused(arguments, verb + ": " + option + ": found an empty name, must have one; see avo " + verb +
+                           " --help");
+  };
   for (const std::string option : {"--record", "--summary", "--figure"})
-    refused({"run", "circle-2", option, ""}, option + empty);
-  refused({"explain", "circle-2", "--robot", "0", "--figure", ""}, "--figure" + empty);
-  refused({"run", ""}, "SCENE" + empty);
-  refused({"check", ""}, "RECORDING" + empty);
-  refused({"check", "x.csv", "--scene", ""}, "--scene" + empty);
+    refused_empty({"run", "circle-2", option, ""}, option);
+  refused_empty({"explain", "circle-2", "--robot", "0", "--figure", ""}, "--figure");
+  refused_empty({"run", ""}, "SCENE");
+  refused_empty({"check", ""}, "RECORDING");
+  refused_empty({"check", "x.csv", "--scene", ""}, "--scene");
 }
 
 TEST(Outputs, figures_of_every_kind) {
@@ -231,7 +235,7 @@ void obstruct(const std::string& old_recording) {
   const ProcessResult result = run_here(
       {"run", "circle-2", "--set", "duration=1e6", "--record", "out.csv", "--summary", "out.json"},
       {.meanwhile = [](int pid) {
-        for (int i = 0; i < 1000 && !has_begun(); ++i) usleep(10'000);
+        wait_until(pid, has_begun);
         fs::create_directory(path_of("out.json"));
         kill(pid, SIGINT);
       }});

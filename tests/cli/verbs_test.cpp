@@ -104,6 +104,36 @@ TEST(Verbs, schema_is_json) {
   EXPECT_EQ(nlohmann::ordered_json::parse(result.out)["type"], "object");
 }
 
+TEST(Verbs, what_is_left_out_is_told_with_what_it_may_be) {
+  const std::string scene = " (name of a built-in scene, see avo scenes, or a YAML file; - is stdin)";
+  for (const std::string verb : {"run", "explain", "bench", "validate"})
+    EXPECT_EQ(run_avo({verb}).err,
+              "avo: " + verb + ": found no SCENE" + scene + "; see avo " + verb + " --help\n");
+  EXPECT_EQ(run_avo({"explain", "circle-10"}).err,
+            "avo: explain: found no --robot (its number); see avo explain --help\n");
+  EXPECT_EQ(run_avo({"run", "circle-10", "circle-20"}).err.find("see avo --help"), std::string::npos);
+}
+
+TEST(Verbs, a_name_that_is_none_is_told_the_scene_with_its_number) {
+  const auto meant = [](const std::string& name) {
+    std::vector<std::string> told;
+    for (const std::string verb : {"run", "scenes"}) {
+      const std::string error = run_avo({verb, name}).err;
+      const std::size_t at = error.find("did you mean ");
+      told.push_back(at == error.npos ? "" : error.substr(at + 13));
+    }
+    EXPECT_EQ(told[0], told[1]);
+    return told[0];
+  };
+  EXPECT_EQ(meant("circle10"), "\"circle-10\"?\n");
+  EXPECT_EQ(meant("circel-250"), "\"circle-250\"?\n");
+  EXPECT_EQ(meant("uniform_1000"), "\"uniform-1000\"?\n");
+  EXPECT_EQ(meant("planes12"), "\"planes-12\"?\n");
+  EXPECT_EQ(meant("circle"), "\"circle-N\"?\n");
+  EXPECT_EQ(meant("circle1"), "\"circle-N\"?\n") << "there is none of one robot";
+  EXPECT_EQ(meant("circle99999999999"), "");
+}
+
 TEST(Verbs, usage_errors_take_one_line_and_exit_with_2) {
   using Strings = std::vector<std::string>;
   for (const Strings& arguments :
