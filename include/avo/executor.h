@@ -25,7 +25,9 @@ class AVO_API Executor {
   /// task(context, index, worker) once for every index in [0, count), in any order; worker is in
   /// [0, workers()), and no two tasks at the same time have the same. Returns when all are done.
   /// count is at least 2: a single task is done by the thread that steps.
-  /// What it throws ends the step in its midst: every later one throws Error.
+  /// The library counts them: where one was left out or called again, or the worker was none, the
+  /// step throws Error. That, and what it throws, ends the step in its midst: every later one
+  /// throws Error.
   virtual void run(std::size_t count, Task task, void* context) = 0;
 };
 

@@ -25,6 +25,10 @@ inline constexpr std::size_t kMostWorkers = 1024;
 /// built without threads there is one.
 std::shared_ptr<Executor> make_executor(std::size_t workers);
 
+/// The host's executor, which is not trusted: run() throws Error unless each task was called once,
+/// by one of the workers that the host had at first. A task that is called again does nothing.
+std::shared_ptr<Executor> counted(std::shared_ptr<Executor> host);
+
 /// Below so many robots threads cost more than they save, and on a busy machine far more.
 inline constexpr std::size_t kFewestParallel = 256;
 

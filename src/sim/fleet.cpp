@@ -179,7 +179,7 @@ Neighbor Fleet::sensed(std::size_t slot, Behavior behavior) const {
   return neighbor;
 }
 
-void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
+void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn) {
   constexpr std::size_t kChunk = 4096;
   const std::size_t count = size();
   const auto for_each_chunk = [&](const auto& body) {
@@ -190,6 +190,7 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
   std::size_t widest = 0;
   for_each_column([&](auto& column) { widest = std::max(widest, sizeof column[0]); });
   if (scratch_.size() < count * widest) scratch_.resize(count * widest);  // before anything changes
+  torn = true;
   for_each_column([&](auto& column) {
     using T = typename std::decay_t<decltype(column)>::value_type;
     static_assert(std::is_trivially_copyable_v<T>);
@@ -206,6 +207,7 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor) {
   for (std::size_t slot = 0; slot < count; ++slot) {
     slot_of[static_cast<std::size_t>(rank[slot])] = static_cast<std::uint32_t>(slot);
   }
+  torn = false;
 }
 
 void FleetMirror::copy(const Fleet& fleet) {

@@ -159,8 +159,9 @@ struct Fleet {
   }
   /// As others sense it who count on that much of it.
   Neighbor sensed(std::size_t slot, Behavior behavior = Behavior::decides) const;
-  /// Slot k becomes what slot order[k] was.
-  void reorder(std::span<const std::uint32_t> order, Executor& executor);
+  /// Slot k becomes what slot order[k] was. Where the executor fails in the midst of it, the fleet is
+  /// none any more, and torn stays true.
+  void reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn);
 
  private:
   template <typename Action>

@@ -89,7 +89,7 @@ std::shared_ptr<Executor> checked(std::shared_ptr<Executor> executor) {
   const std::size_t workers = executor->workers();
   if (workers < 1 || workers > kMostWorkers)
     refuse("executor.workers", std::to_string(workers), "1 to " + std::to_string(kMost));
-  return executor;
+  return counted(std::move(executor));
 }
 
 void require_whole(const World& world, const char* call) {
@@ -108,22 +108,30 @@ struct Simulation::State : World {
   Mutex looking;
   std::atomic<bool> is_mirrored = false;
   FleetMirror mirror;
+
+  static std::unique_ptr<State> of(const Scenario& scenario, std::shared_ptr<Executor> executor) {
+    validate(scenario);
+    auto state = std::make_unique<State>(scenario, std::move(executor));
+    plan_travels(state->ways, state->fleet);
+    return state;
+  }
+  static std::unique_ptr<State> of(std::span<const std::byte> saved,
+                                   std::shared_ptr<Executor> executor) {
+    const SavedState read = from_bytes(saved);
+    auto state = std::make_unique<State>(read.scene, std::move(executor));
+    avo::restore(read, *state);
+    return state;
+  }
 };
 
 Simulation::Simulation(const Scenario& scenario, int threads)
-    : Simulation(scenario, thread_pool(threads)) {}
+    : state_(State::of(scenario, thread_pool(threads))) {}
 Simulation::Simulation(std::span<const std::byte> saved, int threads)
-    : Simulation(saved, thread_pool(threads)) {}
-Simulation::Simulation(const Scenario& scenario, std::shared_ptr<Executor> executor) {
-  validate(scenario);
-  state_ = std::make_unique<State>(scenario, checked(std::move(executor)));
-  plan_travels(state_->ways, state_->fleet);
-}
-Simulation::Simulation(std::span<const std::byte> saved, std::shared_ptr<Executor> executor) {
-  const SavedState state = from_bytes(saved);
-  state_ = std::make_unique<State>(state.scene, checked(std::move(executor)));
-  avo::restore(state, *state_);
-}
+    : state_(State::of(saved, thread_pool(threads))) {}
+Simulation::Simulation(const Scenario& scenario, std::shared_ptr<Executor> executor)
+    : state_(State::of(scenario, checked(std::move(executor)))) {}
+Simulation::Simulation(std::span<const std::byte> saved, std::shared_ptr<Executor> executor)
+    : state_(State::of(saved, checked(std::move(executor)))) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

@@ -125,7 +125,7 @@ void index(World& world, Executor& executor) {
   clock.start();
   if (!world.ways.passages.empty()) collect_claims(world, executor, world.claims);
   if (due && world.fleet.size() >= kFewestOrdered) {
-    world.fleet.reorder(world.snapshot.grid.order(), executor);
+    world.fleet.reorder(world.snapshot.grid.order(), executor, world.torn);
     world.snapshot.grid.forget_order();
   }
   clock.lap(Stage::index);

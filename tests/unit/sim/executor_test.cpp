@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 #if defined(__linux__)
@@ -21,6 +24,7 @@
 #include "avo/error.h"
 #include "core/thread_pool.h"
 #include "sim/world.h"
+#include "support/refusal.h"
 #include "unit/sim/scenes.h"
 
 namespace avo {
@@ -196,6 +200,109 @@ TEST(Executor, a_host_without_workers_is_refused) {
   EXPECT_THROW(Simulation(scene, nullptr), Error);
   EXPECT_THROW(Simulation(scene, std::make_shared<Idle>(0)), Error);
   EXPECT_THROW(Simulation(scene, std::make_shared<Idle>(1025)), Error);
+}
+
+// Breaks its contract once, in the run of that number and at the task in the midst of it.
+class Careless final : public Executor {
+ public:
+  enum class Fault : unsigned char { none, leaves_out, repeats, wrong_index, wrong_worker, throws };
+
+  [[nodiscard]] std::size_t workers() const override { return 3; }
+  void run(std::size_t count, Task task, void* context) override {
+    const bool careless = runs++ == careless_run;
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool wrong = careless && k == count / 2;
+      if (wrong && fault == Fault::throws) throw std::runtime_error("no work today");
+      if (wrong && fault == Fault::leaves_out) continue;
+      task(context, k, wrong && fault == Fault::wrong_worker ? 3 : k % 3);
+      if (wrong && fault == Fault::repeats) task(context, k, (k + 1) % 3);
+      if (wrong && fault == Fault::wrong_index) task(context, count + k, 0);
+    }
+  }
+
+  Fault fault = Fault::none;
+  int careless_run = -1, runs = 0;
+};
+
+// Whatever a host does wrong: nobody has moved, or nothing goes on until a state is restored.
+void expect_failed(Simulation& simulation, Careless& host, Careless::Fault fault, int run) {
+  SCOPED_TRACE("fault " + std::to_string(static_cast<int>(fault)) + " in run " +
+               std::to_string(run));
+  const std::vector<std::byte> before = simulation.save();
+  const std::uint64_t hash = simulation.state_hash();
+  Simulation alone(before, 1);
+  alone.step();
+  host.fault = fault, host.careless_run = run, host.runs = 0;
+  const auto step = [&] { simulation.step(); };
+  if (fault == Careless::Fault::throws) {
+    EXPECT_THROW(step(), std::runtime_error);
+  } else {
+    EXPECT_THAT(test::refusal(step), testing::HasSubstr("executor: found "));
+  }
+  host.fault = Careless::Fault::none;
+  bool whole = true;
+  try {
+    static_cast<void>(simulation.save());
+  } catch (const Error&) {
+    whole = false;
+  }
+  if (whole) {
+    EXPECT_EQ(simulation.state_hash(), hash);
+  } else {
+    EXPECT_THROW(simulation.step(), Error);
+    simulation.restore(before);
+  }
+  simulation.step();
+  EXPECT_EQ(simulation.state_hash(), alone.state_hash());
+}
+
+// 300 robots are stepped in two runs; 1100 are also put in order, which takes many.
+TEST(Executor, a_host_that_breaks_its_contract_is_refused) {
+  using Fault = Careless::Fault;
+  for (const int robots : {300, 1100}) {
+    const auto host = std::make_shared<Careless>();
+    Simulation simulation(test::dense_scene(robots, Motion::held), host);
+    simulation.step();
+    while (robots >= 1100 && simulation.steps() < 17) simulation.step();
+    const std::vector<std::byte> start = simulation.save();
+    simulation.restore(start);
+    host->runs = 0;
+    simulation.step();
+    const int runs = host->runs;
+    EXPECT_GE(runs, 2);
+    for (const Fault fault : {Fault::leaves_out, Fault::repeats, Fault::wrong_index,
+                              Fault::wrong_worker, Fault::throws}) {
+      for (int run = 0; run<runs; run += runs> 8 ? 3 : 1) {
+        simulation.restore(start);
+        expect_failed(simulation, *host, fault, run);
+      }
+    }
+  }
+}
+
+// Comes back while its tasks wait, and does them when it is asked again.
+class Late final : public Executor {
+ public:
+  [[nodiscard]] std::size_t workers() const override { return 2; }
+  void run(std::size_t count, Task task, void* context) override {
+    if (late_) late_();
+    late_ = [=] {
+      for (std::size_t k = 0; k < count; ++k) task(context, k, 0);
+    };
+  }
+  void work() { late_(); }
+
+ private:
+  std::function<void()> late_;
+};
+
+TEST(Executor, what_a_host_does_too_late_is_not_done) {
+  const auto host = std::make_shared<Late>();
+  Simulation simulation(test::dense_scene(300, Motion::held), host);
+  const std::uint64_t hash = simulation.state_hash();
+  EXPECT_THROW(simulation.step(), Error);
+  host->work();
+  EXPECT_EQ(simulation.state_hash(), hash);
 }
 
 TEST(Executor, what_a_host_throws_ends_the_step) {
