@@ -35,7 +35,7 @@ double swing_coefficient(const TrajectoryConstraints& constraints, std::size_t k
   return dot(normal, middle) + columns.offset[1][k] - cone;
 }
 
-// Likewise of all constraints; constraints.columns.coefficient is filled.
+// Likewise of all constraints, which keeps() has judged.
 bool keeps_swing(const CandidatePath& path, const StepLaw& law,
                  TrajectoryConstraints& constraints) {
   ConstraintColumns& columns = constraints.columns;
@@ -80,10 +80,12 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
                                  std::size_t last) {
   const ConstraintColumns& columns = constraints.columns;
   const double* coefficient = columns.coefficient.data();
-  const std::size_t k = static_cast<std::size_t>(
-      std::min_element(coefficient + first, coefficient + last) - coefficient);
+  const std::size_t behind = std::min(last, columns.judged);
   WorstConstraint worst{std::numeric_limits<double>::infinity()};
-  if (k == last || !(coefficient[k] < worst.coefficient)) return worst;
+  if (first >= behind) return worst;
+  const std::size_t k = static_cast<std::size_t>(
+      std::min_element(coefficient + first, coefficient + behind) - coefficient);
+  if (!(coefficient[k] < worst.coefficient)) return worst;
   const auto [start, middle, end] = scalar::coefficients<scalar::Pack<double>>(
       columns, k, constraints.own, path, law, constraints.has_cones);
   worst.constraint = constraint_at(columns, k);

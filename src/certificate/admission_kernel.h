@@ -52,7 +52,7 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumns& constrai
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Whether the path keeps all constraints; constraints.coefficient is filled.
+/// Whether the path keeps all constraints, which are judged by it.
 template <typename Real>
 bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bool has_cones,
            ConstraintColumns& constraints) {
@@ -69,6 +69,7 @@ bool keeps(const Braking& own, const CandidatePath& path, const StepLaw& law, bo
     select(asked, min(min(left.start, left.middle), left.end), infinity)
         .store(&constraints.coefficient[k]);
   }
+  constraints.judged = constraints.count;
   return kept;
 }
 

@@ -73,7 +73,7 @@ struct WorstConstraint {
   int point = 0;   ///< of the three
   Vec2 lean = {};  ///< what a cone takes off the normal there
 };
-/// Of constraints [first .. last) alone.
+/// Of constraints [first .. last) alone, as far as the path was held against them.
 WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
                                  const CandidatePath& path, const StepLaw& law, std::size_t first,
                                  std::size_t last);

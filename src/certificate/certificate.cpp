@@ -45,7 +45,7 @@ void collect_constraints(const Robot& robot, std::span<const Neighbor> neighbors
 void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
                        const CertificateLaw& law, CertificateConstraints& constraints) {
   constraints.invariant = {std::numeric_limits<double>::infinity()};
-  constraints.trajectories.columns.count = 0;
+  constraints.trajectories.columns.count = constraints.trajectories.columns.judged = 0;
   constraints.trajectories.stays_at_rest = false;
   constraints.trajectories.waiting.clear();
   constraints.capsules.clear();
@@ -81,6 +81,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
   // as long as nothing is broken, braking keeps what no test with a reserve for rounding admits
   if (law.step.has_free_clocks() && next_velocity == backup_velocity(robot, law)) return true;
   constraints.path = follow(robot, next_velocity, law.step);
+  constraints.trajectories.columns.judged = 0;
   if (!holonomic && !keeps_reach(robot, constraints.path, law.step)) return false;
   collect_refusing(robot, constraints.path, law.step, constraints.trajectories,
                    constraints.invariant);

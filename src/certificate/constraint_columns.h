@@ -38,10 +38,13 @@ inline constexpr double kNoConstraint = std::numeric_limits<double>::infinity();
 /// See TrajectoryConstraint.
 struct ConstraintColumns {
   std::size_t count = 0;
+  /// The first so many have a coefficient of the path asked about last; the others have been held
+  /// against none, and what stands there is of another path or robot.
+  std::size_t judged = 0;
   std::vector<double> normal_x, normal_y, cone, bound;
   std::array<std::vector<double>, 3> offset;
   std::vector<double> interval, needs;  ///< needs: moving > needs, or the constraint is not asked
-  std::vector<double> coefficient;      ///< m, of the path asked about last
+  std::vector<double> coefficient;      ///< m, of those that are judged
   std::vector<int> neighbor;
 
   bool is_constraint(std::size_t k) const { return needs[k] < kNoConstraint; }

@@ -23,6 +23,21 @@ const std::vector<PinnedRun>& pinned_runs() {
        {"motion=exponential"},
        0,
        0x59874e7ba377b84b},
+      // more robots than one thread plans; their bodies swing, and what they sense is a step old
+      {"cars_that_sense_late",
+       "cars-100",
+       {"groups.0.number=300", "sensing.delay=1",
+        "groups.0.car={max_curvature: 0.8, body: {offset: 0.4, radius: 0.5}, reverse: true, "
+        "acceleration_set: exact}",
+        "groups.0.placement.random={min: [0, 0], max: [44, 44], clearance: 0.1}",
+        "groups.0.goals.random={min: [0, 0], max: [44, 44], clearance: 0.1}"},
+       100,
+       0x827a9904cd16731d},
+      {"reversing_cars_that_sense_late",
+       "reversing-cars",
+       {"sensing.delay=1"},
+       0,
+       0x6e209646bdccf098},
   };
   return runs;
 }

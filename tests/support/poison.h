@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scratch memory as another decision could have left it, at its worst.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "planner/scratch.h"
+
+namespace avo::test {
+
+/// Overwrites all that a planner's scratch memory holds by a number, as far as it holds anything:
+/// sizes of vectors stay, because room is told by them. The bindings list all members: whoever adds
+/// one has to add it here.
+class Poison {
+ public:
+  explicit Poison(double number) : number_(number) {}
+
+  void operator()(PlanWorkspace& workspace) const {
+    auto& [soft, decisions, programs, rows, demands, hard_and_soft, obstacles, order, ordered,
+           alone, listed, movers, passive, certified, flight] =
+        PlanWorkspace::Scratch::of(workspace);
+    each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight);
+    // of programs one robot has none; the others are lists, read after they are begun anew
+    static_cast<void>(programs), static_cast<void>(obstacles), static_cast<void>(ordered);
+    static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(passive);
+  }
+
+ private:
+  template <typename... Members>
+  void each(Members&... members) const {
+    (spoil(members), ...);
+  }
+
+  void spoil(double& x) const { x = number_; }
+  void spoil(bool& x) const { x = true; }
+  void spoil(std::uint8_t& x) const { x = 1; }
+  void spoil(int& x) const { x = std::numeric_limits<int>::min() / 2; }
+  void spoil(std::uint32_t& x) const { x = 0x7ffffff0; }
+  void spoil(std::size_t& x) const { x = 0x7ffffff0; }
+  void spoil(ProgramState& x) const { x = ProgramState::discs_disjoint; }
+  void spoil(PairState& x) const { x = PairState::coincident; }
+  void spoil(Whom& x) const { x = Whom::movers; }
+  void spoil(Vec2& x) const { each(x.x, x.y); }
+  void spoil(HalfPlane& x) const { each(x.normal, x.offset); }
+  void spoil(Segment& x) const { each(x.a, x.b); }
+  template <typename T>
+  void spoil(std::vector<T>& column) const {
+    for (T& entry : column) spoil(entry);
+  }
+  template <typename T, std::size_t kCount>
+  void spoil(std::array<T, kCount>& entries) const {
+    for (T& entry : entries) spoil(entry);
+  }
+  template <std::size_t kCount>
+  void spoil(double (&lanes)[kCount]) const {
+    for (double& lane : lanes) spoil(lane);
+  }
+  void spoil(NearQueue::Column& column) const {
+    for (double& entry : column) spoil(entry);
+  }
+  // where they point to is gone
+  void spoil(std::vector<const NearPair*>& waiting) const {
+    for (auto& pair : waiting) pair = nullptr;
+  }
+
+  void spoil(ProgramRow<1>& row) const { each(row.n_x, row.n_y, row.offset, row.relative); }
+  void spoil(LoiterCircle& circle) const { each(circle.center, circle.radius); }
+  void spoil(MoverMotion& motion) const {
+    auto& [acceleration, max_deviation, max_speed] = motion;
+    each(acceleration, max_deviation, max_speed);
+  }
+
+  void spoil(SharedPlanes& shared) const {
+    auto& [offset, kept, kept_end, exceeding] = shared;
+    each(offset, kept, kept_end, exceeding);
+  }
+  void spoil(PairColumns& pairs) const {
+    auto& [count, p_x, p_y, v_x, v_y, radius, reach] = pairs;
+    each(count, p_x, p_y, v_x, v_y, radius, reach);
+  }
+  void spoil(PlaneColumns& planes) const {
+    auto& [n_x, n_y, h, excess, state] = planes;
+    each(n_x, n_y, h, excess, state);
+  }
+  void spoil(HalfPlaneQueue& queue) const {
+    auto& [count, index, d, v_x, v_y, radius, reach, e_x, e_y, side] = queue;
+    each(count, index, d, v_x, v_y, radius, reach, e_x, e_y, side);
+  }
+  void spoil(HalfPlaneWorkspace& workspace) const {
+    auto& [convex, horn, rest_count, rest, cases] = workspace;
+    each(convex, horn, rest_count, rest);
+    auto& [contact, tip, convexes, horns, follow, others] = cases;
+    each(contact, tip, convexes, horns, follow, others);
+  }
+  void spoil(SoftPlanes& soft) const {
+    auto& [planes, excess, exceeding, first, overlapping, share, pair_end, raise, shared, pairs,
+           workspace, relative] = soft;
+    each(planes, excess, exceeding, first, overlapping, share, pair_end, raise, shared, pairs,
+         workspace, relative);
+  }
+  void spoil(DecisionColumns& decisions) const {
+    auto& [range, ahead, is_beside, push_x, push_y, push_at_rest_x, push_at_rest_y, wish_x, wish_y,
+           target_x, target_y, violation, state, next_x, next_y, unhindered_x, unhindered_y, new_x,
+           new_y, a_x, a_y, is_free] = decisions;
+    each(range, ahead, is_beside, push_x, push_y, push_at_rest_x, push_at_rest_y, wish_x, wish_y,
+         target_x, target_y, violation, state, next_x, next_y, unhindered_x, unhindered_y, new_x,
+         new_y, a_x, a_y, is_free);
+  }
+  void spoil(Demands& demands) const {
+    auto& [planes, excess, overlapping] = demands;
+    each(planes, excess, overlapping);
+  }
+  void spoil(FlightConstraints& flight) const {
+    auto& [lines, walls, slack, broken] = flight;
+    for (auto& [neighbor, normal, part] : lines) each(neighbor, normal, part);
+    for (auto& [a, b, radius] : walls) each(a, b, radius);
+    each(slack, broken);
+  }
+
+  void spoil(NeighborColumns& neighbors) const {
+    auto& [count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations, x, y, v_x,
+           v_y, radius, max_acceleration, decides, priority, max_braking, age, position_error,
+           motion, has_loiterers, loiter] = neighbors;
+    each(count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations, x, y, v_x,
+         v_y, radius, max_acceleration, decides, priority, max_braking, age, position_error, motion,
+         has_loiterers, loiter);
+  }
+  // model, neighbors and loiter are lists
+  void spoil(RobotColumns& robots) const {
+    auto& [count, x, y, v_x, v_y, preferred_x, preferred_y, distance_to_goal, radius,
+           max_acceleration, max_speed, max_braking, heading, priority, model, has_models,
+           neighbors, loiter] = robots;
+    each(count, x, y, v_x, v_y, preferred_x, preferred_y, distance_to_goal, radius,
+         max_acceleration, max_speed, max_braking, heading, priority, has_models);
+    static_cast<void>(model), static_cast<void>(neighbors), static_cast<void>(loiter);
+  }
+  void spoil(Tile& tile) const {
+    auto& [robots, neighbors, detour, plan, walls, slot, maneuvers, trusted] = tile;
+    each(robots, neighbors, slot, maneuvers);
+    trusted = false;
+    static_cast<void>(detour), static_cast<void>(plan), static_cast<void>(walls);
+  }
+
+  void spoil(BrakingProfile& profile) const {
+    auto& [speed, decrement, full_steps] = profile;
+    each(speed, decrement, full_steps);
+  }
+  void spoil(Braking& braking) const {
+    auto& [profile, increment, direction, length, reach, intervals] = braking;
+    each(profile, increment, direction, length, reach, intervals);
+  }
+  void spoil(Deviation::Line& line) const { each(line.start, line.per_distance); }
+  void spoil(Deviation& deviation) const {
+    auto& [ahead, across, anyhow, fast, slow, most_ahead, most_aside] = deviation;
+    each(ahead, across, anyhow, fast, slow, most_ahead, most_aside);
+  }
+  void spoil(ConstraintColumns& columns) const {
+    auto& [count, judged, normal_x, normal_y, cone, bound, offset, interval, needs, coefficient,
+           neighbor] = columns;
+    each(count, judged, normal_x, normal_y, cone, bound, offset, interval, needs, coefficient,
+         neighbor);
+  }
+  void spoil(OwnColumns& own) const {
+    auto& [count, filled, start_x, start_y, middle_x, middle_y, ahead, across, anyhow, most] = own;
+    each(count, filled, start_x, start_y, middle_x, middle_y, ahead, across, anyhow, most);
+  }
+  void spoil(TrajectoryConstraints& constraints) const {
+    auto& [columns, own, deviation, own_columns, waiting, stays_at_rest, has_cones] = constraints;
+    each(columns, own, deviation, own_columns, waiting, stays_at_rest, has_cones);
+  }
+  void spoil(CapsuleConstraint& capsule) const {
+    auto& [neighbor, normal, offset, begin] = capsule;
+    each(neighbor, normal, offset, begin);
+  }
+  void spoil(NearWall& wall) const {
+    auto& [segment, distance, held, margin] = wall;
+    each(segment, distance, held, margin);
+  }
+  void spoil(WallConstraints& walls) const {
+    auto& [near, middle, stop, backup, broken, must_brake] = walls;
+    each(near, middle, stop, backup, broken, must_brake);
+  }
+  void spoil(CandidatePath& path) const {
+    auto& [first, next_velocity, direction, speed, way, moving, bend, swing, braking] = path;
+    each(first, next_velocity, direction, speed, way, moving, bend, swing, braking);
+  }
+  void spoil(Invariant& invariant) const {
+    auto& [slack, broken, touched, unknown, doubtful] = invariant;
+    each(slack, broken, touched, unknown, doubtful);
+  }
+  void spoil(BrakingColumns& own) const {
+    auto& o = own;
+    each(o.speed, o.decrement, o.increment, o.full_steps, o.direction_x, o.direction_y, o.length,
+         o.reach, o.intervals, o.stray_velocity, o.stray_distance, o.ahead_start, o.ahead_slope,
+         o.across_start, o.across_slope, o.anyhow_start, o.anyhow_slope, o.fast_speed, o.fast_steps,
+         o.slow_speed, o.slow_steps, o.most_ahead, o.most_aside, o.far_distance,
+         o.far_speed_squared, o.clear_distance, o.per_decrement, o.next_ahead, o.next_aside,
+         o.far_reach);
+  }
+  void spoil(NearQueue& queue) const {
+    auto& q = queue;
+    each(q.robot, q.neighbor, q.x, q.y, q.v_x, q.v_y, q.radius, q.max_acceleration, q.full_steps,
+         q.direction_x, q.direction_y, q.length, q.reach, q.intervals, q.most_ahead, q.most_aside,
+         q.max_braking, q.priority, q.other_x, q.other_y, q.other_v_x, q.other_v_y, q.other_radius,
+         q.other_max_acceleration, q.other_max_braking, q.other_priority);
+  }
+  void spoil(NearPair& pair) const {
+    auto& [robot, neighbor, p, contact, inflated, error, share, b, gap, against] = pair;
+    each(robot, neighbor, p, contact, inflated, error, share, b, gap, against);
+  }
+  void spoil(NearPairs& near) const {
+    auto& [own, queue, whom, kept, end, has_others, admits] = near;
+    each(own, queue, whom, kept, end, has_others, admits);
+  }
+  void spoil(CertificateConstraints& constraints) const {
+    auto& [invariant, trajectories, capsules, walls, path, near, alone, seen] = constraints;
+    each(invariant, trajectories, capsules, walls, path, near, alone, seen);
+  }
+  void spoil(CertifiedWorkspace& certified) const {
+    auto& [constraints, hard, rows] = certified;
+    each(constraints, hard, rows);
+  }
+
+  double number_;
+};
+
+}  // namespace avo::test
