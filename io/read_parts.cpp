@@ -14,7 +14,10 @@ namespace {
 /// What its map does not say.
 void complete(const YamlNode& node, avo::RobotSetup& robot) {
   const auto left_out = [&](std::string_view key) { return node.find(key) == nullptr; };
-  if (const auto* drive = std::get_if<avo::DifferentialDrive>(&robot.model)) {
+  if (auto* drive = std::get_if<avo::DifferentialDrive>(&robot.model)) {
+    const YamlNode* own = node.find("drive");
+    if (own == nullptr || own->find("offset") == nullptr)
+      drive->offset = avo::usual_offset(robot.radius, drive->track);
     if (left_out("max_speed")) robot.max_speed = drive->wheel_speed;
     if (left_out("max_acceleration")) robot.max_acceleration = 0.5 * most_acceleration(*drive);
   }
@@ -22,6 +25,11 @@ void complete(const YamlNode& node, avo::RobotSetup& robot) {
 }
 
 }  // namespace
+
+void take_radius(const YamlNode& node, double radius, avo::RobotSetup& robot) {
+  robot.radius = radius;
+  complete(node, robot);
+}
 
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch) {

@@ -12,6 +12,8 @@ namespace avo_io {
 /// patch: changes a robot that there is already.
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch);
+/// As if the robot's map said that radius, m.
+void take_radius(const YamlNode& node, double radius, avo::RobotSetup& robot);
 void read_moving_obstacle(const Reader& reader, const YamlNode& node, const std::string& path,
                           avo::MovingObstacle& obstacle);
 Group read_group(const Reader& reader, const YamlNode& node, const std::string& path);

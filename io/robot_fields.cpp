@@ -104,7 +104,8 @@ const std::vector<Field<DifferentialDrive>>& fields() {
       {"track", &DifferentialDrive::track, kOptional, kPositive, "m", "between the wheels"},
       {"offset", &DifferentialDrive::offset, kOptional, kPositive, "m",
        "ahead of the axle, of the point that is planned for; the disc that others sense is about "
-       "it, with radius + offset"},
+       "it, with radius + offset",
+       "half of the smaller one of radius and track"},
       {"wheel_speed", &DifferentialDrive::wheel_speed, kOptional, kPositive, "m/s",
        "of each wheel, never exceeded"},
       {"wheel_acceleration", &DifferentialDrive::wheel_acceleration, kOptional, kPositive, "m/s^2",

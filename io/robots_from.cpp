@@ -69,7 +69,7 @@ void append_robots_from(const Reader& reader, const YamlNode& node, const std::s
                 fmt::format("must be <= {}, the rows of {}", rows.size(), source.name()));
   const OccupancyGrid& grid =
       map_of(reader, *node.find("scen"), path_to(path, "scen"), maps, rows[0].map);
-  if (node.find("radius") == nullptr) from.robot.radius = kUsualRadius * grid.cell;
+  if (node.find("radius") == nullptr) take_radius(node, kUsualRadius * grid.cell, from.robot);
   const double radius = room_of(from.robot);
   const Vec2 size{static_cast<double>(grid.width) * grid.cell,
                   static_cast<double>(grid.height) * grid.cell};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How robots move.
+#include <type_traits>
 #include <variant>
 
 #include "convert.h"
@@ -36,6 +37,14 @@ avo_airplane to_c(const avo::Airplane& airplane) {
           static_cast<avo_after_goal>(airplane.after_goal)};
 }
 
+// Only a robot of a simulation has a radius of its own to choose it from.
+template <typename Def>
+double offset_of(const Def& def) {
+  if constexpr (std::is_same_v<Def, avo_robot_def>)
+    if (def.drive.offset == 0.0) return avo::usual_offset(def.radius, def.drive.track);
+  return def.drive.offset;
+}
+
 }  // namespace
 
 template <typename Def>
@@ -44,7 +53,7 @@ avo::MotionModel model_of(const Def& def, const Where& where) {
     case AVO_MODEL_CAR:
       return car_of(def.car, where);
     case AVO_MODEL_DIFFERENTIAL_DRIVE:
-      return avo::DifferentialDrive{def.drive.track, def.drive.offset, def.drive.wheel_speed,
+      return avo::DifferentialDrive{def.drive.track, offset_of(def), def.drive.wheel_speed,
                                     def.drive.wheel_acceleration};
     case AVO_MODEL_AIRPLANE:
       return avo::Airplane{
@@ -60,6 +69,7 @@ void set_model(const avo::MotionModel& model, Def& def) {
   def.model = static_cast<avo_model>(model.index());
   def.car = to_c(avo::Car{});
   def.drive = to_c(avo::DifferentialDrive{});
+  if constexpr (std::is_same_v<Def, avo_robot_def>) def.drive.offset = 0.0;
   def.airplane = to_c(avo::Airplane{});
   if (const auto* car = std::get_if<avo::Car>(&model)) def.car = to_c(*car);
   if (const auto* drive = std::get_if<avo::DifferentialDrive>(&model)) def.drive = to_c(*drive);

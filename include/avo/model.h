@@ -54,11 +54,15 @@ struct Car {
 /// most_acceleration().
 struct DifferentialDrive {
   double track = 0.4;               ///< [b] m, > 0, between the wheels
-  double offset = 0.2;              ///< [L] m, > 0
+  double offset = 0.5 * track;      ///< [L] m, > 0; of a small robot with wide wheels usual_offset()
   double wheel_speed = 2.0;         ///< [w_max] m/s, > 0, of each wheel on the ground
   double wheel_acceleration = 3.0;  ///< [α_w] m/s², > 0, likewise
   friend bool operator==(const DifferentialDrive&, const DifferentialDrive&) = default;
 };
+
+/// [L] m: half of the smaller one of both, m. The disc that others sense is half as large again as
+/// the robot at most, and the wheels accelerate q by 0.7 α_w where the track is the smaller one.
+AVO_API double usual_offset(double radius, double track);
 
 /// m/s²: α_w/√(1 + (b/2L)²), which the wheels can make of q in every direction, at rest. A robot
 /// that brakes with less has something left for turning while it brakes.

@@ -22,6 +22,10 @@ bool moves_along_heading(const MotionModel& model) {
   return std::holds_alternative<Car>(model) || is_airplane(model);
 }
 
+double usual_offset(double radius, double track) {
+  return 0.5 * std::min(radius, track);
+}
+
 double acceleration_limit(const MotionModel& model, double max_acceleration) {
   const Airplane* airplane = std::get_if<Airplane>(&model);
   if (airplane != nullptr) return norm(Vec2{max_acceleration, airplane->lateral_acceleration});

@@ -190,6 +190,32 @@ static void check_definitions(avo_simulation_id simulation) {
   }
 }
 
+/* Half of the smaller one of its radius and track, unless it is given. */
+static void check_offset_of_a_small_drive(void) {
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_robot_def robots[2], told = {.size = sizeof told};
+  avo_simulation_id simulation;
+  for (size_t k = 0; k < 2; ++k) {
+    robots[k] = avo_default_robot_def();
+    CHECK(robots[k].drive.offset == 0.0);
+    robots[k].position = robots[k].goal = at(0.0, 2.0 * (double)k);
+    robots[k].radius = 0.1;
+    robots[k].max_speed = robots[k].max_acceleration = 0.5;
+    robots[k].model = AVO_MODEL_DIFFERENTIAL_DRIVE;
+    robots[k].drive.track = 0.16;
+  }
+  robots[1].drive.offset = 0.2;
+  def.robots = robots;
+  def.robot_count = 2;
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  const avo_robot_id first = {1}, second = {2};
+  REQUIRE(avo_simulation_get_robot_def(simulation, first, &told));
+  CHECK(told.drive.offset == 0.05);
+  REQUIRE(avo_simulation_get_robot_def(simulation, second, &told));
+  CHECK(told.drive.offset == 0.2);
+  REQUIRE(avo_destroy_simulation(simulation));
+}
+
 static void check_clocks_and_goals(avo_simulation_id simulation) {
   const avo_robot_id moving = {2}, parked = {5};
   double time = -1.0, next = -1.0;
@@ -299,5 +325,6 @@ int main(void) {
   free(saved);
   REQUIRE(avo_destroy_simulation(copy));
   REQUIRE(avo_destroy_simulation(simulation));
+  check_offset_of_a_small_drive();
   return 0;
 }

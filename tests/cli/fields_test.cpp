@@ -283,6 +283,37 @@ robots:
   EXPECT_EQ(scenario.robots[1].max_acceleration, 0.25);
 }
 
+TEST(Fields, a_small_drive_plans_for_a_point_near_its_axle) {
+  const Scenario scenario = avo_io::parse_scenario(R"yaml(version: 1
+robots:
+  - {position: [0, 0], goal: [9, 0], radius: 0.1, model: differential_drive}
+  - {position: [0, 1], goal: [9, 1], radius: 0.1, drive: {track: 0.16, wheel_speed: 0.5}}
+  - {position: [0, 2], goal: [9, 2], radius: 0.2, drive: {track: 0.16}}
+  - {position: [0, 3], goal: [9, 3], radius: 0.1, drive: {track: 0.16, offset: 0.2}}
+groups:
+  - number: 1
+    radius: 0.1
+    drive: {}
+    placement: {line: {from: [0, 4], to: [0, 5]}}
+    goals: {offset: {by: [9, 0]}}
+)yaml",
+                                                   "f.yaml");
+  const auto offset_of = [&](std::size_t k) {
+    return std::get<avo::DifferentialDrive>(scenario.robots[k].model).offset;
+  };
+  EXPECT_EQ(offset_of(0), 0.05);
+  EXPECT_EQ(offset_of(1), 0.05);
+  EXPECT_EQ(offset_of(2), 0.08);
+  EXPECT_EQ(offset_of(3), 0.2);  // where the scene says so
+  EXPECT_EQ(offset_of(4), 0.05);
+  EXPECT_EQ(disc_radius(scenario.robots[0]), 0.1 + 0.05);
+  const avo::RobotSetup& own = scenario.robots[1];
+  EXPECT_EQ(own.max_acceleration,
+            0.5 * most_acceleration(std::get<avo::DifferentialDrive>(own.model)));
+  EXPECT_EQ((avo::DifferentialDrive{.track = 0.16}.offset), 0.08);
+  EXPECT_EQ(avo::DifferentialDrive{}.offset, 0.2);
+}
+
 TEST(Fields, doubles_arrive_bit_by_bit_and_without_minus_zero) {
   for (const char* text : {"0.1", "1.7976931348623157e+1", "4.9406564584124654e-324", "123456789.1",
                            "0.30000000000000004", "2.2250738585072011e-308"}) {

@@ -126,6 +126,22 @@ def test_scenes_can_be_pickled(scene):
         assert again.__getstate__() == first.__getstate__()
 
 
+def test_a_drive_without_offset_takes_one_that_fits_its_robot():
+    assert avo.usual_offset(radius=0.1, track=0.16) == 0.05
+    drive = avo.DifferentialDrive(track=0.16)
+    assert drive.offset is None and avo.DifferentialDrive(offset=0.2).offset == 0.2
+    setup = avo.RobotSetup(position=(0, 0), goal=(1, 0), radius=0.1, model=drive)
+    assert setup.model.offset == 0.05
+    setup.model = avo.DifferentialDrive(track=0.12, offset=0.07)
+    assert setup.model.offset == 0.07
+    setup.model = avo.DifferentialDrive(track=0.08)
+    assert setup.model.offset == 0.04
+    with pytest.raises(avo.Error, match="usual_offset"):
+        avo.Robot(position=(0, 0), model=drive)
+    with pytest.raises(avo.Error, match="offset: found 0"):
+        avo.DifferentialDrive(offset=0)
+
+
 def test_values_can_be_pickled():
     circle = avo.LoiterCircle(center=(1, 2), radius=3)
     values = [

@@ -41,6 +41,7 @@ from ._avo import (
     explain,
     run,
     schema,
+    usual_offset,
 )
 
 __all__ = [
@@ -80,4 +81,5 @@ __all__ = [
     "run",
     "schema",
     "svg",
+    "usual_offset",
 ]

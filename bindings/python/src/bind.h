@@ -23,6 +23,11 @@ void bind_worlds(py::module_& module);
 /// by dotted keys, a list of "key=value", or None.
 avo::Scenario scenario_of(const py::object& source, const py::object& overrides);
 
+/// Of a robot of that radius, m: a drive without an offset takes usual_offset().
+avo::MotionModel with_offset(avo::MotionModel model, double radius);
+/// Throws Error where a planner's robot has a drive without an offset.
+avo::MotionModel checked_offset(avo::MotionModel model);
+
 /// Of a str, bytes or os.PathLike: as the system has it, in UTF-8 or not.
 std::string path_of(const py::object& path);
 

@@ -2,12 +2,15 @@
 // Motion models, walls and obstacles: values, whose fields cannot be changed.
 #include <pybind11/operators.h>
 
+#include "avo/error.h"
 #include "pickles.h"
 
 namespace avo_python {
 namespace {
 
 using py::arg;
+
+constexpr double kNoOffset = 0.0;  // of a drive whose offset has not been chosen yet
 
 void bind_cars(py::module_& module) {
   py::class_<avo::CarBody>(module, "CarBody", "The disc that covers a car's body.")
@@ -43,20 +46,30 @@ void bind_cars(py::module_& module) {
 void bind_drives(py::module_& module) {
   using Drive = avo::DifferentialDrive;
   py::class_<Drive>(module, "DifferentialDrive", "Two wheels on one axle, each driven by itself.")
-      .def(py::init([](double track, double offset, double speed, double acceleration) {
-             return Drive{track, offset, speed, acceleration};
+      .def(py::init([](double track, std::optional<double> offset, double speed,
+                       double acceleration) {
+             if (offset == 0.0) throw avo::Error("offset: found 0, must be > 0 m, or None");
+             return Drive{track, offset.value_or(kNoOffset), speed, acceleration};
            }),
-           py::kw_only(), arg("track") = 0.4, arg("offset") = 0.2, arg("wheel_speed") = 2.0,
+           py::kw_only(), arg("track") = 0.4, arg("offset") = py::none(), arg("wheel_speed") = 2.0,
            arg("wheel_acceleration") = 3.0,
-           "track, offset: m, > 0; wheel_speed: m/s, > 0; wheel_acceleration: m/s^2, > 0.")
+           "track: m, > 0; offset: m, > 0, None: a RobotSetup takes usual_offset() of its radius "
+           "and the track; wheel_speed: m/s, > 0; wheel_acceleration: m/s^2, > 0.")
       .def(pickled<Drive>())
       .def(py::self == py::self)
       .def_readonly("track", &Drive::track, "[b] m, > 0, between the wheels")
-      .def_readonly("offset", &Drive::offset, "[L] m, > 0, of the center ahead of the axle")
+      .def_property_readonly(
+          "offset",
+          [](const Drive& drive) {
+            return drive.offset == kNoOffset ? std::nullopt : std::optional(drive.offset);
+          },
+          "[L] m, > 0, of the center ahead of the axle; None: not chosen yet")
       .def_readonly("wheel_speed", &Drive::wheel_speed,
                     "[w_max] m/s, > 0, of each wheel on the ground")
       .def_readonly("wheel_acceleration", &Drive::wheel_acceleration,
                     "[alpha_w] m/s^2, > 0, likewise");
+  module.def("usual_offset", &avo::usual_offset, arg("radius"), arg("track"),
+             "[L] m: half of the smaller one of both, m: the offset of a drive that names none.");
 }
 
 void bind_airplanes(py::module_& module) {
@@ -151,6 +164,22 @@ void bind_walls(py::module_& module) {
 }
 
 }  // namespace
+
+avo::MotionModel with_offset(avo::MotionModel model, double radius) {
+  auto* drive = std::get_if<avo::DifferentialDrive>(&model);
+  if (drive != nullptr && drive->offset == kNoOffset)
+    drive->offset = avo::usual_offset(radius, drive->track);
+  return model;
+}
+
+avo::MotionModel checked_offset(avo::MotionModel model) {
+  const auto* drive = std::get_if<avo::DifferentialDrive>(&model);
+  if (drive != nullptr && drive->offset == kNoOffset)
+    throw avo::Error(
+        "model: found a DifferentialDrive without offset, must have the one that its controller "
+        "steers by, such as usual_offset(radius, track)");
+  return model;
+}
 
 void bind_models(py::module_& module) {
   bind_motion_models(module);

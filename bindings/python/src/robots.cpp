@@ -22,7 +22,7 @@ void bind_robot(py::module_& module) {
                       double priority, std::optional<double> max_braking,
                       std::optional<avo::LoiterCircle> loiter) {
             return Robot{position,         velocity,  preferred_velocity, radius,
-                         max_acceleration, max_speed, distance_to_goal,   model,
+                         max_acceleration, max_speed, distance_to_goal,   checked_offset(model),
                          heading,          priority,  max_braking,        loiter};
           }),
           py::kw_only(), arg("position"), arg("velocity") = py::make_tuple(0.0, 0.0),
@@ -43,7 +43,9 @@ void bind_robot(py::module_& module) {
       .def_readwrite("max_speed", &Robot::max_speed, "[v_A^max] m/s, > 0")
       .def_readwrite("distance_to_goal", &Robot::distance_to_goal,
                      "m left to where it comes to rest; inf: there is no such goal")
-      .def_readwrite("model", &Robot::model,
+      .def_property(
+          "model", [](const Robot& robot) { return robot.model; },
+          [](Robot& robot, avo::MotionModel model) { robot.model = checked_offset(model); },
                      "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
       .def_readwrite("heading", &Robot::heading,
                      "[theta] rad, counter-clockwise from +x; read where it is not holonomic")
@@ -129,7 +131,7 @@ void bind_setup(py::module_& module) {
                          max_speed,
                          max_acceleration,
                          preferred_speed.value_or(max_speed),
-                         model,
+                         with_offset(model, radius),
                          heading,
                          priority,
                          parked,
@@ -155,7 +157,11 @@ void bind_setup(py::module_& module) {
       .def_readwrite("max_speed", &Setup::max_speed, "m/s, > 0")
       .def_readwrite("max_acceleration", &Setup::max_acceleration, "m/s^2, > 0")
       .def_readwrite("preferred_speed", &Setup::preferred_speed, "m/s, >= 0")
-      .def_readwrite("model", &Setup::model,
+      .def_property(
+          "model", [](const Setup& setup) { return setup.model; },
+          [](Setup& setup, avo::MotionModel model) {
+            setup.model = with_offset(model, setup.radius);
+          },
                      "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
       .def_readwrite("heading", &Setup::heading,
                      "rad, counter-clockwise from +x; not of holonomic ones")

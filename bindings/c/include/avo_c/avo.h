@@ -210,7 +210,9 @@ typedef struct avo_car {
 /// Read where model is AVO_MODEL_DIFFERENTIAL_DRIVE. The position is the middle of the axle.
 typedef struct avo_differential_drive {
   double track;               ///< m, > 0, between the wheels
-  double offset;              ///< m, > 0, of the point ahead of the axle that others sense
+  /// m, > 0, of the point ahead of the axle that others sense; 0 of a robot of a simulation: half of
+  /// the smaller one of its radius and track
+  double offset;
   double wheel_speed;         ///< m/s, > 0, of each wheel on the ground
   double wheel_acceleration;  ///< m/s^2, > 0, likewise
 } avo_differential_drive;
