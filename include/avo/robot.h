@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "avo/export.h"
 #include "avo/model.h"
 #include "avo/vec.h"
 
@@ -75,7 +76,16 @@ struct Neighbor {
   Vec2 acceleration = {};  ///< [a_B] m/s^2, observed; read only where B moves on
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
+  /// Unit, or 0: of one that decides, and that coincides with A in place and velocity, the direction
+  /// in which A leaves it; B has to mean the opposite one. That of parting_direction() suits any
+  /// number of robots. Without it two that coincide, and wish for the same, stay one.
+  Vec2 parting = {};
 };
+
+/// The direction in which a robot of the first id leaves one of the other id, where they coincide:
+/// unit, the opposite one if the ids are exchanged, 0 of equal ids. Of any number of robots at one
+/// place each leaves all others towards its own side.
+AVO_API Vec2 parting_direction(std::uint64_t id, std::uint64_t other);
 
 /// Whether other errors are allowed for than the declared ones.
 inline bool has_errors_of_its_own(const Neighbor& neighbor) {

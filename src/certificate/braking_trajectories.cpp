@@ -57,6 +57,16 @@ void take_off(const PairConstraints& wanted, std::size_t first, const StepLaw& l
   }
 }
 
+// Of a pair that nearly coincides, the intervals on which nobody knows in which direction the two
+// are apart, as they are not, or as errors hide it: in a crowd they would refuse all but braking,
+// for ever.
+void drop_undirected(std::size_t first, ConstraintColumns& columns) {
+  for (std::size_t k = first; k < columns.count; ++k) {
+    const bool has_direction = columns.normal_x[k] != 0.0 || columns.normal_y[k] != 0.0;
+    if (!has_direction || columns.cone[k] > 0.0) columns.needs[k] = kNoConstraint;
+  }
+}
+
 void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
                   TrajectoryConstraints& constraints, Invariant& invariant) {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -82,6 +92,8 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
     constraints.columns.count = first;
     append_constraints(wanted, law, constraints.own_columns, constraints.columns);
   }
+  if (pair.decides && invariant.broken == index && nearly_coincide(nearest, pair.contact))
+    drop_undirected(first, constraints.columns);
   if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
   if (!pair.decides || !law.is_exact()) take_off(wanted, first, law, constraints);
 }

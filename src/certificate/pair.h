@@ -64,6 +64,11 @@ SensingError error_against(const Neighbor& neighbor, const StepLaw& law);
 /// Whether no candidates of the two, followed by braking, can bring them into contact.
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law);
 
+/// Whether two in contact, at that distance, are so deep in it that they nearly coincide.
+inline bool nearly_coincide(double distance, double contact) {
+  return distance < 0.5 * contact;
+}
+
 /// The state of a robot's pairs before it decides.
 struct Invariant {
   /// m, least distance beyond contact while all brake, of pairs and intervals that are near enough

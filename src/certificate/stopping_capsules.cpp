@@ -47,6 +47,7 @@ void collect_capsules(const Robot& robot, const Neighbors& neighbors, const Step
     double distance = dot(n, corners[0]);
     for (const Vec2 corner : corners) distance = std::min(distance, dot(n, corner));
     const double held = held_distance(pair, distance, static_cast<int>(k), invariant);
+    if (n == Vec2{}) continue;  // they coincide: no direction, and nothing to lose
     // A's capsule begins at n . x = min(0, n . s_A), and may use its share of the gap
     const double begin = std::min(0.0, dot(n, s_A));
     constraints.push_back({static_cast<int>(k), n, begin - pair.share * (distance - held), begin});

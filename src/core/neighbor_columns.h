@@ -30,6 +30,7 @@ struct NeighborColumns {
   bool has_priorities = false;                   // some have another one than 1
   bool has_max_braking = false;                  // some have one
   bool has_deviations = false;                   // likewise a max_deviation
+  bool has_partings = false;                     // likewise a parting
   std::vector<double> x, y, v_x, v_y;            // m, m/s
   std::vector<double> radius, max_acceleration;  // m, m/s²
   std::vector<double> decides;         // see below; kPrompt unless add() was told otherwise
@@ -40,6 +41,7 @@ struct NeighborColumns {
   std::vector<MoverMotion> motion;     // of those that do not decide; else its max_deviation
   bool has_loiterers = false;
   std::vector<LoiterCircle> loiter;  // of those of kLoiterer
+  std::vector<Vec2> parting;         // 0 unless add() was told otherwise
 
   // It decides and has the declared errors; it decides and has its own; it moves on; it decides and
   // does not brake.
@@ -63,6 +65,7 @@ struct NeighborColumns {
     age[count] = neighbor.age, position_error[count] = neighbor.position_error;
     priority[count] = neighbor.priority;
     max_braking[count] = braking_limit(neighbor);
+    if (neighbor.parting != Vec2{}) part(count, neighbor.parting);
     motion[count].max_deviation = neighbor.max_deviation;
     if (moves_on)
       motion[count].acceleration = neighbor.acceleration,
@@ -74,6 +77,11 @@ struct NeighborColumns {
     has_priorities = has_priorities || neighbor.priority != 1.0;
     has_max_braking = has_max_braking || neighbor.max_braking;
   }
+  /// See Neighbor::parting.
+  void part(std::size_t place, Vec2 direction) {
+    parting[place] = direction;
+    has_partings = true;
+  }
   /// The one at `place` by the one at `other`, which stays.
   void replace(std::size_t place, std::size_t other) {
     x[place] = x[other], y[place] = y[other];
@@ -83,13 +91,15 @@ struct NeighborColumns {
     position_error[place] = position_error[other];
     motion[place] = motion[other], loiter[place] = loiter[other];
     priority[place] = priority[other], max_braking[place] = max_braking[other];
+    parting[place] = parting[other];
   }
   void clear() {
     if (has_movers || has_aged || has_loiterers) std::fill(decides.begin(), decides.end(), kPrompt);
     if (has_priorities) std::fill(priority.begin(), priority.end(), 1.0);
+    if (has_partings) std::fill(parting.begin(), parting.end(), Vec2{});
     count = 0;
     has_movers = has_aged = has_priorities = has_max_braking = has_loiterers = false;
-    has_deviations = false;
+    has_deviations = has_partings = false;
   }
   Neighbor operator[](std::size_t i) const {
     Neighbor neighbor{.position = {x[i], y[i]},
@@ -102,6 +112,7 @@ struct NeighborColumns {
     if (has_max_braking) neighbor.max_braking = max_braking[i];
     if (decides[i] == kLoiterer) neighbor.loiter = loiter[i];
     if (has_deviations) neighbor.max_deviation = motion[i].max_deviation;
+    if (has_partings) neighbor.parting = parting[i];
     if (decides[i] != kMover) return neighbor;
     neighbor.behavior = Behavior::moves_on;
     neighbor.acceleration = motion[i].acceleration;

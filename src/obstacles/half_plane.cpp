@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "obstacles/half_planes.h"
 #include "obstacles/horn.h"
 
 namespace avo {
@@ -67,6 +68,14 @@ RelativeHalfPlane half_plane(const Pair& pair, double reach, const Horizon& hori
   if (frame.in_contact.bit) return separate(pair, reach, horizon);
   if (frame.too_far.bit) return {};
   return turned_back(local_half_plane(frame, horizon), frame, reach);
+}
+
+RelativeHalfPlane parting_half_plane(double radius, Vec2 direction, double reach,
+                                     const Horizon& horizon) noexcept {
+  const double h = scalar::separating<Real>(radius, 0.0, reach, horizon).value;
+  return {PairState::overlapping,
+          {direction / norm(direction), std::min(h, reach)},
+          std::max(0.0, h - reach)};
 }
 
 RelativeHalfPlane searched_half_plane(const Pair& pair, double reach,

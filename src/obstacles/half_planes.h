@@ -80,6 +80,10 @@ void reserve(std::size_t pairs, HalfPlaneWorkspace& workspace, PlaneColumns& pla
 void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                  PlaneColumns& planes);
 
+/// That of a pair that coincides in place and velocity, and parts along a direction that is not 0.
+RelativeHalfPlane parting_half_plane(double radius, Vec2 direction, double reach,
+                                     const Horizon& horizon) noexcept;
+
 /// Eqs. (2), (3), (20): the pairs of robots with their neighbors, and A's share of each. Those of
 /// robot r end at pair_end[r], where those of the next one begin; they are the first of its
 /// neighbors. All neighbors decide. δ in s; columns have room for kSparePairs more.

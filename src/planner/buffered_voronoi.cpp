@@ -78,8 +78,10 @@ Vec2 wish_within_cell(const PlannerOptions& options, const Robot& robot,
 CellSide cell_side(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
   const Pair pair = relative(robot, neighbor);
   const double distance = norm(pair.position);
-  if (!(distance > 0.0)) return {};
   const double part = neighbor.behavior == Behavior::decides ? 0.5 : 1.0;
+  if (part < 1.0 && neighbor.parting != Vec2{})
+    return {-(neighbor.parting / norm(neighbor.parting)), -part * pair.radius};
+  if (!(distance > 0.0)) return {};
   return {-(pair.position / distance), part * (distance - reserved_radius(pair, options))};
 }
 

@@ -148,8 +148,9 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   for (const double limit : {speed + u, speed, braked_speed}) {
     const double top_speed = std::min(limit, proposals.top_speed);
     proposals.begin();
+    const std::size_t own = workspace.hard.size();  // what a car at rest may do lies on a line
     append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
-    for (HalfPlane& half_plane : workspace.hard) half_plane.offset += kInside * u;
+    for (std::size_t k = own; k < workspace.hard.size(); ++k) workspace.hard[k].offset += kInside * u;
     for (int round = 0; round < kRounds; ++round) {
       const ProgramResult result = propose(proposals, top_speed);
       if (result.state != ProgramState::optimal) break;

@@ -102,7 +102,10 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   const double time_step = decision.law.step.time_step;
   const Vec2 wish = wished.wish;
   CertifiedChoice choice = choose_admitted(decision, wished.next);
-  if (!may_detour(robot)) {
+  // those who coincide part by their half-planes, where that is possible at all: on detours from
+  // one place to one goal they would stay together
+  const bool parts = wished.coinciding && choice.next_velocity != Vec2{};
+  if (!may_detour(robot) || parts) {
     detour.angle = 0.0F;
     return choice;
   }

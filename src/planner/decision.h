@@ -64,6 +64,7 @@ struct Wished {
   Vec2 next, unhindered;     ///< m/s, as far as one step leads to Eq. (23)'s choice and to the wish
   double violation = 0.0;    ///< m/s
   bool overlapping = false;  ///< with whom it does not matter
+  bool coinciding = false;   ///< nearly, with another one that decides
 };
 
 /// m/s: the program's violation, with what no program sees. A neighbor or a wall with which

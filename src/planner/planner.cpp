@@ -118,7 +118,7 @@ bool is_valid(const Neighbor& neighbor) {
   if (neighbor.behavior == Behavior::moves_on) return is_valid_mover(neighbor);
   const double a_max = neighbor.max_acceleration;
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
-                   is_size(neighbor.priority);
+                   is_size(neighbor.priority) & is_known(neighbor.parting);
   if (able == 0) return false;
   if (neighbor.max_braking && is_braking(*neighbor.max_braking, a_max) == 0) return false;
   if (neighbor.age > 0 && !is_deviation(neighbor.max_deviation)) return false;

@@ -6,11 +6,16 @@
 #include <cmath>
 #include <limits>
 
+#include "certificate/pair.h"
 #include "planner/buffered_voronoi.h"
 #include "planner/decision.h"
 
 namespace avo {
 namespace {
+
+bool parts(const Neighbor& neighbor) {
+  return neighbor.parting != Vec2{} && neighbor.behavior == Behavior::decides;
+}
 
 bool has_noise(const SensingNoise& noise) {
   return noise.quantile > 0.0 && (noise.position > 0.0 || noise.velocity > 0.0);
@@ -27,6 +32,14 @@ std::size_t count_pairs(const PlannerOptions& options, const RobotColumns& robot
   }
   soft.raise.assign(robots.count, 0.0);
   return end;
+}
+
+// What those that coincide have in place of half_plane().
+RelativeHalfPlane parting_plane(const PlannerOptions& options, const Horizon& horizon,
+                                double radius, Vec2 direction, double reach) {
+  if (!disregards_acceleration(options.method))
+    return parting_half_plane(radius, direction, reach, horizon);
+  return {PairState::overlapping, {direction / norm(direction), radius / options.time_step}};
 }
 
 // What those that do not decide make of a pair, and by how much it can raise the offset.
@@ -73,9 +86,41 @@ bool has_priorities(const Tile& tile) {
                      [](double priority) { return priority != 1.0; });
 }
 
+// The half-planes of those who coincide: nothing that robots see tells them apart.
+void part_coinciding(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,
+                     SoftPlanes& soft) {
+  const NeighborColumns& neighbors = tile.neighbors;
+  PlaneColumns& planes = soft.relative;
+  std::size_t i = 0;
+  for (std::size_t r = 0; r < tile.robots.count; ++r) {
+    for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
+      if (neighbors.parting[k] == Vec2{} || neighbors.decides[k] == NeighborColumns::kMover)
+        continue;
+      const RelativeHalfPlane plane = parting_plane(options, horizon, soft.pairs.radius[i],
+                                                    neighbors.parting[k], soft.pairs.reach[i]);
+      planes.n_x[i] = plane.plane.normal.x, planes.n_y[i] = plane.plane.normal.y;
+      planes.h[i] = plane.plane.offset, planes.excess[i] = plane.excess;
+      planes.state[i] = plane.state;
+    }
+  }
+}
+
+void mark_coinciding(const Tile& tile, SoftPlanes& soft) {
+  const PairColumns& pairs = soft.pairs;
+  std::size_t i = 0;
+  for (std::size_t r = 0; r < tile.robots.count; ++r) {
+    for (std::size_t k = tile.robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
+      if (tile.neighbors.decides[k] != NeighborColumns::kMover &&
+          nearly_coincide(norm(Vec2{pairs.p_x[i], pairs.p_y[i]}), pairs.radius[i]))
+        soft.coinciding[r] = 1;
+    }
+  }
+}
+
 // Robots in contact. Without an early end, several pairs are looked at in one instruction.
-void mark_overlaps(SoftPlanes& soft) {
+void mark_overlaps(const Tile& tile, SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
+  mark_coinciding(tile, soft);
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
@@ -144,16 +189,18 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
                    SoftPlanes& soft) {
   const RobotColumns& robots = tile.robots;
   soft.overlapping.assign(robots.count, 0);
+  soft.coinciding.assign(robots.count, 0);
   if (robots.count == 0) return;
   reserve(count_pairs(options, robots, soft), soft);
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
   if (has_noise(options.sensing_noise)) add_reserves(options, soft.pairs);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
+  if (tile.neighbors.has_partings) part_coinciding(options, horizon, tile, soft);
   if (has_priorities(tile)) weigh(tile, soft);
   share_out(robots, soft.pair_end, soft.raise, options.control_time, soft.share, soft.relative,
             soft.shared);
-  mark_overlaps(soft);
+  mark_overlaps(tile, soft);
   keep(robots.count, soft);
   if (tile.neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
@@ -170,6 +217,9 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                                       const Robot& robot, const Neighbor& neighbor) {
   Pair pair = relative(robot, neighbor);
   if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
+  if (parts(neighbor))
+    return parting_plane(options, horizon, pair.radius, neighbor.parting,
+                         pair_reach(options, robot, neighbor));
   if (disregards_acceleration(options.method)) {
     return orca_half_plane(pair, options.time_horizon, options.time_step);
   }
@@ -202,14 +252,19 @@ void collect_others(const PlannerOptions& options, const Horizon& horizon, const
   soft.exceeding = false;
   soft.first.assign(1, 0);
   soft.overlapping.clear();
+  soft.coinciding.assign(tile.robots.count, 0);
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
     const Robot robot = tile.robots.robot(i);
     const Neighbors& neighbors = tile.robots.neighbors[i];
     const std::size_t count = planned_with(options, neighbors);
     bool overlapping = false;
     for (std::size_t k = 0; k < count; ++k) {
+      const Neighbor neighbor = neighbors[k];
       const auto own =
-          own_half_plane(options, horizon, robot, neighbors[k], static_cast<int>(k), overlapping);
+          own_half_plane(options, horizon, robot, neighbor, static_cast<int>(k), overlapping);
+      if (neighbor.behavior == Behavior::decides &&
+          nearly_coincide(norm(robot.position - neighbor.position), robot.radius + neighbor.radius))
+        soft.coinciding[i] = 1;
       if (!own) continue;
       soft.planes.push_back(own->plane);
       soft.excess.push_back(own->excess);
@@ -260,6 +315,7 @@ void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft) {
   soft.raise.reserve(robots);
   soft.first.reserve(robots + 1);
   soft.overlapping.reserve(robots);
+  soft.coinciding.reserve(robots);
 }
 
 void collect_soft_planes(const PlannerOptions& options, const Horizon& horizon, const Tile& tile,

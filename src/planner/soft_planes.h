@@ -20,6 +20,7 @@ struct SoftPlanes {
   bool exceeding = false;                 ///< some of it is not 0
   std::vector<std::size_t> first{0};      ///< of robot i: [first[i], first[i + 1])
   std::vector<std::uint8_t> overlapping;  ///< whether robot i is in contact already
+  std::vector<std::uint8_t> coinciding;   ///< likewise, so deep that it nearly coincides with one
 
   // scratch memory
   std::vector<double> share;          // of each pair, Eq. (20)

@@ -152,7 +152,8 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                   {decisions.next_x[i], decisions.next_y[i]},
                   {decisions.unhindered_x[i], decisions.unhindered_y[i]},
                   violation,
-                  overlapping};
+                  overlapping,
+                  soft.coinciding[i] != 0};
     if (robots.model[i] != nullptr && has_own_limits(*robots.model[i]))
       reach_out(robots, i, law.step, decisions, wished);
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);

@@ -54,6 +54,21 @@ void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& se
   }
 }
 
+// Those just appended who coincide with the one that looks: nothing but their ids tells them apart.
+void part_coinciding(const World& world, std::size_t slot, const Found& hits,
+                     const SearchScratch& search, NeighborColumns& to) {
+  const Vec2 position = world.fleet.position[slot], velocity = world.fleet.velocity[slot];
+  const std::size_t before = to.count - hits.count;
+  for (std::size_t k = 0; k < hits.count; ++k) {
+    const std::size_t place = before + k;
+    if (Vec2{to.x[place], to.y[place]} != position) return;  // nor anybody behind it
+    const std::uint32_t other = world.snapshot.grid.order()[search.order[hits.first + k]];
+    if (Vec2{to.v_x[place], to.v_y[place]} == velocity)
+      to.part(place,
+              parting_direction(world.fleet.id[slot].value, world.fleet.id[other].value));
+  }
+}
+
 // What those just appended are told of besides, where some accelerate by more than others expect.
 void append_deviations(const World& world, const Found& hits, const SearchScratch& search,
                        NeighborColumns& to) {
@@ -67,16 +82,19 @@ void append_deviations(const World& world, const Found& hits, const SearchScratc
 }
 
 // The robot at a place of the snapshot; nothing where the one that looks does not mind it.
-std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const Conduct& own) {
+std::optional<Neighbor> sensed_at(const World& world, std::size_t place, std::size_t own) {
   const std::uint32_t slot = world.snapshot.grid.order()[place];
   const Conduct& conduct = world.fleet.conduct[slot];
-  const auto behavior = expected_of(conduct, own);
+  const auto behavior = expected_of(conduct, world.fleet.conduct[own]);
   if (conduct.parked || !behavior) return std::nullopt;
   Neighbor neighbor =
       sensed(world.fleet.traits[slot], conduct, *behavior, world.snapshot.grid.position(place),
              world.snapshot.sensed[place].velocity);
   if (!world.snapshot.circle.empty() && world.snapshot.circle[place].radius > 0.0)
     neighbor.loiter = world.snapshot.circle[place];
+  if (neighbor.position == world.fleet.position[own] &&
+      neighbor.velocity == world.fleet.velocity[own])
+    neighbor.parting = parting_direction(world.fleet.id[own].value, world.fleet.id[slot].value);
   return neighbor;
 }
 
@@ -84,7 +102,6 @@ std::optional<Neighbor> sensed_at(const World& world, std::size_t place, const C
 // all alike.
 void append_one_by_one(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   const Vec2 position = world.fleet.position[slot];
-  const Conduct& own = world.fleet.conduct[slot];
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
       world.all_matter() ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
@@ -97,7 +114,7 @@ void append_one_by_one(const World& world, std::size_t slot, std::size_t query, 
   while (to.count - first < most && (robot != robots.end() || obstacle != obstacles.end())) {
     if (obstacle == obstacles.end() ||
         (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      if (const auto neighbor = sensed_at(world, (robot++)->place, own)) to.add(*neighbor);
+      if (const auto neighbor = sensed_at(world, (robot++)->place, slot)) to.add(*neighbor);
     } else {
       to.add(world.obstacles.sensed(static_cast<std::size_t>((obstacle++)->index)));
     }
@@ -152,6 +169,8 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
       append_sighted(world, slots[i], i, worker);
     } else if (world.alike && world.obstacles.setup.empty()) {
       append(snapshot, worker.search.results[i], worker.search, worker.tile.neighbors);
+      part_coinciding(world, slots[i], worker.search.results[i], worker.search,
+                      worker.tile.neighbors);
       if (world.exceeding)
         append_deviations(world, worker.search.results[i], worker.search, worker.tile.neighbors);
     } else {

@@ -132,6 +132,11 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   Neighbor neighbor = world.fleet.sensed(slot, *behavior);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
+  // by their true states: what is sensed of two that move as one looks the same to both
+  const PastState& own = senses.at(encounter.observer, world.steps);
+  const PastState& now = senses.at(rank, world.steps);
+  if (now.position == own.position && now.velocity == own.velocity)
+    neighbor.parting = parting_direction(encounter.observer_id, encounter.other_id);
   Sighting sighting = encounter.sighting(neighbor, *generation, static_cast<int>(rank));
   if (const MotionModel* model = world.fleet.own_model(slot))
     sighting.neighbor.position_error =

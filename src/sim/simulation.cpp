@@ -38,8 +38,11 @@ void append_all(const World& world, std::size_t slot, std::vector<Sighting>& rob
   for (std::size_t rank = 0; rank < fleet.size(); ++rank) {
     const std::uint32_t other = fleet.slot_of[rank];
     const auto behavior = fleet.expected(other, slot);
-    if (other != slot && behavior)
-      add(fleet.sensed(other, *behavior), static_cast<int>(rank), robots);
+    if (other == slot || !behavior) continue;
+    Neighbor neighbor = fleet.sensed(other, *behavior);
+    if (neighbor.position == position && neighbor.velocity == fleet.velocity[slot])
+      neighbor.parting = parting_direction(fleet.id[slot].value, fleet.id[other].value);
+    add(neighbor, static_cast<int>(rank), robots);
   }
   for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k)
     add(world.obstacles.sensed(k), -1 - static_cast<int>(k), movers);
