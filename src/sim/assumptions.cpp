@@ -265,7 +265,9 @@ BrokenAssumptions broken_assumptions(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
   if (law.kind == Certificate::none) return result;
   find_broken_starts(scenario, law, result);
-  find_wall_starts(scenario, law, result);
+  std::vector<MotionState> starts;
+  for (const RobotSetup& robot : scenario.robots) starts.push_back(start_of(robot));
+  find_wall_starts(scenario, starts, law, result);
   find_fast_starts(scenario, result);
   const std::optional<SensingNeed> need = sensing_need(scenario);
   if (!suffices(scenario.sensing_radius, need)) result.unseen = need;

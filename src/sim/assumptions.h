@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the two halves of the assumptions share: starts and sensing.
 #pragma once
+#include <span>
+
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
+#include "robots/motion.h"
 
 namespace avo {
 
@@ -22,9 +25,14 @@ double late_phase(const RobotSetup& robot, double longest_step);
 /// m, from where the robot starts to where it would stop.
 Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 
-/// Starts beside static obstacles, in solids and out of bounds.
-void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
-                      BrokenAssumptions& result);
+/// The state in which a robot of that setup starts.
+MotionState start_of(const RobotSetup& robot);
+
+/// Robots in these states beside static obstacles, in solids and out of bounds: `states` has one
+/// for each robot of the scene. A robot on its way may move otherwise than one that starts: the
+/// disc of a drive moves off its heading.
+void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
+                      const CertificateLaw& law, BrokenAssumptions& result);
 
 /// Whether not everybody avoids everybody.
 bool is_layered(const Scenario& scenario);

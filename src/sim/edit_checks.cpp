@@ -129,9 +129,13 @@ void check_certificate(const World& world, const StaticObstacle& obstacle,
   const Fleet& fleet = world.fleet;
   Scenario scene = world.settings;
   scene.obstacles = {obstacle};
-  for (const std::uint32_t slot : fleet.slot_of) scene.robots.push_back(fleet.setup(slot));
+  std::vector<MotionState> states;
+  for (const std::uint32_t slot : fleet.slot_of) {
+    scene.robots.push_back(fleet.setup(slot));
+    states.push_back(fleet.state(slot));
+  }
   BrokenAssumptions broken;
-  find_wall_starts(scene, law, broken);
+  find_wall_starts(scene, states, law, broken);
   const auto robot_at = [&](int rank) {
     const std::uint32_t slot = fleet.slot_of[static_cast<std::size_t>(rank)];
     const Vec2 p = fleet.position[slot];

@@ -152,6 +152,9 @@ struct Fleet {
     const Flight* own = flight(slot);
     return own != nullptr ? std::optional(own->circle) : std::nullopt;
   }
+  MotionState state(std::size_t slot) const {
+    return {position[slot], velocity[slot], heading[slot], circle(slot).value_or(LoiterCircle{})};
+  }
   /// What robot a counts on from robot b; nothing where it does not mind it as a neighbor.
   std::optional<Behavior> expected(std::size_t b, std::size_t a) const {
     if (conduct[a].parked || conduct[b].parked) return std::nullopt;
@@ -159,8 +162,8 @@ struct Fleet {
   }
   /// As others sense it who count on that much of it.
   Neighbor sensed(std::size_t slot, Behavior behavior = Behavior::decides) const;
-  /// Slot k becomes what slot order[k] was. Where the executor fails in the midst of it, the fleet is
-  /// none any more, and torn stays true.
+  /// Slot k becomes what slot order[k] was. Where the executor fails in the midst of it, the fleet
+  /// is none any more, and torn stays true.
   void reorder(std::span<const std::uint32_t> order, Executor& executor, bool& torn);
 
  private:

@@ -23,7 +23,8 @@ struct ListedWalls {
   WallGrid grid;  // of those that a robot of the scene may be too near to
 };
 
-ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
+ListedWalls list_walls(const Scenario& scenario, std::span<const MotionState> states,
+                       const CertificateLaw& law) {
   ListedWalls listed;
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
     const std::vector<Wall> walls = walls_of(std::span(&scenario.obstacles[k], 1));
@@ -31,27 +32,29 @@ ListedWalls list_walls(const Scenario& scenario, const CertificateLaw& law) {
     listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
   }
   WallNeeds needs;
-  for (const RobotSetup& robot : scenario.robots) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const RobotSetup& robot = scenario.robots[i];
     const StepLaw own = step_law(scenario, robot, law);
     const double stray = stray_of(robot.model, robot.max_acceleration, own.time_step).distance +
                          room_to_turn(robot.model, robot.max_speed);
-    needs.include(traits_of(robot), stray, norm(start_velocity(robot)), own);
+    needs.include(traits_of(robot), stray, norm(states[i].velocity), own);
   }
   listed.grid = grid_of(listed.walls, needs);
   return listed;
 }
 
 // What braking leaves is less than what it has to; the most that is missing.
-std::optional<WallStart> start_beside(const Scenario& scenario, int number,
-                                      const ListedWalls& listed, const CertificateLaw& law) {
+std::optional<WallStart> start_beside(const Scenario& scenario, const MotionState& state,
+                                      int number, const ListedWalls& listed,
+                                      const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
-  const Vec2 center = disc_center(robot);
+  const Vec2 center = state.position;
   const double radius = disc_radius(robot);
   const WallRounding rounding =
       wall_rounding(radius, robot.max_speed, ability_of(robot), step_law(scenario, robot, law));
   const double late = late_phase(robot, longest_first_step(law));
-  const Vec2 way = way_to_rest(robot, law);
-  const auto circle = circle_of(robot.model, center, start_velocity(robot));
+  const Vec2 way = stopping_way(state.velocity, decrement_of(robot, law.step), law.step);
+  const LoiterCircle* circle = passes_goal(robot.model) ? &state.circle : nullptr;
   const auto start_at = [&](const Wall& wall) {
     const Segment segment{wall.a - center, wall.b - center};
     if (circle)
@@ -99,18 +102,26 @@ bool leaves_room(Vec2 p, const StaticObstacle& obstacle) {
 
 }  // namespace
 
-void find_wall_starts(const Scenario& scenario, const CertificateLaw& law,
-                      BrokenAssumptions& result) {
+MotionState start_of(const RobotSetup& robot) {
+  MotionState state{disc_center(robot), start_velocity(robot), robot.heading};
+  if (const auto circle = circle_of(robot.model, state.position, state.velocity))
+    state.circle = *circle;
+  return state;
+}
+
+void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
+                      const CertificateLaw& law, BrokenAssumptions& result) {
   if (scenario.obstacles.empty()) return;
-  const ListedWalls listed = list_walls(scenario, law);
+  const ListedWalls listed = list_walls(scenario, states, law);
   std::vector<WallStart> beside;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
     if (robot.parked) continue;
     const int number = static_cast<int>(i);
-    if (const auto start = start_beside(scenario, number, listed, law)) beside.push_back(*start);
+    if (const auto start = start_beside(scenario, states[i], number, listed, law))
+      beside.push_back(*start);
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
-      if (leaves_room(disc_center(robot), scenario.obstacles[k])) continue;
+      if (leaves_room(states[i].position, scenario.obstacles[k])) continue;
       ++result.misplaced_count;
       if (result.misplaced.size() < BrokenAssumptions::kNamed)
         result.misplaced.push_back({number, static_cast<int>(k)});
