@@ -68,6 +68,12 @@ const std::vector<Field<Scenario>>& fields() {
        "what robots declare to braking_trajectories; omitted: what covers noise and delay"},
       {"clock", &Scenario::clock, kOptional, kNoNumber, "",
        "free: each robot decides at times of its own, from a phase that the seed gives it"},
+      {"allow_broken_assumptions",
+       &Scenario::allow_broken_assumptions,
+       kOptional,
+       {},
+       "",
+       "it is simulated though robots start where the certificate cannot keep them apart"},
   };
   return table;
 }

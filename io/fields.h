@@ -104,7 +104,7 @@ template <>
 struct MembersOf<avo::Scenario> {
   using type = MemberOf<avo::Scenario, double, std::optional<double>, int, std::optional<int>,
                         std::uint64_t, std::string, avo::Method, std::optional<avo::Certificate>,
-                        avo::Motion, std::optional<bool>, avo::RightOfWay, avo::Clock>;
+                        avo::Motion, bool, std::optional<bool>, avo::RightOfWay, avo::Clock>;
 };
 template <>
 struct MembersOf<avo::SensingModel> {

@@ -128,7 +128,9 @@ Replay replay(const std::string& recording, int threads,
   require_this_version(recording, source.header());
   const avo::Scenario& scenario = source.scenario();
   const BlockShape shape = source.shape();
-  avo::Simulation simulation(scenario, threads);
+  avo::Scenario recorded = scenario;
+  recorded.allow_broken_assumptions = true;  // as it went
+  avo::Simulation simulation(recorded, threads);
   avo::ClearanceFinder clearances(scenario);
   RecordingBlock now(shape);
   RecordedSteps steps{source.header().every, scenario.duration, observe};

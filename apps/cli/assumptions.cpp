@@ -36,7 +36,9 @@ void apply_remedies(const SceneArguments& arguments, avo::Scenario& scenario) {
 void require_assumptions(const std::string& scene, const avo::Scenario& scenario) {
   std::vector<std::string> lines = avo_io::complaints(scenario);
   for (std::string& line : lines) line = fmt::format("{}: {}", scene, line);
-  if (!lines.empty()) throw BrokenScene(lines);
+  if (lines.empty()) return;
+  if (!scenario.allow_broken_assumptions) throw BrokenScene(lines);
+  warn(lines);
 }
 
 }  // namespace avo_cli

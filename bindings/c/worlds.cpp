@@ -64,6 +64,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
     scenario.sensing_error = avo::SensingError{error.position, error.velocity};
   scenario.clock = word<avo::Clock>(def.clock, 2, here, "clock");
   scenario.longest_step = unless_zero(def.longest_step);
+  scenario.allow_broken_assumptions = def.allow_broken_assumptions;
 }
 
 }  // namespace
@@ -136,6 +137,7 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.right_of_way = static_cast<avo_right_of_way>(scenario.right_of_way);
   def.sensing = to_c(scenario.sensing);
   def.sensing_error = {error.position, error.velocity};
+  def.allow_broken_assumptions = scenario.allow_broken_assumptions;
   def.workers = 1;
   return def;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "avo/export.h"
@@ -78,6 +79,17 @@ struct BrokenAssumptions {
 /// A billionth of a length or speed, which decimal fractions cost, breaks nothing. The scene has to
 /// pass validate().
 AVO_API BrokenAssumptions broken_assumptions(const Scenario& scenario);
+
+/// What start_at_rest() and limit_speed() are called where the lines of complaints() are read.
+struct RemedyNames {
+  std::string start_at_rest = "start at rest";
+  std::string limit_speed = "limit speeds";
+};
+
+/// A line on each thing that broken_assumptions() finds, and what to change; none where nothing is
+/// broken.
+AVO_API std::vector<std::string> complaints(const Scenario& scenario,
+                                            const RemedyNames& remedies = {});
 
 /// The sensing radius that the certificate needs: two that meet first see each other so late that
 /// each has moved on for a whole step at max_speed, and can still brake. Obstacles are taken at

@@ -89,19 +89,33 @@ AVO_API const char* to_string(Certificate certificate);
 AVO_API const char* to_string(Motion motion);
 AVO_API const char* to_string(Clock clock);
 
+/// What is customary for a method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's δ 4 s
+/// and τ 10 s for the others (§VI-A), which have no certificate.
+constexpr double usual_control_time(Method method) {
+  return method == Method::avo ? 2.0 : 4.0;
+}
+constexpr double usual_time_horizon(Method method) {
+  return method == Method::avo ? 3.0 : 10.0;
+}
+constexpr Certificate usual_certificate(Method method) {
+  return method == Method::avo ? Certificate::braking_trajectories : Certificate::none;
+}
+
 /// What a planner is told once; all robots have to agree on what others count on
-/// (docs/certificate.md, "What has to be common").
+/// (docs/certificate.md, "What has to be common"). What is customary follows the method that they
+/// are made with, PlannerOptions{.method = Method::orca}; a method that is set later changes no
+/// other option.
 struct PlannerOptions {
   Method method = Method::avo;
   Motion motion = Motion::held;
   /// [δ] s, >= 1e-6 unless v' is adopted at once, Eq. (7); Planner::options() has time_step where
   /// v' is reached within a step.
-  double control_time = 2.0;
-  double time_horizon = 3.0;  ///< [τ] s, > 0, Definition 2
+  double control_time = usual_control_time(method);
+  double time_horizon = usual_time_horizon(method);  ///< [τ] s, > 0, Definition 2
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
   int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
-  Certificate certificate = Certificate::braking_trajectories;  ///< none but with method avo
+  Certificate certificate = usual_certificate(method);  ///< none but with method avo
   /// >= 1: the nearest so many get a half-plane, but those of them that walls keep away; unset:
   /// all. A certificate covers all in any case.
   std::optional<int> max_neighbors = {};
@@ -116,8 +130,7 @@ struct PlannerOptions {
   double arrival_distance = 0.5;
 };
 
-/// What is customary for the method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's
-/// δ 4 s, τ 10 s for the others (§VI-A).
+/// All that is customary for the method.
 AVO_API PlannerOptions default_options(Method method);
 
 /// How a decision was made.

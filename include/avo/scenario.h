@@ -59,6 +59,11 @@ constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
   return (a.avoids.bits & b.layers.bits) != 0;
 }
 
+/// Whether the two may not be in one place: one of them avoids the other, or is parked.
+constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
+  return a.parked || b.parked || avoids(a, b) || avoids(b, a);
+}
+
 /// A disc that reacts to nobody. It moves with constant acceleration, or along a path.
 struct MovingObstacle {
   Vec2 position = {};      ///< m
@@ -158,6 +163,10 @@ struct Scenario {
   /// s, where the clock is free: the longest time_step that any robot may have, those that are
   /// added later too; unset: that of the scene's robots.
   std::optional<double> longest_step = {};
+  /// Simulations of the scene are made whatever broken_assumptions() finds, and robots may be added
+  /// and moved to wherever they break what the certificate assumes, as onto others. They part then,
+  /// and nothing is promised until they have.
+  bool allow_broken_assumptions = false;
 };
 
 /// s, between decisions of one of the scene's robots.

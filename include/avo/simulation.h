@@ -75,11 +75,11 @@ struct StepProfile {
 /// The state of a fleet, and its steps.
 class AVO_API Simulation {
  public:
-  /// Throws Error on a bad scenario (see validate) or threads not in [0, 1024]. 0: as many as this
-  /// process may use processors.
-  /// Accepts one that breaks what its certificate assumes (see broken_assumptions): pairs that
-  /// braking does not keep apart are held to the distance that it does keep, so that no overlap
-  /// grows deeper than braking makes it, and their decisions say `overlapping`.
+  /// Throws Error on a bad scenario (see validate), on one that breaks what its certificate assumes
+  /// (see complaints), or threads not in [0, 1024]. 0: as many as this process may use processors.
+  /// With Scenario::allow_broken_assumptions the second kind is accepted: pairs that braking does
+  /// not keep apart are held to the distance that it does keep, so that no overlap grows deeper
+  /// than braking makes it, and their decisions say `overlapping`.
   explicit Simulation(const Scenario& scenario, int threads = 0);
   /// Goes on from what another one saved: a checkpoint, or a state that someone reports. The bytes
   /// hold the scene as well. Throws Error as restore() does, and on the number of threads.
@@ -103,18 +103,18 @@ class AVO_API Simulation {
   void step();
 
   /// Throws Error on bad values, and under a certificate on a robot that would have to be seen from
-  /// farther away than the sensing radius. A start that breaks the invariant is accepted, as above.
-  /// One that is parked is added like an obstacle, and costs and is refused as in add_obstacle().
-  /// Changes nothing where it throws.
+  /// farther away than the sensing radius, or that starts where the certificate cannot keep it from
+  /// the others, as they move now, and from obstacles; the scene may allow for such starts, as
+  /// above. One that is parked is added like an obstacle, and costs and is refused as in
+  /// add_obstacle() besides. Changes nothing where it throws.
   RobotId add_robot(const RobotSetup& setup);
   void remove_robot(RobotId robot);  ///< throws Error if there is no such robot
   /// The robot forgets what it remembers of the way to its old goal (Detour), but the congestion.
   /// Throws Error if there is none, or it is parked.
   void set_goal(RobotId robot, Vec2 goal);
   /// Somebody puts the robot down elsewhere, at rest; an airplane keeps its velocity. As if another
-  /// one of its number had come: it forgets what it remembers, is refused as in add_robot(), and a
-  /// start that breaks the invariant is accepted. Throws Error if there is none, or it is parked.
-  /// Changes nothing where it throws.
+  /// one of its number had come: it forgets what it remembers, and is refused as in add_robot().
+  /// Throws Error if there is none, or it is parked. Changes nothing where it throws.
   void move_robot(RobotId robot, Vec2 position);
 
   /// A door closes: from the next step on nobody may touch the obstacle. Throws Error on bad values

@@ -33,7 +33,7 @@ enum class Fill : std::uint8_t {
 
 /// A static obstacle as a scene lists it.
 struct StaticObstacle {
-  std::vector<Chain> chains = {};
+  std::vector<Chain> chains = {};  ///< at least one
   double radius = 0.0;  ///< m, >= 0, of all its walls: that of a disc, or half of a thickness
   Fill fill = Fill::none;
   friend bool operator==(const StaticObstacle&, const StaticObstacle&) = default;

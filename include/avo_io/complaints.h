@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene breaks of what its certificate assumes, in words.
+// What a scene breaks of what its certificate assumes, in the words of the command line.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "avo/export.h"
-#include "avo/scenario.h"
+#include "avo/assumptions.h"
 
 namespace avo_io {
 
 /// A line on each thing that avo::broken_assumptions() finds, and what to change, e.g. by options
 /// of the command line; none where nothing is broken.
-AVO_API std::vector<std::string> complaints(const avo::Scenario& scenario);
+inline std::vector<std::string> complaints(const avo::Scenario& scenario) {
+  return avo::complaints(scenario, {"--start-at-rest", "--limit-speed"});
+}
 
 }  // namespace avo_io

@@ -89,6 +89,8 @@ AVO_EXPORT(void, read_scene)() {
   // moving obstacles begin as the text says, and then go on from where they are
   avo::Scenario start = next.start;
   start.moving_obstacles = scenario.moving_obstacles;
+  // it is shown what happens then, and info() tells
+  start.allow_broken_assumptions = true;
   auto simulation = std::make_unique<avo::Simulation>(start);
   for (const avo::RobotId robot : next.gone) simulation->remove_robot(robot);
   if (takes_over) remember(*simulation, next.goes_on);

@@ -76,13 +76,7 @@ const char* to_string(SafetyState state) {
 }
 
 PlannerOptions default_options(Method method) {
-  PlannerOptions options;
-  options.method = method;
-  if (method == Method::avo) return options;
-  options.control_time = 4.0;
-  options.time_horizon = 10.0;
-  options.certificate = Certificate::none;
-  return options;
+  return {.method = method};
 }
 
 void validate(const PlannerOptions& options, const std::string& prefix) {

@@ -32,6 +32,7 @@ struct Starts {
   CertificateLaw law;  // by which all brake at once, also where clocks are free: see late_phase()
   double longest_step = 0.0;  // s, where they are
   bool layered = false;
+  double margin = 0.0;  // m, that all pairs keep besides
   std::vector<Starter> starters = {};
   CertificateConstraints constraints = {};
   std::vector<BrokenStart> broken = {};
@@ -76,10 +77,11 @@ void collect_starters(Starts& starts) {
 
 // Whether the line across p keeps the two apart on all of their ways: most pairs of a crowd need no
 // more than that.
-bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double contact) {
+bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double contact,
+               double margin) {
   const Vec2 p = a.position - b.position;
   const double distance = norm(p);
-  if (distance >= a.reach + b.reach) return true;
+  if (distance >= a.reach + b.reach + margin) return true;
   if (behavior == Behavior::moves_on || a.loiters || b.loiters || !(distance > 0.0)) return false;
   return distance + (std::min(0.0, dot(p, a.way)) - std::max(0.0, dot(p, b.way))) / distance >=
          contact;
@@ -94,10 +96,10 @@ bool avoids(const Starter& a, const Starter& b, const Scenario& scenario) {
 }
 
 void examine(const Starter& a, const Starter& b, Starts& starts) {
-  const auto& [scenario, law, longest_step, layered, starters, constraints, broken] = starts;
+  const auto& [scenario, law, longest_step, layered, extra, starters, constraints, broken] = starts;
   const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
   Neighbor neighbor;
-  double margin = 0.0;
+  double margin = extra;
   if (b.source >= 0) {
     const RobotSetup& other = scenario.robots[static_cast<std::size_t>(b.source)];
     neighbor = {.position = disc_center(other),
@@ -111,7 +113,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .loiter = circle_of(other.model, other.position, start_velocity(other)),
                 .max_deviation = reach_of(other.model) * other.max_acceleration,
                 .max_speed = top_speed(other)};
-    margin = late_phase(own, longest_step) + late_phase(other, longest_step);
+    margin += late_phase(own, longest_step) + late_phase(other, longest_step);
   } else {
     const MovingObstacle& other =
         scenario.moving_obstacles[static_cast<std::size_t>(-1 - b.source)];
@@ -122,10 +124,10 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                 .max_deviation = other.max_deviation,
                 .acceleration = other.acceleration,
                 .max_speed = other.max_speed.value_or(std::numeric_limits<double>::infinity())};
-    margin = parabola_error(other.acceleration, law.step) + late_phase(own, longest_step);
+    margin += parabola_error(other.acceleration, law.step) + late_phase(own, longest_step);
   }
   const double contact = disc_radius(own) + neighbor.radius;
-  if (are_apart(a, b, neighbor.behavior, contact + margin)) return;
+  if (are_apart(a, b, neighbor.behavior, contact + margin, extra)) return;
   Robot robot;
   robot.position = disc_center(own);
   robot.velocity = start_velocity(own);
@@ -149,11 +151,20 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
   }
 }
 
+// Unless nobody of the pair has to keep clear of the other.
+void examine_pair(const Starter* a, const Starter* b, Starts& starts) {
+  if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
+  if (a->source < 0) return;
+  if (avoids(*a, *b, starts.scenario))
+    examine(*a, *b, starts);
+  else if (b->source >= 0 && avoids(*b, *a, starts.scenario))
+    examine(*b, *a, starts);
+}
+
 // Pairs with one of a group of starters whose reaches differ by a factor of two at most: those of
 // the group itself, and those with all that reach less far. So one that reaches far costs the
 // others nothing.
 void examine_group(std::size_t first, std::size_t last, Starts& starts) {
-  const Scenario& scenario = starts.scenario;
   const std::vector<Starter>& starters = starts.starters;
   std::vector<Vec2> positions;
   double reach = 0.0;
@@ -169,23 +180,34 @@ void examine_group(std::size_t first, std::size_t last, Starts& starts) {
          grid.gather(starters[i].position, -1, positions.size(), scratch)) {
       const std::size_t j = first + static_cast<std::size_t>(hit.index);
       if (j <= i) continue;  // itself, or met already
-      const Starter *a = &starters[i], *b = &starters[j];
-      if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
-      if (a->source < 0) continue;
-      if (avoids(*a, *b, scenario))
-        examine(*a, *b, starts);
-      else if (b->source >= 0 && avoids(*b, *a, scenario))
-        examine(*b, *a, starts);
+      examine_pair(&starters[i], &starters[j], starts);
       if (starts.broken.size() >= BrokenAssumptions::kCounted) return;
     }
   }
 }
 
-void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
-                        BrokenAssumptions& result) {
+Starts starts_of(const Scenario& scenario, const CertificateLaw& law) {
   Starts starts{scenario, law, longest_first_step(law), is_layered(scenario)};
   starts.law.step.longest_step = 0.0;
   collect_starters(starts);
+  return starts;
+}
+
+// The deepest ones.
+void take_starts(const std::vector<BrokenStart>& broken, BrokenAssumptions& result) {
+  result.start_count = static_cast<std::int64_t>(broken.size());
+  result.starts.resize(std::min(broken.size(), BrokenAssumptions::kNamed));
+  std::partial_sort_copy(broken.begin(), broken.end(), result.starts.begin(), result.starts.end(),
+                         [](const BrokenStart& a, const BrokenStart& b) {
+                           if (a.depth != b.depth) return a.depth > b.depth;
+                           if (a.robot != b.robot) return a.robot < b.robot;
+                           return a.other < b.other;
+                         });
+}
+
+void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
+                        BrokenAssumptions& result) {
+  Starts starts = starts_of(scenario, law);
   std::vector<Starter>& starters = starts.starters;
   std::stable_sort(starters.begin(), starters.end(), [](const Starter& a, const Starter& b) {
     return std::ilogb(a.reach) < std::ilogb(b.reach);
@@ -200,14 +222,7 @@ void find_broken_starts(const Scenario& scenario, const CertificateLaw& law,
     if (starts.broken.size() >= BrokenAssumptions::kCounted) break;
     first = last;
   }
-  result.start_count = static_cast<std::int64_t>(starts.broken.size());
-  result.starts.resize(std::min(starts.broken.size(), BrokenAssumptions::kNamed));
-  std::partial_sort_copy(starts.broken.begin(), starts.broken.end(), result.starts.begin(),
-                         result.starts.end(), [](const BrokenStart& a, const BrokenStart& b) {
-                           if (a.depth != b.depth) return a.depth > b.depth;
-                           if (a.robot != b.robot) return a.robot < b.robot;
-                           return a.other < b.other;
-                         });
+  take_starts(starts.broken, result);
 }
 
 void find_fast_starts(const Scenario& scenario, BrokenAssumptions& result) {
@@ -247,6 +262,15 @@ double longest_first_step(const CertificateLaw& law) {
 double late_phase(const RobotSetup& robot, double longest_step) {
   if (robot.velocity == Vec2{}) return 0.0;
   return 0.125 * robot.max_acceleration * longest_step * longest_step;
+}
+
+void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, double margin,
+                          BrokenAssumptions& result) {
+  Starts starts = starts_of(scenario, law);
+  starts.margin = margin;
+  for (std::size_t k = 1; k < starts.starters.size(); ++k)
+    examine_pair(&starts.starters[0], &starts.starters[k], starts);
+  take_starts(starts.broken, result);
 }
 
 bool is_layered(const Scenario& scenario) {

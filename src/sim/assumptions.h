@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the two halves of the assumptions share: starts and sensing.
 #pragma once
+#include <optional>
 #include <span>
 
 #include "avo/assumptions.h"
@@ -8,6 +9,8 @@
 #include "robots/motion.h"
 
 namespace avo {
+
+struct WallNeeds;
 
 /// What the robots of the scene agree on.
 CertificateLaw certificate_law(const Scenario& scenario);
@@ -28,9 +31,23 @@ Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 /// The state in which a robot of that setup starts.
 MotionState start_of(const RobotSetup& robot);
 
+/// Pairs of the scene's first robot alone, which keeps `margin` (m) besides.
+void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, double margin,
+                          BrokenAssumptions& result);
+
+/// What the robot asks of a grid of walls in that state.
+void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
+                   const CertificateLaw& law, WallNeeds& needs);
+/// Of these walls the one that the robot lacks most of, if it is too near any in that state;
+/// WallStart::obstacle is the wall's index. A robot on its way may move otherwise than one that
+/// starts: the disc of a drive moves off its heading.
+std::optional<WallStart> worst_wall(const Scenario& scenario, int robot, const MotionState& state,
+                                    std::span<const Wall> walls, const CertificateLaw& law);
+/// Whether the obstacle's Fill lets a robot be there.
+bool leaves_room(Vec2 p, const StaticObstacle& obstacle);
+
 /// Robots in these states beside static obstacles, in solids and out of bounds: `states` has one
-/// for each robot of the scene. A robot on its way may move otherwise than one that starts: the
-/// disc of a drive moves off its heading.
+/// for each robot of the scene.
 void find_wall_starts(const Scenario& scenario, std::span<const MotionState> states,
                       const CertificateLaw& law, BrokenAssumptions& result);
 

@@ -2,7 +2,6 @@
 #include "sim/edit_checks.h"
 
 #include <algorithm>
-#include <charconv>
 #include <vector>
 
 #include "avo/assumptions.h"
@@ -11,6 +10,7 @@
 #include "core/retell.h"
 #include "sim/assumptions.h"
 #include "sim/one_sided.h"
+#include "sim/scene_checks.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -34,7 +34,7 @@ void validate_as(const Scenario& scene, std::string_view place, const std::strin
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls) {
   Scenario scene = world.settings;
   scene.robots = {setup};
-  if (among_walls) scene.obstacles.emplace_back();  // what a robot needs beside any of them
+  if (among_walls) scene.obstacles.push_back({{{{Vec2{}}}}});  // what it needs beside any
   validate_as(scene, "robots.0.", name_of(robot));
 }
 
@@ -46,13 +46,6 @@ RobotSetup standing(const World& world, std::size_t slot) {
 }
 
 namespace {
-
-std::string rounded(double value, int digits) {
-  char buffer[32];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
-  return {buffer, end};
-}
 
 // Throws Error if nobody would see this one in time, or it others.
 void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
@@ -164,6 +157,7 @@ void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) 
   check_declared(world, setup, robot);
   check_flights(world, setup, robot);
   check_one_sided(world, setup, robot);
+  check_start(world, setup, robot);
 }
 
 void check_newly_static(const World& world, const StaticObstacle& obstacle,

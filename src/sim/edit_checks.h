@@ -19,6 +19,8 @@ void validate_as(const Scenario& scene, std::string_view place, const std::strin
 void check_values(const World& world, const RobotSetup& setup, RobotId robot, bool among_walls);
 /// A robot that comes beside those that are there.
 void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot);
+/// A start that breaks what the certificate assumes, unless the scene allows for that.
+void check_start(const World& world, const RobotSetup& setup, RobotId robot);
 /// Where somebody could not keep clear of what does not move from now on.
 void check_newly_static(const World& world, const StaticObstacle& obstacle,
                         const std::string& name);

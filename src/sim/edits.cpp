@@ -62,6 +62,7 @@ void park(World& world, const RobotSetup& setup, RobotId robot) {
   const double radius = disc_radius(setup);
   const StaticObstacle disc{{{{center}, false}}, radius, Fill::none};
   check_newly_static(world, disc, name_of(robot));
+  check_start(world, setup, robot);
   std::vector<Wall> parked = world.statics.parked;
   parked.push_back({center, center, radius});
   StaticWorld statics = beside(world, std::move(parked));
@@ -152,6 +153,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   setup.position = position;
   if (!passes_goal(setup.model)) setup.velocity = {};
   check_values(world, setup, robot, !world.statics.walls.empty());
+  check_start(world, setup, robot);
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
   Ways& ways = world.ways;
   if (!ways.empty())

@@ -135,6 +135,7 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   }
   Scenario& scene = state.scene;
   for_each_setting([&](const char*, auto member) { describe(archive, scene.*member); });
+  describe(archive, scene.allow_broken_assumptions);
   archive.size(scene.obstacles, kStaticWords);
   state.static_ids.resize(scene.obstacles.size());
   for (std::size_t k = 0; k < scene.obstacles.size(); ++k) {

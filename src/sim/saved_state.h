@@ -61,7 +61,8 @@ struct SavedState {
   std::vector<SavedFlight> flights;  // of the airplanes among the robots, in their order
 };
 
-/// visit(key, member) for all that a scene has besides robots and obstacles.
+/// visit(key, member) for all that a scene has besides robots and obstacles and that its motion
+/// depends on.
 template <typename Visit>
 void for_each_setting(const Visit& visit) {
   visit("name", &Scenario::name);

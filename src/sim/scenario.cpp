@@ -52,6 +52,8 @@ void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
 void check_static_obstacle(std::size_t k, const StaticObstacle& obstacle) {
   const std::string_view list = "obstacles";
   require(Place{list, k, "radius"}, obstacle.radius, kNotNegative, "m");
+  if (obstacle.chains.empty())
+    refuse(std::string(Place{list, k, "chains"}), "none", "one at least");
   for (const Chain& chain : obstacle.chains) {
     if (chain.points.empty())
       refuse(std::string(Place{list, k, "chains"}), "one without points", "of a point at least");

@@ -2,6 +2,7 @@
 // What the checks of a scene share: where a value stands, and how points are told.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -24,6 +25,14 @@ struct Place {
 
 inline std::string text(Vec2 p) {
   return std::string("[").append(text(p.x)).append(", ").append(text(p.y)).append("]");
+}
+
+/// With so many digits.
+inline std::string rounded(double value, int digits) {
+  char buffer[32];
+  const auto end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
+  return {buffer, end};
 }
 
 /// Refuses what no robot of its model can be, number i of the scene.

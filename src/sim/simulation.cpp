@@ -16,6 +16,7 @@
 #include "core/ranges.h"
 #include "planner/decision.h"
 #include "sim/clocks.h"
+#include "sim/complaints.h"
 #include "sim/edits.h"
 #include "sim/saved_state.h"
 #include "sim/world.h"
@@ -114,6 +115,7 @@ struct Simulation::State : World {
 
   static std::unique_ptr<State> of(const Scenario& scenario, std::shared_ptr<Executor> executor) {
     validate(scenario);
+    require_assumptions(scenario);
     auto state = std::make_unique<State>(scenario, std::move(executor));
     plan_travels(state->ways, state->fleet);
     return state;

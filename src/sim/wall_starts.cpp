@@ -14,6 +14,15 @@
 #include "walls/segment.h"
 
 namespace avo {
+
+void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
+                   const CertificateLaw& law, WallNeeds& needs) {
+  const StepLaw own = step_law(scenario, robot, law);
+  const double stray = stray_of(robot.model, robot.max_acceleration, own.time_step).distance +
+                       room_to_turn(robot.model, robot.max_speed);
+  needs.include(traits_of(robot), stray, norm(state.velocity), own);
+}
+
 namespace {
 
 // The walls of all obstacles, and which obstacle each belongs to.
@@ -32,21 +41,17 @@ ListedWalls list_walls(const Scenario& scenario, std::span<const MotionState> st
     listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
   }
   WallNeeds needs;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const RobotSetup& robot = scenario.robots[i];
-    const StepLaw own = step_law(scenario, robot, law);
-    const double stray = stray_of(robot.model, robot.max_acceleration, own.time_step).distance +
-                         room_to_turn(robot.model, robot.max_speed);
-    needs.include(traits_of(robot), stray, norm(states[i].velocity), own);
-  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+    include_start(scenario, scenario.robots[i], states[i], law, needs);
   listed.grid = grid_of(listed.walls, needs);
   return listed;
 }
 
-// What braking leaves is less than what it has to; the most that is missing.
-std::optional<WallStart> start_beside(const Scenario& scenario, const MotionState& state,
-                                      int number, const ListedWalls& listed,
-                                      const CertificateLaw& law) {
+}  // namespace
+
+// What braking leaves is less than what it has to.
+std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
+                                    std::span<const Wall> walls, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
   const Vec2 center = state.position;
   const double radius = disc_radius(robot);
@@ -66,17 +71,15 @@ std::optional<WallStart> start_beside(const Scenario& scenario, const MotionStat
   };
   const auto lacks = [](const WallStart& start) { return start.required - start.kept; };
   std::optional<WallStart> worst;
-  const std::span<const Wall> near = listed.grid.near(center);
-  if (std::all_of(near.begin(), near.end(),
-                  [&](const Wall& wall) { return !(lacks(start_at(wall)) > 0.0); }))
-    return worst;
-  for (std::size_t k = 0; k < listed.walls.size(); ++k) {
-    WallStart start = start_at(listed.walls[k]);
-    start.obstacle = listed.obstacle[k];
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    WallStart start = start_at(walls[k]);
+    start.obstacle = static_cast<int>(k);
     if (lacks(start) > 0.0 && (!worst || lacks(start) > lacks(*worst))) worst = start;
   }
   return worst;
 }
+
+namespace {
 
 // Even-odd rule: how often a ray to the right crosses the closed chains.
 bool is_inside(Vec2 p, const StaticObstacle& obstacle) {
@@ -95,12 +98,12 @@ bool is_inside(Vec2 p, const StaticObstacle& obstacle) {
   return inside;
 }
 
+}  // namespace
+
 bool leaves_room(Vec2 p, const StaticObstacle& obstacle) {
   if (obstacle.fill == Fill::none) return true;
   return is_inside(p, obstacle) == (obstacle.fill == Fill::bounds);
 }
-
-}  // namespace
 
 MotionState start_of(const RobotSetup& robot) {
   MotionState state{disc_center(robot), start_velocity(robot), robot.heading};
@@ -118,8 +121,11 @@ void find_wall_starts(const Scenario& scenario, std::span<const MotionState> sta
     const RobotSetup& robot = scenario.robots[i];
     if (robot.parked) continue;
     const int number = static_cast<int>(i);
-    if (const auto start = start_beside(scenario, states[i], number, listed, law))
-      beside.push_back(*start);
+    const MotionState& state = states[i];
+    if (worst_wall(scenario, number, state, listed.grid.near(state.position), law)) {
+      beside.push_back(*worst_wall(scenario, number, state, listed.walls, law));
+      beside.back().obstacle = listed.obstacle[static_cast<std::size_t>(beside.back().obstacle)];
+    }
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
       if (leaves_room(states[i].position, scenario.obstacles[k])) continue;
       ++result.misplaced_count;

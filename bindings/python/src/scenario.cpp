@@ -3,6 +3,7 @@
 #include <pybind11/eval.h>
 #include <utility>
 
+#include "avo/assumptions.h"
 #include "avo_io/scene.h"
 #include "pickles.h"
 
@@ -145,6 +146,8 @@ void bind_scenario(py::module_& module) {
       .def_readonly("right_of_way", &Scenario::right_of_way, "\"none\", \"seen\" or \"told\"")
       .def_readonly("arrival_distance", &Scenario::arrival_distance, "m")
       .def_readonly("seed", &Scenario::seed, "of all that is random")
+      .def_readonly("allow_broken_assumptions", &Scenario::allow_broken_assumptions,
+                    "it is simulated whatever broken_assumptions() says")
       .def_readonly("robots", &Scenario::robots, "list of RobotSetup, a copy")
       .def_readonly("moving_obstacles", &Scenario::moving_obstacles, "list, a copy")
       .def_readonly("obstacles", &Scenario::obstacles, "list of StaticObstacle, a copy")
@@ -157,6 +160,9 @@ void bind_scenario(py::module_& module) {
       .def("broken_assumptions", &broken_of,
            "How many robots or pairs break what the certificate assumes, and the sensing radius "
            "that it needs, m, where that is too small: {\"starts\": 0, ..., \"unseen\": None}.")
+      .def(
+          "complaints", [](const Scenario& scenario) { return avo::complaints(scenario); },
+          "One line for each thing that breaks what the certificate assumes, the worst first.")
       .def("_repr_svg_",
            [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
       .def("__repr__", [](const Scenario& scenario) {

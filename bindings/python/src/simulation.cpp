@@ -177,7 +177,9 @@ void bind_edits(SimulationClass& simulation) {
           [](SharedSimulation& self, const avo::RobotSetup setup) {  // another thread may change it
             return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
           },
-          arg("setup"), "Returns its id.")
+          arg("setup"),
+          "Returns its id. Raises Error where it starts in others, or too near or too fast for them "
+          "or for obstacles, unless the scene has allow_broken_assumptions.")
       .def(
           "remove_robot",
           [](SharedSimulation& self, std::int64_t id) {
@@ -196,7 +198,8 @@ void bind_edits(SimulationClass& simulation) {
             self.alone([&](Simulation& s) { s.move_robot(robot_id(id), position); });
           },
           arg("id"), arg("position"),
-          "Puts it down at position, (x, y), m, at rest; it keeps its id.")
+          "Puts it down at position, (x, y), m, at rest; it keeps its id. Raises Error as "
+          "add_robot() does.")
       .def(
           "add_obstacle",
           [](SharedSimulation& self, const avo::StaticObstacle& obstacle) {

@@ -104,6 +104,26 @@ TEST(Options, times_of_which_rounding_would_exceed_the_limits_are_refused) {
   EXPECT_NO_THROW(Planner{at_once});
 }
 
+// Each option that is left out is that of the method.
+TEST(Options, that_are_left_out_follow_the_method) {
+  for (const Method method :
+       {Method::avo, Method::avo_paper, Method::velocity_obstacle, Method::orca,
+        Method::orca_clamped, Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
+    const PlannerOptions usual = default_options(method);
+    const PlannerOptions options = {.method = method};
+    EXPECT_EQ(options.control_time, usual.control_time);
+    EXPECT_EQ(options.time_horizon, usual.time_horizon);
+    EXPECT_EQ(options.certificate, usual.certificate);
+    const Planner planner(PlannerOptions{.method = method, .time_step = 0.2});
+    EXPECT_EQ(planner.options().time_horizon, method == Method::avo ? 3.0 : 10.0);
+    EXPECT_EQ(planner.options().certificate, method == Method::avo
+                                                 ? Certificate::braking_trajectories
+                                                 : Certificate::none);
+  }
+  const PlannerOptions set = {.method = Method::orca, .time_horizon = 5.0};
+  EXPECT_EQ(set.time_horizon, 5.0);
+}
+
 std::string refusal(const PlannerOptions& options) {
   try {
     const Planner planner(options);

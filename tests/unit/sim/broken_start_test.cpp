@@ -74,6 +74,7 @@ Simulation with_cluster(int count, Kind kind, Random& random) {
   scene.robots[0].goal = {0.0, 60.0};
   scene.robots[0].max_acceleration = 0.5;
   scene.sensing_radius = 25.0;  // all are seen early enough
+  scene.allow_broken_assumptions = true;
   Simulation simulation(scene, 1);
   for (int k = 0; k < 5; ++k) simulation.step();
   const double extent = 0.25 * std::sqrt(static_cast<double>(count));
@@ -119,6 +120,7 @@ TEST(BrokenStart, robots_in_one_place_do_no_harm_to_themselves) {
     scene.certificate = kind.certificate;
     scene.motion = kind.motion;
     scene.robots.resize(5);
+    scene.allow_broken_assumptions = true;
     for (std::size_t i = 0; i < 5; ++i) {
       const double angle = 1.2 * static_cast<double>(i);
       scene.robots[i].goal = {10.0 * std::cos(angle), 10.0 * std::sin(angle)};

@@ -19,6 +19,7 @@ using test::Random;
 Scenario unseen_until_the_last(double sensing_radius, Kind kind) {
   Scenario scene = head_on(sensing_radius * (1.0 + 1e-12), kind);
   scene.sensing_radius = sensing_radius;
+  scene.allow_broken_assumptions = true;
   return scene;
 }
 

@@ -184,6 +184,7 @@ TEST(Clocks, a_start_brakes_as_hard_as_others_expect) {
     for (RobotSetup& robot : scene.robots) {
       const bool drives = seed % 2 == 0;
       robot.velocity = Vec2{0.0, 0.4}, robot.max_braking = 0.3;
+      scene.sensing_radius = 16.0;
       if (drives) robot.heading = 0.5 * std::numbers::pi;
       if (drives) robot.model = DifferentialDrive{.wheel_speed = 2.0, .wheel_acceleration = 4.0};
     }

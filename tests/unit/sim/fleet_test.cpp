@@ -159,6 +159,7 @@ TEST(Fleet, time_is_the_number_of_steps) {
 TEST(Fleet, obstacles_keep_their_acceleration_exactly) {
   Scenario scene;
   scene.robots = {robot_at({500, 500}, {500, 500})};
+  scene.sensing_radius = 23.0;
   scene.moving_obstacles = {{{1, 2}, {0.5, -0.25}, {0.125, 0.0625}, 0.5}};
   Simulation simulation(scene, 1);
   for (int k = 0; k < 100; ++k) simulation.step();

@@ -93,6 +93,7 @@ TEST(SimLimits, a_robot_that_is_too_fast_brakes_down_to_its_limit) {
     scene.control_time = 1.0;
     scene.robots = {test::robot_at({0, 0}, {100, 0}), test::robot_at({0, 90}, {0, 90})};
     scene.robots[0].velocity = {5, 0};
+    scene.allow_broken_assumptions = true;
     Simulation simulation(scene, 1);
     double last = 5.0;
     for (int k = 0; k < 100; ++k) {

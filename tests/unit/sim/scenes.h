@@ -62,6 +62,7 @@ inline Scenario dense_avo_scene(int count, Motion motion, Certificate certificat
   Scenario scene = dense_scene(count, motion, seed);
   scene.method = Method::avo;
   scene.certificate = certificate;
+  scene.allow_broken_assumptions = true;
   for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
   return scene;
 }

@@ -194,7 +194,7 @@ TEST(Ways, RadiiOfTwoDigitsAreClassesAndTheOthersGoUpToThem) {
 TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
   const double radius = 0.5001;
   Scenario scene = scene_among(test::two_rooms(2.0 * radius + 2e-3));
-  scene.robots = {test::robot_at({3, 7}, {17, 7}), test::robot_at({3, 8}, {0.5002, 8}),
+  scene.robots = {test::robot_at({3, 7}, {17, 7}), test::robot_at({3, 8.1}, {0.5002, 8}),
                   test::robot_at({3, 2}, {7, 2})};
   for (RobotSetup& robot : scene.robots) robot.radius = radius;
   Ways ways(scene, walls_of(scene.obstacles));

@@ -453,6 +453,9 @@ typedef struct avo_simulation_def {
   avo_right_of_way right_of_way;
   avo_sensing_model sensing;
   avo_sensing_error sensing_error;  ///< that robots declare; both NAN: what sensing makes of it
+  /// Robots may start, be added and be moved where they break what the certificate assumes, as onto
+  /// others.
+  bool allow_broken_assumptions;
 
   const avo_robot_def* robots;
   size_t robot_count;
@@ -504,7 +507,8 @@ AVO_C_API bool avo_simulation_is_valid(avo_simulation_id simulation);
 /// the step is done, and they end.
 AVO_C_API avo_result avo_simulation_step(avo_simulation_id simulation);
 
-/// The new robot's number is greater than all before.
+/// The new robot's number is greater than all before. Refused where the certificate cannot keep it
+/// from others or obstacles, unless the definition has allow_broken_assumptions; so is moving it.
 AVO_C_API avo_result avo_simulation_add_robot(avo_simulation_id simulation,
                                               const avo_robot_def* def, avo_robot_id* robot);
 AVO_C_API avo_result avo_simulation_remove_robot(avo_simulation_id simulation, avo_robot_id robot);

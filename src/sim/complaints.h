@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words for starts that break what a certificate assumes.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "avo/assumptions.h"
+
+namespace avo {
+
+/// What is called how where the words are read.
+struct Wording {
+  RemedyNames remedies = {};
+  std::function<std::string(int source)> name_of;  // robot i, or -1 - k for moving obstacle k
+  std::function<std::string(int index)> name_of_static;  // of Scenario::obstacles
+};
+
+std::string complaint(const BrokenStart& start, const Scenario& scenario, const Wording& wording);
+std::string complaint(const WallStart& start, const Scenario& scenario, const Wording& wording);
+std::string complaint(const MisplacedStart& start, const Scenario& scenario,
+                      const Wording& wording);
+std::string complaint(const FastStart& start, const Scenario& scenario, const Wording& wording);
+
+/// Throws Error with the complaint, and with what accepts such a start.
+[[noreturn]] void refuse_start(const std::string& complaint);
+
+/// Throws Error with the first thing that the scene breaks, unless it allows for that.
+void require_assumptions(const Scenario& scenario);
+
+}  // namespace avo

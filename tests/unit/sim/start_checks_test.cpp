@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulations and edits refuse starts that the command line refuses, in the same words, unless the
+// scene allows them; and nothing has changed then.
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "avo/assumptions.h"
+#include "support/refusal.h"
+#include "unit/sim/walled_scenes.h"
+
+namespace avo {
+namespace {
+
+using test::pieces;
+using test::refusal;
+using test::robot_at;
+
+// Two robots at rest, 10 m apart, one parked below, a wall above, a solid to the right.
+Scenario yard() {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({10, 0}, {10, 0}), robot_at({5, -5}, {5, -5})};
+  scene.robots[2].parked = true;
+  scene.obstacles = {
+      pieces({{{0, 5}, {10, 5}}}),
+      {.chains = {{{{20, -5}, {30, -5}, {30, 5}, {20, 5}}, true}}, .fill = Fill::solid}};
+  return scene;
+}
+
+// What the edit is refused with; checks that it has changed nothing. Empty: accepted.
+template <typename Edit>
+std::string said(Simulation& simulation, const Edit& edit) {
+  const std::uint64_t hash = simulation.state_hash();
+  const std::vector<std::byte> saved = simulation.save();
+  const std::string line = refusal([&] { edit(simulation); });
+  if (line.empty()) return line;
+  EXPECT_EQ(simulation.state_hash(), hash) << line;
+  EXPECT_TRUE(simulation.save() == saved) << line;
+  EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  return line;
+}
+
+std::string said_of(Simulation& simulation, const RobotSetup& robot) {
+  return said(simulation, [&](Simulation& own) { own.add_robot(robot); });
+}
+
+std::string said_of_move(Simulation& simulation, std::uint64_t robot, Vec2 place) {
+  return said(simulation, [&](Simulation& own) { own.move_robot({robot}, place); });
+}
+
+const std::string kAllowed = "; or allow_broken_assumptions";
+
+TEST(StartChecks, a_simulation_refuses_what_the_command_line_refuses) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({0.75, 0}, {9, 5})};
+  EXPECT_EQ(refusal([&] { Simulation simulation(scene, 1); }),
+            "robot 0 and robot 1 overlap at the start: found 0.75 m between the centers, must be "
+            ">= 0.5 + 0.5 = 1 m; move them apart" +
+                kAllowed);
+  scene.robots[0].velocity = {3, 0};
+  EXPECT_EQ(refusal([&] { Simulation simulation(scene, 1); }),
+            "robot 0 and robot 1 overlap at the start: found 0.75 m between the centers, must be "
+            ">= 0.5 + 0.5 = 1 m; move them apart [1 more]" +
+                kAllowed);
+  scene.allow_broken_assumptions = true;
+  Simulation simulation(scene, 1);
+  scene.allow_broken_assumptions = false;
+  scene.certificate = Certificate::none;
+  Simulation without(scene, 1);
+  EXPECT_EQ(complaints(scene), std::vector<std::string>{});
+}
+
+TEST(StartChecks, a_robot_is_not_added_where_it_breaks_an_assumption) {
+  Simulation simulation(yard(), 1);
+  for (int k = 0; k < 3; ++k) simulation.step();
+  RobotSetup robot = robot_at({0.4, 0}, {0, 3});
+  EXPECT_EQ(said_of(simulation, robot),
+            "robot 3 and robot 0 overlap at the start: found 0.4 m between the centers, must be "
+            ">= 0.5 + 0.5 = 1 m; move them apart" +
+                kAllowed);
+  robot.position = {5.4, -5};
+  EXPECT_EQ(said_of(simulation, robot),
+            "robot 3 and robot 2 overlap at the start: found 0.4 m between the centers, must be "
+            ">= 0.5 + 0.5 = 1 m; move them apart" +
+                kAllowed);
+  robot.position = {2, 0};
+  EXPECT_EQ(said_of(simulation, robot), "");
+  robot.position = {7, 0}, robot.velocity = {2, 0};
+  EXPECT_EQ(said_of(simulation, robot),
+            "robot 4 and robot 1 start too fast for their distance: found 0.1 m of overlap when "
+            "both brake at once, must be none; slow down, move apart, or start at rest" +
+                kAllowed);
+  robot.position = {6, 4.75}, robot.velocity = {};
+  EXPECT_EQ(said_of(simulation, robot),
+            "robot 4 starts too near obstacle 0: found [6, 4.75], 0.25 m from it, must be >= 0.5 "
+            "+ 0 m and 5.8e-12 m for rounding; move it away" +
+                kAllowed);
+  robot.position = {6, 3}, robot.velocity = {0, 1.9};
+  EXPECT_EQ(said_of(simulation, robot),
+            "robot 4 starts too fast for obstacle 0: found 0.1 m left when it brakes, must be >= "
+            "0.5 + 0 m; slow down, move it away, or start at rest" +
+                kAllowed);
+  robot.position = {25, 0}, robot.velocity = {};
+  EXPECT_EQ(said_of(simulation, robot),
+            "position of robot 4: found [25, 0], must be outside of the solid obstacle 1" +
+                kAllowed);
+  robot.position = {0, -30}, robot.velocity = {0, -2.5};
+  EXPECT_EQ(said_of(simulation, robot),
+            "velocity of robot 4: found 2.5 m/s at the start, must be <= its max_speed = 2 m/s; "
+            "slow down, or limit speeds or start at rest" +
+                kAllowed);
+  robot.velocity = {0, -2.0};
+  EXPECT_EQ(said_of(simulation, robot), "");
+}
+
+TEST(StartChecks, a_robot_is_not_moved_where_it_breaks_an_assumption) {
+  Simulation simulation(yard(), 1);
+  EXPECT_NE(said_of_move(simulation, 0, {9.5, 0}).find("robot 0 and robot 1 overlap"),
+            std::string::npos);
+  EXPECT_NE(said_of_move(simulation, 1, {5, -4.5}).find("robot 1 and robot 2 overlap"),
+            std::string::npos);
+  EXPECT_NE(said_of_move(simulation, 0, {5, 5}).find("robot 0 starts too near obstacle 0"),
+            std::string::npos);
+  EXPECT_NE(said_of_move(simulation, 0, {29, 0}).find("outside of the solid obstacle 1"),
+            std::string::npos);
+  EXPECT_EQ(said_of_move(simulation, 0, {0.1, 0}), "") << "where it was itself";
+  EXPECT_EQ(said_of_move(simulation, 0, {9, 0}), "") << "they touch";
+  EXPECT_EQ(simulation.fleet().position[0], (Vec2{9, 0}));
+}
+
+TEST(StartChecks, one_that_is_parked_is_not_put_into_another_one) {
+  Simulation simulation(yard(), 1);
+  RobotSetup robot = robot_at({5, -4.5}, {5, -4.5});
+  robot.parked = true;
+  EXPECT_NE(said_of(simulation, robot).find("robot 3 and robot 2 overlap at the start"),
+            std::string::npos);
+  robot.position = robot.goal = {10.5, 0};
+  EXPECT_NE(said_of(simulation, robot).find("robot 1 at [10, 0]"), std::string::npos);
+  robot.position = robot.goal = {5, -3};
+  EXPECT_EQ(said_of(simulation, robot), "");
+}
+
+TEST(StartChecks, moving_obstacles_count_where_they_are_now) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 20}, {0, 20})};
+  scene.moving_obstacles = {{.position = {0, 0}, .velocity = {1, 0}}};
+  Simulation simulation(scene, 1);
+  for (int k = 0; k < 50; ++k) simulation.step();
+  EXPECT_NE(said_of(simulation, robot_at({5.5, 0}, {0, 9})).find("robot 1 and moving obstacle 0"),
+            std::string::npos);
+  EXPECT_EQ(said_of(simulation, robot_at({0, 0}, {0, 9})), "");
+}
+
+TEST(StartChecks, whoever_avoids_nobody_there_may_be_there) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {0, 0})};
+  Simulation simulation(scene, 1);
+  RobotSetup robot = robot_at({0, 0}, {0, 5});
+  robot.layers = robot.avoids = {2};
+  EXPECT_NE(said_of(simulation, robot), "") << "the other one avoids it";
+  scene.robots[0].layers = scene.robots[0].avoids = {1};
+  Simulation apart(scene, 1);
+  EXPECT_EQ(said_of(apart, robot), "");
+  EXPECT_EQ(said_of_move(apart, 0, {0, 0}), "");
+  robot.avoids = {3};
+  EXPECT_NE(said_of(apart, robot), "") << "it avoids the other one";
+}
+
+// Others are in the midst of a step, at the end of which they are elsewhere.
+TEST(StartChecks, with_free_clocks_others_finish_their_steps) {
+  Scenario scene;
+  scene.clock = Clock::free;
+  scene.time_step = 0.5;
+  scene.robots = {robot_at({0, 0}, {40, 0})};
+  Simulation simulation(scene, 1);
+  while (simulation.fleet().velocity[0].x < 1.0) simulation.step();
+  const double x = simulation.fleet().position[0].x, v = simulation.fleet().velocity[0].x;
+  const double at_once = 1.0 + 0.5 * v * v;  // m ahead, would it brake now
+  EXPECT_NE(said_of(simulation, robot_at({x + at_once + 0.25, 0}, {0, 9})), "");
+  EXPECT_EQ(said_of(simulation, robot_at({x + at_once + 2.0, 0}, {0, 9})), "");
+}
+
+TEST(StartChecks, where_the_scene_allows_for_it_robots_are_put_anywhere) {
+  Scenario scene = yard();
+  scene.allow_broken_assumptions = true;
+  Simulation original(scene, 1);
+  Simulation restored(original.save(), 1);
+  for (Simulation* simulation : {&original, &restored}) {
+    EXPECT_EQ(said_of(*simulation, robot_at({0.4, 0}, {0, 3})), "");
+    EXPECT_EQ(said_of_move(*simulation, 1, {5, 5}), "");
+    for (int k = 0; k < 100; ++k) simulation->step();
+    EXPECT_GE(norm(simulation->fleet().position[3] - simulation->fleet().position[0]), 1.0 - 1e-9)
+        << "they part";
+  }
+  EXPECT_EQ(original.state_hash(), restored.state_hash());
+  scene.allow_broken_assumptions = false;
+  Simulation strict(scene, 1);
+  strict.restore(original.save());
+  EXPECT_NE(said_of_move(strict, 0, {5, -5}), "");
+}
+
+TEST(StartChecks, an_obstacle_of_nothing_is_refused) {
+  Simulation simulation(yard(), 1);
+  EXPECT_EQ(said(simulation, [](Simulation& own) { own.add_obstacle({}); }),
+            "obstacle 2: chains: found none, must be one at least");
+  Scenario scene = yard();
+  scene.obstacles.emplace_back();
+  EXPECT_EQ(refusal(scene), "obstacles.2.chains: found none, must be one at least");
+}
+
+}  // namespace
+}  // namespace avo
