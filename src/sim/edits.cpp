@@ -33,6 +33,18 @@ void add_clock(World& world, const RobotSetup& setup, std::uint32_t pace) {
   start_clock(world, slot);
 }
 
+// One more in all that has an entry for each robot, but the ways; nothing has changed where it
+// throws.
+void join(World& world, const RobotSetup& setup, RobotId robot, std::uint32_t pace) {
+  world.senses.reserve_one();
+  world.fleet.add(robot, setup);
+  add_clock(world, setup, pace);
+  world.senses.add(world.steps);
+  world.senses.note(world.fleet, world.steps);
+  ++world.next_id;
+  world.changed = true;
+}
+
 static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
               std::is_nothrow_move_assignable_v<Ways>);
 
@@ -68,8 +80,7 @@ void park(World& world, const RobotSetup& setup, RobotId robot) {
   StaticWorld statics = beside(world, std::move(parked));
   Ways ways = ways_among(world, statics);
   ways.travels.reserve(world.fleet.size() + 1);
-  world.fleet.add(robot, setup);
-  add_clock(world, setup, 0);
+  join(world, setup, robot, 0);
   ways.travels.emplace_back();  // there is room
   world.statics = std::move(statics);
   world.ways = std::move(ways);
@@ -92,8 +103,6 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
   check_values(world, setup, robot, !world.statics.walls.empty());
   if (setup.parked) {
     park(world, setup, robot);
-    ++world.next_id;
-    world.changed = true;
     return robot;
   }
   check_newcomer(world, setup, robot);
@@ -104,15 +113,8 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
     if (ways.travels.size() == ways.travels.capacity())
       ways.travels.reserve(2 * ways.travels.size() + 8);
   }
-  world.senses.reserve_one();
-  const std::uint32_t pace = pace_for(world, setup);
-  world.fleet.add(robot, setup);
-  add_clock(world, setup, pace);
-  world.senses.add(world.steps);
-  world.senses.note(world.fleet, world.steps);
+  join(world, setup, robot, pace_for(world, setup));
   if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
-  ++world.next_id;
-  world.changed = true;
   return robot;
 }
 

@@ -9,6 +9,7 @@
 
 #include "planner/certify.h"
 #include "sim/assumptions.h"
+#include "sim/clocks.h"
 #include "sim/complaints.h"
 #include "sim/edit_checks.h"
 #include "sim/world.h"

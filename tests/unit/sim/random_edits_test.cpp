@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits of all kinds in no order, under every kind of sensing, with robots of every model and
+// behavior: what a simulation knows of its robots stays whole, and nobody is touched.
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "avo/error.h"
+#include "avo/simulation.h"
+#include "unit/sim/scenes.h"
+
+namespace avo {
+namespace {
+
+using test::Random;
+
+constexpr double kSide = 14.0;  // m, of the square in which all of them are
+
+Vec2 anywhere(Random& random) {
+  return {random.uniform(0.0, kSide), random.uniform(0.0, kSide)};
+}
+
+MotionModel any_model(const Scenario& scene, Random& random) {
+  Car car{0.5};
+  switch (random.below(5)) {
+    case 0:
+      car.max_curvature = 0.8, car.reverse = true;
+      return car;
+    case 1:
+      if (scene.sensing.is_exact()) car.body = CarBody{0.3, 0.4};
+      return car;
+    case 2:
+      return DifferentialDrive{};
+    case 3:
+      return scene.moving_obstacles.empty() ? MotionModel(Airplane{}) : MotionModel(Holonomic{});
+    default:
+      return Holonomic{};
+  }
+}
+
+RobotSetup any_robot(const Scenario& scene, Random& random) {
+  RobotSetup robot = test::robot_at(anywhere(random), anywhere(random));
+  robot.radius = random.uniform(0.2, 0.5);
+  robot.max_speed = robot.preferred_speed = 1.2;
+  robot.model = any_model(scene, random);
+  if (scene.clock == Clock::free && random.below(2) == 0) robot.time_step = 0.05;
+  robot.heading = random.uniform(-3.0, 3.0);
+  if (random.below(3) == 0) robot.velocity = random.uniform(0.1, 1.0) * random.direction();
+  robot.priority = random.below(4) == 0 ? 4.0 : 1.0;
+  if (random.below(4) == 0) robot.layers = robot.avoids = {2};  // others, who avoid each other
+  if (random.below(4) == 0) {
+    robot.parked = true, robot.goal = robot.position, robot.velocity = {};
+    robot.layers = RobotSetup{}.layers, robot.avoids = RobotSetup{}.avoids, robot.time_step = {};
+  } else if (random.below(4) == 0 && is_holonomic(robot.model)) {
+    robot.layers = {4}, robot.avoids = {0};  // it reacts to nobody, and all others to it
+  }
+  return robot;
+}
+
+StaticObstacle any_obstacle(Random& random) {
+  const Vec2 a = anywhere(random);
+  return {.chains = {{.points = {a, a + random.uniform(0.1, 2.0) * random.direction()}}},
+          .radius = random.below(2) == 0 ? 0.1 : 0.0};
+}
+
+/// A simulation that is changed at random, and looked at after each change.
+class Edited {
+ public:
+  Edited(const Scenario& scene, std::uint64_t seed)
+      : random_(seed), scene_(scene), simulation_(scene, 1) {}
+
+  void run(int rounds) {
+    for (int k = 0; k < rounds && !testing::Test::HasFailure(); ++k) {
+      edit();
+      expect_whole();
+      if (k % 5 == 0) expect_the_same_future();
+      for (int steps = random_.below(4); steps > 0; --steps) step();
+    }
+  }
+  [[nodiscard]] int accepted() const { return accepted_; }
+  [[nodiscard]] int refused() const { return refused_; }
+  [[nodiscard]] int parked() const { return parked_; }
+
+ private:
+  [[nodiscard]] RobotId any_id() {
+    const FleetView fleet = simulation_.fleet();
+    return fleet.id[static_cast<std::size_t>(random_.below(static_cast<int>(fleet.id.size())))];
+  }
+
+  void edit() {
+    const std::vector<std::byte> before = simulation_.save();
+    const std::uint64_t hash = simulation_.state_hash();
+    try {
+      change();
+      ++accepted_;
+    } catch (const Error& error) {
+      ++refused_;
+      EXPECT_EQ(simulation_.state_hash(), hash) << error.what();
+      EXPECT_TRUE(simulation_.save() == before) << error.what();
+    }
+  }
+
+  void change() {
+    const std::size_t robots = simulation_.fleet().id.size();
+    const auto obstacles = simulation_.static_obstacles().id;
+    switch (random_.below(7)) {
+      case 0:
+      case 1: {
+        const RobotSetup robot = any_robot(scene_, random_);
+        if (robots < 24) simulation_.add_robot(robot);
+        parked_ += robots < 24 && robot.parked ? 1 : 0;
+        return;
+      }
+      case 2:
+        if (robots > 4) simulation_.remove_robot(any_id());
+        return;
+      case 3:
+        return simulation_.move_robot(any_id(), anywhere(random_));
+      case 4:
+        return simulation_.set_goal(any_id(), anywhere(random_));
+      case 5:
+        if (obstacles.size() < 8) simulation_.add_obstacle(any_obstacle(random_));
+        return;
+      default:
+        if (obstacles.empty()) return;
+        simulation_.remove_obstacle(
+            obstacles[static_cast<std::size_t>(random_.below(static_cast<int>(obstacles.size())))]);
+    }
+  }
+
+  void expect_whole() {
+    const FleetView fleet = simulation_.fleet();
+    for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+      EXPECT_EQ(simulation_.index_of(fleet.id[k]), k);
+      if (k > 0) {
+        EXPECT_LT(fleet.id[k - 1].value, fleet.id[k].value);
+      }
+      for (const std::int64_t source : simulation_.perceive(k).source)
+        EXPECT_TRUE(source < 0 || simulation_.index_of({static_cast<std::uint64_t>(source)}));
+    }
+  }
+
+  // Of what the bytes of now hold.
+  void expect_the_same_future() {
+    Simulation other(simulation_.save(), 1);
+    EXPECT_EQ(other.state_hash(), simulation_.state_hash());
+    for (int k = 0; k < 3; ++k) step(), other.step();
+    EXPECT_EQ(other.state_hash(), simulation_.state_hash());
+  }
+
+  void step() {
+    const FleetView before = simulation_.fleet();
+    const std::vector<Vec2> places(before.position.begin(), before.position.end());
+    simulation_.step();
+    const FleetView fleet = simulation_.fleet();
+    const auto center = [&](std::size_t k) {
+      return disc_center(fleet.setup[k].model, fleet.position[k], fleet.heading[k]);
+    };
+    for (std::size_t k = 0; k < fleet.id.size(); ++k) {
+      const RobotSetup& own = fleet.setup[k];
+      ASSERT_TRUE(is_finite(fleet.position[k]) && is_finite(fleet.velocity[k])) << k;
+      if (own.parked) {
+        EXPECT_EQ(fleet.position[k], places[k]);
+      }
+      for (std::size_t j = 0; j < k && keeps_promise(); ++j) {
+        const RobotSetup& other = fleet.setup[j];
+        const bool mutual = own.parked || other.parked || (avoids(own, other) && avoids(other, own));
+        if (!mutual || (own.parked && other.parked)) continue;
+        EXPECT_GT(norm(center(k) - center(j)) - disc_radius(own) - disc_radius(other), -1e-9)
+            << "robots " << fleet.id[j].value << " and " << fleet.id[k].value << " after "
+            << simulation_.steps();
+      }
+    }
+  }
+
+  // Everybody may be counted on: nobody was put into another one, and all is sensed as declared.
+  [[nodiscard]] bool keeps_promise() const {
+    return !scene_.allow_broken_assumptions && !scene_.sensing.misses() &&
+           scene_.certificate != Certificate::none && scene_.method == Method::avo;
+  }
+
+  Random random_;
+  Scenario scene_;
+  Simulation simulation_;
+  int accepted_ = 0, refused_ = 0, parked_ = 0;
+};
+
+// Eight robots on a ring with two movers through it, and walls outside.
+Scenario ring() {
+  Scenario scene;
+  for (int k = 0; k < 8; ++k) {
+    const Vec2 place{1.0 + 4.0 * (k % 4), k < 4 ? 1.0 : 13.0};
+    RobotSetup robot = test::robot_at(place, {14.0 - place.x, 14.0 - place.y});
+    robot.radius = 0.4;
+    robot.max_speed = robot.preferred_speed = 1.2;
+    scene.robots.push_back(robot);
+  }
+  scene.obstacles = {{.chains = {{.points = {{5, 7}, {9, 7}}}}}};
+  scene.moving_obstacles = {{.position = {-3, 5}, .velocity = {0.4, 0}, .radius = 0.4}};
+  return scene;
+}
+
+std::vector<std::pair<std::string, SensingModel>> all_sensing() {
+  const MeasurementNoise noise{.position = 0.01, .velocity = 0.02};
+  return {{"exact", {}},
+          {"noise", {.noise = noise}},
+          {"delay", {.delay = 1}},
+          {"dropped", {.dropped = 0.2}},
+          {"occlusion", {.occlusion = true}},
+          {"all of it", {.noise = noise, .delay = 2, .dropped = 0.2, .occlusion = true}}};
+}
+
+void expect_whole(Scenario scene, const std::string& name) {
+  int parked = 0;
+  for (const bool allowed : {false, true}) {
+    SCOPED_TRACE(name + (allowed ? ", where all is allowed" : ""));
+    scene.allow_broken_assumptions = allowed;
+    Edited edited(scene, 7);
+    edited.run(160);
+    if (testing::Test::HasFailure()) return;
+    EXPECT_GT(edited.accepted(), 40);
+    EXPECT_GT(edited.refused(), 0);
+    parked += edited.parked();
+  }
+  if (scene.clock == Clock::common) {
+    EXPECT_GT(parked, 4);
+  }
+}
+
+TEST(RandomEdits, keep_all_whole_whatever_is_sensed) {
+  for (const auto& [name, sensing] : all_sensing()) {
+    Scenario scene = ring();
+    scene.sensing = sensing;
+    // what any model needs that may come
+    if (!sensing.is_exact()) scene.sensing_error = SensingError{0.3, 0.5};
+    expect_whole(scene, name);
+  }
+  Scenario flights = ring();
+  flights.moving_obstacles.clear();
+  expect_whole(flights, "airplanes among others");
+}
+
+TEST(RandomEdits, keep_all_whole_with_every_method) {
+  for (const Method method :
+       {Method::avo_paper, Method::velocity_obstacle, Method::orca, Method::orca_clamped,
+        Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
+    Scenario scene = ring();
+    scene.method = method;
+    scene.sensing = all_sensing().back().second;
+    expect_whole(scene, to_string(method));
+  }
+  Scenario scene = ring();
+  scene.certificate = Certificate::none;
+  expect_whole(scene, "avo without a certificate");
+  scene.certificate = Certificate::stopping_capsules;
+  expect_whole(scene, "stopping capsules");
+}
+
+TEST(RandomEdits, keep_all_whole_with_clocks_of_their_own) {
+  Scenario scene = ring();
+  scene.clock = Clock::free;
+  scene.longest_step = 0.1;
+  scene.sensing_error = SensingError{0.3, 0.5};
+  expect_whole(scene, "free clocks");
+  scene.sensing = all_sensing()[1].second;
+  expect_whole(scene, "free clocks and noise");
+}
+
+// One that is parked from the start, and one that is parked there before the first step.
+TEST(RandomEdits, parked_robots_are_the_same_whether_they_came_or_were_there) {
+  for (const auto& [name, sensing] : all_sensing()) {
+    Scenario scene = ring();
+    scene.sensing = sensing;
+    Simulation later(scene, 1);
+    for (const double x : {3.0, 11.0}) {
+      RobotSetup parked = test::robot_at({x, 9.0}, {x, 9.0});
+      parked.parked = true;
+      scene.robots.push_back(parked);
+      later.add_robot(parked);
+    }
+    Simulation there(scene, 1);
+    for (int k = 0; k < 60; ++k) {
+      ASSERT_EQ(later.state_hash(), there.state_hash()) << name << " " << k;
+      later.step(), there.step();
+    }
+    later.remove_robot({8}), there.remove_robot({8});
+    for (int k = 0; k < 20; ++k) later.step(), there.step();
+    EXPECT_EQ(later.state_hash(), there.state_hash()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace avo
