@@ -93,7 +93,9 @@ Starts starts(const RandomPlacement& area, const Group& group, const avo::Scenar
   const std::size_t count = scenario.robots.size() + scenario.moving_obstacles.size();
   FreeSpace space(area.min, area.max, radius, area.clearance,
                   count + static_cast<std::size_t>(group.number));
-  for (const auto& robot : scenario.robots) space.add({disc_center(robot), disc_radius(robot)});
+  for (const auto& robot : scenario.robots) {
+    if (keep_apart(robot, group.robot)) space.add({disc_center(robot), disc_radius(robot)});
+  }
   for (const auto& mover : scenario.moving_obstacles) space.add({mover.position, mover.radius});
   const WallSpace walls(scenario.obstacles, radius + area.clearance);
   return {random_points(group.number, area.min, area.max, radius, space, walls, random),

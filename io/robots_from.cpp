@@ -42,12 +42,13 @@ void check_row(const SourceText& source, const ScenRow& row, const OccupancyGrid
 }
 
 /// Names both robots by their numbers.
-void fail_overlap(const SourceText& source, const ScenRow& row, Vec2 start, double radius,
-                  const std::vector<avo::RobotSetup>& before) {
+void fail_overlap(const SourceText& source, const ScenRow& row, Vec2 start,
+                  const avo::RobotSetup& robot, const std::vector<avo::RobotSetup>& before) {
+  const double radius = room_of(robot);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double distance = norm(start - disc_center(before[i]));
     const double least = radius + disc_radius(before[i]);
-    if (!(distance < least)) continue;
+    if (!(distance < least) || !keep_apart(before[i], robot)) continue;
     source.fail(row.offset, fmt::format("found the start of robots.{}, {:g} m from that of "
                                         "robots.{}, must be at least {:g} m",
                                         before.size(), distance, i, least));
@@ -74,15 +75,16 @@ void append_robots_from(const Reader& reader, const YamlNode& node, const std::s
   const Vec2 size{static_cast<double>(grid.width) * grid.cell,
                   static_cast<double>(grid.height) * grid.cell};
   FreeSpace space(grid.origin, grid.origin + size, radius, 0.0, scenario.robots.size() + number);
-  for (const avo::RobotSetup& robot : scenario.robots)
-    space.add({disc_center(robot), disc_radius(robot)});
+  for (const avo::RobotSetup& robot : scenario.robots) {
+    if (keep_apart(robot, from.robot)) space.add({disc_center(robot), disc_radius(robot)});
+  }
   Random random(scenario.seed, kStreamOfScenarios);
   for (std::size_t i = 0; i < number; ++i) {
     const ScenRow& row = rows[i];
     check_row(source, row, grid);
     const Vec2 start = grid.center(row.start_x, row.start_y);
-    if (!space.is_clear(start)) fail_overlap(source, row, start, radius, scenario.robots);
-    space.add({start, radius});
+    if (!space.is_clear(start)) fail_overlap(source, row, start, from.robot, scenario.robots);
+    if (keep_apart(from.robot, from.robot)) space.add({start, radius});
     append_robot(from.robot, from.heading, start, grid.center(row.goal_x, row.goal_y), random,
                  scenario);
   }

@@ -189,7 +189,8 @@ class SceneBuilder {
                    "must be given");
   }
 
-  /// Robots at one point cannot tell in which direction to part.
+  /// Robots at one point cannot tell in which direction to part. It does not matter to those who
+  /// avoid nobody there.
   void refuse_coincident() const {
     const auto& robots = scenario_.robots;
     std::vector<std::size_t> order(robots.size());
@@ -199,9 +200,18 @@ class SceneBuilder {
     };
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      const std::size_t a = order[i - 1], b = order[i];
-      if (!(robots[a].position == robots[b].position)) continue;
+    avo::RobotSetup all;  // at one point
+    for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+      const std::size_t b = order[i];
+      if (!(robots[order[first]].position == robots[b].position)) first = i;
+      if (first == i) all = robots[b];
+      const bool clear = first == i || !keep_apart(all, robots[b]);
+      all.layers.bits |= robots[b].layers.bits, all.avoids.bits |= robots[b].avoids.bits;
+      all.parked = all.parked || robots[b].parked;
+      if (clear || scenario_.allow_broken_assumptions) continue;
+      const std::size_t a = *std::find_if(
+          order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
+          [&](std::size_t other) { return keep_apart(robots[other], robots[b]); });
       const YamlNode* position = origins_[b]->find("position");
       reader_.fail(position != nullptr ? *position : *origins_[b],
                    fmt::format("robots.{}.position", b),

@@ -25,7 +25,10 @@ void LastSeen::look_at(const Simulation& simulation) {
                       .heading = fleet.heading[i],
                       .radius = fleet.setup[i].radius,
                       .status = fleet.plan[i].status,
-                      .detour = fleet.detour[i].angle});
+                      .detour = fleet.detour[i].angle,
+                      .layers = fleet.setup[i].layers,
+                      .avoids = fleet.setup[i].avoids,
+                      .parked = fleet.setup[i].parked});
   }
   const ObstacleView seen = simulation.obstacles();
   obstacles.clear();
@@ -49,7 +52,8 @@ NotArrived LastSeen::describe(std::size_t robot) const {
     if (beyond <= kTouching * contact) near.emplace_back(beyond, name);
   };
   for (const Robot& other : robots) {
-    if (&other == &self) continue;
+    const bool minds = other.parked || (self.avoids.bits & other.layers.bits) != 0;
+    if (&other == &self || !minds) continue;
     consider(other.position, other.radius, static_cast<std::int64_t>(other.id.value));
   }
   for (std::size_t k = 0; k < obstacles.size(); ++k) {

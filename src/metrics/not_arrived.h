@@ -17,6 +17,8 @@ struct LastSeen {
     double radius;
     PlanStatus status;
     double detour;  // rad
+    LayerSet layers, avoids;
+    bool parked;
   };
   struct Obstacle {
     Vec2 position, velocity;

@@ -39,7 +39,7 @@ bool comes_first(Vec2 p, Vec2 q) {
 
 // Whether the robot has to do with the other one at all; who is at its place is itself.
 bool senses(const Claimant& robot, const Claimant& other, double sensing_radius) {
-  return !(other.position == robot.position) &&
+  return !(other.position == robot.position) && (robot.avoids & other.layers) != 0 &&
          norm(other.position - robot.position) <= sensing_radius;
 }
 

@@ -26,7 +26,8 @@ struct Claim {
 /// What the rules know of a robot.
 struct Claimant {
   Claim claim;
-  Vec2 position;  // m
+  Vec2 position;                                // m
+  std::uint32_t layers = 1, avoids = ~0U;  // bits: it minds who is in one of the layers that it avoids
 };
 
 /// The claim that others see, where there is one: inside the direction in which the robot moves, or
@@ -41,7 +42,7 @@ struct Course {
   double max_speed = std::numeric_limits<double>::infinity();  // m/s
 };
 
-/// Among all who claim the same passage and are within the sensing radius. Who is at the robot's
+/// Among all who claim the same passage, are within the sensing radius and whom the robot avoids. Who is at the robot's
 /// place is itself: what others see of it does not count.
 Course right_of_way(const Passage& passage, const Claimant& robot, double max_braking,
                     std::span<const Claimant> claimants, double sensing_radius);

@@ -219,7 +219,7 @@ bool may_overlap(const Scenario& scenario, const StartDisc& a, const StartDisc& 
   if (a.source < 0 || b.source < 0) return a.source < 0 && b.source < 0;
   const RobotSetup& first = scenario.robots[static_cast<std::size_t>(a.source)];
   const RobotSetup& second = scenario.robots[static_cast<std::size_t>(b.source)];
-  return !first.parked && !second.parked && !avoids(first, second) && !avoids(second, first);
+  return !keep_apart(first, second);
 }
 
 void advise_overlaps(const Scenario& scenario, std::vector<std::string>& lines) {

@@ -17,17 +17,25 @@ const Travel& travel_of(const World& world, std::size_t slot) {
   return world.ways.travels[static_cast<std::size_t>(world.fleet.rank[slot])];
 }
 
+Claimant claimant_of(const World& world, std::size_t slot, const Claim& claim) {
+  const Conduct& conduct = world.fleet.conduct[slot];
+  return {claim, world.fleet.position[slot], conduct.layers.bits, conduct.avoids.bits};
+}
+
 // Claims within kClaimRange that the robot has, or seems to have.
 void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& claimants) {
   const Ways& ways = world.ways;
   const Vec2 p = world.fleet.position[slot];
+  const auto append = [&](const Claim& claim) {
+    claimants.push_back(claimant_of(world, slot, claim));
+  };
   if (world.settings.right_of_way == RightOfWay::told) {
     const Travel& travel = travel_of(world, slot);
     if (!travel.is_known()) return;
     const auto claim =
         look_ahead(ways.passages, *travel.graph, *travel.map, p, travel.target).claim;
     if (claim && claim->distance <= kClaimRange * ways.passages[claim->passage].radius)
-      claimants.push_back({*claim, p});
+      append(*claim);
     return;
   }
   ways.passages.for_each_watched(p, [&](std::uint32_t number) {
@@ -35,7 +43,7 @@ void append_claims(const World& world, std::size_t slot, std::vector<Claimant>& 
     const auto claim = seen_claim(passage, number, p, world.fleet.velocity[slot]);
     if (!claim) return;
     const Vec2 mouth = axis_point(passage, claim->forward, 0.0).point;
-    if (claim->inside || ways.is_in_sight(p, mouth)) claimants.push_back({*claim, p});
+    if (claim->inside || ways.is_in_sight(p, mouth)) append(*claim);
   });
 }
 
@@ -93,8 +101,9 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
     heeding.goal = beyond(p, *lane, rest);
   if (!claim) return heeding;
   const Passage& passage = passages[claim->passage];
-  const Course course = right_of_way(passage, {*claim, p}, traits.max_braking,
-                                     claims.of(claim->passage), world.settings.sensing_radius);
+  const Course course =
+      right_of_way(passage, claimant_of(world, slot, *claim), traits.max_braking,
+                   claims.of(claim->passage), world.settings.sensing_radius);
   heeding.preferred_speed = std::min(heeding.preferred_speed, course.max_speed);
   if (course.target) heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);
   return heeding;

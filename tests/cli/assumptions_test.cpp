@@ -213,6 +213,48 @@ TEST(Assumptions, are_told_once) {
   EXPECT_EQ(lines_of(result.err).size(), 4U) << result.err;
 }
 
+TEST(Assumptions, a_scene_may_allow_for_breaking_them) {
+  const std::string yaml = head_on(0.75, "0", "allow_broken_assumptions: true\n");
+  const std::string recording = path_of("a.h5");
+  const ProcessResult result = run_avo(with_scene({"run", "--record", recording}, yaml));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("warning: " + path_of("scene.yaml") +
+                            ": robot 0 and robot 1 overlap at the start"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(run_avo({"replay", recording}).exit_code, 0);
+  EXPECT_EQ(run_avo(with_scene({"validate", "--set", "robots.1.position=[0, 0]"}, yaml)).exit_code,
+            0);
+}
+
+// Two floors, and who goes up and down.
+TEST(Assumptions, robots_that_do_not_avoid_each_other_may_be_in_one_place) {
+  const std::string floors =
+      "version: 1\nrobots:\n"
+      "  - {position: [-6, 0], goal: [6, 0], layers: [0], avoids: [0]}\n"
+      "  - {position: [-6, 0], goal: [6, 0], layers: [1], avoids: [1]}\n";
+  for (const char* verb : {"validate", "run"}) {
+    const ProcessResult result = run_avo(with_scene({verb}, floors));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err.find("overlap"), std::string::npos) << result.err;
+  }
+  const std::string third = "  - {position: [-6, 0], goal: [6, 3], layers: [2], avoids: [1]}\n";
+  EXPECT_EQ(lines_of(run_avo(with_scene({"validate"}, floors + third)).err).at(0),
+            path_of("scene.yaml") +
+                ":5:16: robots.2.position: found [-6, 0], the position of robots.1, must differ "
+                "from it");
+  // one below the other, at the same places
+  const std::string group =
+      "  - {number: 12, placement: {random: {min: [0, 0], max: [4, 5]}}, goals: antipodal, ";
+  const std::string groups = "version: 1\ngroups:\n" + group + "layers: [0], avoids: [0]}\n";
+  EXPECT_EQ(run_avo(with_scene({"validate"}, groups + group + "layers: [1], avoids: [1]}\n"))
+                .exit_code,
+            0);
+  EXPECT_EQ(run_avo(with_scene({"validate"}, groups + group + "layers: [1], avoids: [0]}\n"))
+                .exit_code,
+            3);
+}
+
 TEST(Assumptions, recordings_are_judged_without_them) {
   const std::string recording = path_of("a.csv");
   const std::vector<std::string> none{"--set", "certificate=none"};

@@ -184,6 +184,7 @@ TEST(Parked, elsewhere_than_at_its_goal_or_in_motion_is_refused) {
 TEST(Parked, has_arrived_and_counts_for_no_mean) {
   Scenario scene;
   scene.robots = {robot_at({-3, 0}, {3, 4}), parked_at({0, -5}), parked_at({0.5, -5})};
+  scene.allow_broken_assumptions = true;
   Simulation simulation(scene, 1);
   Metrics metrics(scene);
   metrics.observe(simulation);
@@ -215,6 +216,62 @@ TEST(Layers, who_is_not_avoided_changes_no_bit) {
       }
     }
   }
+}
+
+// Through a corridor for one, from both ends.
+TEST(Layers, nobody_waits_at_a_passage_for_those_whom_it_does_not_avoid) {
+  for (const RightOfWay right_of_way : {RightOfWay::seen, RightOfWay::told}) {
+    Scenario one;
+    one.right_of_way = right_of_way;
+    for (const double y : {-0.8, 0.8})
+      one.obstacles.push_back({.chains = {{.points = {{-4, y}, {4, y}}}}});
+    for (const double y : {-0.8, 0.8})
+      for (const double x : {-4.0, 4.0})
+        one.obstacles.push_back({.chains = {{.points = {{x, y}, {x, 10.0 * y}}}}});
+    Scenario other = one, both = one;
+    one.robots = {in_layer(robot_at({-9, 0}, {9, 0}), 1, 1)};
+    other.robots = {in_layer(robot_at({8, 0}, {-8, 0}), 2, 2)};
+    both.robots = {one.robots[0], other.robots[0]};
+    Simulation of_both(both, 1), of_one(one, 1), of_other(other, 1);
+    for (int step = 0; step < 150; ++step) {
+      of_both.step(), of_one.step(), of_other.step();
+      ASSERT_EQ(of_both.fleet().position[0], of_one.fleet().position[0]) << step;
+      ASSERT_EQ(of_both.fleet().position[1], of_other.fleet().position[0]) << step;
+    }
+    EXPECT_TRUE(of_both.all_at_goal());
+  }
+}
+
+// Two floors.
+TEST(Layers, those_who_avoid_nobody_there_may_be_in_one_place) {
+  Scenario scene;
+  for (int k = 0; k < 6; ++k) {
+    const Vec2 place{-6.0, 3.0 * (k / 2)};
+    scene.robots.push_back(in_layer(robot_at(place, -1.0 * place), 1U << k % 2, 1U << k % 2));
+  }
+  EXPECT_TRUE(broken_assumptions(scene).none());
+  EXPECT_TRUE(advice(scene).empty());
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  Check check = judge_of(scene);
+  metrics.observe(simulation), observe(simulation, check);
+  for (int k = 0; k < 120; ++k)
+    simulation.step(), metrics.observe(simulation), observe(simulation, check);
+  EXPECT_EQ(metrics.summary().arrived, 6);
+  EXPECT_EQ(metrics.summary().collision_pairs, 0);
+  EXPECT_TRUE(check.report().safe());
+}
+
+TEST(Layers, nobody_is_held_by_those_whom_it_does_not_avoid) {
+  Scenario scene;
+  scene.robots = {in_layer(robot_at({0, 0}, {9, 0}), 1, 1), in_layer(robot_at({0, 0}, {9, 0}), 2, 2),
+                  in_layer(robot_at({1, 0}, {9, 0}), 1, 1)};
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
+  ASSERT_EQ(metrics.summary().not_arrived.size(), 3u);
+  EXPECT_EQ(metrics.summary().not_arrived[0].held_by, std::vector<std::int64_t>{2});
+  EXPECT_EQ(metrics.summary().not_arrived[1].held_by, std::vector<std::int64_t>{});
 }
 
 TEST(Layers, to_the_one_that_avoids_a_car_it_accelerates_as_its_set_allows) {
