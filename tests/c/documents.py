@@ -22,7 +22,7 @@ def example(language):
 
 
 def output(command, **options):
-    said = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, timeout=60, **options).stdout
+    said = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, **options).stdout
     print(said, end="")
     return said
 

@@ -9,7 +9,7 @@ import sys
 
 
 def output(command):
-    return subprocess.run(command, check=True, capture_output=True, text=True, timeout=300).stdout
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def main():

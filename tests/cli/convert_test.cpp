@@ -60,9 +60,7 @@ TEST(Convert, reads_spools_and_the_standard_input) {
   const ProcessResult killed =
       run_avo({"run", "circle-3", "--duration", "100000", "--record", path_of("killed.h5")},
               {.meanwhile = [](int pid) {
-                while (!exists(path_of("killed.h5.part")) ||
-                       read_file(path_of("killed.h5.part")).size() < 9000)
-                  usleep(1000);
+                wait_until_larger(pid, path_of("killed.h5.part"), 9000);
                 kill(pid, SIGKILL);
               }});
   EXPECT_EQ(killed.exit_code, 128 + SIGKILL);

@@ -166,7 +166,7 @@ TEST(Lab, takes_a_spool_as_far_as_it_is_whole) {
   const std::string h5 = path_of("run.h5"), spool = path_of("run.h5.part");
   const ProcessResult run = run_avo({"run", "circle-5", "--duration=1e6", "--record", h5, "-q"},
                                     {.meanwhile = [](int pid) {
-                                      usleep(700'000);
+                                      wait_until_larger(pid, path_of("run.h5.part"), 9000);
                                       kill(pid, SIGKILL);
                                     }});
   ASSERT_EQ(run.exit_code, 128 + SIGKILL);
@@ -248,8 +248,9 @@ TEST(Lab, in_a_build_without_it_says_how_to_get_it) {
   EXPECT_FALSE(exists("circle-3.html"));
 }
 
-/// At a terminal, with a program xdg-open that notes what it was given.
-std::string opened(const std::string& words) {
+/// At a terminal, with a program xdg-open that notes what it was given; it is not waited for longer
+/// than a second where nobody is to start it.
+std::string opened(const std::string& words, bool is_to_start) {
   const std::string note = path_of("note");
   write_file(path_of("xdg-open"), "#!/bin/sh\nprintf %s \"$1\" > '" + note + ".part'\nmv '" + note +
                                       ".part' '" + note + "'\n");
@@ -259,17 +260,20 @@ std::string opened(const std::string& words) {
        "PATH=\"" + folder() + ":$PATH\" " + words + " '" AVO_WITH_LAB "' lab circle-3 $MORE"},
       {.folder = folder()});
   EXPECT_EQ(terminal.wait(), 0) << terminal.shown();
-  for (int k = 0; k < 200 && !exists(note); ++k) usleep(10'000);
+  if (is_to_start)
+    wait_until([&] { return exists(note); });
+  else
+    usleep(1'000'000);
   return read_file(note);
 }
 
 TEST(Lab, opens_the_page_at_a_terminal_with_a_display) {
-  EXPECT_EQ(opened("DISPLAY=:7"), path_of("circle-3.html"));
+  EXPECT_EQ(opened("DISPLAY=:7", true), path_of("circle-3.html"));
 }
 
 TEST(Lab, opens_nothing_without_a_display_or_where_it_shall_not) {
-  EXPECT_EQ(opened("DISPLAY= WAYLAND_DISPLAY="), "");
-  EXPECT_EQ(opened("MORE=--no-open; export DISPLAY=:7;"), "");
+  EXPECT_EQ(opened("DISPLAY= WAYLAND_DISPLAY=", false), "");
+  EXPECT_EQ(opened("MORE=--no-open; export DISPLAY=:7;", false), "");
 }
 
 /// The page that a report frames, and what it opens.

@@ -13,10 +13,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "run_avo.h"
+
 namespace avo_test {
 namespace {
-
-constexpr int kPatience = 20'000;  // ms without a byte
 
 [[noreturn]] void become(std::vector<std::string>& command, const TerminalOptions& options) {
   const std::string folder = std::filesystem::path(AVO_BINARY).parent_path().string();
@@ -62,7 +62,7 @@ void PseudoTerminal::type(const std::string& keys) {
 // False at the end, which a terminal tells by an error, and where nothing comes.
 bool PseudoTerminal::read_more() {
   pollfd ready{terminal_, POLLIN, 0};
-  if (poll(&ready, 1, kPatience) != 1) return false;
+  if (poll(&ready, 1, 1000 * static_cast<int>(kHang)) != 1) return false;
   char buffer[4096];
   const ssize_t got = read(terminal_, buffer, sizeof buffer);
   if (got < 0 && errno == EINTR) return true;

@@ -23,8 +23,8 @@ class PseudoTerminal {
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
   void type(const std::string& keys);
-  /// Reads until `text` was shown since the last call of clear(), or the program has ended, or 20 s
-  /// have gone by without a byte. Whether it was.
+  /// Reads until `text` was shown since the last call of clear(), or the program has ended, or it
+  /// hangs. Whether it was.
   bool wait_for(const std::string& text);
   /// All that was shown since the last call of clear().
   [[nodiscard]] const std::string& shown() const { return shown_; }

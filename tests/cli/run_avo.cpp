@@ -3,6 +3,7 @@
 #include "run_avo.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace avo_test {
@@ -46,6 +48,7 @@ void redirect(const std::string& path, int target) {
   for (std::string& word : copies) words.push_back(word.data());
   words.push_back(nullptr);
   setenv("LSAN_OPTIONS", "print_suppressions=0:suppressions=" AVO_SUPPRESSIONS, 1);
+  alarm(kHang);
   if (options.before) options.before();
   execv(options.binary.empty() ? AVO_BINARY : options.binary.c_str(), words.data());
   _exit(98);
@@ -79,6 +82,76 @@ ProcessResult run_avo(const std::vector<std::string>& arguments, const ProcessOp
   fs::remove(own_out);
   fs::remove(own_err);
   return result;
+}
+
+ProcessResult run_avo_to_its_own_end(const std::vector<std::string>& arguments,
+                                     const ProcessOptions& options) {
+  constexpr int kTries = 20;
+  ProcessResult result;
+  for (int k = 0; k < kTries; ++k) {
+    result = run_avo(arguments, options);
+    if (result.err.find("ended by a signal;") == result.err.npos) break;
+  }
+  return result;
+}
+
+bool wait_until(int pid, const std::function<bool()>& holds) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + std::chrono::seconds(kHang);
+  while (!holds()) {
+    siginfo_t ended = {};
+    if (pid > 0 && waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        ended.si_pid == pid)
+      return holds();
+    if (Clock::now() > end) return false;
+    usleep(1000);
+  }
+  return true;
+}
+
+bool wait_until(const std::function<bool()>& holds) {
+  return wait_until(0, holds);
+}
+
+bool wait_until_caught(int pid, int signal) {
+  return wait_until(pid, [&] {
+    const std::string status = read_file("/proc/" + std::to_string(pid) + "/status");
+    const std::size_t at = status.find("SigBlk:");  // a thread of its own waits for them
+    return at != status.npos &&
+           (std::strtoull(status.c_str() + at + 7, nullptr, 16) >> (signal - 1) & 1U) != 0;
+  });
+}
+
+bool wait_until_worked(int pid, double seconds) {
+  return wait_until(pid, [&] {
+    const std::string stat = read_file("/proc/" + std::to_string(pid) + "/stat");
+    std::istringstream fields(stat.substr(std::min(stat.rfind(')') + 2, stat.size())));
+    std::string skipped;
+    for (int k = 0; k < 11; ++k) fields >> skipped;
+    double in_user_mode = 0.0, in_system = 0.0;  // clock ticks
+    fields >> in_user_mode >> in_system;
+    return in_user_mode + in_system >= seconds * static_cast<double>(sysconf(_SC_CLK_TCK));
+  });
+}
+
+bool wait_until_larger(int pid, const std::string& path, std::uintmax_t bytes) {
+  return wait_until(pid, [&] {
+    std::error_code missing;
+    const std::uintmax_t size = fs::file_size(path, missing);
+    return !missing && size > bytes;
+  });
+}
+
+bool wait_until_any_larger(int pid, const std::string& part, std::uintmax_t bytes) {
+  return wait_until(pid, [&] {
+    const std::vector<std::string> names = files_in(folder());
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      std::error_code gone;
+      const std::uintmax_t size =
+          name.find(part) != name.npos ? fs::file_size(path_of(name), gone) : 0;
+      return !gone && size > bytes;
+    });
+  });
 }
 
 std::string folder() {

@@ -185,10 +185,9 @@ TEST(Sweep, prepares_no_run_again_that_is_done) {
 ProcessResult ended_by(int signal) {
   const std::string journal = path_of("runs.csv.part");
   return sweep(kLongSweep, {"--out", path_of("runs.csv"), "--jobs=2"}, {.meanwhile = [&](int pid) {
-                 for (int i = 0; i < 5000; ++i) {
-                   if (exists(journal) && lines_of(read_file(journal)).size() > 4) break;
-                   usleep(2000);
-                 }
+                 wait_until(pid, [&] {
+                   return exists(journal) && lines_of(read_file(journal)).size() > 4;
+                 });
                  kill(pid, signal);
                }});
 }

@@ -2,7 +2,6 @@
 // Verbs that make something of a recording and are asked to end: what was there before stays, and
 // nothing else is left.
 #include <algorithm>
-#include <chrono>
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -18,35 +17,19 @@ namespace {
 const std::string kEndedAtOnce =
     "ended by a signal; outputs that were not complete are not there\n";
 
-void wait_until_an_output_has_begun() {
-  const auto begun = [] {
-    const Strings names = files_in(folder());
-    return std::any_of(names.begin(), names.end(),
-                       [](const std::string& name) { return name.starts_with(".avo-"); });
-  };
-  for (int i = 0; i < 2000 && !begun(); ++i) usleep(5'000);
+bool has_output_begun() {
+  const Strings names = files_in(folder());
+  return std::any_of(names.begin(), names.end(),
+                     [](const std::string& name) { return name.starts_with(".avo-"); });
 }
 
-struct Interrupted {
-  ProcessResult result;
-  double seconds = 0.0;  // from the signal to the end
-};
-
-Interrupted interrupted(const Strings& command, int signal, useconds_t wait = 100'000,
-                        bool output = true) {
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start;
-  Interrupted found;
-  found.result = run_avo(command, {.before = [] { alarm(30); },
-                                   .meanwhile =
-                                       [&](int pid) {
-                                         if (output) wait_until_an_output_has_begun();
-                                         usleep(wait);
-                                         start = Clock::now();
-                                         kill(pid, signal);
-                                       }});
-  found.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return found;
+/// Ends by the signal, a little after its output has begun. How soon it ends, scripts/waiting shows.
+ProcessOptions interrupted_by(int signal, useconds_t wait = 100'000) {
+  return {.meanwhile = [signal, wait](int pid) {
+    wait_until(pid, has_output_begun);
+    usleep(wait);
+    kill(pid, signal);
+  }};
 }
 
 std::string recorded(const Strings& scene) {
@@ -69,10 +52,10 @@ TEST(Interrupted, a_report_ends_at_once) {
   const std::string h5 = recorded({"circle-1000", "--duration=250", "--every=100"});
   write_file(path_of("out.html"), "precious");
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Interrupted found = interrupted({"report", h5, path_of("out.html")}, signal);
-    EXPECT_EQ(found.result.exit_code, 128 + signal);
-    EXPECT_EQ(found.result.err, kEndedAtOnce);
-    EXPECT_LT(found.seconds, 0.8) << "at once, not a second later";
+    const ProcessResult result =
+        run_avo({"report", h5, path_of("out.html")}, interrupted_by(signal));
+    EXPECT_EQ(result.exit_code, 128 + signal);
+    EXPECT_EQ(result.err, kEndedAtOnce);
     expect_untouched("out.html");
   }
 }
@@ -86,10 +69,10 @@ TEST(Interrupted, a_conversion_ends_at_once) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string rows = "time,robot,x,y,vx,vy\n0,0,0,0,0,0\n1,0,0,0,0,0\n";
     ASSERT_EQ(::write(writer, rows.data(), rows.size()), static_cast<ssize_t>(rows.size()));
-    const Interrupted found = interrupted({"convert", pipe, path_of("out.csv")}, signal);
-    EXPECT_EQ(found.result.exit_code, 128 + signal);
-    EXPECT_EQ(found.result.err, kEndedAtOnce);
-    EXPECT_LT(found.seconds, 0.8);
+    const ProcessResult result =
+        run_avo({"convert", pipe, path_of("out.csv")}, interrupted_by(signal));
+    EXPECT_EQ(result.exit_code, 128 + signal);
+    EXPECT_EQ(result.err, kEndedAtOnce);
     expect_untouched("out.csv");
   }
   close(writer);
@@ -98,11 +81,14 @@ TEST(Interrupted, a_conversion_ends_at_once) {
 TEST(Interrupted, a_comparison_ends_at_once) {
   const std::string h5 = recorded({"circle-500", "--duration=400"});
   write_file(path_of("out.svg"), "precious");
-  const Interrupted found =
-      interrupted({"compare", h5, h5, h5, h5, h5, h5, "--arrival", path_of("out.svg")}, SIGTERM,
-                  150'000, false);
-  EXPECT_EQ(found.result.exit_code, 128 + SIGTERM);
-  EXPECT_EQ(found.result.err, kEndedAtOnce);
+  const ProcessResult result =
+      run_avo({"compare", h5, h5, h5, h5, h5, h5, "--arrival", path_of("out.svg")},
+              {.meanwhile = [](int pid) {
+                wait_until_caught(pid, SIGTERM);
+                kill(pid, SIGTERM);
+              }});
+  EXPECT_EQ(result.exit_code, 128 + SIGTERM);
+  EXPECT_EQ(result.err, kEndedAtOnce);
   expect_untouched("out.svg");
 }
 
@@ -110,10 +96,10 @@ TEST(Interrupted, a_video_leaves_what_was_there) {
   const std::string h5 = recorded({"circle-30"});
   write_file(path_of("out.mp4"), "precious");
   for (const useconds_t wait : {0U, 30'000U, 400'000U}) {
-    const Interrupted found = interrupted({"video", h5, path_of("out.mp4")}, SIGINT, wait);
-    EXPECT_EQ(found.result.exit_code, 130) << found.result.out;
-    EXPECT_EQ(found.result.err, "stopped by a signal; there is no video\n");
-    EXPECT_LT(found.seconds, 1.0);
+    const ProcessResult result =
+        run_avo_to_its_own_end({"video", h5, path_of("out.mp4")}, interrupted_by(SIGINT, wait));
+    EXPECT_EQ(result.exit_code, 130) << result.out;
+    EXPECT_EQ(result.err, "stopped by a signal; there is no video\n");
     expect_untouched("out.mp4");
   }
 }
@@ -129,20 +115,16 @@ TEST(Interrupted, a_video_kills_the_program_that_makes_it) {
   const ProcessResult result =
       run_avo({"video", h5, path_of("out.mp4")},
               {.before =
-                   [here] {
-                     setenv("PATH", (here + ":/bin:/usr/bin").c_str(), 1);
-                     alarm(30);
-                   },
+                   [here] { setenv("PATH", (here + ":/bin:/usr/bin").c_str(), 1); },
                .meanwhile =
                    [](int pid) {
-                     for (int i = 0; i < 1000 && !exists(path_of("pid")); ++i) usleep(5'000);
+                     wait_until_larger(pid, path_of("pid"), 0);
                      usleep(100'000);
                      kill(pid, SIGTERM);
                    }});
   EXPECT_EQ(result.exit_code, 128 + SIGTERM);
-  usleep(1'500'000);
-  const int child = std::stoi(read_file(path_of("pid")));
-  EXPECT_EQ(read_file("/proc/" + std::to_string(child) + "/cmdline"), "")
+  const std::string child = "/proc/" + std::to_string(std::stoi(read_file(path_of("pid"))));
+  EXPECT_TRUE(wait_until([&child] { return read_file(child + "/cmdline").empty(); }))
       << "it is gone, or nobody has asked for its end yet";
   unlink(path_of("pid").c_str());
   unlink(path_of("ffmpeg").c_str());

@@ -156,10 +156,11 @@ TEST(Report, has_the_command_of_a_run_that_a_signal_has_ended) {
         Strings{"circle-200", "--set", "clock=free", "--set", "duration=500"}}) {
     Strings command{"run", "--threads", "1", "--every", "50", "--record", h5, "-q"};
     command.insert(command.end(), scene.begin(), scene.end());
-    const ProcessResult run = run_avo(command, {.meanwhile = [](int pid) {
-                                        usleep(500'000);
-                                        kill(pid, SIGINT);
-                                      }});
+    const ProcessResult run = run_avo_to_its_own_end(command, {.meanwhile = [](int pid) {
+                                                       wait_until_caught(pid, SIGINT);
+                                                       wait_until_worked(pid, 0.5);
+                                                       kill(pid, SIGINT);
+                                                     }});
     ASSERT_EQ(run.exit_code, 130) << run.err;
     EXPECT_NE(report_on(h5).find(" --duration "), std::string::npos);
     expect_exact(h5);

@@ -6,11 +6,13 @@ import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
 const PAGE = process.env.AVO_LAB_PAGE; // the built page
+const HANG = 1_200_000; // ms: no wait is shorter, so that a busy machine fails no test
 // playwright-core is one of the lab's packages; a test may lie elsewhere than they do
 const { chromium } = createRequire(pathToFileURL(`${process.env.AVO_LAB_SOURCE}/package.json`))("playwright-core");
 
 export async function launch() {
   return chromium.launch({
+    timeout: HANG,
     executablePath: process.env.AVO_CHROMIUM ?? "/usr/bin/chromium",
     // no processor of graphics is needed: SwiftShader draws
     args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
@@ -20,6 +22,7 @@ export async function launch() {
 /** Of the file at `path`: the page, once its first picture is there. */
 export async function open(browser, { path = PAGE, hash = "", width = 1280, height = 800, ...context } = {}) {
   const page = await (await browser.newContext({ viewport: { width, height }, deviceScaleFactor: 1, ...context })).newPage();
+  page.setDefaultTimeout(HANG); // also of navigation
   const faults = [];
   page.on("request", (request) => {
     if (!/^(file|data|blob):/.test(request.url())) faults.push(`a request of ${request.url()}`);

@@ -19,7 +19,7 @@ const sceneAt = (x, more = "") =>
 
 /** Once the first robot starts there, and a picture shows it. */
 async function shownAt(x) {
-  await lab.page.waitForFunction((place) => window.avoLab.moment.position[0] === place, x, { timeout: 5000 });
+  await lab.page.waitForFunction((place) => window.avoLab.moment.position[0] === place, x);
   await frames(lab.page, 2);
   assert.equal(await lab.page.evaluate(() => window.avoLab.error?.message ?? null), null);
 }

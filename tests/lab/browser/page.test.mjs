@@ -89,7 +89,7 @@ test("another link in the same tab is opened", async () => {
 
 async function saved(lab, label) {
   const [download] = await Promise.all([
-    lab.page.waitForEvent("download", { timeout: 60_000 }),
+    lab.page.waitForEvent("download"),
     lab.page.locator("summary", { hasText: "Save as" }).click().then(() => lab.page.locator("button", { hasText: label }).click()),
   ]);
   const path = join(folder, download.suggestedFilename());

@@ -61,6 +61,6 @@ test("the comparison fits, and a tap beside it closes it", async () => {
   assert.ok(await dialog.evaluate((shown) => shown.scrollWidth <= shown.clientWidth), "nothing is cut off at its right");
   const { x, y, width } = await dialog.boundingBox();
   await lab.page.touchscreen.tap(x + width / 2, y / 2);
-  await dialog.waitFor({ state: "detached", timeout: 2000 });
+  await dialog.waitFor({ state: "detached" });
   assert.equal(await selected(), 0);
 });

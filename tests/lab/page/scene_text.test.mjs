@@ -71,17 +71,9 @@ test("a key of all robots comes to those of the list and of the groups", () => {
   assert.ok(hasMoreRobots(SCENE));
 });
 
-test("a key of a thousand robots comes at once, and of ten thousand in ten times as long", () => {
-  const scene = (count) => `version: 1\nrobots:\n${"  - {position: [-8, 0], goal: [8, 0]}\n".repeat(count)}`;
-  const took = (count) => {
-    const yaml = scene(count);
-    const begin = performance.now();
-    assert.equal(withRobotKey(yaml, "radius", 0.4), yaml.replaceAll("}", ", radius: 0.4}"));
-    return performance.now() - begin;
-  };
-  const thousand = Math.min(took(1000), took(1001), took(1002));
-  assert.ok(thousand < 300, `${thousand} ms`);
-  assert.ok(took(10000) < 50 * thousand);
+test("a key of ten thousand robots", () => {  // how soon it comes, scripts/lab-check tells
+  const yaml = `version: 1\nrobots:\n${"  - {position: [-8, 0], goal: [8, 0]}\n".repeat(10000)}`;
+  assert.equal(withRobotKey(yaml, "radius", 0.4), yaml.replaceAll("}", ", radius: 0.4}"));
 });
 
 test("a word that ends with a space, and JSON", () => {

@@ -92,10 +92,8 @@ test("text that was changed by chance is a scene or is refused, in one line", ()
   assert.ok(refusals > 300 && refusals < 600, `${refusals} refused`);
 });
 
-test("texts that want too much are refused soon", () => {
+test("texts that want too much are refused", () => {  // how soon, scripts/lab-check tells
   for (const [piece, times] of [["[", 100000], ["{", 100000], ["- ", 100000], ["? ", 100000], ["!", 100000], ["&a ", 100000], ["---\n", 20000]]) {
-    const begin = performance.now();
     refused(() => library.simulate(piece.repeat(times), { name: "bomb" }));
-    assert.ok(performance.now() - begin < 20000, `${piece}: ${performance.now() - begin} ms`);
   }
 });
