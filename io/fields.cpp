@@ -8,6 +8,7 @@ using avo::kAnyValue;
 using avo::kAtLeastOne;
 using avo::kNotNegative;
 using avo::kPositive;
+using avo::LocalizationNoise;
 using avo::MeasurementNoise;
 using avo::MovingObstacle;
 using avo::Scenario;
@@ -59,7 +60,12 @@ const std::vector<Field<Scenario>>& fields() {
        "true where there are obstacles"},
       {"right_of_way", &Scenario::right_of_way, kOptional, kNoNumber, "",
        "with navigation, how robots know who else is about to go through a narrow passage"},
-      {"sensing", kNested, kOptional, {}, "", "how robots sense others; omitted: as they are"},
+      {"sensing",
+       kNested,
+       kOptional,
+       {},
+       "",
+       "how robots sense others, and themselves; omitted: as they are"},
       {"sensing_error",
        kNested,
        kOptional,
@@ -92,6 +98,24 @@ const std::vector<Field<SensingModel>>& fields() {
        {},
        "",
        "nobody is sensed whose center is behind an obstacle"},
+      {"localization",
+       kNested,
+       kOptional,
+       {},
+       "",
+       "by which the robot's own place on the map of the obstacles is off"},
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<LocalizationNoise>>& fields() {
+  static const std::vector<Field<LocalizationNoise>> table{
+      {"position", &LocalizationNoise::position, kOptional, avo::kNoise, "m",
+       "of each coordinate: standard deviation, or bound of uniform noise"},
+      {"distribution", &LocalizationNoise::distribution, kOptional, {}, "", "of each coordinate"},
+      {"truncated", &LocalizationNoise::truncated, kOptional, avo::kTruncation, "",
+       "gaussian noise stays within so many standard deviations", "3"},
   };
   return table;
 }

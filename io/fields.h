@@ -115,6 +115,11 @@ struct MembersOf<avo::MeasurementNoise> {
   using type =
       MemberOf<avo::MeasurementNoise, double, std::optional<double>, avo::NoiseDistribution>;
 };
+template <>
+struct MembersOf<avo::LocalizationNoise> {
+  using type =
+      MemberOf<avo::LocalizationNoise, double, std::optional<double>, avo::NoiseDistribution>;
+};
 template <class T>
 using Member = typename MembersOf<T>::type;
 

@@ -133,6 +133,8 @@ void read_sensing(const Reader& reader, const YamlNode& scene, avo::Scenario& sc
     read_map(reader, *node, path, scenario.sensing);
     if (const YamlNode* noise = node->find("noise"))
       read_map(reader, *noise, path_to(path, "noise"), scenario.sensing.noise);
+    if (const YamlNode* own = node->find("localization"))
+      read_map(reader, *own, path_to(path, "localization"), scenario.sensing.localization);
   }
   if (const YamlNode* node = scene.find("sensing_error"))
     read_map(reader, *node, "sensing_error", scenario.sensing_error.emplace());

@@ -246,18 +246,19 @@ Json schema() {
   Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
             {"title", "avo scene"},
             {"description", "Robots, obstacles, and how they are simulated. SI units."}};
-  json.update(
-      map_schema(fields<avo::Scenario>(),
-                 {{"version", {{"const", 1}}},
-                  {"precision", {{"const", "double"}, {"default", "double"}}},
-                  {"robots", list_schema("robot")},
-                  {"groups", list_schema("group")},
-                  {"robots_from", robots_from_schema(alike)},
-                  {"sensing", map_schema(fields<avo::SensingModel>(),
-                                         {{"noise", map_schema(fields<avo::MeasurementNoise>())}})},
-                  {"sensing_error", map_schema(fields<avo::SensingError>())},
-                  {"moving_obstacles", list_schema("moving_obstacle")},
-                  {"obstacles", list_schema("obstacle")}}));
+  json.update(map_schema(
+      fields<avo::Scenario>(),
+      {{"version", {{"const", 1}}},
+       {"precision", {{"const", "double"}, {"default", "double"}}},
+       {"robots", list_schema("robot")},
+       {"groups", list_schema("group")},
+       {"robots_from", robots_from_schema(alike)},
+       {"sensing", map_schema(fields<avo::SensingModel>(),
+                              {{"noise", map_schema(fields<avo::MeasurementNoise>())},
+                               {"localization", map_schema(fields<avo::LocalizationNoise>())}})},
+       {"sensing_error", map_schema(fields<avo::SensingError>())},
+       {"moving_obstacles", list_schema("moving_obstacle")},
+       {"obstacles", list_schema("obstacle")}}));
   json["properties"]["samples"]["not"] = {{"const", 1}};
   json["anyOf"] = {
       {{"required", {"robots"}}, {"properties", {{"robots", {{"minItems", 1}}}}}},

@@ -65,6 +65,7 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
   options.clock = word<avo::Clock>(def.clock, 2, here, "clock");
   options.longest_step = def.longest_step;
   options.arrival_distance = def.arrival_distance;
+  options.localization_error = def.localization_error;
   return options;
 }
 
@@ -92,6 +93,7 @@ avo_planner_def avo_default_planner_def(avo_method method) {
                        options.sensing_noise.quantile};
   def.longest_step = options.longest_step;
   def.arrival_distance = options.arrival_distance;
+  def.localization_error = options.localization_error;
   return def;
 }
 

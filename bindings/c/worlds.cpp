@@ -39,6 +39,17 @@ avo_sensing_model to_c(const avo::SensingModel& sensing) {
           sensing.occlusion};
 }
 
+avo::LocalizationNoise localization_of(const avo_localization_noise& noise) {
+  return {noise.position,
+          word<avo::NoiseDistribution>(noise.distribution, 2, {"localization"}, "distribution"),
+          unless_zero(noise.truncated)};
+}
+
+avo_localization_noise to_c(const avo::LocalizationNoise& noise) {
+  return {noise.position, noise.truncated.value_or(0.0),
+          static_cast<avo_noise_distribution>(noise.distribution)};
+}
+
 void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   const Where here;
   scenario.name = def.name == nullptr ? "" : def.name;
@@ -59,6 +70,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
     scenario.navigation = word<std::int32_t>(def.navigation, 2, here, "navigation") == 1;
   scenario.right_of_way = word<avo::RightOfWay>(def.right_of_way, 3, here, "right_of_way");
   scenario.sensing = sensing_of(def.sensing);
+  scenario.sensing.localization = localization_of(def.localization);
   const auto& error = def.sensing_error;
   if (!std::isnan(error.position) || !std::isnan(error.velocity))
     scenario.sensing_error = avo::SensingError{error.position, error.velocity};
@@ -136,6 +148,7 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   if (scenario.navigation) def.navigation = *scenario.navigation ? 1 : 0;
   def.right_of_way = static_cast<avo_right_of_way>(scenario.right_of_way);
   def.sensing = to_c(scenario.sensing);
+  def.localization = to_c(scenario.sensing.localization);
   def.sensing_error = {error.position, error.velocity};
   def.allow_broken_assumptions = scenario.allow_broken_assumptions;
   def.workers = 1;

@@ -53,9 +53,9 @@ struct Car {
 /// max_acceleration are those of q: max_speed <= wheel_speed, max_acceleration <
 /// most_acceleration().
 struct DifferentialDrive {
-  double track = 0.4;               ///< [b] m, > 0, between the wheels
-  double offset = 0.5 * track;      ///< [L] m, > 0; of a small robot with wide wheels usual_offset()
-  double wheel_speed = 2.0;         ///< [w_max] m/s, > 0, of each wheel on the ground
+  double track = 0.4;           ///< [b] m, > 0, between the wheels
+  double offset = 0.5 * track;  ///< [L] m, > 0; of a small robot with wide wheels usual_offset()
+  double wheel_speed = 2.0;     ///< [w_max] m/s, > 0, of each wheel on the ground
   double wheel_acceleration = 3.0;  ///< [α_w] m/s², > 0, likewise
   friend bool operator==(const DifferentialDrive&, const DifferentialDrive&) = default;
 };

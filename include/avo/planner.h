@@ -121,6 +121,10 @@ struct PlannerOptions {
   std::optional<int> max_neighbors = {};
   SensingError sensing_error = {};  ///< of braking_trajectories; each robot declares its own
   SensingNoise sensing_noise = {};  ///< of the half-planes
+  /// [ε] m, >= 0: how far the robot may be from where it takes itself to be among the walls, as
+  /// long as it senses its neighbors from where it is. A certificate keeps clear of walls all the
+  /// same, and needs those that are so much farther away.
+  double localization_error = 0.0;
   Clock clock = Clock::common;  ///< free: motion held, no stopping_capsules (docs/certificate.md)
   /// s, >= 0, of a free clock: the largest time_step that any of the others has; 0: that of this
   /// one.

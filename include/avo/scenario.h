@@ -112,17 +112,30 @@ struct MeasurementNoise {
   friend constexpr bool operator==(const MeasurementNoise&, const MeasurementNoise&) = default;
 };
 
-/// How robots sense others: what a simulation makes of the true states before anybody sees them.
-/// All of it depends on the seed, the step and the two robots alone (docs/scenes.md, "Sensing").
+/// How far each coordinate of where a robot takes itself to be is off, each time anew. It knows its
+/// velocity and heading.
+struct LocalizationNoise {
+  double position = 0.0;  ///< m, >= 0: standard deviation; of uniform noise the bound
+  NoiseDistribution distribution = NoiseDistribution::gaussian;
+  std::optional<double> truncated = {};  ///< as of MeasurementNoise
+  friend constexpr bool operator==(const LocalizationNoise&, const LocalizationNoise&) = default;
+};
+
+/// How robots sense others and themselves: what a simulation makes of the true states before
+/// anybody sees them. All of it depends on the seed, the step and the two robots alone
+/// (docs/scenes.md, "Sensing").
 struct SensingModel {
   MeasurementNoise noise = {};
   /// Whole steps, 0 to kMostDelay, from a measurement to the decision; carried on meanwhile.
-  int delay = 0;
+  int delay = 0;           ///< where the clock is free, steps of Scenario::time_step
   double dropped = 0.0;    ///< 0 to 0.999: share of the measurements that are missed
   bool occlusion = false;  ///< nobody is sensed whose center is behind an obstacle
+  /// Others are sensed relative to the robot; what it knows of the map is off by this: walls, and
+  /// its goal.
+  LocalizationNoise localization = {};
   friend constexpr bool operator==(const SensingModel&, const SensingModel&) = default;
 
-  /// Others look as they are.
+  /// Others look as they are, and all know where they are.
   [[nodiscard]] constexpr bool is_exact() const { return *this == SensingModel{}; }
   /// Some may be sensed in one step and not in the next, and are carried on meanwhile.
   [[nodiscard]] constexpr bool misses() const { return dropped > 0.0 || occlusion; }

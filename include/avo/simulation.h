@@ -186,7 +186,8 @@ class AVO_API Simulation {
     std::vector<std::int64_t> source;  ///< value of the RobotId, or -1 - k for moving obstacle k
     Detour detour = {};                ///< what it remembers
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
-    std::vector<Wall> walls = {};  ///< all that matter to it, and more
+    /// All that matter to it, and more: where they are as it sees them, whose own place may be off.
+    std::vector<Wall> walls = {};
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's time_step

@@ -69,7 +69,7 @@ bool same_clocks(const SavedState& a, const SavedState& b) {
 void take_time(const SavedState& now, SavedState& next) {
   if (now.scene.clock != next.scene.clock) return;
   const bool same = same_robots(now, next);
-  const bool remember = !now.past.empty() || !next.past.empty();
+  const bool remember = !now.since.empty() || !next.since.empty();
   if (remember && (!same || now.scene.sensing != next.scene.sensing)) return;
   if (next.scene.clock == avo::Clock::free && (!same || !same_clocks(now, next))) return;
   next.steps = now.steps;
@@ -77,6 +77,7 @@ void take_time(const SavedState& now, SavedState& next) {
   next.clocks = now.clocks;
   next.since = now.since;
   next.past = now.past;
+  next.tracks = now.tracks;
 }
 
 }  // namespace

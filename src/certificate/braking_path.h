@@ -30,6 +30,7 @@ struct StepLaw {
   SensingError sensing_error = {};  ///< of the robot that plans
   double control_time = 0.1;        ///< [δ] s, Eq. (7)
   double longest_step = 0.0;  ///< [L] s, of anybody whose clock is free; 0: all decide at once
+  double localization_error = 0.0;  ///< [ε] m, of where A takes itself to be among the walls
 
   bool has_free_clocks() const { return longest_step > 0.0; }
   /// Whether all that decide move, until they do, as they are seen to brake.

@@ -24,6 +24,7 @@ struct Pieces {
       0.0;  // m, of its middle point over [p, p_1]: that no point of the triangle exceeds
 };
 constexpr std::size_t kBraking = 0;
+constexpr double kMoreThanRounding = 1.0 + 0x1p-20;
 
 Pieces pieces_of(const WallConstraints& walls, const CandidatePath& path, const StepLaw& law) {
   const Vec2 end = path.first + stopping_length(path.braking, law) * path.direction;
@@ -50,9 +51,24 @@ bool keeps_bend(const NearestPoints& nearest, Vec2 first, double bend, double le
   return dot(normal, first - nearest.on_second) - bend >= least;
 }
 
-bool keeps_wall(const NearWall& wall, const Pieces& pieces, const CandidatePath& path) {
+// Whether no point of the path is nearer to the wall than that of braking at the same time,
+// wherever A may be (docs/certificate.md, "Errors of one's own place").
+bool leaves_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
+                 const CandidatePath& path) {
+  if (!(wall.cone < 1.0)) return false;
+  const auto gained = [&](Vec2 from_braking, double bend) {
+    return dot(wall.normal, from_braking) - bend - wall.cone * (norm(from_braking) + bend);
+  };
+  return gained(pieces.segment[kBraking].a - walls.first, path.bend) >= wall.margin &&
+         gained(pieces.segment[kBraking].b - walls.stop, 0.0) >= wall.margin &&
+         gained(path.swing, 0.0) >= 0.0;
+}
+
+bool keeps_wall(const NearWall& wall, const WallConstraints& walls, const Pieces& pieces,
+                const CandidatePath& path) {
   // the margin is more than what rounding may hide
   if (wall.distance - pieces.extent > wall.held + wall.margin) return true;
+  if (leaves_wall(wall, walls, pieces, path)) return true;
   if (pieces.height > wall.held) return false;  // the wall may lie inside the triangle
   for (std::size_t k = 0; k < pieces.count; ++k) {
     const NearestPoints nearest = nearest_points(pieces.segment[k], wall.segment);
@@ -118,6 +134,13 @@ Vec2 gradient_at(const WorstPoint& worst, const Pieces& pieces, const CandidateP
 std::optional<HalfPlane> cut_of(const NearWall& wall, const WallConstraints& walls,
                                 const Pieces& pieces, const CandidatePath& path,
                                 const StepLaw& law) {
+  const bool is_lost = wall.cone < 1.0;
+  if (is_lost && distance({{}, walls.stop}, wall.segment) < wall.held + wall.margin) {
+    // it may leave, see leaves_wall()
+    const double change = norm(path.next_velocity - walls.backup);
+    const double least = wall.cone * change + wall.margin / (law.time_step - law.lag);
+    return HalfPlane{wall.normal, dot(wall.normal, walls.backup) + kMoreThanRounding * least};
+  }
   const std::optional<WorstPoint> worst = worst_point(wall, pieces, walls.stop);
   if (!worst) return std::nullopt;
   const Vec2 gradient = gradient_at(*worst, pieces, path, law);
@@ -155,10 +178,24 @@ double wall_margin(const Wall& wall, const WallRounding& rounding) {
   return 0x1p-48 * rounding.steps * lengths;
 }
 
+namespace {
+
+// What a robot holds that does not know exactly where it is. Within the error braking is taken to
+// keep clear, as it does if it has done so before.
+void hold_lost(NearWall& near, const WallConstraints& constraints, double contact, double lost) {
+  near.held = contact + lost;
+  const NearestPoints braking = nearest_points({{}, constraints.stop}, near.segment);
+  if (!(braking.distance > 0.0)) return;
+  near.normal = (braking.on_first - braking.on_second) / braking.distance;
+  near.cone = 2.0 * lost / (contact + braking.distance);
+}
+
+}  // namespace
+
 void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                  WallConstraints& constraints) {
   constraints.near.clear();
-  constraints.must_brake = constraints.broken = false;
+  constraints.must_brake = constraints.broken = constraints.doubtful = false;
   if (walls.empty()) return;
   const double u = decrement_of(robot, law), speed = norm(robot.velocity);
   const double reach = wall_reach(speed, robot.max_speed, ability_of(robot), law) +
@@ -168,16 +205,22 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
   constraints.middle = law.lag * robot.velocity;
   constraints.backup = braked(robot.velocity, u);
   constraints.stop = stopping_way(robot.velocity, u, law);
+  constraints.first = constraints.middle + (law.time_step - law.lag) * constraints.backup;
+  const double lost = law.localization_error;
   for (const Wall& wall : walls) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
     const double away = distance(Vec2{}, segment), contact = robot.radius + wall.radius;
     const double margin = wall_margin(wall, rounding);
-    if (!(away <= contact + margin + reach)) continue;
+    if (!(away <= contact + lost + margin + reach)) continue;
     NearWall near{segment, away, contact, margin};
     // beyond what rounding can have cost, there is no more to hold than what braking gives
     const double kept = distance({{}, constraints.stop}, segment);
-    if (kept < contact + 0.5 * margin) near.held = kept, near.margin = 0.0;
-    constraints.broken = constraints.broken || kept < contact;
+    if (lost > 0.0 && kept >= contact - lost)
+      hold_lost(near, constraints, contact, lost);
+    else if (kept < contact + 0.5 * margin)
+      near.held = kept, near.margin = 0.0;
+    constraints.broken = constraints.broken || kept < contact - lost;
+    constraints.doubtful = constraints.doubtful || kept < contact + lost;
     constraints.must_brake = constraints.must_brake || (kept == 0.0 && speed > 0.0);
     constraints.near.push_back(near);
   }
@@ -190,8 +233,9 @@ bool keeps_walls(const WallConstraints& constraints, const CandidatePath& path,
   if (path.next_velocity == constraints.backup && path.bend == 0.0) return true;
   if (constraints.must_brake) return false;
   const Pieces pieces = pieces_of(constraints, path, law);
-  return std::all_of(constraints.near.begin(), constraints.near.end(),
-                     [&](const NearWall& wall) { return keeps_wall(wall, pieces, path); });
+  return std::all_of(constraints.near.begin(), constraints.near.end(), [&](const NearWall& wall) {
+    return keeps_wall(wall, constraints, pieces, path);
+  });
 }
 
 void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& path,
@@ -199,7 +243,7 @@ void append_wall_cuts(const WallConstraints& constraints, const CandidatePath& p
   if (constraints.near.empty() || constraints.must_brake) return;
   const Pieces pieces = pieces_of(constraints, path, law);
   for (const NearWall& wall : constraints.near) {
-    if (keeps_wall(wall, pieces, path)) continue;
+    if (keeps_wall(wall, constraints, pieces, path)) continue;
     std::optional<HalfPlane> cut = cut_of(wall, constraints, pieces, path, law);
     if (!cut) continue;
     cut->offset += inside;

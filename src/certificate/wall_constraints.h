@@ -19,6 +19,10 @@ struct NearWall {
   double distance = 0.0;  ///< m, from p_A to the segment
   double held = 0.0;      ///< m, that the center keeps from the segment
   double margin = 0.0;    ///< m, what covers all rounding; 0 of a wall that braking comes too near
+  /// Where A does not know exactly where it is: from the wall to where braking comes nearest, as A
+  /// sees it, and most that this is off. A may go that way without knowing how near the wall is.
+  Vec2 normal = {};
+  double cone = 2.0;
 };
 
 /// What the walls demand of a robot. Scratch memory; allocates only while it grows.
@@ -27,7 +31,9 @@ struct WallConstraints {
   Vec2 middle;                 ///< [s v] m, relative to p_A
   Vec2 stop;                   ///< m, likewise: where braking ends
   Vec2 backup;                 ///< m/s, the velocity after one step of braking
+  Vec2 first;                  ///< m, relative to p_A: where that step leads
   bool broken = false;         ///< braking touches a wall
+  bool doubtful = false;       ///< or may do so, by where A may be
   bool must_brake = false;     ///< and takes the center across one: nothing but braking is admitted
 };
 

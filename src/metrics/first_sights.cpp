@@ -22,8 +22,12 @@ void FirstSights::observe(const Simulation& simulation) {
   std::map<std::int64_t, Names> in_sight;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
     const auto self = static_cast<std::int64_t>(fleet.id[i].value);
-    const Simulation::Perception seen = simulation.perceive(i);
     const auto before = in_sight_.find(self);
+    if (simulation.next_decision(i) != simulation.time()) {  // it looks when it decides
+      if (before != in_sight_.end()) in_sight.insert(*before);
+      continue;
+    }
+    const Simulation::Perception seen = simulation.perceive(i);
     Names& now = in_sight[self];
     for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
       const std::int64_t other = seen.source[k];
@@ -32,7 +36,7 @@ void FirstSights::observe(const Simulation& simulation) {
       const bool is_new = before != in_sight_.end() && is_known && !before->second.contains(other);
       if (!is_new) continue;
       const SafetyReport report =
-          simulation.planner().state(seen.robot, std::span(&seen.neighbors[k], 1), workspace_);
+          simulation.planner(i).state(seen.robot, std::span(&seen.neighbors[k], 1), workspace_);
       if (report.state != SafetyState::safe) late_.insert(std::minmax(self, other));
     }
   }

@@ -84,10 +84,15 @@ struct HidingWalls {
   }
 };
 
+// Whether robots are where they seem to be, among the walls too.
+bool knows_places(const StepLaw& law) {
+  return law.is_exact() && law.localization_error == 0.0;
+}
+
 }  // namespace
 
 void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& tile) {
-  if (!law.is_exact()) return;
+  if (!knows_places(law)) return;
   NeighborColumns& columns = tile.neighbors;
   for (std::size_t i = 0; i < tile.robots.count; ++i) {
     const std::span<const Wall> walls = tile.walls_of(i);
@@ -113,7 +118,7 @@ void leave_out_hidden(const PlannerOptions& options, const StepLaw& law, Tile& t
 
 bool is_hidden(const Robot& robot, const Neighbor& neighbor, std::span<const Wall> walls,
                const StepLaw& law) {
-  return law.is_exact() && HidingWalls(robot, walls, law).hide(robot.position, neighbor, law);
+  return knows_places(law) && HidingWalls(robot, walls, law).hide(robot.position, neighbor, law);
 }
 
 bool is_beside(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {

@@ -28,7 +28,8 @@ CertificateLaw certificate_law(const Planner& planner) {
                    .braking_time = braking_time,
                    .sensing_error = options.sensing_error,
                    .control_time = options.control_time,
-                   .longest_step = longest_step}};
+                   .longest_step = longest_step,
+                   .localization_error = options.localization_error}};
 }
 
 namespace {

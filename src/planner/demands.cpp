@@ -31,7 +31,8 @@ void append_speed_planes(const Robot& robot, std::span<const Wall> walls, const 
   const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
   for (const Wall& wall : walls) {
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
-    const double distance = norm(away), gap = distance - robot.radius - wall.radius;
+    const double distance = norm(away);
+    const double gap = distance - robot.radius - wall.radius - law.localization_error;
     if (!(gap < reach) || !(distance > 0.0)) continue;
     const double speed = speed_before(gap, braking_limit(robot), law);
     half_planes.push_back({away / distance, -std::min(speed, robot.max_speed)});

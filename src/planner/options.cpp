@@ -35,6 +35,7 @@ void validate_certificate(const PlannerOptions& options, const std::string& pref
   if (error != SensingError{} && options.certificate != Certificate::braking_trajectories)
     refuse(prefix + "sensing_error", "one",
            std::string("none with certificate ") + to_string(options.certificate));
+  require(prefix + "localization_error", options.localization_error, kNotNegative, "m");
   require(prefix + "longest_step", options.longest_step, kNotNegative, "s");
   if (options.clock == Clock::common) {
     if (options.longest_step > 0.0)

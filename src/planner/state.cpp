@@ -47,7 +47,8 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
     if (neighbor.loiter) continue;  // it turns faster than its acceleration says
     first.take(inevitable_contact(robot, neighbor, law.step), static_cast<int>(k), -1);
   }
-  for (std::size_t k = 0; !is_safe && k < walls.size(); ++k)
+  const bool lost = law.step.localization_error > 0.0;  // it may be elsewhere
+  for (std::size_t k = 0; !is_safe && !lost && k < walls.size(); ++k)
     first.take(inevitable_contact(robot, walls[k]), -1, static_cast<int>(k));
   return first.report;
 }

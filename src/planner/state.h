@@ -14,7 +14,7 @@ namespace avo {
 inline bool braking_keeps_clear(const CertificateConstraints& constraints) {
   const Invariant& invariant = constraints.invariant;
   return !invariant.doubtful && !invariant.touched && !invariant.unknown &&
-         !constraints.walls.broken;
+         !constraints.walls.doubtful;
 }
 
 /// The constraints are those of the robot under the law, its neighbors and walls.

@@ -49,7 +49,8 @@ void add_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& l
                Surroundings& surroundings) {
   const double reach = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
   for (const Wall& wall : walls)
-    surroundings.add(robot, std::min(room, reach), {wall.a, wall.b}, wall.radius);
+    surroundings.add(robot, std::min(room, reach), {wall.a, wall.b},
+                     wall.radius + law.localization_error);
 }
 
 // Who cannot back off stays for ever where it has come nose to nose with others: they are in its

@@ -15,17 +15,11 @@ namespace {
 
 constexpr std::uint64_t kPhases = 0x70686173;  // tells these random numbers from all others
 
-Instant step_of(const OwnClock& clock) {
-  return static_cast<Instant>(std::llround(clock.time_step * 1e9));
-}
-
 MotionState state_at(const World& world, std::size_t slot, Instant instant) {
   const OwnClock& clock = world.fleet.clock_of(slot);
   if (clock.end == instant) return clock.to;
-  const double time = seconds(instant - clock.begin), step = seconds(clock.end - clock.begin);
-  if (const MotionModel* model = world.fleet.own_model(slot))
-    return within(*model, clock.from, clock.to, time, step);
-  return within(clock.from, clock.to, adopts_at_once(world.settings.method), time, step);
+  return on_the_way(world, slot, clock.from, clock.to, instant - clock.begin,
+                    clock.end - clock.begin);
 }
 
 void put(World& world, std::size_t slot, const MotionState& state) {
@@ -39,8 +33,15 @@ void put(World& world, std::size_t slot, const MotionState& state) {
 
 std::optional<Instant> whole_nanoseconds(double seconds) {
   if (!(std::abs(seconds) <= kMostClockTime)) return std::nullopt;
-  const auto whole = static_cast<Instant>(std::llround(seconds * 1e9));
+  const Instant whole = nanoseconds(seconds);
   return avo::seconds(whole) == seconds ? std::optional(whole) : std::nullopt;
+}
+
+MotionState on_the_way(const World& world, std::size_t slot, const MotionState& from,
+                       const MotionState& to, Instant time, Instant duration) {
+  if (const MotionModel* model = world.fleet.own_model(slot))
+    return within(*model, from, to, seconds(time), seconds(duration));
+  return within(from, to, adopts_at_once(world.settings.method), seconds(time), seconds(duration));
 }
 
 void start_clock(World& world, std::size_t slot) {
@@ -88,7 +89,7 @@ Instant next_instant(const World& world) {
   for (const OwnClock& clock : world.fleet.clock)
     next = std::min(next, clock.end > world.now ? clock.end : world.now + step_of(clock));
   if (next < std::numeric_limits<Instant>::max()) return next;
-  return world.now + static_cast<Instant>(std::llround(world.settings.time_step * 1e9));
+  return world.now + nanoseconds(world.settings.time_step);
 }
 
 void carry_on(World& world, Instant instant) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Clocks of the robots' own: who decides when, and where all are in between.
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,18 @@ std::optional<Instant> whole_nanoseconds(double seconds);
 inline double seconds(Instant instant) {
   return static_cast<double>(instant) / 1e9;
 }
+
+/// Of a time that is some, see whole_nanoseconds().
+inline Instant nanoseconds(double seconds) {
+  return static_cast<Instant>(std::llround(seconds * 1e9));
+}
+inline Instant step_of(const OwnClock& clock) {
+  return nanoseconds(clock.time_step);
+}
+
+/// Where the robot is in the midst of a step between these two states, 0 <= time < duration.
+MotionState on_the_way(const World& world, std::size_t slot, const MotionState& from,
+                       const MotionState& to, Instant time, Instant duration);
 
 /// Of a robot that has come now: it brakes until its phase, which the seed and its id tell.
 void start_clock(World& world, std::size_t slot);

@@ -36,10 +36,11 @@ void add_clock(World& world, const RobotSetup& setup, std::uint32_t pace) {
 // One more in all that has an entry for each robot, but the ways; nothing has changed where it
 // throws.
 void join(World& world, const RobotSetup& setup, RobotId robot, std::uint32_t pace) {
-  world.senses.reserve_one();
+  world.senses.reserve_one(
+      knots_needed(world.settings, world.planner().options().longest_step, setup));
   world.fleet.add(robot, setup);
   add_clock(world, setup, pace);
-  world.senses.add(world.steps);
+  world.senses.add(world.moment());
   world.senses.note(world.fleet, world.steps);
   ++world.next_id;
   world.changed = true;
@@ -169,7 +170,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   if (Flight* own = fleet.flight(slot))
     *own = {*circle_of(setup.model, fleet.position[slot], fleet.velocity[slot])};
   if (fleet.has_clocks) start_clock(world, slot);
-  world.senses.renew(rank, world.steps);
+  world.senses.renew(rank, world.moment());
   world.senses.note(fleet, world.steps);
   world.changed = true;
 }

@@ -15,13 +15,40 @@ double nearest_of(const Neighbors& neighbors, Vec2 position) {
   return norm(neighbors[0].position - position);
 }
 
+// Those who do not know exactly where they are see walls and goals off by that.
+void lose_places(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+  worker.lost.clear();
+  if (!(world.settings.sensing.localization.position > 0.0)) return;
+  for (const std::uint32_t slot : slots) worker.lost.push_back(own_error(world, slot));
+}
+
+void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
+  const WallGrid& grid = world.statics.grid;
+  std::size_t all = 0;
+  for (const std::uint32_t slot : slots) {
+    worker.tile.walls.push_back(grid.near(world.fleet.position[slot]));
+    all += worker.tile.walls.back().size();
+  }
+  if (worker.lost.empty()) return;
+  worker.walls.clear();
+  worker.walls.reserve(all);  // none of the spans moves
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::size_t first = worker.walls.size();
+    for (const Wall& wall : worker.tile.walls[k])
+      worker.walls.push_back(moved(wall, -worker.lost[k]));
+    worker.tile.walls[k] = std::span(worker.walls).subspan(first);
+  }
+}
+
 // Around walls: towards what is next on each robot's way, as passages allow.
 void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   const Fleet& fleet = world.fleet;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     Travel& travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
-    Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
+    const Vec2 p = fleet.position[slot];
+    Heading heading = follow(travel, worker.lost.empty() ? p : p + worker.lost[k], fleet.goal[slot],
+                             fleet.traits[slot],
                              looks_around(fleet.id[slot], decisions_of(world, slot)), worker.legs);
     if (!world.ways.passages.empty())
       heading = heed_passages(world, world.claims, slot, travel, heading,
@@ -87,13 +114,14 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
     robots.model[k] = fleet.own_model(slots[k]);
     robots.has_models = robots.has_models || robots.model[k] != nullptr;
   }
-  if (!world.statics.walls.empty()) {
-    for (const std::uint32_t slot : slots) {
-      tile.walls.push_back(world.statics.grid.near(fleet.position[slot]));
-    }
-  }
+  lose_places(world, slots, worker);
+  if (!world.statics.walls.empty()) list_walls(world, slots, worker);
   if (!world.ways.empty()) follow_ways(world, slots, worker);
   if (robots.has_models) aim_discs(fleet, slots, worker);
+  for (std::size_t k = 0; k < worker.lost.size(); ++k) {
+    worker.moving.goal_x[k] -= worker.lost[k].x;
+    worker.moving.goal_y[k] -= worker.lost[k].y;
+  }
   choose_ways(pace.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kMark = 0x65766173206f7661;           // "avo save"
 constexpr std::size_t kFewestWords = 3;                       // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 16, kRobotWords = 19;  // at least
-constexpr std::size_t kPastWords = 4, kClockWords = 15;
+constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
@@ -32,7 +32,22 @@ void describe(Archive<kReads>& archive, SensingModel& model) {
   describe(archive, noise.position), describe(archive, noise.velocity);
   describe(archive, noise.distribution), describe(archive, noise.truncated);
   describe(archive, model.delay), describe(archive, model.dropped);
-  describe(archive, model.occlusion);
+  // one word for both: without localization as before there was any
+  const LocalizationNoise exact;
+  std::uint64_t kinds = (model.occlusion ? 1U : 0U) | (model.localization == exact ? 0U : 2U);
+  archive.word(kinds);
+  if (kinds > 3) refuse_saved("the kinds of sensing " + std::to_string(kinds), "0 to 3");
+  model.occlusion = (kinds & 1) != 0;
+  if ((kinds & 2) == 0) return;
+  LocalizationNoise& own = model.localization;
+  describe(archive, own.position), describe(archive, own.distribution);
+  describe(archive, own.truncated);
+}
+
+template <bool kReads>
+void describe(Archive<kReads>& archive, Knot& knot) {
+  describe(archive, knot.at), describe(archive, knot.state.position);
+  describe(archive, knot.state.velocity), describe(archive, knot.state.heading);
 }
 
 template <bool kReads>
@@ -170,9 +185,18 @@ void describe(Archive<kReads>& archive, SavedState& state) {
     for (std::size_t k = 0; k < state.clocks.size(); ++k)
       describe(archive, state.clocks[k], scene.robots[k]);
   }
-  if (generations_needed(scene.sensing) < 2) return;  // they remember nothing
+  const bool by_time = senses_by_time(scene);
+  if (generations_needed(scene) < 2 && !by_time) return;  // they remember nothing
   archive.size(state.since, 1);
   for (std::int64_t& generation : state.since) describe(archive, generation);
+  if (by_time) {
+    archive.size(state.tracks, 1);
+    for (std::vector<Knot>& track : state.tracks) {
+      archive.size(track, kKnotWords);
+      for (Knot& knot : track) describe(archive, knot);
+    }
+    return;
+  }
   archive.size(state.past, kPastWords);
   for (PastState& past : state.past) describe(archive, past);
 }

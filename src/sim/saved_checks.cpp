@@ -51,8 +51,31 @@ void check_flights(const SavedState& state) {
   }
 }
 
+// Steps one after the other, up to the present one.
+bool is_sound(const std::vector<Knot>& track, const SavedClock& clock) {
+  const bool whole = track.size() >= 2 && track.front().at >= 0 && track.back().at == clock.end;
+  const bool ascends = std::is_sorted(track.begin(), track.end(),
+                                      [](const Knot& a, const Knot& b) { return a.at < b.at; });
+  return whole && ascends && std::all_of(track.begin(), track.end(), [](const Knot& knot) {
+           return is_finite(knot.state.position) && is_finite(knot.state.velocity) &&
+                  kAnyValue.contains(knot.state.heading);
+         });
+}
+
+// Where it is told by instants.
+void check_tracks(const SavedState& state) {
+  const std::size_t robots = state.robots.size();
+  bool sound = state.since.size() == robots && state.tracks.size() == robots &&
+               state.clocks.size() == robots;
+  for (std::size_t k = 0; k < robots && sound; ++k)
+    sound = state.since[k] >= 0 && state.since[k] <= state.now &&
+            is_sound(state.tracks[k], state.clocks[k]);
+  if (!sound) refuse_saved("a past that no robots can have", "theirs");
+}
+
 void check_past(const SavedState& state) {
-  const std::size_t depth = generations_needed(state.scene.sensing), robots = state.robots.size();
+  if (senses_by_time(state.scene)) return check_tracks(state);
+  const std::size_t depth = generations_needed(state.scene), robots = state.robots.size();
   if (depth < 2) return;
   const bool whole = state.since.size() == robots && state.past.size() == robots * depth;
   const bool dated = std::all_of(state.since.begin(), state.since.end(), [&](std::int64_t since) {

@@ -34,13 +34,22 @@ std::string shown(const SensingError& error) {
   return text(error.position) + " m and " + text(error.velocity) + " m/s";
 }
 
+std::string shown(const LocalizationNoise& noise) {
+  return "{position: " + text(noise.position) + ", distribution: " + to_string(noise.distribution) +
+         (noise.truncated ? ", truncated: " + text(*noise.truncated) : "") + "}";
+}
+
 std::string shown(const SensingModel& model) {
   const MeasurementNoise& noise = model.noise;
   return "{noise: {position: " + text(noise.position) + ", velocity: " + text(noise.velocity) +
          ", distribution: " + to_string(noise.distribution) +
          (noise.truncated ? ", truncated: " + text(*noise.truncated) : "") +
          "}, delay: " + std::to_string(model.delay) + ", dropped: " + text(model.dropped) +
-         ", occlusion: " + (model.occlusion ? "true" : "false") + "}";
+         ", occlusion: " + (model.occlusion ? "true" : "false") +
+         (model.localization == LocalizationNoise{}
+              ? ""
+              : ", localization: " + shown(model.localization)) +
+         "}";
 }
 
 template <typename Value>
@@ -121,9 +130,24 @@ ObstacleColumns obstacles_of(const SavedState& state) {
   return obstacles;
 }
 
-Senses senses_of(const SavedState& state, const Fleet& fleet) {
-  Senses senses;
-  senses.depth = generations_needed(state.scene.sensing);
+// Its steps so far, in a track with room for more.
+Track track_of(const SavedState& state, std::size_t k, double longest_step) {
+  Track track;
+  track.ring.resize(knots_needed(state.scene, longest_step, state.scene.robots[k]));
+  for (const Knot& knot : state.tracks[k]) track.add(knot);
+  return track;
+}
+
+Senses senses_of(const SavedState& state, const Fleet& fleet, double longest_step) {
+  Senses senses = senses_of(state.scene);
+  if (senses.by_time) {
+    senses.since = state.since;
+    senses.past.resize(fleet.size() * senses.depth);
+    for (std::size_t k = 0; k < fleet.size(); ++k)
+      senses.tracks.push_back(track_of(state, k, longest_step));
+    senses.note(fleet, state.steps);
+    return senses;
+  }
   if (senses.remember()) {
     senses.since = state.since;
     senses.past = state.past;
@@ -158,13 +182,17 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
   SavedState state{
-      world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+      world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   state.now = world.now;
   state.next_obstacle = world.statics.next_id;
   state.static_ids = world.statics.id;
   if (world.senses.remember()) {
     state.since = world.senses.since;
-    state.past = world.senses.past;
+    if (!world.senses.by_time) state.past = world.senses.past;
+    for (const Track& track : world.senses.tracks) {
+      std::vector<Knot>& knots = state.tracks.emplace_back();
+      for (std::size_t k = 0; k < track.count; ++k) knots.push_back(track[k]);
+    }
   }
   state.ways.reserve(world.ways.travels.size());
   for (std::size_t rank = 0; rank < world.ways.travels.size(); ++rank) {
@@ -197,7 +225,7 @@ void restore(const SavedState& state, World& world) {
   require_same_scene(state.scene, world);
   Fleet fleet = fleet_of(state);
   add_clocks(state, world, fleet);
-  Senses senses = senses_of(state, fleet);
+  Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;
   std::optional<Ways> other_ways;

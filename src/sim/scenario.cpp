@@ -15,9 +15,12 @@
 #include "sim/clocks.h"
 #include "sim/one_sided.h"
 #include "sim/scene_checks.h"
+#include "sim/senses.h"
 
 namespace avo {
 namespace {
+
+constexpr int kMostRemembered = 1 << 16;  // steps
 
 void check_max_speed(std::size_t k, const MovingObstacle& obstacle) {
   const std::string_view list = "moving_obstacles";
@@ -86,6 +89,20 @@ void check_clock(const Name& name, double time_step) {
          "a whole number of nanoseconds where clock is free, such as " + text(near) + " s");
 }
 
+// Of every robot its steps are remembered, as far back as anybody's measurements are.
+void check_memory(const Scenario& scenario, const PlannerOptions& options) {
+  if (!senses_by_time(scenario)) return;
+  const double past = time_remembered(scenario, options.longest_step);
+  const double least = past / static_cast<double>(kMostRemembered);
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    const double step = time_step_of(scenario, scenario.robots[i]);
+    if (scenario.robots[i].parked || step >= least) continue;
+    refuse(std::string(Place{"robots", i, "time_step"}), text(step),
+           ">= " + text(least) + " s, of which " + std::to_string(kMostRemembered) +
+               " are in the " + text(past) + " s that sensing looks back");
+  }
+}
+
 void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
   const bool is_free = scenario.clock == Clock::free;
   if (is_free) check_clock("time_step", scenario.time_step);
@@ -109,13 +126,7 @@ void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
     own.time_step = step;
     validate(own, "robots." + std::to_string(i) + ".");
   }
-  if (!is_free) return;
-  const SensingModel& sensing = scenario.sensing;
-  if (sensing.delay > 0)
-    refuse("sensing.delay", std::to_string(sensing.delay), "0 where clock is free");
-  if (sensing.dropped > 0.0)
-    refuse("sensing.dropped", text(sensing.dropped), "0 where clock is free");
-  if (sensing.occlusion) refuse("sensing.occlusion", "true", "false where clock is free");
+  if (is_free) check_memory(scenario, options);
 }
 
 // Braking lasts for so many steps only as can be looked at one by one.
@@ -139,14 +150,21 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
   }
 }
 
+template <typename Noise>
+void check_truncation(const std::string& key, const Noise& noise) {
+  if (!noise.truncated) return;
+  require(key + ".truncated", *noise.truncated, kTruncation, "");
+  if (noise.distribution == NoiseDistribution::uniform)
+    refuse(key + ".truncated", text(*noise.truncated),
+           "left out with distribution uniform, which stays within what is given");
+}
+
 void check_sensing(const SensingModel& sensing) {
-  const auto& [position, velocity, distribution, truncated] = sensing.noise;
-  require("sensing.noise.position", position, kNoise, "m");
-  require("sensing.noise.velocity", velocity, kNoise, "m/s");
-  if (truncated) require("sensing.noise.truncated", *truncated, kTruncation, "");
-  if (truncated && distribution == NoiseDistribution::uniform)
-    refuse("sensing.noise.truncated", text(*truncated),
-           "left out with distribution uniform, which stays within position and velocity");
+  require("sensing.noise.position", sensing.noise.position, kNoise, "m");
+  require("sensing.noise.velocity", sensing.noise.velocity, kNoise, "m/s");
+  check_truncation("sensing.noise", sensing.noise);
+  require("sensing.localization.position", sensing.localization.position, kNoise, "m");
+  check_truncation("sensing.localization", sensing.localization);
   require("sensing.delay", sensing.delay, Range{0.0, kMostDelay, false}, "steps");
   require("sensing.dropped", sensing.dropped, kShareMissed, "");
 }

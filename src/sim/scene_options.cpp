@@ -65,6 +65,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
   } else if (options.certificate == Certificate::braking_trajectories) {
     options.sensing_error = declared_error(scenario);
   }
+  options.localization_error = most_lost(scenario.sensing.localization);
   const MeasurementNoise& noise = scenario.sensing.noise;
   if (noise.distribution == NoiseDistribution::gaussian) {
     const double carried = scenario.sensing.delay * scenario.time_step * noise.velocity;
@@ -76,19 +77,20 @@ PlannerOptions planner_options(const Scenario& scenario) {
 
 SensingError declared_error(const Scenario& scenario) {
   SensingError error = most_noise(scenario.sensing.noise);
+  if (scenario.sensing.delay > 0) {
+    double strongest = 0.0;  // m/s²
+    for (const RobotSetup& robot : scenario.robots)
+      strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
+    for (const MovingObstacle& obstacle : scenario.moving_obstacles)
+      strongest = std::max(strongest, obstacle.max_deviation);
+    const double time = scenario.sensing.delay * scenario.time_step;
+    error.position += time * error.velocity + 0.5 * strongest * time * time;
+    error.velocity += strongest * time;
+  }
   if (scenario.clock == Clock::free) {
     const auto [unseen_way, unseen_speed] = unforeseen(scenario);
     error.position += unseen_way, error.velocity += unseen_speed;
   }
-  if (scenario.sensing.delay == 0) return error;
-  double strongest = 0.0;  // m/s²
-  for (const RobotSetup& robot : scenario.robots)
-    strongest = std::max(strongest, reach_of(robot.model) * robot.max_acceleration);
-  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
-    strongest = std::max(strongest, obstacle.max_deviation);
-  const double time = scenario.sensing.delay * scenario.time_step;
-  error.position += time * error.velocity + 0.5 * strongest * time * time;
-  error.velocity += strongest * time;
   return error;
 }
 

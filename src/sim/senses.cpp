@@ -11,6 +11,7 @@
 #include "core/elementary.h"
 #include "core/hash.h"
 #include "robots/model.h"
+#include "sim/clocks.h"
 #include "sim/world.h"
 
 namespace avo {
@@ -55,65 +56,101 @@ Vec2 noise_vector(const MeasurementNoise& model, Draws& draws) {
   return {x, noise(model, draws)};
 }
 
+// Where a robot was, in a generation or at an instant.
+MotionState then(const World& world, std::size_t rank, std::int64_t moment) {
+  const Senses& senses = world.senses;
+  if (!senses.by_time || moment == world.now) {
+    const PastState& past = senses.at(rank, senses.by_time ? world.steps : moment);
+    return {past.position, past.velocity};
+  }
+  const Track& track = senses.tracks[rank];
+  std::size_t k = track.count - 1;
+  while (k > 0 && track[k].at > moment) --k;
+  if (k + 1 == track.count || track[k].at >= moment) return track[k].state;
+  return on_the_way(world, world.fleet.slot_of[rank], track[k].state, track[k + 1].state,
+                    moment - track[k].at, track[k + 1].at - track[k].at);
+}
+
 // The observer and one other.
 struct Encounter {
   const World& world;
   std::size_t observer;  // rank
   std::uint64_t observer_id, other_id;
-  std::int64_t first;  // generation in which both were there
+  std::int64_t first;  // moment since which both were there
 
   const SensingModel& model() const { return world.settings.sensing; }
-  Draws draws(std::int64_t generation) const {
-    return {world.settings.seed, generation, observer_id, other_id};
+  Draws draws(std::int64_t moment) const {
+    return {world.settings.seed, moment, observer_id, other_id};
+  }
+
+  // Of the observer: from one measurement to the next, and from the latest to now.
+  std::int64_t interval() const {
+    return world.senses.by_time ? step_of(world.fleet.clock[observer]) : 1;
+  }
+  std::int64_t delay() const {
+    return world.senses.by_time ? model().delay * nanoseconds(world.settings.time_step)
+                                : model().delay;
+  }
+  double seconds_since(std::int64_t moment) const {
+    if (world.senses.by_time) return seconds(world.now - moment);
+    return static_cast<double>(world.steps - moment) * world.settings.time_step;
+  }
+  int age(std::int64_t moment) const {
+    const std::int64_t late = world.moment() - moment - delay();
+    return late > 0 ? static_cast<int>((late - 1) / interval() + 1) : 0;
   }
 
   // Whether a measurement succeeds. At first nobody is missed: a start is known to all.
-  bool succeeds(Vec2 from, Vec2 to, std::int64_t generation) const {
+  bool succeeds(Vec2 from, Vec2 to, std::int64_t moment) const {
     const double radius = world.settings.sensing_radius;
     if (!(norm_squared(to - from) <= radius * radius)) return false;
-    if (model().dropped > 0.0 && generation > first &&
-        draws(generation).uniform() < model().dropped)
+    if (model().dropped > 0.0 && moment > first && draws(moment).uniform() < model().dropped)
       return false;
     return !model().occlusion || world.ways.is_in_sight(from, to);
   }
 
-  // The generation of the last measurement that the observer has; place(g): where the other was.
+  // When the last measurement that the observer has was made; place(moment): where the other was.
   template <typename Place>
   std::optional<std::int64_t> last_measured(const Place& place) const {
-    const std::int64_t latest = std::max(world.steps - model().delay, first);
+    const std::int64_t latest = std::max(world.moment() - delay(), first);
     const std::int64_t carried = model().misses() ? kMostCarried : 0;
-    for (std::int64_t g = latest; g >= std::max(first, latest - carried); --g) {
-      if (succeeds(world.senses.at(observer, g).position, place(g), g)) return g;
+    for (std::int64_t k = 0; k <= carried; ++k) {
+      const std::int64_t moment = std::max(latest - k * interval(), first);
+      if (succeeds(then(world, observer, moment).position, place(moment), moment)) return moment;
+      if (moment == first) break;
     }
     return {};
   }
 
-  // neighbor: as it would be by the true state at that generation, carried on.
-  Sighting sighting(Neighbor neighbor, std::int64_t generation, int source) const {
-    const std::int64_t steps = world.steps - generation;
-    const double time = static_cast<double>(steps) * world.settings.time_step;
+  // neighbor: as it would be by the true state at that moment, carried on.
+  Sighting sighting(Neighbor neighbor, std::int64_t moment, int source) const {
+    const double time = seconds_since(moment);
     const MeasurementNoise& off = model().noise;
     if (off.position > 0.0 || off.velocity > 0.0) {
-      Draws numbers = draws(generation);
+      Draws numbers = draws(moment);
       numbers.uniform();  // which told whether it is missed
       const Vec2 of_position = off.position * noise_vector(off, numbers);
       const Vec2 of_velocity = off.velocity * noise_vector(off, numbers);
       neighbor.position = neighbor.position + of_position + time * of_velocity;
       neighbor.velocity = neighbor.velocity + of_velocity;
     }
-    neighbor.age = static_cast<int>(std::max<std::int64_t>(steps - model().delay, 0));
+    neighbor.age = age(moment);
     const Vec2 here = world.senses.at(observer, world.steps).position;
     return {neighbor, norm_squared(neighbor.position - here), source};
   }
 };
 
 // m: how far the disc of one that had that speed so long ago, as measured, may have swung off the
-// way on which it is carried on.
-double swung(const World& world, const MotionModel& model, const RobotTraits& traits, double speed,
+// way on which it is carried on. Of one that turns in place the end of a step alone may count, in
+// which it swings twice as fast as over the whole.
+double swung(const World& world, std::size_t slot, const MotionModel& model, double speed,
              double time) {
+  const RobotTraits& traits = world.fleet.traits[slot];
   const double off = most_noise(world.settings.sensing.noise).velocity;
   const double top = std::min(speed + off + traits.max_acceleration * time, traits.max_speed);
-  return time * swing_of(model, traits.max_acceleration, top, world.settings.time_step);
+  const double step =
+      world.senses.by_time ? 2.0 * world.fleet.clock_of(slot).time_step : world.settings.time_step;
+  return time * swing_of(model, traits.max_acceleration, top, step);
 }
 
 std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
@@ -124,11 +161,11 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   if (!behavior) return {};
   encounter.other_id = world.fleet.id[slot].value;
   encounter.first = std::max(senses.since[encounter.observer], senses.since[rank]);
-  const auto generation =
-      encounter.last_measured([&](std::int64_t g) { return senses.at(rank, g).position; });
-  if (!generation) return {};
-  const PastState& state = senses.at(rank, *generation);
-  const double time = static_cast<double>(world.steps - *generation) * world.settings.time_step;
+  const auto moment =
+      encounter.last_measured([&](std::int64_t m) { return then(world, rank, m).position; });
+  if (!moment) return {};
+  const MotionState state = then(world, rank, *moment);
+  const double time = encounter.seconds_since(*moment);
   Neighbor neighbor = world.fleet.sensed(slot, *behavior);
   neighbor.position = state.position + time * state.velocity;
   neighbor.velocity = state.velocity;
@@ -137,10 +174,10 @@ std::optional<Sighting> look_at_robot(Encounter encounter, std::size_t rank) {
   const PastState& now = senses.at(rank, world.steps);
   if (now.position == own.position && now.velocity == own.velocity)
     neighbor.parting = parting_direction(encounter.observer_id, encounter.other_id);
-  Sighting sighting = encounter.sighting(neighbor, *generation, static_cast<int>(rank));
+  Sighting sighting = encounter.sighting(neighbor, *moment, static_cast<int>(rank));
   if (const MotionModel* model = world.fleet.own_model(slot))
     sighting.neighbor.position_error =
-        swung(world, *model, world.fleet.traits[slot], norm(sighting.neighbor.velocity), time);
+        swung(world, slot, *model, norm(sighting.neighbor.velocity), time);
   return sighting;
 }
 
@@ -150,12 +187,16 @@ std::optional<Sighting> look_at_mover(Encounter encounter, std::size_t k) {
   encounter.other_id = kMoverBit | k;
   encounter.first = world.senses.since[encounter.observer];
   const Neighbor now = world.obstacles.sensed(k);
-  const auto generation = encounter.last_measured([&](std::int64_t g) {
-    const double time = static_cast<double>(world.steps - g) * world.settings.time_step;
+  const auto moment = encounter.last_measured([&](std::int64_t m) {
+    const double time = encounter.seconds_since(m);
     return now.position - time * now.velocity + (0.5 * time * time) * now.acceleration;
   });
-  if (!generation) return {};
-  return encounter.sighting(now, *generation, -1 - static_cast<int>(k));
+  if (!moment) return {};
+  return encounter.sighting(now, *moment, -1 - static_cast<int>(k));
+}
+
+MeasurementNoise as_measured(const LocalizationNoise& model) {
+  return {model.position, 0.0, model.distribution, model.truncated};
 }
 
 }  // namespace
@@ -166,25 +207,75 @@ SensingError most_noise(const MeasurementNoise& model) {
   return {most * model.position, most * model.velocity};
 }
 
-std::size_t generations_needed(const SensingModel& model) {
+double most_lost(const LocalizationNoise& model) {
+  return most_noise(as_measured(model)).position;
+}
+
+Vec2 own_error(const World& world, std::size_t slot) {
+  const LocalizationNoise& model = world.settings.sensing.localization;
+  if (!(model.position > 0.0)) return {};
+  const std::uint64_t own = world.fleet.id[slot].value;
+  Draws numbers(world.settings.seed, world.steps, own, own);
+  return model.position * noise_vector(as_measured(model), numbers);
+}
+
+bool senses_by_time(const Scenario& scenario) {
+  return scenario.clock == Clock::free && (scenario.sensing.delay > 0 || scenario.sensing.misses());
+}
+
+std::size_t generations_needed(const Scenario& scenario) {
+  const SensingModel& model = scenario.sensing;
   if (model.is_exact()) return 0;
+  if (senses_by_time(scenario)) return 1;
   return 1 + static_cast<std::size_t>(model.delay) + (model.misses() ? kMostCarried : 0);
 }
 
-double time_unseen(const Scenario& scenario) {
+double time_remembered(const Scenario& scenario, double longest_step) {
   const SensingModel& model = scenario.sensing;
-  return (model.delay + (model.dropped > 0.0 ? kMostCarried : 0)) * scenario.time_step;
+  return model.delay * scenario.time_step + (model.misses() ? kMostCarried * longest_step : 0.0);
 }
 
-void Senses::reserve_one() {
+std::size_t knots_needed(const Scenario& scenario, double longest_step, const RobotSetup& robot) {
+  constexpr std::size_t kEnds = 4;  // of the steps in which that begins and ends
+  if (!senses_by_time(scenario)) return 0;
+  if (robot.parked) return kEnds;
+  const double steps = time_remembered(scenario, longest_step) / time_step_of(scenario, robot);
+  return kEnds + static_cast<std::size_t>(steps);
+}
+
+double time_unseen(const Scenario& scenario, double longest_step) {
+  const SensingModel& model = scenario.sensing;
+  const int missed = model.dropped > 0.0 ? kMostCarried : 0;
+  if (scenario.clock == Clock::common) return (model.delay + missed) * scenario.time_step;
+  return model.delay * scenario.time_step + missed * longest_step;
+}
+
+void Track::add(const Knot& knot) {
+  if (count == ring.size()) first = (first + 1) % ring.size(), --count;
+  ring[(first + count++) % ring.size()] = knot;
+}
+
+Senses senses_of(const Scenario& scenario) {
+  Senses senses;
+  senses.depth = generations_needed(scenario);
+  senses.by_time = senses_by_time(scenario);
+  return senses;
+}
+
+void Senses::reserve_one(std::size_t knots) {
   if (since.size() == since.capacity()) since.reserve(2 * since.size() + 8);
   if (past.capacity() < past.size() + depth) past.reserve(2 * past.size() + 8 * depth);
+  if (!by_time) return;
+  if (tracks.size() == tracks.capacity()) tracks.reserve(2 * tracks.size() + 8);
+  spare_ = {};
+  spare_.ring.resize(knots);
 }
 
-void Senses::add(std::int64_t generation) {
+void Senses::add(std::int64_t now) {
   if (are_exact()) return;
-  since.push_back(generation);
+  since.push_back(now);
   past.resize(past.size() + depth);
+  if (by_time) tracks.push_back(std::move(spare_));
 }
 
 void Senses::remove(std::size_t rank) {
@@ -192,13 +283,15 @@ void Senses::remove(std::size_t rank) {
   const auto first = past.begin() + static_cast<std::ptrdiff_t>(rank * depth);
   past.erase(first, first + static_cast<std::ptrdiff_t>(depth));
   since.erase(since.begin() + static_cast<std::ptrdiff_t>(rank));
+  if (by_time) tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(rank));
 }
 
-void Senses::renew(std::size_t rank, std::int64_t generation) {
+void Senses::renew(std::size_t rank, std::int64_t now) {
   if (are_exact()) return;
   const auto first = past.begin() + static_cast<std::ptrdiff_t>(rank * depth);
   std::fill(first, first + static_cast<std::ptrdiff_t>(depth), PastState{});
-  since[rank] = generation;
+  since[rank] = now;
+  if (by_time) tracks[rank].count = 0;
 }
 
 void Senses::note(const Fleet& fleet, std::int64_t generation) {
@@ -208,6 +301,13 @@ void Senses::note(const Fleet& fleet, std::int64_t generation) {
     const std::uint32_t slot = fleet.slot_of[rank];
     past[rank * depth + place] = {fleet.position[slot], fleet.velocity[slot]};
   }
+  // each of its steps begins where the one before ended
+  for (std::size_t rank = 0; rank < tracks.size(); ++rank) {
+    const OwnClock& clock = fleet.clock[rank];
+    Track& track = tracks[rank];
+    if (track.count == 0) track.add({clock.begin, clock.from});
+    if (track.count == 1 || track.last().at != clock.end) track.add({clock.end, clock.to});
+  }
 }
 
 std::uint64_t hash_of(const Senses& senses, std::uint64_t hash) {
@@ -216,6 +316,14 @@ std::uint64_t hash_of(const Senses& senses, std::uint64_t hash) {
   for (const auto& [position, velocity] : senses.past) {
     for (const double number : {position.x, position.y, velocity.x, velocity.y})
       hash = mixed(hash, std::bit_cast<std::uint64_t>(number));
+  }
+  for (const Track& track : senses.tracks) {
+    for (std::size_t k = 0; k < track.count; ++k) {
+      const auto& [position, velocity, heading, circle] = track[k].state;
+      hash = mixed(hash, static_cast<std::uint64_t>(track[k].at));
+      for (const double number : {position.x, position.y, velocity.x, velocity.y, heading})
+        hash = mixed(hash, std::bit_cast<std::uint64_t>(number));
+    }
   }
   return hash;
 }

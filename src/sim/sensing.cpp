@@ -36,7 +36,8 @@ struct Part {
 Part part_of(const Scenario& scenario, std::size_t i, const CertificateLaw& law) {
   const RobotSetup& robot = scenario.robots[i];
   const StepLaw own = step_law(scenario, robot, law);
-  const double v = robot.max_speed, step = own.time_step, late = time_unseen(scenario);
+  const double v = robot.max_speed, step = own.time_step,
+               late = time_unseen(scenario, law.step.longest_step);
   const double u = decrement_of(robot, own);
   const double fastest = fastest_of(robot.model, v);
   return {static_cast<int>(i),

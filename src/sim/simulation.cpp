@@ -298,7 +298,8 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
     seen.source.push_back(source < 0 ? source : number_at(state.fleet, source));
   }
   const std::span<const Wall> walls = state.statics.grid.near(seen.robot.position);
-  seen.walls.assign(walls.begin(), walls.end());
+  const Vec2 lost = own_error(state, slot);
+  for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
   seen.among_movers = is_among_movers(state.planner().options(), seen.neighbors);
   return seen;
 }

@@ -57,6 +57,7 @@ void reserve(const World& world, Worker& worker) {
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
   worker.tile.reserve(together, sensed);
   if (!world.senses.are_exact()) worker.sightings.reserve(seen);
+  if (world.planner().options().localization_error > 0.0) worker.lost.reserve(together);
   const std::size_t nearest = std::min(seen, world.most_nearest());
   reserve_together(together, nearest, std::min(together * nearest, kTileCandidates + nearest), seen,
                    sensed, most_braking_steps(world), PlanWorkspace::Scratch::of(worker.workspace));
@@ -67,8 +68,9 @@ Heading heading_of(const World& world, std::size_t slot, double nearest) {
   const Fleet& fleet = world.fleet;
   Travel travel = world.ways.travels[static_cast<std::size_t>(fleet.rank[slot])];
   LegScratch scratch;
-  const Heading heading = follow(travel, fleet.position[slot], fleet.goal[slot], fleet.traits[slot],
-                                 looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
+  const Heading heading =
+      follow(travel, fleet.position[slot] + own_error(world, slot), fleet.goal[slot],
+             fleet.traits[slot], looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
   if (world.ways.passages.empty()) return heading;
   Claims claims;
   SerialExecutor serial;
@@ -107,10 +109,11 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
   fleet.reserve(scenario.robots.size());
-  senses.depth = generations_needed(scenario.sensing);
+  senses = senses_of(scenario);
   for (const RobotSetup& setup : scenario.robots) {
+    senses.reserve_one(knots_needed(scenario, planner().options().longest_step, setup));
     fleet.add({next_id++}, setup);
-    senses.add(steps);
+    senses.add(moment());
   }
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
@@ -142,7 +145,8 @@ void find_walls(World& world) {
             ? stray_of(*fleet.own_model(slot), traits.max_acceleration, law.time_step).distance +
                   room_to_turn(*fleet.own_model(slot), traits.max_speed)
             : 0.0;
-    needs.include(traits, stray, speed, law);
+    // from where it takes itself to be
+    needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
     if (options.method == Method::avo) continue;
     needs.reach =
         std::max(needs.reach, traits.radius + obstacle_reach(speed, traits.max_speed, options));
@@ -157,6 +161,8 @@ void make_room(World& world) {
     PlanWorkspace::Scratch::of(worker.workspace)
         .reserve_walls(most_seen(world), world.statics.grid.most());
     worker.legs.targets.reserve(world.ways.most_targets());
+    if (world.planner().options().localization_error > 0.0)
+      worker.walls.reserve(kTileRobots * world.statics.grid.most());
   }
 }
 
@@ -186,7 +192,7 @@ Robot World::robot(std::size_t slot, double nearest) const {
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Heading heading{goal, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
-  heading.goal = disc_goal(fleet, slot, heading.goal);
+  heading.goal = disc_goal(fleet, slot, heading.goal) - own_error(*this, slot);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{

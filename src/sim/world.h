@@ -37,6 +37,8 @@ struct alignas(128) Worker {
   SearchScratch search, obstacles;
   LegScratch legs;
   std::vector<Sighting> sightings;  // where senses are not exact
+  std::vector<Vec2> lost;           // m, see own_error(); of a tile, where there is localization
+  std::vector<Wall> walls;          // as those robots see them then
   bool fast = false;                // moved a robot that exceeds its max_speed
   std::uint64_t crowding = 0;
 
@@ -87,6 +89,8 @@ struct World {
   World(const Scenario& scenario, std::shared_ptr<Executor> steps_by);
 
   const Planner& planner() const { return paces.front().planner; }
+  /// By which measurements are told, see Senses.
+  std::int64_t moment() const { return senses.by_time ? now : steps; }
   const Pace& pace(std::size_t slot) const {
     return fleet.has_clocks ? paces[fleet.clock_of(slot).pace] : paces.front();
   }

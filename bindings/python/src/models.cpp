@@ -46,11 +46,11 @@ void bind_cars(py::module_& module) {
 void bind_drives(py::module_& module) {
   using Drive = avo::DifferentialDrive;
   py::class_<Drive>(module, "DifferentialDrive", "Two wheels on one axle, each driven by itself.")
-      .def(py::init([](double track, std::optional<double> offset, double speed,
-                       double acceleration) {
-             if (offset == 0.0) throw avo::Error("offset: found 0, must be > 0 m, or None");
-             return Drive{track, offset.value_or(kNoOffset), speed, acceleration};
-           }),
+      .def(py::init(
+               [](double track, std::optional<double> offset, double speed, double acceleration) {
+                 if (offset == 0.0) throw avo::Error("offset: found 0, must be > 0 m, or None");
+                 return Drive{track, offset.value_or(kNoOffset), speed, acceleration};
+               }),
            py::kw_only(), arg("track") = 0.4, arg("offset") = py::none(), arg("wheel_speed") = 2.0,
            arg("wheel_acceleration") = 3.0,
            "track: m, > 0; offset: m, > 0, None: a RobotSetup takes usual_offset() of its radius "

@@ -45,7 +45,9 @@ inline constexpr int kFields<avo::RobotSetup> = 15;
 template <>
 inline constexpr int kFields<avo::MeasurementNoise> = 4;
 template <>
-inline constexpr int kFields<avo::SensingModel> = 4;
+inline constexpr int kFields<avo::LocalizationNoise> = 3;
+template <>
+inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>

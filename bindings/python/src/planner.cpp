@@ -25,7 +25,7 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
              std::optional<avo::Certificate> certificate, std::optional<int> max_neighbors,
              std::pair<double, double> sensing_error,
              std::tuple<double, double, double> sensing_noise, avo::Clock clock,
-             double longest_step, double arrival_distance) {
+             double longest_step, double arrival_distance, double localization_error) {
   avo::PlannerOptions options = avo::default_options(method);
   options.motion = motion;
   options.control_time = control_time.value_or(options.control_time);
@@ -40,6 +40,7 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
   options.clock = clock;
   options.longest_step = longest_step;
   options.arrival_distance = arrival_distance;
+  options.localization_error = localization_error;
   return Planner(options);
 }
 
@@ -92,6 +93,7 @@ void bind_options(py::class_<Planner>& planner) {
       arg("samples") = 0, arg("certificate") = py::none(), arg("max_neighbors") = py::none(),
       arg("sensing_error") = std::pair(0.0, 0.0), arg("sensing_noise") = std::tuple(0.0, 0.0, 1.0),
       arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
+      arg("localization_error") = 0.0,
       "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
       "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
       "\"held\" or "
@@ -99,7 +101,8 @@ void bind_options(py::class_<Planner>& planner) {
       "\"stopping_capsules\" or \"braking_trajectories\", None: customary for the method; "
       "time_step: s, > 0; samples: 0, or 2 to 1000; max_neighbors: >= 1, None: all; sensing_error: "
       "(m, m/s); sensing_noise: (m, m/s, standard deviations); clock: \"common\" or \"free\"; "
-      "longest_step: s; arrival_distance: m, > 0. Raises Error on options out of range.");
+      "longest_step: s; arrival_distance: m, > 0; localization_error: m, >= 0, of the robot's own "
+      "place among the walls. Raises Error on options out of range.");
   const auto option = [&planner](const char* name, auto member, const char* doc) {
     planner.def_property_readonly(
         name, [member](const Planner& self) { return self.options().*member; }, doc);
@@ -118,6 +121,8 @@ void bind_options(py::class_<Planner>& planner) {
   option("clock", &Options::clock, "\"common\" or \"free\"");
   option("longest_step", &Options::longest_step, "s, of all robots, where the clock is free");
   option("arrival_distance", &Options::arrival_distance, "m, of the goal");
+  option("localization_error", &Options::localization_error,
+         "m: how far the robot may be from where it takes itself to be among the walls");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ void bind_robot(py::module_& module) {
       .def_property(
           "model", [](const Robot& robot) { return robot.model; },
           [](Robot& robot, avo::MotionModel model) { robot.model = checked_offset(model); },
-                     "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
+          "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
       .def_readwrite("heading", &Robot::heading,
                      "[theta] rad, counter-clockwise from +x; read where it is not holonomic")
       .def_readwrite("priority", &Robot::priority,
@@ -162,7 +162,7 @@ void bind_setup(py::module_& module) {
           [](Setup& setup, avo::MotionModel model) {
             setup.model = with_offset(model, setup.radius);
           },
-                     "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
+          "how it moves: Car, DifferentialDrive, Airplane, or None: holonomic")
       .def_readwrite("heading", &Setup::heading,
                      "rad, counter-clockwise from +x; not of holonomic ones")
       .def_readwrite("priority", &Setup::priority, "> 0, see Robot.priority")

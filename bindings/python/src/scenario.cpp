@@ -82,6 +82,7 @@ py::dict options_of(const Scenario& scenario) {
   all["clock"] = options.clock;
   all["longest_step"] = options.longest_step;
   all["arrival_distance"] = options.arrival_distance;
+  all["localization_error"] = options.localization_error;
   return all;
 }
 

@@ -99,6 +99,10 @@ TEST(SavedBytes, arbitrary_bytes_do_no_harm) {
   scene.obstacles = {{{{{{-9, -9}, {9, -9}, {9, -8}}, true}}, 0.1}, {{{{{20, 3}}, false}}, 0.5}};
   const Bytes among_walls = Simulation(scene, 1).save();
   const Bytes by_clocks = Simulation(with_clocks(random, scene), 1).save();
+  scene.sensing = {.delay = 1, .dropped = 0.2, .localization = {.position = 0.01}};
+  Simulation late(with_clocks(random, scene), 1);
+  for (int k = 0; k < 30; ++k) late.step();
+  const Bytes by_tracks = late.save();
   constexpr std::uint64_t kOdd[] = {0,
                                     1,
                                     2,
@@ -112,6 +116,7 @@ TEST(SavedBytes, arbitrary_bytes_do_no_harm) {
                                     0x7fefffffffffffff};
   for (int k = 0; k < 4000; ++k) {
     Bytes bytes = k % 12 < 4 ? without_walls : k % 12 < 8 ? among_walls : by_clocks;
+    if (k % 24 >= 20) bytes = by_tracks;
     if (k % 4 == 0) {
       bytes.assign(static_cast<std::size_t>(random.below(400)), std::byte{0});
       for (std::byte& value : bytes) value = std::byte(random.below(256));

@@ -209,9 +209,9 @@ typedef struct avo_car {
 
 /// Read where model is AVO_MODEL_DIFFERENTIAL_DRIVE. The position is the middle of the axle.
 typedef struct avo_differential_drive {
-  double track;               ///< m, > 0, between the wheels
-  /// m, > 0, of the point ahead of the axle that others sense; 0 of a robot of a simulation: half of
-  /// the smaller one of its radius and track
+  double track;  ///< m, > 0, between the wheels
+  /// m, > 0, of the point ahead of the axle that others sense; 0 of a robot of a simulation: half
+  /// of the smaller one of its radius and track
   double offset;
   double wheel_speed;         ///< m/s, > 0, of each wheel on the ground
   double wheel_acceleration;  ///< m/s^2, > 0, likewise
@@ -273,6 +273,7 @@ typedef struct avo_planner_def {
   avo_sensing_noise sensing_noise;
   double longest_step;      ///< s, >= 0, of a free clock, that any of the others has; 0: time_step
   double arrival_distance;  ///< m, > 0
+  double localization_error;  ///< m, >= 0, of the robot's own place among the walls
 } avo_planner_def;
 
 /// The robot that decides.
@@ -420,6 +421,13 @@ typedef struct avo_sensing_model {
   bool occlusion;  ///< nobody is sensed whose center is behind an obstacle
 } avo_sensing_model;
 
+/// How far each coordinate of where a robot takes itself to be is off.
+typedef struct avo_localization_noise {
+  double position;   ///< m, >= 0: standard deviation; of uniform noise the bound
+  double truncated;  ///< as of avo_measurement_noise
+  avo_noise_distribution distribution;
+} avo_localization_noise;
+
 /// Calls task(task_context, index, worker) once for each index in [0, count), in any order, and
 /// returns when all calls have returned. worker is less than the `workers` of the definition, and
 /// no two calls at the same time have the same one. The task takes no lock that the host could
@@ -466,9 +474,10 @@ typedef struct avo_simulation_def {
 
   int32_t threads;  ///< 0 to 1024; 0: as many as this process may use. Read where run_tasks is null
   int32_t workers;  ///< 1 to 1024, of run_tasks
-  avo_run_tasks* run_tasks;  ///< the host's own threads; null: those of the library
-  void* run_context;         ///< for run_tasks
-  bool metrics;              ///< judge every step, for avo_simulation_summary()
+  avo_run_tasks* run_tasks;             ///< the host's own threads; null: those of the library
+  void* run_context;                    ///< for run_tasks
+  bool metrics;                         ///< judge every step, for avo_simulation_summary()
+  avo_localization_noise localization;  ///< robots know their velocity and heading exactly
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
