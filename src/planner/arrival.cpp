@@ -60,12 +60,13 @@ bool yields_to_all(const Robot& robot, const Detour& detour, double arrival_dist
 }
 
 void remember(const Robot& robot, bool is_beside, const PlannerOptions& options, Detour& detour) {
-  const double elapsed = options.time_step / time_to_speed(robot);
+  // a step that is longer than all that is counted to counts as that
+  const double elapsed = std::min(options.time_step / time_to_speed(robot), kLongest);
   const bool is_near = is_near_goal(robot);
   const double beside = detour.beside;
   double next = is_near && is_beside ? beside + elapsed
                                      : beside - std::max(beside, kSettles) * elapsed / kRecovers;
-  if (next > kLongest) next -= kTry;
+  if (next > kLongest) next -= kTry * std::ceil((next - kLongest) / kTry);
   detour.beside = static_cast<float>(std::max(next, 0.0));
   detour.has_arrived = is_near && detour.beside > 0.0F &&
                        (detour.has_arrived || robot.distance_to_goal <= options.arrival_distance);
