@@ -213,6 +213,10 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
     const double margin = wall_margin(wall, rounding);
     if (!(away <= contact + lost + margin + reach)) continue;
     NearWall near{segment, away, contact, margin};
+    if (!(away > 0.0)) {  // the center is on it: there is no side to keep, nor anything deeper
+      constraints.broken = true;
+      continue;
+    }
     // beyond what rounding can have cost, there is no more to hold than what braking gives
     const double kept = distance({{}, constraints.stop}, segment);
     if (lost > 0.0 && kept >= contact - lost)

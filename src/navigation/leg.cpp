@@ -29,7 +29,7 @@ struct Lookout {
   // The same, which asks for no more room than the robot takes.
   Lookout closely() const {
     Lookout closest = *this;
-    closest.room = (1.0 - 2.0 * kLengthRounding) * radius;
+    closest.room = std::min(room, (1.0 - 2.0 * kLengthRounding) * radius);
     return closest;
   }
   bool sees(std::uint32_t target) const {
@@ -142,10 +142,10 @@ std::uint32_t target_from(const Lookout& lookout, std::uint32_t target, bool loo
 
 Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius,
              std::uint32_t target, bool looks_around, LegScratch& scratch) {
-  // half of what corners keep, so that a robot slightly off its way still sees them
-  const double room =
-      std::clamp(graph.grid.clearance(p) - kLengthRounding * radius,
-                 (1.0 - 2.0 * kLengthRounding) * radius, graph.radius + 0.5 * kSpareRoom);
+  // half of what corners keep, so that a robot slightly off its way still sees them; one that is
+  // in a wall sees what is on its own side of it
+  const double room = std::clamp(graph.grid.clearance(p) - kLengthRounding * radius,
+                                 kLengthRounding * radius, graph.radius + 0.5 * kSpareRoom);
   const Lookout lookout{graph, map, p, radius, room, scratch};
   Leg leg{p, target_from(lookout, target, looks_around)};
   if (leg.target == PathMap::kNothing) return leg;

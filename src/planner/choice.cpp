@@ -88,7 +88,10 @@ void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Sc
     const auto planes = collect_hard_and_soft(planner, robot, tile, i, law, scratch);
     const Demands& demands = scratch.demands;
     if (demands.overlapping) scratch.soft.overlapping[i] = 1;
-    if (is_kept(demands, target)) continue;
+    if (demands.out != Vec2{})  // out of walls first
+      decisions.wish_x[i] = demands.out.x, decisions.wish_y[i] = demands.out.y;
+    else if (is_kept(demands, target))
+      continue;
     ProgramResult result = solve_program(planner, robot, planes, decisions.wish(i), scratch.rows);
     if (result.state == ProgramState::least_unsafe) {
       result = solve_program(planner, robot, demands.planes, target, scratch.rows);

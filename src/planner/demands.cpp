@@ -8,6 +8,7 @@
 
 #include "certificate/wall_constraints.h"
 #include "obstacles/wall_half_plane.h"
+#include "planner/way_out.h"
 #include "robots/model.h"
 #include "walls/segment.h"
 
@@ -26,17 +27,28 @@ double speed_before(double gap, double max_braking, const StepLaw& law) {
   return u * (steps + std::clamp(fraction, 0.0, 1.0));
 }
 
-void append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                         std::vector<HalfPlane>& half_planes) {
+bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
+                         Vec2 out, std::vector<HalfPlane>& half_planes) {
+  bool is_in_any = false;
   const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
   for (const Wall& wall : walls) {
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
-    const double distance = norm(away);
-    const double gap = distance - robot.radius - wall.radius - law.localization_error;
-    if (!(gap < reach) || !(distance > 0.0)) continue;
+    const double distance = norm(away), contact = robot.radius + wall.radius;
+    const double gap = distance - contact - law.localization_error;
+    if (!(gap < reach)) continue;
+    if (!(distance > 0.0)) {  // the wall itself gives no direction
+      is_in_any = true;
+      if (out != Vec2{}) half_planes.push_back({out / norm(out), norm(out)});
+      continue;
+    }
+    const bool is_in = distance < contact;
+    is_in_any = is_in_any || is_in;
+    const Vec2 normal = away / distance;
     const double speed = speed_before(gap, braking_limit(robot), law);
-    half_planes.push_back({away / distance, -std::min(speed, robot.max_speed)});
+    half_planes.push_back(
+        {normal, is_in ? std::max(dot(normal, out), 0.0) : -std::min(speed, robot.max_speed)});
   }
+  return is_in_any;
 }
 
 std::optional<WallPlane> obstacle_plane(const PlannerOptions& options, const Horizon& horizon,
@@ -64,7 +76,12 @@ void collect_demands(const Planner& planner, const Robot& robot, std::span<const
   const PlannerOptions& options = planner.options();
   const bool at_once = adopts_at_once(options.method);
   const bool by_speed = slows_before_walls(options.method);
-  if (by_speed) append_speed_planes(robot, walls, law, demands.planes);
+  if (by_speed && append_speed_planes(robot, walls, law, {}, demands.planes)) {
+    demands.out = velocity_out(robot, walls, law);
+    const bool is_out_of_all = is_kept(demands, demands.out);
+    demands.planes.clear();
+    append_speed_planes(robot, walls, law, is_out_of_all ? demands.out : Vec2{}, demands.planes);
+  }
   for (std::size_t k = 0; k < walls.size() && !by_speed; ++k) {
     const Wall& wall = walls[k];
     const auto own =

@@ -25,9 +25,10 @@ constexpr bool slows_before_walls(Method method) {
 double speed_before(double gap, double max_braking, const StepLaw& law);
 
 /// A half-plane n . v' >= -V for each wall that the robot can reach with this decision, n away from
-/// it, V by its gap. 0 is in all of them.
-void append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
-                         std::vector<HalfPlane>& half_planes);
+/// it, V by its gap; n . v' >= n . out, at least 0, of one that it is in, out being its
+/// velocity_out(). 0 is in all of them where it is in none. Returns whether it is in any.
+bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
+                         Vec2 out, std::vector<HalfPlane>& half_planes);
 
 /// m, from its surface: no farther wall can be touched before τ by a robot that is so fast now.
 inline double obstacle_reach(double speed, double max_speed, const PlannerOptions& options) {
@@ -47,8 +48,9 @@ struct Demands {
   std::vector<double>
       excess;  ///< m/s, of those of walls, which come first, see WallPlane; none of speed planes
   bool overlapping = false;  ///< with a wall
+  Vec2 out;                  ///< m/s, see velocity_out(); of speed planes
 
-  void clear() { planes.clear(), excess.clear(), overlapping = false; }
+  void clear() { planes.clear(), excess.clear(), overlapping = false, out = {}; }
   void reserve(std::size_t walls) { planes.reserve(walls), excess.reserve(walls); }
 };
 

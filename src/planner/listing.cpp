@@ -17,6 +17,7 @@
 #include "planner/neighbor_order.h"
 #include "planner/scratch.h"
 #include "planner/soft_planes.h"
+#include "planner/way_out.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -104,12 +105,14 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
     return lens_support_min(plane.normal, allowed) < plane.offset;
   };
   std::vector<HalfPlane> speeds;
+  const bool by_speed = slows_before_walls(options_.method);
+  const StepLaw law = certificate_law(*this).step;
+  const Vec2 out = by_speed ? velocity_out(robot, walls, law) : Vec2{};
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!is_valid(walls[k])) continue;
     const int index = static_cast<int>(k);
     speeds.clear();
-    if (slows_before_walls(options_.method))
-      append_speed_planes(robot, walls.subspan(k, 1), certificate_law(*this).step, speeds);
+    if (by_speed) append_speed_planes(robot, walls.subspan(k, 1), law, out, speeds);
     if (!speeds.empty() && cuts(speeds[0])) half_planes.speeds.push_back({index, speeds[0], 0.0});
     if (options_.method == Method::buffered_voronoi) continue;
     const auto own =

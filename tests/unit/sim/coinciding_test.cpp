@@ -138,7 +138,8 @@ TEST(Coinciding, they_part_however_they_sense_and_decide) {
     Scenario capsules = crowd_of(robots, holonomic());
     capsules.certificate = Certificate::stopping_capsules;
     EXPECT_LE(time_apart(capsules, 40.0), 5.0);
-    for (const Method method : {Method::avo_paper, Method::orca_clamped, Method::buffered_voronoi}) {
+    for (const Method method :
+         {Method::avo_paper, Method::orca_clamped, Method::buffered_voronoi}) {
       Scenario other = crowd_of(robots, holonomic());
       other.method = method;
       EXPECT_LE(time_apart(other, 40.0), 8.0) << to_string(method);
@@ -188,8 +189,7 @@ TEST(Coinciding, on_board_a_parting_direction_tells_two_apart) {
   const Vec2 second = planner.plan(robot, std::span(&other, 1), workspace).next_velocity;
   EXPECT_NEAR(dot(n, first - second), 0.2, 1e-9);  // u each
   other.parting = {std::nan(""), 0.0};
-  EXPECT_EQ(planner.plan(robot, std::span(&other, 1), workspace).status,
-            PlanStatus::invalid_input);
+  EXPECT_EQ(planner.plan(robot, std::span(&other, 1), workspace).status, PlanStatus::invalid_input);
 }
 
 }  // namespace

@@ -176,8 +176,9 @@ TEST(SpatialOrder, degenerate_crowds) {
   Scenario scene = crowd_of(1, Method::avo_paper);
   scene.robots.assign(20000, scene.robots[0]);
   Simulation simulation(scene, 2);
-  simulation.step();
   EXPECT_EQ(simulation.perceive(19999).source[0], 0);
+  simulation.step();  // and they part
+  EXPECT_NE(simulation.fleet().position[0], simulation.fleet().position[19999]);
 }
 
 }  // namespace
