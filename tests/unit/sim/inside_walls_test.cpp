@@ -179,7 +179,7 @@ TEST(InsideWalls, half_through_a_wall_it_leaves_to_where_it_wants_to_go) {
 // Between walls that leave it no room it goes to where there is some.
 TEST(InsideWalls, out_of_a_gap_that_is_too_narrow_it_goes_along_it) {
   for (const double depth : {0.001, 0.02, 0.1}) {
-    Scenario scene;
+    Scenario scene{.allow_broken_assumptions = true};
     const double y = 2.0 * (kRadius - depth);
     scene.obstacles = {polyline({{-5.0, 0.0}, {5.0, 0.0}}), polyline({{-5.0, y}, {5.0, y}})};
     scene.robots = {test::robot_at({4.0, y / 2.0}, {8.0, -3.0})};
