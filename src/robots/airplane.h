@@ -8,9 +8,6 @@
 
 namespace avo {
 
-/// rad, in a step: less than half a turn.
-inline constexpr double kMostTurn = 3.0;
-
 /// A way of constant curvature, of less than half a turn.
 struct Arc {
   Vec2 start;              ///< m

@@ -53,14 +53,17 @@ Driving driving_of(const Car& car, const MotionState& state, Vec2 wanted) {
 }
 
 // Eq. (25) solved for the controls. κ is that of the highest speed in the step, so that |v² κ|
-// stays below what was decided all through it. At the end of a step at the earliest it stands.
+// stays below what was decided all through it. At the end of a step at the earliest it stands. One
+// that brakes weakly could turn by more than kMostTurn at little speed; it does not.
 Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, double time_step) {
   Controls result;
   result.linear = std::max(dot(driving.heading, acceleration), -driving.speed / time_step);
-  const double top = std::max(driving.speed, driving.speed + result.linear * time_step);
+  const double next_speed = std::max(0.0, driving.speed + result.linear * time_step);
+  const double top = std::max(driving.speed, next_speed);
   if (!(top > 0.0)) return result;
-  const double curvature = cross(driving.heading, acceleration) / (top * top);
-  result.curvature = std::clamp(curvature, -sharpest(car), sharpest(car));
+  const double length = 0.5 * (driving.speed + next_speed) * time_step;
+  const double most = std::min(sharpest(car), kMostTurn / length);
+  result.curvature = std::clamp(cross(driving.heading, acceleration) / (top * top), -most, most);
   return result;
 }
 
@@ -141,7 +144,7 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
     return drive(car, state, driving, {-driving.speed / time_step, 0.0}, time_step);
 
   // the front axle, one wheelbase ahead, moves at v_max at most
-  double most = limits.max_speed / car.wheelbase * time_step;
+  double most = std::min(limits.max_speed / car.wheelbase * time_step, kMostTurn);
   // and the disc accelerates by a_max at most; the turn ends twice as fast as it is in the mean
   if (driving.offset != 0.0)
     most = std::min(0.5 * most, 0.5 * slow * time_step / std::abs(driving.offset));

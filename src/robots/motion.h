@@ -8,6 +8,10 @@
 
 namespace avo {
 
+/// rad, of a car or an airplane in a step at most: less than half a turn, so that the headings at
+/// the ends of a step tell the arc between them, wherever that is asked for.
+inline constexpr double kMostTurn = 3.0;
+
 struct MotionState {
   Vec2 position;             // m, of its disc
   Vec2 velocity;             // m/s

@@ -346,5 +346,47 @@ TEST(Car, reaches_goals_behind_and_beside_it_and_rests_there) {
   }
 }
 
+// Cars of all kinds; brakes down to a hundredth of a_max, and steps of up to 10 s.
+TEST(Car, the_ends_of_a_step_tell_the_way_between) {
+  Random random(17);
+  int sharp = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    Car car;
+    if (random.below(2) == 0) car.body = CarBody{random.uniform(-0.8, 0.8), 0.5};
+    if (random.below(3) == 0) car.max_curvature = random.log_uniform(0.1, 10.0);
+    car.reverse = random.below(2) == 0;
+    const double time_step = random.log_uniform(0.02, 10.0), a_max = 1.0;
+    const MotionLimits limits{random.log_uniform(0.01, 1.0), 3.0};
+    MotionState from;
+    from.heading = random.uniform(-3.1, 3.1);
+    const Vec2 ahead{std::cos(from.heading), std::sin(from.heading)};
+    const double sign = car.reverse && random.below(2) == 0 ? -1.0 : 1.0;
+    const double speed = random.below(4) == 0 ? 0.0 : random.log_uniform(1e-3, 3.0);
+    from.velocity = sign * speed * ahead;
+    Plan plan;
+    plan.acceleration = test::in_disc(random, a_max);
+    plan.new_velocity = from.velocity + time_step * plan.acceleration;
+    const MotionStep step = advance(car, limits, from, plan, time_step);
+    const MotionState& to = step.next;
+    const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
+    EXPECT_LE(std::abs(turn), 3.0 + 1e-9);
+    sharp += std::abs(turn) > 2.99 ? 1 : 0;
+    // it comes to the end of the step, on no longer way than the step says
+    const MotionState end = within(car, from, to, time_step * (1.0 - 1e-12), time_step);
+    const double scale = 1.0 + step.way;
+    ASSERT_NEAR(norm(end.position - to.position), 0.0, 1e-9 * scale) << "car " << i;
+    ASSERT_NEAR(norm(end.velocity - to.velocity), 0.0, 1e-9 * scale) << "car " << i;
+    double way = 0.0;
+    MotionState before = from;
+    for (int k = 1; k < 64; ++k) {
+      const MotionState now = within(car, from, to, time_step * k / 64.0, time_step);
+      way += norm(now.position - before.position);
+      before = now;
+    }
+    ASSERT_LE(way, step.way * (1.0 + 1e-9) + 1e-12) << "car " << i;
+  }
+  EXPECT_GT(sharp, 200);
+}
+
 }  // namespace
 }  // namespace avo

@@ -408,6 +408,49 @@ TEST(Clocks, in_the_midst_of_a_step_a_car_is_on_its_arc) {
   }
 }
 
+// They decide what would turn them by more than half a turn within a step. Seen every 10 ms, they
+// come no farther than their speeds lead.
+TEST(Clocks, cars_with_weak_brakes_do_not_jump) {
+  Random random(6);
+  double sharpest = 0.0;  // rad, in a step
+  for (int n = 0; n < 60; ++n) {
+    Scenario scene;
+    scene.clock = Clock::free;
+    scene.time_step = 0.5;
+    scene.seed = static_cast<std::uint64_t>(n);
+    RobotSetup car = robot_at({}, {});
+    car.model = Car{};
+    car.max_acceleration = random.uniform(2.0, 6.0);
+    car.max_braking = car.max_acceleration * random.uniform(0.05, 0.12);
+    car.max_speed = car.preferred_speed = 0.5 * car.max_acceleration * random.uniform(0.3, 1.0);
+    car.heading = random.uniform(-3.0, 3.0);
+    car.goal = 20.0 * random.direction();
+    const Vec2 ahead{std::cos(car.heading), std::sin(car.heading)};
+    car.velocity = 0.5 * car.max_acceleration * random.uniform(0.05, 0.2) * ahead;
+    RobotSetup observer = robot_at({500, 0}, {500, 0});
+    observer.time_step = 0.01;
+    scene.sensing_radius = 2000.0;
+    scene.robots = {car, observer};
+    Simulation simulation(scene, 1);
+    Vec2 place = car.position;
+    double speed = norm(car.velocity), time = 0.0, turn = 0.0, heading = car.heading;
+    for (int k = 0; k < 200; ++k) {
+      simulation.step();
+      const FleetView fleet = simulation.fleet();
+      const double next_speed = norm(fleet.velocity[0]), elapsed = simulation.time() - time;
+      ASSERT_LE(norm(fleet.position[0] - place),
+                0.5 * (speed + next_speed) * elapsed * (1.0 + 1e-9) + 1e-9)
+          << "car " << n << " at " << simulation.time() << " s";
+      if (simulation.decided(0)) turn = 0.0;
+      turn += std::remainder(fleet.heading[0] - heading, 2.0 * std::numbers::pi);
+      sharpest = std::max(sharpest, std::abs(turn));
+      heading = fleet.heading[0];
+      place = fleet.position[0], speed = next_speed, time = simulation.time();
+    }
+  }
+  EXPECT_GT(sharpest, 2.5);
+}
+
 TEST(Clocks, metrics_count_each_decision_once) {
   const Scenario scene = crossing(9);
   Simulation simulation(scene, 1);
