@@ -18,13 +18,49 @@
 namespace avo {
 namespace {
 
-// The newcomer and the others as a scene, in which the newcomer is the first one.
+// The newcomer and all whom it could meet while they brake as a scene, in which the newcomer is the
+// first one.
 struct Company {
   Scenario scene;
   std::vector<RobotId> id;        // of its robots
   std::vector<std::size_t> slot;  // of the others
 
   Company(const World& world, const RobotSetup& setup, RobotId robot);
+};
+
+// By what each covers at its highest speed until both are at rest, with two steps to spare.
+class Reach {
+ public:
+  Reach(const World& world, const RobotSetup& setup)
+      : world_(world),
+        law_(certificate_law(world.planner())),
+        flies_(is_airplane(setup.model) || !world.fleet.flights.empty()),
+        center_(disc_center(setup)),
+        radius_(disc_radius(setup)),
+        top_speed_(std::max(setup.max_speed, norm(setup.velocity))),
+        seconds_(until_rest(norm(setup.velocity), braking_limit(setup))) {}
+
+  [[nodiscard]] bool includes(std::size_t slot) const {
+    const Fleet& fleet = world_.fleet;
+    if (flies_) return true;  // no airplane comes to rest
+    const RobotTraits& other = fleet.traits[slot];
+    const double speed = norm(fleet.velocity[slot]);
+    const double time = std::max(seconds_, until_rest(speed, other.max_braking));
+    const double way = time * (top_speed_ + std::max(other.max_speed, speed));
+    return !(norm(fleet.position[slot] - center_) > radius_ + other.radius + way);
+  }
+
+ private:
+  [[nodiscard]] double until_rest(double speed, double max_braking) const {
+    const double step = std::max(law_.step.time_step, longest_first_step(law_));
+    return step * (2.0 + braking_steps(speed, braking_decrement(max_braking, law_.step)));
+  }
+
+  const World& world_;
+  CertificateLaw law_;
+  bool flies_;
+  Vec2 center_;
+  double radius_, top_speed_, seconds_;
 };
 
 // Where it begins to brake, if it decides nothing any more: now, or where its own step ends.
@@ -42,8 +78,9 @@ Company::Company(const World& world, const RobotSetup& setup, RobotId robot)
     : scene(world.settings), id{robot} {
   const Fleet& fleet = world.fleet;
   scene.robots.push_back(setup);
+  const Reach reach(world, setup);
   for (const std::uint32_t other : fleet.slot_of) {
-    if (fleet.id[other] == robot) continue;
+    if (fleet.id[other] == robot || !reach.includes(other)) continue;
     scene.robots.push_back(committed(fleet, other));
     id.push_back(fleet.id[other]);
     slot.push_back(other);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avo/assumptions.h"
+#include "avo/simulation.h"
 #include "support/refusal.h"
 #include "unit/sim/walled_scenes.h"
 
@@ -85,7 +86,7 @@ TEST(StartChecks, a_robot_is_not_added_where_it_breaks_an_assumption) {
                 kAllowed);
   robot.position = {2, 0};
   EXPECT_EQ(said_of(simulation, robot), "");
-  robot.position = {7, 0}, robot.velocity = {2, 0};
+  robot.position = {7.1, 0}, robot.velocity = {2, 0};
   EXPECT_EQ(said_of(simulation, robot),
             "robot 4 and robot 1 start too fast for their distance: found 0.1 m of overlap when "
             "both brake at once, must be none; slow down, move apart, or start at rest" +
@@ -93,11 +94,11 @@ TEST(StartChecks, a_robot_is_not_added_where_it_breaks_an_assumption) {
   robot.position = {6, 4.75}, robot.velocity = {};
   EXPECT_EQ(said_of(simulation, robot),
             "robot 4 starts too near obstacle 0: found [6, 4.75], 0.25 m from it, must be >= 0.5 "
-            "+ 0 m and 5.8e-12 m for rounding; move it away" +
+            "+ 0 m and 3e-12 m for rounding; move it away" +
                 kAllowed);
   robot.position = {6, 3}, robot.velocity = {0, 1.9};
   EXPECT_EQ(said_of(simulation, robot),
-            "robot 4 starts too fast for obstacle 0: found 0.1 m left when it brakes, must be >= "
+            "robot 4 starts too fast for obstacle 0: found 0.195 m left when it brakes, must be >= "
             "0.5 + 0 m; slow down, move it away, or start at rest" +
                 kAllowed);
   robot.position = {25, 0}, robot.velocity = {};
@@ -171,9 +172,12 @@ TEST(StartChecks, with_free_clocks_others_finish_their_steps) {
   Scenario scene;
   scene.clock = Clock::free;
   scene.time_step = 0.5;
-  scene.robots = {robot_at({0, 0}, {40, 0})};
+  scene.robots = {robot_at({0, 0}, {40, 0}), robot_at({0, 90}, {0, 90})};
+  scene.robots[1].time_step = 0.1;
   Simulation simulation(scene, 1);
-  while (simulation.fleet().velocity[0].x < 1.0) simulation.step();
+  while (simulation.fleet().velocity[0].x < 1.0 ||
+         simulation.next_decision(0) < simulation.time() + 0.3)
+    simulation.step();
   const double x = simulation.fleet().position[0].x, v = simulation.fleet().velocity[0].x;
   const double at_once = 1.0 + 0.5 * v * v;  // m ahead, would it brake now
   EXPECT_NE(said_of(simulation, robot_at({x + at_once + 0.25, 0}, {0, 9})), "");
