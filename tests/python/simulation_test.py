@@ -163,3 +163,25 @@ def test_moving_obstacles_move():
     simulation.step(10)
     assert start.shape == (len(simulation.moving_obstacles()), 2)
     assert np.allclose(simulation.obstacle_position(), start + simulation.obstacle_velocity())
+
+
+def test_starts_that_break_assumptions_are_refused():
+    scene = {"version": 1, "robots": [{"position": [0, 0], "goal": [9, 0]}, {"position": [0.75, 0], "goal": [9, 5]}]}
+    overlap = "robot 0 and robot 1 overlap at the start: found 0.75 m between the centers"
+    assert avo.Scenario(scene).complaints()[0].startswith(overlap)
+    for refused in avo.Simulation, avo.run:
+        with pytest.raises(avo.Error, match=overlap):
+            refused(scene)
+    scene["allow_broken_assumptions"] = True
+    assert avo.Scenario(scene).allow_broken_assumptions
+    assert avo.run(scene, threads=1)["robots"] == 2
+    simulation = avo.Simulation("circle-4", threads=1)
+    start, before = simulation.position()[0], simulation.state_hash()
+    for edit in (
+        lambda: simulation.add_robot(avo.RobotSetup(position=tuple(start), goal=(0, 0))),
+        lambda: simulation.move_robot(1, tuple(start)),
+        lambda: simulation.add_obstacle(avo.StaticObstacle([])),
+    ):
+        with pytest.raises(avo.Error):
+            edit()
+    assert simulation.state_hash() == before
