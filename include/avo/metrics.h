@@ -92,7 +92,7 @@ struct RunSummary {
   /// takes occlusion, or measurements that fail.
   std::optional<std::int64_t> first_seen_too_late;
   double max_acceleration = 0.0;           ///< m/s^2, the largest applied |a|
-  double acceleration_excess = 0.0;        ///< m/s^2, the largest |a| - a_max; 0 if kept
+  double acceleration_excess = 0.0;        ///< m/s^2, the largest |a| - max(a_max, b); 0 if kept
   double max_speed = 0.0;                  ///< m/s
   std::optional<double> mean_arrival;      ///< s, over those that arrived and are not parked
   std::optional<double> last_arrival;      ///< s, only if all arrived

@@ -50,7 +50,7 @@ struct Car {
 /// turns about that where it stands. The limits of the wheels hold at every instant. Others sense
 /// the disc about the point q that is `offset` ahead of the axle, which can accelerate in every
 /// direction (docs/certificate.md, "Differential drives"). The robot's velocity, max_speed and
-/// max_acceleration are those of q: max_speed <= wheel_speed, max_acceleration <
+/// max_acceleration are those of q: max_speed <= wheel_speed; max_acceleration and max_braking <
 /// most_acceleration().
 struct DifferentialDrive {
   double track = 0.4;           ///< [b] m, > 0, between the wheels
@@ -105,8 +105,8 @@ inline bool is_airplane(const MotionModel& model) {
   return std::holds_alternative<Airplane>(model);
 }
 
-/// m/s²: what FleetView::applied_acceleration of one whose setup says `max_acceleration` never
-/// exceeds.
+/// m/s²: what FleetView::applied_acceleration of one whose setup says `max_acceleration`, or its
+/// max_braking where that is more, never exceeds.
 AVO_API double acceleration_limit(const MotionModel& model, double max_acceleration);
 
 /// Whether the velocity of its disc is along its heading or against it, as that of a car is. Others

@@ -281,13 +281,13 @@ class AVO_API Planner {
   /// throws. Without one it decides as for the first time. One that is not finite, or out of range,
   /// counts as none. walls: what does not move, near the robot; a certificate keeps clear of it.
   /// The robot needs all whose surface is within r + S Δt + l(S) of its position, and a billionth
-  /// more for rounding: S = max(|v|, v_max), l is the stopping length. Others change no bit. A
-  /// neighbor that decides and is behind such a wall does not count where nobody can come round an
-  /// end of it before both have stopped: it is taken to keep clear of that wall likewise
-  /// (docs/certificate.md, "Neighbors behind walls"). A wall that is not finite is invalid_input.
-  /// Without a certificate walls only slow the target of method avo. The other methods choose in
-  /// the half-planes of the walls' obstacles, to which those of neighbors yield; they need all
-  /// walls within r + τ max(|v|, v_max), count all neighbors, and promise nothing.
+  /// more for rounding: S = max(|v|, v_max), l is the stopping length with planned_braking().
+  /// Others change no bit. A neighbor that decides and is behind such a wall does not count where
+  /// nobody can come round an end of it before both have stopped: it is taken to keep clear of that
+  /// wall likewise (docs/certificate.md, "Neighbors behind walls"). A wall that is not finite is
+  /// invalid_input. Without a certificate walls only slow the target of method avo. The other
+  /// methods choose in the half-planes of the walls' obstacles, to which those of neighbors yield;
+  /// they need all walls within r + τ max(|v|, v_max), count all neighbors, and promise nothing.
   [[nodiscard]] Plan plan(const Robot& robot, std::span<const Neighbor> neighbors,
                           PlanWorkspace& workspace, Detour* detour = nullptr,
                           std::span<const Wall> walls = {}) const;

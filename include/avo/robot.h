@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a robot knows of itself and senses of the others (paper §IV-D). SI units.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -33,8 +34,9 @@ struct Robot {
   /// > 0: of a pair, A takes the part p_B/(p_A + p_B) of what both have to do, see
   /// reciprocal_share(). Others have to know it.
   double priority = 1.0;
-  /// [b_A] m/s^2, > 0, <= max_acceleration: with which it surely brakes whenever it has to, and
-  /// others have to know it; unset: max_acceleration. A decision may ask for more.
+  /// [b_A] m/s^2, > 0: with which it surely brakes, straight, whenever it has to, and others have
+  /// to know it; unset: max_acceleration. Where it is less, a decision may ask for more of that;
+  /// where it is more, it is for braking alone (docs/certificate.md, "Limits of braking").
   std::optional<double> max_braking = {};
   /// Of an airplane, the circle that the others know of it; unset: that of position and velocity.
   /// Remember it while the airplane is on it: made anew in each step, it drifts by rounding.
@@ -96,6 +98,18 @@ inline bool has_errors_of_its_own(const Neighbor& neighbor) {
 template <typename Robot>
 inline double braking_limit(const Robot& robot) {
   return robot.max_braking.value_or(robot.max_acceleration);
+}
+
+/// [c] m/s^2, max(a_max, b): by which its velocity may change, whatever it does.
+template <typename Robot>
+inline double change_limit(const Robot& robot) {
+  return std::max(robot.max_acceleration, braking_limit(robot));
+}
+
+/// m/s^2, min(a_max, b): with which it slows down for what it sees coming, such as its goal.
+template <typename Robot>
+inline double planned_braking(const Robot& robot) {
+  return std::min(robot.max_acceleration, braking_limit(robot));
 }
 
 /// Of a Neighbor, steps.

@@ -41,7 +41,7 @@ struct RobotSetup {
   /// [Δt] s, > 0, whole nanoseconds: between its own decisions. Only where Scenario::clock is free;
   /// unset: the scene's.
   std::optional<double> time_step = {};
-  /// [b] m/s^2, > 0, <= max_acceleration, see Robot::max_braking; unset: max_acceleration
+  /// [b] m/s^2, > 0, see Robot::max_braking; unset: max_acceleration
   std::optional<double> max_braking = {};
 };
 

@@ -66,7 +66,7 @@ CandidatePath follow(const Robot& robot, Vec2 next_velocity, const StepLaw& law)
   path.first = law.lag * robot.velocity + (law.time_step - law.lag) * next_velocity;
   path.next_velocity = next_velocity;
   if (!is_holonomic(robot.model)) {
-    const MotionStep step = advance(robot.model, {braking_limit(robot), robot.max_speed},
+    const MotionStep step = advance(robot.model, {planned_braking(robot), robot.max_speed},
                                     {{}, robot.velocity, robot.heading},
                                     plan_to(robot, next_velocity, law), law.time_step);
     path.first = step.next.position;

@@ -10,7 +10,7 @@ namespace avo {
 /// What a robot can do to its speed, m/s². Of a_max alone: it brakes with as much.
 struct Ability {
   double acceleration;  ///< [a_max]
-  double braking;       ///< [b] <= a_max, that it surely brakes with
+  double braking;       ///< [b] that it surely brakes with
 
   Ability(double a_max) : Ability(a_max, a_max) {}
   Ability(double a_max, double b) : acceleration(a_max), braking(b) {}
@@ -19,10 +19,15 @@ template <typename Robot>
 Ability ability_of(const Robot& robot) {
   return {robot.max_acceleration, braking_limit(robot)};
 }
+/// With which it slows down for what it sees coming.
+template <typename Robot>
+Ability planned_ability_of(const Robot& robot) {
+  return {robot.max_acceleration, planned_braking(robot)};
+}
 
 /// What the certificates need to know of one step: from v to v_1 it moves by s v + (Δt - s) v_1,
-/// inside the triangle of its ends and p + s v, with |v_1 - v| <= u_a = a_max · braking_time;
-/// braking takes off u_b = b · braking_time.
+/// inside the triangle of its ends and p + s v. Braking takes off u_b = b · braking_time, and v_1
+/// is between the velocity that this leaves and one with |v_1 - v| <= u_a = a_max · braking_time.
 struct StepLaw {
   double time_step = 0.1;           ///< [Δt] s
   double lag = 0.05;                ///< [s] s: Δt/2 (held), s(Δt) (exponential)
@@ -40,7 +45,7 @@ struct StepLaw {
 /// The decision that leads to v_1 in one step: v' and the acceleration of Eq. (7).
 Plan plan_to(const Robot& robot, Vec2 next_velocity, const StepLaw& law);
 
-/// [u_a] m/s, most by which a decision changes the velocity.
+/// [u_a] m/s, most by which a decision that does not brake changes the velocity.
 inline double increment(double max_acceleration, const StepLaw& law) {
   return max_acceleration * law.braking_time;
 }

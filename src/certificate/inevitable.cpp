@@ -85,14 +85,14 @@ struct Front {
 };
 constexpr int kLines = 17;
 
-// The time by which A has come to the line whatever it does: the latest is that of full braking,
-// and by then its foot has not left the line.
-std::optional<double> find_crossing(const Front& front, double max_acceleration) {
+// The time by which A has come to the line whatever it does, changing its velocity by `most` m/s²:
+// the latest is that of full braking, and by then its foot has not left the line.
+std::optional<double> find_crossing(const Front& front, double most) {
   const auto& [gap, closing, place, sliding, length] = front;
-  const double left = closing * closing - 2.0 * max_acceleration * gap;
+  const double left = closing * closing - 2.0 * most * gap;
   if (!(closing > 0.0) || !(left > 0.0)) return std::nullopt;
   const double latest = 2.0 * gap / (closing + std::sqrt(left));
-  const double drift = sliding * latest, aside = 0.5 * max_acceleration * latest * latest;
+  const double drift = sliding * latest, aside = 0.5 * most * latest * latest;
   const bool stays =
       place + std::min(0.0, drift - aside) >= 0.0 && place + std::max(0.0, drift + aside) <= length;
   return stays ? std::optional(latest) : std::nullopt;
@@ -103,8 +103,7 @@ std::optional<double> find_crossing(const Front& front, double max_acceleration)
 std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
                                          const StepLaw& law) {
   const bool decides = neighbor.behavior == Behavior::decides;
-  const double a_B = decides ? std::max(neighbor.max_acceleration, neighbor.max_deviation)
-                             : neighbor.max_deviation;
+  const double a_A = change_limit(robot), a_B = top_acceleration(neighbor);
   const auto [position, velocity] = error_against(neighbor, law);
   const Vec2 p = robot.position - neighbor.position;
   const Vec2 kept = decides ? Vec2{} : neighbor.acceleration;
@@ -113,10 +112,7 @@ std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& nei
   const double contact = (1.0 - kContactRounding) * (robot.radius + neighbor.radius) - lost;
   // A may be off its present course by what its acceleration does, and off its place by its speed
   const std::array closings{
-      Closing{p,
-              robot.velocity - neighbor.velocity,
-              -kept,
-              {position, velocity, robot.max_acceleration + a_B}},
+      Closing{p, robot.velocity - neighbor.velocity, -kept, {position, velocity, a_A + a_B}},
       Closing{p, -neighbor.velocity, -kept, {position, velocity + top_speed(robot), a_B}}};
   for (const Closing& closing : closings) {
     if (const auto time = find_contact(closing, contact)) return time;
@@ -129,7 +125,8 @@ std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
   const double lost =
       kContactRounding * (length_1(robot.position) + length_1(wall.a) + length_1(wall.b));
   const double contact = (1.0 - kContactRounding) * (robot.radius + wall.radius) - lost;
-  const Spread spread{0.0, 0.0, robot.max_acceleration};
+  const double most = change_limit(robot);
+  const Spread spread{0.0, 0.0, most};
   const double end = spread.time_of(contact);
   const double away = distance(Vec2{}, segment);
   if (away < contact + end * norm(robot.velocity)) {
@@ -150,7 +147,7 @@ std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
     const Front front{std::max(std::abs(side) - off, 0.0), -dot(normal, robot.velocity),
                       dot(along, -segment.a) + beyond, dot(along, robot.velocity),
                       length + 2.0 * beyond};
-    if (const auto time = find_crossing(front, robot.max_acceleration)) return time;
+    if (const auto time = find_crossing(front, most)) return time;
   }
   return std::nullopt;
 }

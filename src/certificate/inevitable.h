@@ -9,8 +9,9 @@
 
 namespace avo {
 
-/// s: a time at which A is in contact with the neighbor whatever it does within |a| <= a_A and
-/// |v| <= v_A^max, and whatever the neighbor does within its a_max, if it decides; if it does not,
+/// s: a time at which A is in contact with the neighbor whatever it does within |a| <= c_A and
+/// |v| <= v_A^max, and whatever the neighbor does within its own c, see change_limit(), if it
+/// decides; if it does not,
 /// it keeps its acceleration. Nothing where that is not proved. The errors of the law are allowed
 /// for, and the neighbor's age.
 std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,

@@ -42,6 +42,11 @@ double way_of_mover(const Neighbor& mover, const Braking& a, const StepLaw& law)
 
 }  // namespace
 
+double top_acceleration(const Neighbor& neighbor) {
+  if (neighbor.behavior != Behavior::decides) return neighbor.max_deviation;
+  return std::max(change_limit(neighbor), neighbor.max_deviation);
+}
+
 Braking braking_of(Vec2 velocity, const Ability& ability, const StepLaw& law) {
   return plain(
       scalar::braking_of(pack(velocity), Real(ability.acceleration), Real(ability.braking), law));
@@ -81,10 +86,8 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
 
 SensingError error_against(const Neighbor& neighbor, const StepLaw& law) {
   const auto& [position, velocity] = law.sensing_error;
-  const bool decides = neighbor.behavior == Behavior::decides;
   const double time = neighbor.age * law.time_step;
-  const double a = decides ? std::max(neighbor.max_acceleration, neighbor.max_deviation)
-                           : neighbor.max_deviation;
+  const double a = top_acceleration(neighbor);
   return {position + neighbor.position_error + (time * velocity + 0.5 * a * time * time),
           velocity + a * time};
 }

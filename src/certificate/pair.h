@@ -57,6 +57,9 @@ struct BrakingPair {
 BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Braking& a,
                          const StepLaw& law);
 
+/// m/s²: by which the neighbor's acceleration may differ from the one that it is carried on with.
+double top_acceleration(const Neighbor& neighbor);
+
 /// How far the neighbor may be from how it is given: by the errors that A declares, and by whatever
 /// else it may have done since it was sensed (docs/certificate.md, "Age").
 SensingError error_against(const Neighbor& neighbor, const StepLaw& law);

@@ -106,10 +106,11 @@ AVO_KERNEL PackDeviation<Real> deviation_of(const PackBraking<Real>& a, Real str
       zero;  // so far y falls behind x, where what may be chosen brakes harder than braking
   if (any(u_a > u)) {
     const Real least = stopping_length(profile(max(speed - u_a, zero), u), law);
-    behind = lead * (u_a - u) + (left - least);
+    behind = max(lead * (u_a - u) + (left - least), zero);
   }
   // a velocity moves a braking path by no more than itself times the time
-  const Real astray = stray_velocity * u_a * Real(law.time_step) * a.intervals + stray_distance;
+  const Real apart = Real(0.5) * stray_velocity * (u_a + max(u_a, u));
+  const Real astray = apart * Real(law.time_step) * a.intervals + stray_distance;
   const Real slow_start = lead * (speed + u_a + braked.speed) + left;
   result.anyhow = {select(strays, astray, rounding * select(turns, slow_start, behind)),
                    select(turns, rounding, zero)};
@@ -156,7 +157,7 @@ AVO_KERNEL PackCandidateDeviation<Real> candidate_deviation(const PackBraking<Re
 
 /// Where clocks are free, how far B may be from where it holds its velocity for one step and then
 /// brakes: start + per_time t and not more than `most`, m at the time t (docs/certificate.md,
-/// "Clocks of their own").
+/// "Clocks of their own"). In the rest of its step B may speed up, or brake.
 template <typename Real>
 struct PackDrift {
   Real start, per_time, most;
@@ -167,7 +168,8 @@ AVO_KERNEL PackDrift<Real> drift_of(Real speed, Real increment, Real decrement,
                                     const StepLaw& law) {
   const double H = law.time_step, L = law.longest_step;  // s
   const double V = L > H ? 2.0 * L - H : H;              // s: a V is how much faster it may be
-  const Real a = increment / Real(law.braking_time), weakness = increment / decrement;
+  const Real change = max(increment, decrement);
+  const Real a = change / Real(law.braking_time), weakness = change / decrement;
   const Real start = Real(0.125 * (H * H + L * L) - 0.5 * H * H) * a;
   const Real to_rest =  // a times it
       Real(H) * a + weakness * (speed + Real(law.sensing_error.velocity));
@@ -180,7 +182,7 @@ template <typename Real>
 AVO_KERNEL Real later_intervals(Real increment, Real decrement, const StepLaw& law) {
   if (!law.has_free_clocks()) return Real(0.0);
   const double steps = std::ceil(std::max(law.longest_step / law.time_step, 0.5));
-  return Real(1.0) + floor(increment / decrement * Real(steps));
+  return Real(1.0) + floor(max(increment, decrement) / decrement * Real(steps));
 }
 
 /// See BrakingPair, of one that decides.

@@ -109,7 +109,7 @@ void Metrics::State::observe_limits(const Simulation& simulation) {
     if (!started) continue;
     const RobotSetup& setup = fleet.setup[i];
     const double a = fleet.applied_acceleration[i];
-    const double a_max = acceleration_limit(setup.model, setup.max_acceleration);
+    const double a_max = acceleration_limit(setup.model, change_limit(setup));
     summary.max_acceleration = std::max(summary.max_acceleration, a);
     if (a > a_max * (1.0 + kRounding)) {
       summary.acceleration_excess = std::max(summary.acceleration_excess, a - a_max);

@@ -86,7 +86,7 @@ bool may_enter(const Claimant& robot, std::span<const Claimant> claimants, doubl
 }
 
 // Off the way of those who come out, which is to the left of the bay.
-Course wait(const Passage& passage, const Claimant& robot, double max_braking) {
+Course wait(const Passage& passage, const Claimant& robot, double braking) {
   const double unit = passage.radius;
   const Mouth mouth = mouth_of(passage, robot.claim.forward);
   const Vec2 from_mouth = robot.position - mouth.center;
@@ -100,7 +100,7 @@ Course wait(const Passage& passage, const Claimant& robot, double max_braking) {
   const double behind = out - kDeep * unit;
   const double beside = is_beside ? robot.claim.distance - kQueue * unit : 0.0;
   const double room = std::max({0.0, behind, beside});
-  return {.max_speed = std::sqrt(2.0 * max_braking * room)};
+  return {.max_speed = std::sqrt(2.0 * braking * room)};
 }
 
 }  // namespace
@@ -124,11 +124,11 @@ std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Ve
   return Claim{number, is_first_near, false, distance};
 }
 
-Course right_of_way(const Passage& passage, const Claimant& robot, double max_braking,
+Course right_of_way(const Passage& passage, const Claimant& robot, double braking,
                     std::span<const Claimant> claimants, double sensing_radius) {
   if (robot.claim.inside) return go_on_or_back(passage, robot, claimants, sensing_radius);
   if (may_enter(robot, claimants, sensing_radius)) return {};
-  return wait(passage, robot, max_braking);
+  return wait(passage, robot, braking);
 }
 
 double lane_offset(const Passage& passage) {

@@ -42,9 +42,10 @@ struct Course {
   double max_speed = std::numeric_limits<double>::infinity();  // m/s
 };
 
-/// Among all who claim the same passage, are within the sensing radius and whom the robot avoids. Who is at the robot's
-/// place is itself: what others see of it does not count.
-Course right_of_way(const Passage& passage, const Claimant& robot, double max_braking,
+/// Among all who claim the same passage, are within the sensing radius and whom the robot avoids.
+/// Who is at the robot's place is itself: what others see of it does not count. braking: m/s^2,
+/// with which it slows down.
+Course right_of_way(const Passage& passage, const Claimant& robot, double braking,
                     std::span<const Claimant> claimants, double sensing_radius);
 
 /// m, from the axis to the middle of the right-hand lane.

@@ -81,7 +81,7 @@ bool is_sound(const Detour& detour) {
 
 double arrival_range(const Robot& robot, double largest_radius) {
   const Real range =
-      scalar::traffic_range<Real>(robot.max_speed, braking_limit(robot), robot.radius);
+      scalar::traffic_range<Real>(robot.max_speed, planned_braking(robot), robot.radius);
   return std::max(range.value, (1.0 + kRoom) * (robot.radius + largest_radius));
 }
 

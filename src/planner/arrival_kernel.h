@@ -17,14 +17,14 @@ AVO_BEGIN_KERNELS
 
 /// m: half of L, the way to stop from v_max.
 template <typename Real>
-AVO_KERNEL Real stopping_distance(Real max_speed, Real max_braking) {
-  return Real(0.5) * max_speed * (max_speed / max_braking);
+AVO_KERNEL Real stopping_distance(Real max_speed, Real braking) {
+  return Real(0.5) * max_speed * (max_speed / braking);
 }
 
 /// m, how far traffic is looked at.
 template <typename Real>
-AVO_KERNEL Real traffic_range(Real max_speed, Real max_braking, Real radius) {
-  const Real stopping = stopping_distance(max_speed, max_braking);
+AVO_KERNEL Real traffic_range(Real max_speed, Real braking, Real radius) {
+  const Real stopping = stopping_distance(max_speed, braking);
   return max(Real(3.0) * stopping, Real(6.0) * radius);
 }
 
@@ -97,8 +97,8 @@ template <typename Real>
 void look_around(const RobotColumns& robots, DecisionColumns& columns) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
-    traffic_range(load(robots.max_speed), load(robots.max_braking), load(robots.radius))
-        .store(&columns.range[i]);
+    const Real braking = min(load(robots.max_acceleration), load(robots.max_braking));
+    traffic_range(load(robots.max_speed), braking, load(robots.radius)).store(&columns.range[i]);
   }
   for (std::size_t i = 0; i < robots.count; ++i) {
     const Traffic traffic = look_around<Real>(robots, i, columns.range[i]);
@@ -116,7 +116,8 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
     const Vec<Real> way{load(robots.preferred_x), load(robots.preferred_y)};
     const Real ahead = load(columns.ahead);
-    const Real stopping = stopping_distance(load(robots.max_speed), load(robots.max_braking));
+    const Real braking = min(load(robots.max_acceleration), load(robots.max_braking));
+    const Real stopping = stopping_distance(load(robots.max_speed), braking);
     const Real part = min(ahead, Real(kCongestion)) / Real(kCongestion);
     const auto turns = !((load(robots.distance_to_goal) < stopping) | !(ahead > Real(0.0)));
     const Vec<Real> wish = select(turns, turned_right(way, part * Real(kMostKeepRight)), way);

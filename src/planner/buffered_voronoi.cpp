@@ -69,7 +69,7 @@ Vec2 wish_within_cell(const PlannerOptions& options, const Robot& robot,
   if (!(left > 0.0)) return {};
   const Vec2 along = place / left;
   const double most =
-      speed_within(left, dot(along, robot.velocity), braking_limit(robot), options.time_step);
+      speed_within(left, dot(along, robot.velocity), planned_braking(robot), options.time_step);
   return std::clamp(most, 0.0, speed) * along;
 }
 
@@ -103,7 +103,7 @@ std::optional<NeighborPlane> cell_half_plane(const PlannerOptions& options, cons
   if (side.normal == Vec2{}) return {};
   const double others = side_velocity(side, neighbor);
   const double most = speed_within(side.gap, dot(side.normal, robot.velocity) - others,
-                                   braking_limit(robot), options.time_step);
+                                   planned_braking(robot), options.time_step);
   return NeighborPlane{index, {-side.normal, -(others + most)}, 0.0};
 }
 

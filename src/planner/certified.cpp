@@ -138,13 +138,14 @@ CertifiedChoice choose_by_cuts(const Proposals& proposals) {
 }
 
 // Stopping capsules are half-planes in v_1 up to a speed: the present one and a step more, the
-// present one, or a step less, at which braking satisfies them.
+// present one, or a step less, at which braking satisfies them where it is no more than a_max.
 CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
   const Robot& robot = proposals.robot;
   const CertificateLaw& law = proposals.law;
   CertifiedWorkspace& workspace = proposals.workspace;
   const double speed = norm(robot.velocity), u = proposals.acceleration.radius;
-  const double braked_speed = std::max(speed - decrement_of(robot, law.step), 0.0);
+  const double braked_speed =
+      std::max(speed - braking_decrement(planned_braking(robot), law.step), 0.0);
   for (const double limit : {speed + u, speed, braked_speed}) {
     const double top_speed = std::min(limit, proposals.top_speed);
     proposals.begin();

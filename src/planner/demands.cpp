@@ -30,7 +30,8 @@ double speed_before(double gap, double max_braking, const StepLaw& law) {
 bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                          Vec2 out, std::vector<HalfPlane>& half_planes) {
   bool is_in_any = false;
-  const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability_of(robot), law);
+  const Ability ability = planned_ability_of(robot);
+  const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability, law);
   for (const Wall& wall : walls) {
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
     const double distance = norm(away), contact = robot.radius + wall.radius;
@@ -44,7 +45,7 @@ bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const 
     const bool is_in = distance < contact;
     is_in_any = is_in_any || is_in;
     const Vec2 normal = away / distance;
-    const double speed = speed_before(gap, braking_limit(robot), law);
+    const double speed = speed_before(gap, ability.braking, law);
     half_planes.push_back(
         {normal, is_in ? std::max(dot(normal, out), 0.0) : -std::min(speed, robot.max_speed)});
   }

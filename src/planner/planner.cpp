@@ -41,21 +41,16 @@ int is_size(double value) {
   return static_cast<int>(value >= kSmallest) & static_cast<int>(value <= kLargest);
 }
 
-int is_braking(double max_braking, double max_acceleration) {
-  return is_size(max_braking) & static_cast<int>(max_braking <= max_acceleration);
-}
-
 // Where the robot is does not matter for slowing down.
 bool can_brake(const Robot& robot) {
   const int velocity = is_known(robot.velocity);
-  const int braking =
-      robot.max_braking ? is_braking(*robot.max_braking, robot.max_acceleration) : 1;
+  const int braking = robot.max_braking ? is_size(*robot.max_braking) : 1;
   return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed) & braking) != 0;
 }
 
 bool can_drive(const Robot& robot) {
   return is_known(robot.heading) != 0 &&
-         is_valid(robot.model, robot.max_acceleration, robot.max_speed);
+         is_valid(robot.model, change_limit(robot), robot.max_speed);
 }
 
 // v' that comes to rest within the step if the limits allow, and otherwise brakes straight along
@@ -120,7 +115,7 @@ bool is_valid(const Neighbor& neighbor) {
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
                    is_size(neighbor.priority) & is_known(neighbor.parting);
   if (able == 0) return false;
-  if (neighbor.max_braking && is_braking(*neighbor.max_braking, a_max) == 0) return false;
+  if (neighbor.max_braking && is_size(*neighbor.max_braking) == 0) return false;
   if (neighbor.age > 0 && !is_deviation(neighbor.max_deviation)) return false;
   return !neighbor.loiter || is_valid_loiterer(neighbor);
 }
@@ -371,7 +366,7 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
       if (!can_fly(robot, planner.options().time_step)) return plan;
       state.position = robot.position, state.circle = *with_circle(robot).loiter;
     }
-    const MotionLimits limits{braking_limit(robot), robot.max_speed};
+    const MotionLimits limits{planned_braking(robot), robot.max_speed};
     plan.next_velocity =
         advance(robot.model, limits, state, plan, planner.options().time_step).next.velocity;
   } else {

@@ -35,7 +35,7 @@ double most_drift(const Peers& peers, const StepLaw& law) {
   const double H = law.time_step, L = law.longest_step, V = std::max(H, 2.0 * L - H);
   const double time = H * (peers.intervals + 1.0);  // until rest
   const double later = 0.5 * V * peers.most_weakness;
-  return peers.most_acceleration * (V * (time + later) + 0.125 * (H * H + L * L));
+  return peers.most_change * (V * (time + later) + 0.125 * (H * H + L * L));
 }
 
 // Beyond it cannot_meet() holds of all pairs. What covers rounding grows with the places of both,
@@ -68,6 +68,7 @@ void include(Peers& peers, const Planner& planner, const Robot& robot) {
   peers.intervals = std::max(peers.intervals, braking.intervals + later.value);
   peers.most_weakness =
       std::max(peers.most_weakness, robot.max_acceleration / braking_limit(robot));
+  peers.most_change = std::max(peers.most_change, change_limit(robot));
   peers.least_acceleration = std::min(peers.least_acceleration, robot.max_acceleration);
   peers.most_acceleration = std::max(peers.most_acceleration, robot.max_acceleration);
   peers.least_priority = std::min(peers.least_priority, robot.priority);

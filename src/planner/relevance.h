@@ -14,7 +14,8 @@ struct Peers {
   double radius = 0.0;         ///< m, the largest
   double reach = 0.0;          ///< m, the largest of radius and the way of any path that brakes
   double intervals = 0.0;      ///< the most in which one may move until rest
-  double most_weakness = 1.0;  ///< max_acceleration by max_braking
+  double most_weakness = 1.0;  ///< max_acceleration by max_braking, 1 at least
+  double most_change = 0.0;    ///< m/s^2, see change_limit()
   double least_acceleration = std::numeric_limits<double>::infinity();  ///< m/s^2
   double most_acceleration = 0.0;                                       ///< m/s^2
   double least_priority = std::numeric_limits<double>::infinity();

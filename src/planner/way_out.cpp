@@ -107,7 +107,7 @@ Vec2 velocity_out(const Robot& robot, std::span<const Wall> walls, const StepLaw
   const Vec2 way = place ? *place - robot.position : all_out(robot, walls);
   const double length = norm(way);
   if (!(length > 1e-9 * robot.radius)) return {};
-  return (std::min(speed_before(length, braking_limit(robot), law), robot.max_speed) / length) *
+  return (std::min(speed_before(length, planned_braking(robot), law), robot.max_speed) / length) *
          way;
 }
 

@@ -132,7 +132,7 @@ MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionS
   const Driving driving = driving_of(car, state, plan.new_velocity);
   const Controls control = controls(car, plan.acceleration, driving, time_step);
   const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
-  const double slow = limits.max_braking * time_step;
+  const double slow = limits.planned_braking * time_step;
   if (top > slow || !turns_in_place(car)) return drive(car, state, driving, control, time_step);
   const bool moves = norm(plan.new_velocity) > 0.0;
   const double turn = moves ? elementary::atan2(cross(driving.heading, plan.new_velocity),

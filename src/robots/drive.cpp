@@ -6,8 +6,8 @@
 // While a is held, q moves on a parabola, and the heading follows by h' = (σ/L) n.
 //
 // S = {V² G(φ)/L <= α_w - a_D √(1 + k²), V W(φ) <= w_max}, with V the speed of q, φ the angle of
-// its velocity off the heading, and a_D = max_acceleration, is kept by straight braking at up to
-// a_D, and so are the wheels' limits (docs/certificate.md, "Differential drives").
+// its velocity off the heading, and a_D = change_limit(), is kept by straight braking at up to a_D,
+// and so are the wheels' limits (docs/certificate.md, "Differential drives").
 #include "robots/drive.h"
 
 #include <algorithm>
@@ -112,10 +112,10 @@ double most_acceleration(const DifferentialDrive& drive) {
 }
 
 // G and W of a unit vector.
-double most_speed(const DifferentialDrive& drive, double max_acceleration, double along,
+double most_speed(const DifferentialDrive& drive, double most_braking, double along,
                   double across) {
   const double k = ratio(drive), root = norm(Vec2{1.0, k}), aside = std::abs(across);
-  const double left = drive.wheel_acceleration - max_acceleration * root;
+  const double left = drive.wheel_acceleration - most_braking * root;
   const bool grows = along > 0.0 && k * aside <= (1.0 + root) * along;  // φ <= (π - atan k)/2
   const double g = grows ? aside * (aside + k * along) : 0.5 * (1.0 + root);
   const double w = along > 0.0 && aside <= k * along ? along + k * aside : root;
@@ -160,7 +160,7 @@ MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
   return state;
 }
 
-bool follows(const DifferentialDrive& drive, double max_acceleration, const MotionState& state,
+bool follows(const DifferentialDrive& drive, double most_braking, const MotionState& state,
              Vec2 next_velocity, double time_step) {
   const Turning turning = turning_of(drive, state, next_velocity, time_step);
   const double top = std::max(norm(state.velocity), norm(next_velocity));
@@ -183,7 +183,7 @@ bool follows(const DifferentialDrive& drive, double max_acceleration, const Moti
   const Vec2 v = turning.velocity_at(turning.substeps);
   const double speed = norm(v);
   if (!(speed > 0.0)) return true;
-  return speed <= kLeft * most_speed(drive, max_acceleration, dot(heading, v) / speed,
+  return speed <= kLeft * most_speed(drive, most_braking, dot(heading, v) / speed,
                                      cross(heading, v) / speed);
 }
 
@@ -191,7 +191,7 @@ bool follows(const DifferentialDrive& drive, double max_acceleration, const Moti
 Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v) {
   const MotionState state{{}, robot.velocity, robot.heading};
   const auto can_follow = [&](Vec2 next) {
-    return follows(drive, robot.max_acceleration, state, next, time);
+    return follows(drive, change_limit(robot), state, next, time);
   };
   if (can_follow(v)) return v;
   const double speed = norm(robot.velocity), u = robot.max_acceleration * time;
@@ -249,7 +249,7 @@ Vec2 within_steering(const DifferentialDrive& drive, const Robot& robot, Vec2 v)
   const double speed = norm(v);
   if (!(speed > 0.0)) return v;
   const Vec2 h = elementary::direction(robot.heading), to = v / speed;
-  const double most = kWithin * most_speed(drive, robot.max_acceleration, dot(h, to), cross(h, to));
+  const double most = kWithin * most_speed(drive, change_limit(robot), dot(h, to), cross(h, to));
   return std::min(speed, most) * to;
 }
 

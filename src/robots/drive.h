@@ -14,14 +14,13 @@ MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
                         const MotionState& to, double time, double duration);
 
 /// Whether the wheels keep their limits while q accelerates evenly to that velocity, at every
-/// instant of the step, and also if it then brakes straight at up to max_acceleration.
-bool follows(const DifferentialDrive& drive, double max_acceleration, const MotionState& state,
+/// instant of the step, and also if it then brakes straight at up to most_braking.
+bool follows(const DifferentialDrive& drive, double most_braking, const MotionState& state,
              Vec2 next_velocity, double time_step);
 
 /// m/s: so fast may q be in a direction, its parts along the heading and across it, that straight
 /// braking keeps the limits: the set S.
-double most_speed(const DifferentialDrive& drive, double max_acceleration, double along,
-                  double across);
+double most_speed(const DifferentialDrive& drive, double most_braking, double along, double across);
 
 /// See robots/model.h.
 Vec2 within_own_limits(const DifferentialDrive& drive, const Robot& robot, double time, Vec2 v);

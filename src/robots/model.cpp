@@ -205,12 +205,12 @@ bool can_reverse(const MotionModel& model) {
   return car != nullptr && car->reverse;
 }
 
-bool is_valid(const MotionModel& model, double max_acceleration, double max_speed) {
+bool is_valid(const MotionModel& model, double most_change, double max_speed) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&model)) {
     return kPositive.contains(drive->track) && kPositive.contains(drive->offset) &&
            kPositive.contains(drive->wheel_speed) &&
            kPositive.contains(drive->wheel_acceleration) && max_speed <= drive->wheel_speed &&
-           max_acceleration < most_acceleration(*drive);
+           most_change < most_acceleration(*drive);
   }
   if (const Airplane* airplane = std::get_if<Airplane>(&model))
     return kPositive.contains(airplane->min_speed) &&

@@ -20,8 +20,8 @@
 namespace avo {
 
 struct MotionLimits {
-  double max_braking;  // m/s^2, with which it surely brakes
-  double max_speed;    // m/s
+  double planned_braking;  // m/s^2, with which a car stops that has to turn in place
+  double max_speed;        // m/s
 };
 
 /// One step of a robot that is not holonomic, exactly; of state.position its disc's center.
@@ -34,7 +34,8 @@ MotionState within(const MotionModel& model, const MotionState& from, const Moti
 
 /// How far any two decisions may lead apart, besides what holonomic motion makes of them.
 struct Stray {
-  double velocity = 0.0;  // of the most that a step of max_acceleration adds; 0: as holonomic ones
+  double velocity = 0.0;  // of the mean of what a step adds and braking takes off at most; 0: as
+                          // holonomic ones
   double distance = 0.0;  // m, within the step
 };
 Stray stray_of(const MotionModel& model, double max_acceleration, double time_step);
@@ -123,7 +124,8 @@ double least_speed(const MotionModel& model);
 bool turns_in_place(const MotionModel& model);
 /// Whether it may move against its heading.
 bool can_reverse(const MotionModel& model);
-/// Whether every number is finite and in range, and the model keeps up with these limits.
-bool is_valid(const MotionModel& model, double max_acceleration, double max_speed);
+/// Whether every number is finite and in range, and the model keeps up with these limits; of the
+/// acceleration, change_limit().
+bool is_valid(const MotionModel& model, double most_change, double max_speed);
 
 }  // namespace avo

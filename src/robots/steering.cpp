@@ -49,7 +49,8 @@ double cornering_speed(double max_acceleration, double radius) {
 // does not brake. One that may drive backwards comes back where it could not stop.
 double stopping_speed(const Car& car, const Robot& robot, double y) {
   if (car.reverse) return std::numeric_limits<double>::infinity();
-  return std::sqrt(2.0 * braking_limit(robot) * robot.distance_to_goal / (1.0 + 2.0 * std::abs(y)));
+  return std::sqrt(2.0 * planned_braking(robot) * robot.distance_to_goal /
+                   (1.0 + 2.0 * std::abs(y)));
 }
 
 // Of the circle to the goal, times the turning circle's.

@@ -41,9 +41,9 @@ bool cannot_stop(const RobotSetup& robot) {
   return least_speed(robot.model) > 0.0;
 }
 
-/// What a robot's braking is limited by.
+/// What its decisions slow a robot down by.
 std::string braking_key(const RobotSetup& robot) {
-  return robot.max_braking ? "max_braking" : "max_acceleration";
+  return planned_braking(robot) < robot.max_acceleration ? "max_braking" : "max_acceleration";
 }
 
 /// [2 v_max / a_max], the paper's rule for δ: one decision then reaches every valid velocity.
@@ -99,14 +99,14 @@ void advise_time_step(const Scenario& scenario, std::vector<std::string>& lines)
 
 void advise_time_horizon(const Scenario& scenario, std::vector<std::string>& lines) {
   const Worst slowest = worst(scenario.robots, [](const RobotSetup& r) {
-    return cannot_stop(r) ? 0.0 : r.max_speed / braking_limit(r);
+    return cannot_stop(r) ? 0.0 : r.max_speed / planned_braking(r);
   });
   const double tau = planner_options(scenario).time_horizon;
   if (tau >= slowest.value) return;
   const RobotSetup& robot = scenario.robots[slowest.robot];
   lines.push_back("time_horizon " + in_short(tau) + " s is shorter than " +
                   robot_name(slowest.robot) + " needs to stop, max_speed / " + braking_key(robot) +
-                  " = " + in_short(robot.max_speed) + " / " + in_short(braking_limit(robot)) +
+                  " = " + in_short(robot.max_speed) + " / " + in_short(planned_braking(robot)) +
                   " = " + in_short(slowest.value) + " s");
 }
 
@@ -120,7 +120,7 @@ bool is_certified(const Scenario& scenario) {
 double fallback_reach(const RobotSetup& robot, double time_step) {
   const double v = robot.max_speed;
   return disc_radius(robot) + v * time_step +
-         (cannot_stop(robot) ? room_to_turn(robot.model, v) : 0.5 * v * v / braking_limit(robot));
+         (cannot_stop(robot) ? room_to_turn(robot.model, v) : 0.5 * v * v / planned_braking(robot));
 }
 
 std::string fallback_term(const RobotSetup& robot) {

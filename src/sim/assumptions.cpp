@@ -111,7 +111,7 @@ void examine(const Starter& a, const Starter& b, Starts& starts) {
                                 : Behavior::moves_on,
                 .max_braking = other.max_braking,
                 .loiter = circle_of(other.model, other.position, start_velocity(other)),
-                .max_deviation = reach_of(other.model) * other.max_acceleration,
+                .max_deviation = top_acceleration(traits_of(other)),
                 .max_speed = top_speed(other)};
     margin += late_phase(own, longest_step) + late_phase(other, longest_step);
   } else {
@@ -258,10 +258,10 @@ double longest_first_step(const CertificateLaw& law) {
   return std::max(law.step.longest_step, law.step.time_step);
 }
 
-// Braking in steps of any lengths up to L is ahead of continuous braking by 0 to a L²/8.
+// Braking in steps of any lengths up to L is ahead of continuous braking by 0 to c L²/8.
 double late_phase(const RobotSetup& robot, double longest_step) {
   if (robot.velocity == Vec2{}) return 0.0;
-  return 0.125 * robot.max_acceleration * longest_step * longest_step;
+  return 0.125 * change_limit(robot) * longest_step * longest_step;
 }
 
 void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, double margin,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of a simulation in columns, one entry a robot.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -24,11 +25,15 @@ struct RobotTraits {
   double max_braking = 0.0;       // m/s^2
   double preferred_speed = 0.0;   // m/s
   bool has_model = false;         // it is not holonomic
-  bool exceeds = false;           // its velocity may change by more than max_acceleration a second
+  bool exceeds = false;           // it may accelerate by more than max_acceleration
 };
 RobotTraits traits_of(const RobotSetup& setup);
 inline Ability ability_of(const RobotTraits& traits) {
   return {traits.max_acceleration, traits.max_braking};
+}
+/// See planned_braking() in avo/robot.h.
+inline double planned_braking(const RobotTraits& traits) {
+  return std::min(traits.max_acceleration, traits.max_braking);
 }
 /// See Robot::max_braking; unset where it brakes with its max_acceleration.
 inline std::optional<double> max_braking_of(const RobotTraits& traits) {
@@ -38,7 +43,8 @@ inline std::optional<double> max_braking_of(const RobotTraits& traits) {
 
 /// m/s²: by which its velocity may change.
 inline double top_acceleration(const RobotTraits& traits) {
-  return traits.exceeds ? std::numbers::sqrt2 * traits.max_acceleration : traits.max_acceleration;
+  const double reach = traits.exceeds ? std::numbers::sqrt2 : 1.0;
+  return std::max(reach * traits.max_acceleration, traits.max_braking);
 }
 
 /// How a robot and the others give way to each other. Nearly all are alike.

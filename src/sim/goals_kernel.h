@@ -12,7 +12,7 @@ AVO_BEGIN_KERNELS
 template <typename Real>
 struct Traveller {
   Vec<Real> position, velocity, goal;
-  Real preferred_speed, max_braking, max_speed;
+  Real preferred_speed, planned_braking, max_speed;
 };
 
 template <typename Real>
@@ -70,7 +70,7 @@ template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
-  const Real u = Real(step.rate) * Real(step.control_time) * robot.max_braking;
+  const Real u = Real(step.rate) * Real(step.control_time) * robot.planned_braking;
   const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below
   const Real around = Real(0x1p-45) * ((abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y)));
@@ -87,7 +87,7 @@ template <typename Real>
 AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const Way<Real>& way,
                           const StepResponse& step) {
   const Real top = robot.preferred_speed, time_step(step.time_step), rate(step.rate);
-  const Real control_time(step.control_time), reach = control_time * robot.max_braking;
+  const Real control_time(step.control_time), reach = control_time * robot.planned_braking;
   // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
   const Real change = min(robot.max_speed, reach);
   const Vec<Real> at_speed = top * way.direction;

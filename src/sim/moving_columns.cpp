@@ -19,12 +19,10 @@ namespace avo {
 Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, Vec2 goal,
                         const StepResponse& step) {
   using Real = scalar::Pack<double>;
-  const scalar::Traveller<Real> traveller{scalar::constant<Real>(position),
-                                          scalar::constant<Real>(velocity),
-                                          scalar::constant<Real>(goal),
-                                          robot.preferred_speed,
-                                          robot.max_braking,
-                                          robot.max_speed};
+  const scalar::Traveller<Real> traveller{
+      scalar::constant<Real>(position), scalar::constant<Real>(velocity),
+      scalar::constant<Real>(goal),     robot.preferred_speed,
+      planned_braking(robot),           robot.max_speed};
   return plain(scalar::preferred_velocity(traveller, scalar::way_of(traveller, step), step));
 }
 

@@ -22,7 +22,7 @@ void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotCol
                                 {load(robots.v_x), load(robots.v_y)},
                                 {load(moving.goal_x), load(moving.goal_y)},
                                 load(moving.preferred_speed),
-                                load(robots.max_braking),
+                                min(load(robots.max_acceleration), load(robots.max_braking)),
                                 load(robots.max_speed)};
     const Way<Real> way = way_of(robot, step);
     way.distance.store(&robots.distance_to_goal[k]);

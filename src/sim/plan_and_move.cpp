@@ -138,7 +138,7 @@ void count(const World& world, Worker& worker) {
 void move_by_model(World& world, const Pace& pace, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const RobotTraits& traits = fleet.traits[slot];
-  const MotionLimits limits{traits.max_braking, traits.max_speed};
+  const MotionLimits limits{planned_braking(traits), traits.max_speed};
   MotionState state{fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
   Flight* flight = fleet.flight(slot);
   if (flight != nullptr) state.circle = flight->circle;

@@ -59,9 +59,13 @@ void check_drive(std::size_t i, const RobotSetup& robot, const DifferentialDrive
     refuse(std::string(Place{list, i, "max_speed"}), text(robot.max_speed),
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
   const double most = most_acceleration(drive);
-  if (!(robot.max_acceleration < most))
-    refuse(std::string(Place{list, i, "max_acceleration"}), text(robot.max_acceleration),
-           "< " + text(most) + " m/s^2, wheel_acceleration/sqrt(1 + (track/(2 offset))^2)");
+  const auto require_less = [&](std::string_view field, double found) {
+    if (!(found < most))
+      refuse(std::string(Place{list, i, field}), text(found),
+             "< " + text(most) + " m/s^2, wheel_acceleration/sqrt(1 + (track/(2 offset))^2)");
+  };
+  require_less("max_acceleration", robot.max_acceleration);
+  require_less("max_braking", braking_limit(robot));
   if (norm(robot.velocity) > drive.wheel_speed)
     refuse(std::string(Place{list, i, "velocity"}), text(norm(robot.velocity)) + " m/s",
            "<= " + text(drive.wheel_speed) + " m/s, its drive.wheel_speed");
@@ -107,12 +111,8 @@ void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   require(Place{list, i, "max_acceleration"}, robot.max_acceleration, kPositive, "m/s^2");
   require(Place{list, i, "preferred_speed"}, robot.preferred_speed, kNotNegative, "m/s");
   require(Place{list, i, "priority"}, robot.priority, kPositive, "");
-  if (robot.max_braking) {
+  if (robot.max_braking)
     require(Place{list, i, "max_braking"}, *robot.max_braking, kPositive, "m/s^2");
-    if (*robot.max_braking > robot.max_acceleration)
-      refuse(std::string(Place{list, i, "max_braking"}), text(*robot.max_braking),
-             "<= max_acceleration = " + text(robot.max_acceleration) + " m/s^2");
-  }
   if (robot.parked) check_parked(i, robot);
   require(Place{list, i, "heading"}, robot.heading, kAngle, "rad");
   if (const Car* car = std::get_if<Car>(&robot.model)) check_car(i, *car);

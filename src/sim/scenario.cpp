@@ -191,7 +191,7 @@ void check_beside_walls(const Scenario& scenario) {
     const RobotSetup& robot = robots[i];
     if (robot.parked) continue;
     const double time_step = time_step_of(scenario, robot);
-    const double most = std::min(robot.max_acceleration * time_step, 2.0 * robot.max_speed);
+    const double most = std::min(change_limit(robot) * time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * time_step;
     if (disc_radius(robot) > height) continue;
     refuse(std::string(Place{"robots", i, "radius"}), text(disc_radius(robot)),

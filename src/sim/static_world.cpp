@@ -36,7 +36,8 @@ void WallNeeds::include(const RobotTraits& robot, double stray, double speed, co
   const WallRounding own = wall_rounding(radius, max_speed, ability, law);
   rounding = {std::max(rounding.steps, own.steps), std::max(rounding.lengths, own.lengths)};
   const double top_speed = std::max(max_speed, speed);
-  reach = std::max(reach, radius + stray + wall_reach(top_speed, max_speed, ability, law));
+  reach = std::max(
+      reach, radius + stray + wall_reach(top_speed, max_speed, planned_ability_of(robot), law));
 }
 
 bool WallNeeds::cover(const WallNeeds& needs) const {

@@ -61,9 +61,11 @@ const std::vector<BadScene>& bad_scenes() {
       {"priority_zero",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], priority: 0}\n"),
        "3:48: robots.0.priority: found 0, must be > 0"},
-      {"brakes_harder_than_it_can",
-       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_braking: 1.5}\n"),
-       "3:51: robots.0.max_braking: found 1.5, must be <= max_acceleration = 1 m/s^2"},
+      {"brakes_harder_than_its_wheels_can",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: differential_drive, "
+         "max_acceleration: 0.5, max_braking: 2.5}\n"),
+       "3:101: robots.0.max_braking: found 2.5, must be < 2.12132 m/s^2, "
+       "wheel_acceleration/sqrt(1 + (track/(2 offset))^2)"},
       {"max_speed_of_one_that_keeps_its_acceleration",
        kGood + s("moving_obstacles:\n  - {position: [9, 9], max_speed: 2}\n"),
        "5:35: moving_obstacles.0.max_speed: found 2, must be left out without max_deviation: it "

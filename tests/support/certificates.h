@@ -29,10 +29,10 @@ inline CertificateLaw law_of(const PlannerOptions& options) {
   return certificate_law(Planner(options));
 }
 
-/// Half to all of a_max; one in three brakes with all of it, to which nothing is said.
+/// Less than a_max or more; one in three brakes with all of it, to which nothing is said.
 inline std::optional<double> random_braking(Random& random, double max_acceleration) {
   if (random.below(3) == 0) return std::nullopt;
-  return random.uniform(0.3, 1.0) * max_acceleration;
+  return random.log_uniform(0.3, 4.0) * max_acceleration;
 }
 
 /// Δt 0.02 to 0.5 s, δ from Δt to 4 s.

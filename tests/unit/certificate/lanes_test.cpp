@@ -35,14 +35,15 @@ Crowd random_crowd(Random& random) {
   Crowd crowd{law_of(options), random_body(random), {}, {}};
   crowd.robot.position = in_disc(random, 5.0);
   const int count = 1 + random.below(20);
-  const bool has_movers = random.below(2) == 0, brakes_less = random.below(2) == 0;
-  if (brakes_less) crowd.robot.max_braking = random_braking(random, crowd.robot.max_acceleration);
+  const bool has_movers = random.below(2) == 0, brakes_otherwise = random.below(2) == 0;
+  if (brakes_otherwise)
+    crowd.robot.max_braking = random_braking(random, crowd.robot.max_acceleration);
   for (int k = 0; k < count; ++k) {
     Robot other = random_body(random);
     const double gap = random.log_uniform(1e-4, 6.0);
     other.position =
         crowd.robot.position + (crowd.robot.radius + other.radius + gap) * random.direction();
-    if (brakes_less) {
+    if (brakes_otherwise) {
       if (random.below(2) == 0) other.max_acceleration = crowd.robot.max_acceleration;
       other.max_braking = random_braking(random, other.max_acceleration);
       if (random.below(4) == 0) {  // alike

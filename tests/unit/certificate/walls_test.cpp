@@ -214,7 +214,7 @@ TEST(Walls, those_out_of_reach_change_no_bit) {
     robot.velocity = random.uniform(0.0, 1.0) * robot.preferred_velocity;
     const double speed = norm(robot.velocity);
     const double reach =
-        robot.radius + wall_reach(speed, robot.max_speed, ability_of(robot), law.step);
+        robot.radius + wall_reach(speed, robot.max_speed, planned_ability_of(robot), law.step);
     std::vector<Wall> near;
     for (const Wall& wall : walls) {
       if (gap_to(robot.position, wall) <= reach * (1.0 + 1e-9)) near.push_back(wall);
@@ -274,7 +274,7 @@ TEST(Walls, cars_touch_none) {
     robot.model = Car{random.uniform(0.3, 1.0)};
     robot.heading = random.uniform(-3.0, 3.0);
     const double u = braking_decrement(robot.max_acceleration, law.step);
-    const MotionLimits limits{braking_limit(robot), robot.max_speed};
+    const MotionLimits limits{planned_braking(robot), robot.max_speed};
     const Vec2 start = robot.position;
     CertifiedWorkspace workspace;
     for (int k = 0; k < 200; ++k) {

@@ -32,8 +32,8 @@ Crowd crowd_of(Random& random, Certificate certificate, Motion motion) {
   Robot& A = crowd.robot;
   A.radius = random.log_uniform(0.2, 1.0);
   A.max_acceleration = random.log_uniform(0.5, 2.0);
-  const bool brakes_less = random.below(2) == 0;
-  if (brakes_less) A.max_braking = random.uniform(0.4, 1.0) * A.max_acceleration;
+  const bool brakes_otherwise = random.below(2) == 0;
+  if (brakes_otherwise) A.max_braking = random.log_uniform(0.4, 3.0) * A.max_acceleration;
   A.max_speed = random.uniform(0.3, 1.0) * 2.0 * A.max_acceleration;
   A.velocity = A.max_speed * random.uniform(0.5, 1.0) * random.direction();
   A.preferred_velocity = A.max_speed * random.direction();
@@ -44,7 +44,7 @@ Crowd crowd_of(Random& random, Certificate certificate, Motion motion) {
     Neighbor B;
     B.radius = random.log_uniform(0.2, 1.0);
     B.max_acceleration = random.log_uniform(0.5, 2.0);
-    if (brakes_less) B.max_braking = random.uniform(0.4, 1.0) * B.max_acceleration;
+    if (brakes_otherwise) B.max_braking = random.log_uniform(0.4, 3.0) * B.max_acceleration;
     const double top = random.uniform(0.3, 1.0) * 2.0 * B.max_acceleration;
     const double gap = random.uniform(0.0, spread - 2.0);
     const Vec2 direction = random.direction();

@@ -41,7 +41,7 @@ CarState integrated(CarState s, double linear, double curvature, double time, in
   return s;
 }
 
-constexpr MotionLimits kLimits{.max_braking = 1.0, .max_speed = 2.0};
+constexpr MotionLimits kLimits{.planned_braking = 1.0, .max_speed = 2.0};
 constexpr double kWheelbase = 0.8;
 
 MotionStep advance_car(const MotionState& state, const Plan& plan, double time_step) {

@@ -34,7 +34,7 @@ Mover random_mover(Random& random) {
   Mover m;
   m.traits.max_speed = random.log_uniform(0.1, 10.0);
   m.traits.max_acceleration = random.log_uniform(0.05, 20.0);
-  m.traits.max_braking = random.uniform(0.5, 1.0) * m.traits.max_acceleration;
+  m.traits.max_braking = random.log_uniform(0.5, 3.0) * m.traits.max_acceleration;
   m.traits.preferred_speed = random.uniform(0.0, 1.0) * m.traits.max_speed;
   m.position = test::in_disc(random, 100.0);
   const double left = random.below(8) == 0 ? 0.0 : random.log_uniform(1e-17, 1e3);

@@ -288,7 +288,7 @@ typedef struct avo_robot {
   double distance_to_goal;      ///< m, to where it comes to rest; infinite: there is no such goal
   double heading;               ///< rad; read where it is not holonomic
   double priority;              ///< > 0
-  double max_braking;           ///< m/s^2, > 0, <= max_acceleration; 0: max_acceleration
+  double max_braking;           ///< m/s^2, > 0, also above max_acceleration; 0: that
   avo_loiter_circle loiter;     ///< of an airplane; radius 0: that of position and velocity
   avo_car car;
   avo_differential_drive drive;
@@ -304,7 +304,7 @@ typedef struct avo_neighbor {
   double radius;             ///< m, > 0
   double max_acceleration;   ///< m/s^2, > 0; read where it decides
   double priority;           ///< > 0; read where it decides
-  double max_braking;        ///< m/s^2, > 0, <= max_acceleration; 0: max_acceleration; likewise
+  double max_braking;        ///< m/s^2, > 0, also above max_acceleration; 0: that; likewise
   avo_loiter_circle loiter;  ///< what it falls back on; radius 0: it brakes
   double max_deviation;      ///< m/s^2, >= 0, of the acceleration of one that moves on
   double position_error;     ///< m, >= 0, besides the declared sensing_error
@@ -366,7 +366,7 @@ typedef struct avo_robot_def {
   double heading;           ///< rad; not of holonomic ones
   double priority;          ///< > 0
   double time_step;         ///< s, > 0, of its own where the clock is free; 0: the simulation's
-  double max_braking;       ///< m/s^2, > 0, <= max_acceleration; 0: max_acceleration
+  double max_braking;       ///< m/s^2, > 0, also above max_acceleration; 0: that
   avo_car car;
   avo_differential_drive drive;
   avo_airplane airplane;
@@ -669,7 +669,7 @@ typedef struct avo_summary {
   double min_clearance;           ///< m, of robots that avoid each other; NAN: there are none
   double min_obstacle_clearance;  ///< m, from static obstacles; NAN: likewise
   double max_acceleration;        ///< m/s^2, the largest applied |a|
-  double acceleration_excess;     ///< m/s^2, the largest |a| - a_max; 0 if kept
+  double acceleration_excess;     ///< m/s^2, the largest |a| - max(a_max, b); 0 if kept
   double max_speed;               ///< m/s
   double mean_arrival;            ///< s, of those that arrived; NAN: none
   double last_arrival;            ///< s; NAN: not all have arrived
