@@ -21,12 +21,12 @@ namespace avo_io {
 namespace {
 
 // How far the robot may be from the cubic between two rows, m. Held accelerations: not at all.
-// Exponential motion, Eqs. (8), (9), has |x''''| <= a_max/δ², and a cubic through positions and
+// Exponential motion, Eqs. (8), (9), has |x''''| <= most/δ², and a cubic through positions and
 // velocities errs by at most Δt⁴ |x''''|/384.
-double interpolation_error(const avo::PlannerOptions& options, double max_acceleration) {
+double interpolation_error(const avo::PlannerOptions& options, double most) {
   if (options.motion == avo::Motion::held || adopts_at_once(options.method)) return 0.0;
   const double ratio = options.time_step / options.control_time;
-  return ratio * ratio * options.time_step * options.time_step * max_acceleration / 384.0;
+  return ratio * ratio * options.time_step * options.time_step * most / 384.0;
 }
 
 /// Feeds the judge; robots of a recording without scene are known when they first come.
@@ -69,7 +69,7 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
   for (const avo::RobotSetup& setup : scenario->robots) {
     avo::CheckedRobot robot = checked_robot(setup);
     if (is_holonomic(setup.model)) {
-      robot.interpolation_error = interpolation_error(options, setup.max_acceleration);
+      robot.interpolation_error = interpolation_error(options, change_limit(setup));
       robot.straight = adopts_at_once(options.method);
     }
     if (scenario->clock == avo::Clock::free && !robot.parked && !robot.straight)
@@ -97,6 +97,7 @@ Judge::Judge(const std::string& recording, const JudgeOptions& options)
     movers.emplace(*scenario);
   } else {
     like = {options.radius, options.max_acceleration, options.max_speed};
+    like.max_braking = options.max_braking;
   }
 }
 

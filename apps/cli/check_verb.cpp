@@ -20,7 +20,8 @@ namespace avo_cli {
 namespace {
 
 bool has_limits(const CheckArguments& arguments) {
-  return arguments.radius || arguments.max_acceleration || arguments.max_speed;
+  return arguments.radius || arguments.max_acceleration || arguments.max_speed ||
+         arguments.max_braking;
 }
 
 /// The scene that the recording has in itself, where no other one and no limits are given.
@@ -34,14 +35,19 @@ std::optional<avo_io::RecordedScene> own_scene(const CheckArguments& arguments) 
 
 /// `scene`: there is one.
 void check_arguments(const CheckArguments& arguments, bool scene) {
-  const std::pair<const char*, const std::optional<double>&> limits[] = {
-      {"--radius", arguments.radius},
-      {"--max-acceleration", arguments.max_acceleration},
-      {"--max-speed", arguments.max_speed}};
-  for (const auto& [option, value] : limits) {
+  struct Limit {
+    const char* option;
+    const std::optional<double>& value;
+    bool optional = false;
+  };
+  const Limit limits[] = {{"--radius", arguments.radius},
+                          {"--max-acceleration", arguments.max_acceleration},
+                          {"--max-speed", arguments.max_speed},
+                          {"--max-braking", arguments.max_braking, true}};
+  for (const auto& [option, value, optional] : limits) {
     if (scene && value)
       throw UsageError(fmt::format("{}: found besides --scene, must be one or the other", option));
-    if (!scene && !value)
+    if (!scene && !value && !optional)
       throw UsageError(fmt::format(
           "{}: found neither it nor --scene, must be --scene, or --radius, --max-acceleration "
           "and --max-speed",
@@ -80,6 +86,7 @@ avo_io::JudgeOptions options_of(const CheckArguments& arguments,
   options.radius = *arguments.radius;
   options.max_acceleration = *arguments.max_acceleration;
   options.max_speed = *arguments.max_speed;
+  options.max_braking = arguments.max_braking;
   return options;
 }
 

@@ -107,6 +107,9 @@ void add_check(CLI::App& app, Action& action) {
   verb->add_option("--max-acceleration", arguments.max_acceleration, "likewise; inf: no limit")
       ->type_name("M/S^2");
   verb->add_option("--max-speed", arguments.max_speed, "likewise; inf: no limit")->type_name("M/S");
+  verb->add_option("--max-braking", arguments.max_braking,
+                   "likewise, where it is more than --max-acceleration")
+      ->type_name("M/S^2");
   verb->add_option("--tolerance", arguments.tolerance, "of distances and limits, 1e-9 of them")
       ->type_name("FRACTION");
   verb->add_flag("--require-arrival", arguments.require_arrival,

@@ -58,7 +58,7 @@ int explain(const ExplainArguments& arguments);
 struct CheckArguments {
   std::string recording;  ///< "-": standard input
   SceneArguments scene;   ///< empty: the three below, or what the recording says of itself
-  std::optional<double> radius, max_acceleration, max_speed;
+  std::optional<double> radius, max_acceleration, max_speed, max_braking;
   double tolerance = 1e-9;
   bool json = false;
   bool require_arrival = false;

@@ -80,6 +80,9 @@ struct CheckedRobot {
   /// its speed, and its curvature) at no other times. Rows have to stand at all of these; their
   /// phase is that of the first change.
   std::optional<double> time_step = {};
+  /// m/s^2, > 0: where it is more than max_acceleration, a step may also slow the robot down
+  /// straight by that much, or do a part of that and a part of what max_acceleration allows.
+  std::optional<double> max_braking = {};
 };
 
 /// A disc whose whole motion is known: p + t v + t²/2 a; or see Check::place_obstacle().
@@ -157,8 +160,9 @@ struct CheckReport {
   CheckCount one_sided_contacts_moving;
   std::int64_t one_sided_contacts_at_rest = 0;  ///< pairs, all others
   CheckCount static_contacts;                   ///< robots that ever touched a wall
-  /// Robot-steps with |Δv|/Δt > a_max. With headings, |Δs|/Δt, of the speed s; of a car that has to
-  /// keep a_max in both directions together, with the lateral acceleration.
+  /// Robot-steps with |Δv|/Δt > a_max, or beyond what max_braking allows. With headings, |Δs|/Δt,
+  /// of the speed s; of a car that has to keep a_max in both directions together, with the lateral
+  /// acceleration.
   CheckCount accelerations;
   CheckCount speeds;  ///< robot-rows with |v| > v_max
   /// Robot-steps with |Δp - Δt (v_0 + v_1)/2| > a_max Δt²/2: positions that do not follow the

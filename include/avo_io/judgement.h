@@ -13,14 +13,15 @@
 
 namespace avo_io {
 
-/// What the robots are held to: what a scene says of them or, without one, these three for all.
+/// What the robots are held to: what a scene says of them or, without one, these four for all.
 struct JudgeOptions {
   std::optional<avo::Scenario> scenario = {};
-  double radius = 0.0;            ///< m, > 0, without a scene
-  double max_acceleration = 0.0;  ///< m/s^2, > 0, likewise
-  double max_speed = 0.0;         ///< m/s, > 0, likewise
-  double tolerance = 1e-9;        ///< see avo::CheckOptions::relative_tolerance
-  bool require_arrival = false;   ///< at the goals of the scene
+  double radius = 0.0;                     ///< m, > 0, without a scene
+  double max_acceleration = 0.0;           ///< m/s^2, > 0, likewise
+  double max_speed = 0.0;                  ///< m/s, > 0, likewise
+  std::optional<double> max_braking = {};  ///< m/s^2, > 0, likewise; unset: max_acceleration
+  double tolerance = 1e-9;                 ///< see avo::CheckOptions::relative_tolerance
+  bool require_arrival = false;            ///< at the goals of the scene
   /// Called with each time of the recording, s, once it is judged.
   std::function<void(double time)> judged = {};
 };

@@ -12,6 +12,7 @@
 #include "avo/error.h"
 #include "check/counts.h"
 #include "check/course.h"
+#include "check/demand.h"
 #include "check/kinematics.h"
 #include "check/own_clock.h"
 #include "check/pair_judge.h"
@@ -87,8 +88,9 @@ void Check::State::require_sound(double time, std::span<const CheckedState> rows
   }
 }
 
-// |Δv| and |Δp - Δt (v_0 + v_1)/2| against what a_max allows in this step. The numbers of a row are
-// rounded: that much is granted besides the tolerance.
+// |Δv| and |Δp - Δt (v_0 + v_1)/2| against what a_max and braking allow in this step. The numbers
+// of a row are rounded: that much is granted besides the tolerance. Over skipped rows the way may
+// have turned: any change may have been braking.
 void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& before,
                                 const CheckedState& now, double time) {
   const Vec2 change = now.velocity - before.velocity, sum = before.velocity + now.velocity;
@@ -96,13 +98,17 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
   const double speeds = norm(before.velocity) + norm(now.velocity);
   const double acceleration = norm(change) / duration;
   report.largest_acceleration = std::max(report.largest_acceleration, acceleration);
-  const double a_max = robot.parked ? 0.0 : judge::reach_of(robot);
-  const double most = a_max * (1.0 + options.relative_tolerance);
-  if (norm(change) > most * (duration + step_rounding) + kEpsilon * speeds) {
-    judge::count(report.accelerations, {last_time, now.robot, {}, acceleration - a_max});
+  const double reach = robot.parked ? 0.0 : judge::reach_of(robot);
+  const double any = std::max(reach, judge::braking_of(robot)), a_max = skipped ? any : reach;
+  const double demand =
+      skipped ? norm(change)
+              : judge::demand_of(robot, a_max, before.velocity, now.velocity, duration);
+  const double grant = 1.0 + options.relative_tolerance;
+  if (demand > grant * a_max * (duration + step_rounding) + kEpsilon * speeds) {
+    judge::count(report.accelerations, {last_time, now.robot, {}, demand / duration - a_max});
   }
   const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
-  const double within = 0.5 * most * duration * (duration + 2.0 * step_rounding);
+  const double within = 0.5 * (grant * any) * duration * (duration + 2.0 * step_rounding);
   const double rounding = kEpsilon * (norm(before.position) + norm(now.position)) +
                           (step_rounding + 2.0 * kEpsilon * duration) * speeds;
   if (jump > within + rounding) {

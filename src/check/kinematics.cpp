@@ -10,6 +10,7 @@
 
 #include "check/arc.h"
 #include "check/counts.h"
+#include "check/demand.h"
 #include "check/towed_axle.h"
 #include "core/elementary.h"
 
@@ -43,6 +44,7 @@ void hold(const RowStep& step, CheckCount& rule, double value, double limit, dou
 
 // Accelerations along the heading and across it, m/s^2, and the roundings of both.
 struct Pull {
+  double slowing = 0.0;  // < 0: it speeds up
   double along = 0.0, across = 0.0, along_rounding = 0.0, across_rounding = 0.0;
 };
 
@@ -50,6 +52,8 @@ Pull pull_of(const RowStep& step, const Arc& arc) {
   const double late = step.time_rounding / step.duration;  // relative
   Pull pull;
   pull.along = std::abs(arc.next_speed - arc.speed) / step.duration;
+  const bool slows = arc.speed != 0.0 && (arc.next_speed < arc.speed) == (arc.speed > 0.0);
+  pull.slowing = slows ? pull.along : -pull.along;
   pull.across = lateral_acceleration(arc);
   const double top = top_speed(arc);
   pull.along_rounding = late * pull.along + kLimitRounding * top / step.duration;
@@ -82,6 +86,23 @@ double most_turn(const RowStep& step, const CheckedCar& car, const Arc& arc) {
   return max_speed(step.robot) / car.wheelbase * step.duration;
 }
 
+// Whether what is along the heading is held to a_max by itself: a square's sides.
+bool is_along_alone(const RowStep& step, const CheckedCar& car, const Pull& pull) {
+  return car.exact_set && !(pull.slowing > max_acceleration(step.robot) &&
+                            braking_of(step.robot) > max_acceleration(step.robot));
+}
+
+// m/s^2, to be held against max_acceleration.
+double pulled_by(const RowStep& step, const CheckedCar& car, const Arc& arc, const Pull& pull) {
+  const double a_max = max_acceleration(step.robot), b = braking_of(step.robot);
+  const double across = is_along_alone(step, car, pull) ? 0.0 : pull.across;
+  if (!(b > a_max)) return norm(Vec2{pull.along, across});
+  // it comes to rest at the end of its own step at the earliest
+  const double length = longest_step(step.robot, step.duration);
+  const double first = std::abs(arc.speed) + (length - step.duration) * pull.slowing;
+  return demand_of({pull.slowing, across}, {a_max, std::min(b, first / length)}, car.exact_set);
+}
+
 void judge(const RowStep& step, const CheckedCar& car, CheckReport& report) {
   const Arc arc = arc_of(step.before, step.now, step.duration);
   const double a_max = max_acceleration(step.robot);
@@ -89,8 +110,8 @@ void judge(const RowStep& step, const CheckedCar& car, CheckReport& report) {
   const double both = norm(Vec2{pull.along, pull.across});
   const double pulled = car.exact_set ? std::max(pull.along, pull.across) : both;
   report.largest_acceleration = std::max(report.largest_acceleration, pulled);
-  hold(step, report.accelerations, car.exact_set ? pull.along : both, a_max,
-       pull.along_rounding + (car.exact_set ? 0.0 : pull.across_rounding));
+  hold(step, report.accelerations, pulled_by(step, car, arc, pull), a_max,
+       pull.along_rounding + (is_along_alone(step, car, pull) ? 0.0 : pull.across_rounding));
   hold(step, report.lateral_accelerations, pull.across, a_max, pull.across_rounding);
 
   const double most = most_turn(step, car, arc);
@@ -125,7 +146,10 @@ void judge(const RowStep& step, const CheckedDrive& drive, CheckReport& report) 
   const double acceleration = norm(axle.acceleration);
   report.largest_acceleration = std::max(report.largest_acceleration, acceleration);
   const double velocity_rounding = kLimitRounding * speeds / step.duration;
-  hold(step, report.accelerations, acceleration, max_acceleration(step.robot),
+  const double a_max = max_acceleration(step.robot);
+  const double demand =
+      demand_of(step.robot, a_max, step.before.velocity, step.now.velocity, step.duration);
+  hold(step, report.accelerations, demand / step.duration, a_max,
        velocity_rounding + late * acceleration);
 
   const WheelPeaks peaks = wheel_peaks(axle, drive.track);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "check/demand.h"
 #include "core/elementary.h"
 
 namespace avo::judge {
@@ -80,7 +81,7 @@ std::optional<double> early_change(const CheckedRobot& robot, const Passage& pas
   // a change of the acceleration times this is one of the velocity
   const double lever = rows.first() * rows.second() / (rows.first() + rows.second());
   const double times = kRoundings * (std::abs(rows.a.time) + std::abs(rows.c.time));
-  const double a_max = std::isinf(robot.max_acceleration) ? 0.0 : robot.max_acceleration;
+  const double limit = braking_of(robot), a_max = std::isinf(limit) ? 0.0 : limit;
   double most = 0.0;  // m/s²
   const auto look = [&](const Held& held) {
     const double allowed = a_max * (passage.tolerance * lever + times) + held.rounding;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/course.h"
+#include "check/demand.h"
 #include "core/elementary.h"
 
 namespace avo::judge {
@@ -99,7 +100,7 @@ Mover robot_mover(const CheckedRobot& robot, const CheckedState& before, const C
     mover.error += course->error;
     mover.knots = std::move(course->knots);
   } else if (!is_holonomic(robot.kinematics)) {
-    mover.error += arc_error(before, now, robot.max_acceleration, duration);
+    mover.error += arc_error(before, now, braking_of(robot), duration);
   }
   if (robot.straight)
     mover.from_velocity = mover.to_velocity = (now.position - before.position) / duration;

@@ -52,7 +52,8 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
       .kinematics = std::visit([](const auto& model) { return kinematics_of(model); }, robot.model),
       .parked = robot.parked,
       .layers = robot.layers.bits,
-      .avoids = robot.avoids.bits};
+      .avoids = robot.avoids.bits,
+      .max_braking = robot.max_braking};
 }
 
 CheckedState checked_state(const FleetView& fleet, std::size_t robot) {

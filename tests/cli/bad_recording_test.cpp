@@ -112,6 +112,10 @@ TEST(BadRecording, impossible_command_lines_exit_with_2) {
          "--max-acceleration and --max-speed");
   expect({"--scene", "circle-2", "--max-speed", "1"},
          "--max-speed: found besides --scene, must be one or the other");
+  expect({"--scene", "circle-2", "--max-braking", "3"},
+         "--max-braking: found besides --scene, must be one or the other");
+  expect({"--radius", "1", "--max-acceleration", "1", "--max-speed", "1", "--max-braking", "0"},
+         "--max-braking: found 0, must be > 0");
   expect({"--radius", "0", "--max-acceleration", "1", "--max-speed", "1"},
          "--radius: found 0, must be > 0");
   expect({"--radius", "1", "--max-acceleration", "nan", "--max-speed", "1"},

@@ -169,6 +169,16 @@ TEST(Check, the_tolerance_can_be_set) {
   EXPECT_EQ(check(kHeader + "0,0,0,0,900,0\n1,0,0,0,0,0\n", unlimited).exit_code, 0);
 }
 
+TEST(Check, braking_may_be_stronger_than_acceleration) {
+  const std::string stops = kHeader + "0,0,0,0,1.5,0\n0.5,0,0.375,0,0,0\n";
+  const std::string starts = kHeader + "0,0,0,0,0,0\n0.5,0,0.375,0,1.5,0\n";
+  Strings strong = kLimits;
+  strong.insert(strong.end(), {"--max-braking", "3"});
+  EXPECT_EQ(check(stops).exit_code, 1);
+  EXPECT_EQ(check(stops, strong).exit_code, 0);
+  EXPECT_EQ(check(starts, strong).exit_code, 1);
+}
+
 // Two robots with goals 1 m ahead: 0 arrives, 1 does not.
 constexpr const char* kTwoRobots =
     "version: 1\nname: two\ntime_step: 0.5\nrobots:\n"

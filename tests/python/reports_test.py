@@ -45,6 +45,18 @@ def test_check_finds_what_is_broken(command_line, tmp_path):
     assert report["overlaps"]["count"] == 1 and not report["safe"]
 
 
+def test_check_knows_stronger_braking(command_line, tmp_path):
+    recording = tmp_path / "run.csv"
+    recording.write_text("time,robot,x,y,vx,vy\n0,0,0,0,1.5,0\n0.5,0,0.375,0,0,0\n")
+    limits = {"radius": 0.5, "max_acceleration": 1, "max_speed": 2}
+    assert not avo.check(recording, **limits)["safe"]
+    assert avo.check(recording, **limits, max_braking=3)["safe"]
+    with pytest.raises(avo.Error, match="^max_braking: found 0, must be > 0"):
+        avo.check(recording, **limits, max_braking=0)
+    with pytest.raises(avo.Error, match="^max_braking: found besides scene"):
+        avo.check(recording, "circle-10", max_braking=3)
+
+
 def test_wrong_recordings_are_refused_alike(command_line, tmp_path):
     recording = tmp_path / "run.csv"
     for text in ("time,robot,x,y,vx\n", "time,robot,x,y,vx,vy\n0,0,0,0,nan,0\n1,0,0,0,0,0\n", ""):

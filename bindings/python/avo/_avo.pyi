@@ -571,6 +571,7 @@ def check(
     radius: _Float | None = None,
     max_acceleration: _Float | None = None,
     max_speed: _Float | None = None,
+    max_braking: _Float | None = None,
     tolerance: _Float = 1e-9,
     require_arrival: bool = False,
 ) -> dict[str, Any]: ...

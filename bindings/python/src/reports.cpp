@@ -47,7 +47,7 @@ py::object explain_now(SharedSimulation& self, std::int64_t id) {
   }));
 }
 
-/// The three limits are for recordings without a scene.
+/// The limits are for recordings without a scene.
 void require_one_or_the_other(bool scene, const char* name, const std::optional<double>& value) {
   if (scene && value)
     throw avo::Error(fmt::format("{}: found besides scene, must be one or the other", name));
@@ -61,11 +61,12 @@ void require_one_or_the_other(bool scene, const char* name, const std::optional<
 
 py::object check(const py::object& recording, const py::object& scene, std::optional<double> radius,
                  std::optional<double> max_acceleration, std::optional<double> max_speed,
-                 double tolerance, bool require_arrival) {
+                 std::optional<double> max_braking, double tolerance, bool require_arrival) {
   const bool has_scene = !scene.is_none();
   require_one_or_the_other(has_scene, "radius", radius);
   require_one_or_the_other(has_scene, "max_acceleration", max_acceleration);
   require_one_or_the_other(has_scene, "max_speed", max_speed);
+  if (max_braking) require_one_or_the_other(has_scene, "max_braking", max_braking);
   if (radius && !std::isfinite(*radius))
     throw avo::Error(fmt::format("radius: found {}, must be finite", *radius));
   if (!has_scene && require_arrival)
@@ -77,7 +78,7 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
     options.scenario = scenario_of(scene, py::none());
   else
     options.radius = *radius, options.max_acceleration = *max_acceleration,
-    options.max_speed = *max_speed;
+    options.max_speed = *max_speed, options.max_braking = max_braking;
   const auto path = path_of(recording);
   std::string json;
   {
@@ -183,9 +184,11 @@ void bind_reports(py::module_& module) {
       "Why the robot of that id would choose its velocity now: a dict, as `avo explain --json`.");
   module.def("check", &check, arg("recording"), arg("scene") = py::none(), py::kw_only(),
              arg("radius") = py::none(), arg("max_acceleration") = py::none(),
-             arg("max_speed") = py::none(), arg("tolerance") = 1e-9, arg("require_arrival") = false,
+             arg("max_speed") = py::none(), arg("max_braking") = py::none(),
+             arg("tolerance") = 1e-9, arg("require_arrival") = false,
              "Judges a recording: a dict, as `avo check --json`. Either a scene, or radius, m, "
-             "max_acceleration, m/s^2, and max_speed, m/s, of all robots.");
+             "max_acceleration, m/s^2, and max_speed, m/s, of all robots; and max_braking, m/s^2, "
+             "where it is more than max_acceleration.");
   module.def("run", &run, arg("scene"), py::kw_only(), arg("threads") = 0,
              arg("record") = py::none(), arg("crowd") = false, arg("line") = py::none(),
              "Runs a scene to its end: a dict, as `avo run --summary`. record: file of the "
