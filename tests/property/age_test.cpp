@@ -12,8 +12,9 @@ namespace {
 
 constexpr int kOldest = 4;  // steps
 
-// Robots that meet head-on, or nearly so, at up to 1 m/s, and can just brake.
-std::vector<Body> meeting(int robots, Random& random) {
+// Robots that meet head-on, or nearly so, at up to 1 m/s, and can just brake; or one after the
+// other, where they brake by other limits than they accelerate by.
+std::vector<Body> meeting(int robots, bool brake_otherwise, Random& random) {
   for (;;) {
     std::vector<Body> bodies(static_cast<std::size_t>(robots));
     std::vector<Robot> all;
@@ -23,17 +24,21 @@ std::vector<Body> meeting(int robots, Random& random) {
       robot.max_acceleration = random.uniform(0.5, 2.0);
       robot.position = random.uniform(0.8, 2.5) * random.direction();
       robot.velocity = -random.uniform(0.0, 1.0) * unit(robot.position + in_disc(random, 0.3));
+      if (brake_otherwise) {
+        robot.max_braking = random.log_uniform(0.5, 6.0) * robot.max_acceleration;
+        robot.velocity = {random.uniform(0.0, 1.5), 0.0};
+      }
       all.push_back(robot);
     }
     if (invariant_holds(all, held_law({}))) return bodies;
   }
 }
 
-int overlapping_runs(int robots, const Senses& senses, int runs) {
+int overlapping_runs(int robots, const Senses& senses, int runs, bool brake_otherwise = false) {
   int count = 0;
   for (int run = 0; run < runs; ++run) {
     Random random(static_cast<std::uint64_t>(518 + run));
-    const std::vector<Body> bodies = meeting(robots, random);
+    const std::vector<Body> bodies = meeting(robots, brake_otherwise, random);
     const CheckReport report = run_adversary(bodies, senses, 120, 2 + run % 5, random);
     EXPECT_EQ(report.accelerations.count + report.speeds.count, 0);
     count += report.overlaps.count > 0 ? 1 : 0;
@@ -50,6 +55,14 @@ TEST(Age, adds_to_the_declared_errors_of_what_was_sensed) {
   const SensingError error{0.02, 0.1};
   EXPECT_EQ(overlapping_runs(2, {error, error, false, kOldest}, 100), 0);
   EXPECT_EQ(overlapping_runs(2, {error, error, true, kOldest}, 100), 0);
+}
+
+// What one did that was not seen for some steps may have been braking.
+TEST(Age, counts_on_braking_that_is_stronger_than_acceleration) {
+  const SensingError error{0.02, 0.1};
+  EXPECT_EQ(overlapping_runs(2, {{}, {}, false, kOldest}, 200, true), 0);
+  EXPECT_EQ(overlapping_runs(3, {{}, {}, false, kOldest}, 20, true), 0);
+  EXPECT_EQ(overlapping_runs(2, {error, error, false, kOldest}, 100, true), 0);
 }
 
 TEST(Age, that_is_not_told_lets_the_same_robots_collide) {

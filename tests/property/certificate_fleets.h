@@ -41,12 +41,12 @@ inline Fleet random_fleet(Random& random, Certificate kind, Motion motion) {
   const CertificateLaw law = law_of(fleet.options);
   const Vec2 offset = random.below(8) == 0 ? 1e7 * random.direction() : Vec2{};
   const int count = 2 + random.below(7);
-  const bool brakes_less = random.below(2) == 0;
+  const bool brakes_otherwise = random.below(2) == 0;
   double extent = 1.0;
   while (static_cast<int>(fleet.robots.size()) < count) {
     extent *= 1.05;
     Robot robot = random_robot(random);
-    if (brakes_less) robot.max_braking = random_braking(random, robot.max_acceleration);
+    if (brakes_otherwise) robot.max_braking = random_braking(random, robot.max_acceleration);
     robot.position = offset + in_disc(random, extent);
     if (touches(robot, others(fleet.robots, count))) continue;
     fleet.robots.push_back(robot);
@@ -120,10 +120,21 @@ inline Vec2 adverse_velocity(Random& random, const Robot& robot, Whim whim,
   return farthest_admitted(robot, within_speed(robot, push), law, constraints);
 }
 
+/// At most 1 where v_1 is a mixture of full braking and of a velocity within u of v: it is in one
+/// of the discs between these two.
+inline double part_of_ability(const Robot& robot, Vec2 next, const CertificateLaw& law) {
+  const double u = increment(robot.max_acceleration, law.step);
+  const Vec2 v = robot.velocity, backup = backup_velocity(robot, law);
+  const auto missing = [&](double part) {
+    return norm(next - (v + part * (backup - v))) - (1.0 - part) * u;
+  };
+  return 1.0 + std::min(missing(1.0), refined_least(missing, 1.0, 8, 60)) / u;
+}
+
 /// What one step of the whole fleet showed.
 struct Witness {
   double least_gap = 1.0 / 0.0;  ///< m, between robots
-  double most_change = 0.0;      ///< of |v_1 - v| / u
+  double most_change = 0.0;      ///< see part_of_ability()
   double most_speed = 0.0;       ///< of |v| / v_max
   bool backup_refused = false;   ///< by a robot with more gap than rounding can cost
 };

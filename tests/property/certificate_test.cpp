@@ -38,8 +38,7 @@ Witness step(Random& random, Fleet& fleet, const CertificateLaw& law,
     const Vec2 next = adverse_velocity(random, robot, static_cast<Whim>(random.below(5)), neighbors,
                                        law, constraints);
     steps.push_back({robot.position, robot.velocity, next});
-    const double u = increment(robot.max_acceleration, law.step);
-    witness.most_change = std::max(witness.most_change, norm(next - robot.velocity) / u);
+    witness.most_change = std::max(witness.most_change, part_of_ability(robot, next, law));
     witness.most_speed = std::max(witness.most_speed, norm(next) / robot.max_speed);
   }
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -45,7 +45,8 @@ Street random_street(Random& random, Certificate kind, Motion motion, Sight sigh
   };
   while (static_cast<int>(street.robots.size()) < robots) {
     Robot robot = random_robot(random);
-    if (random.below(3) == 0) robot.max_braking = random.uniform(0.4, 1.0) * robot.max_acceleration;
+    if (random.below(3) == 0)
+      robot.max_braking = random.log_uniform(0.4, 3.0) * robot.max_acceleration;
     robot.position = in_disc(random, 4.0);
     if (clear(robot)) street.robots.push_back(robot);
   }

@@ -39,6 +39,7 @@ Vec2 place_at(double time, Vec2 p, Vec2 v, double hold, double braking, double s
 struct Step {
   Car car;
   MotionLimits limits;
+  double braking = 0.0;  // m/s²
   MotionState from, to;
   double duration = 0.0;  // s
 };
@@ -46,8 +47,9 @@ struct Step {
 // With a choice at the edge of what the car may choose.
 Step any_step(Random& random, double max_acceleration) {
   Step step;
-  step.car = any_car(random), step.limits = {max_acceleration, kMaxSpeed};
-  if (random.below(2) == 0) step.limits.max_braking *= random.uniform(0.3, 1.0);
+  step.car = any_car(random), step.braking = max_acceleration;
+  if (random.below(2) == 0) step.braking *= random.log_uniform(0.3, 3.0);
+  step.limits = {std::min(step.braking, max_acceleration), kMaxSpeed};
   step.duration = random.log_uniform(0.05, 0.4);
   step.from.heading = random.uniform(-3.0, 3.0);
   const Vec2 h{std::cos(step.from.heading), std::sin(step.from.heading)};
@@ -63,6 +65,11 @@ Step any_step(Random& random, double max_acceleration) {
   if (step.car.acceleration_set == AccelerationSet::incircle) {
     const double most = std::max(1.0, norm(plan.acceleration) / max_acceleration);
     plan.acceleration = plan.acceleration / most;
+  }
+  if (random.below(3) == 0) {  // a part of it, and for the rest braking
+    const Vec2 braked_velocity = braked(robot.velocity, step.braking * step.duration);
+    const Vec2 braking = (braked_velocity - robot.velocity) / step.duration;
+    plan.acceleration = braking + random.uniform(0.0, 1.0) * (plan.acceleration - braking);
   }
   plan.new_velocity = robot.velocity + step.duration * plan.acceleration;
   step.to = advance(step.car, step.limits, step.from, plan, step.duration).next;
@@ -87,13 +94,13 @@ Excess excess_of(const Step& step, double seen_at, double own_step, double max_a
     options.sensing_error = error;
     const StepLaw law = law_of(options).step;
     return scalar::drift_of<Real>(norm(now.velocity), increment(max_acceleration, law),
-                                  increment(step.limits.max_braking, law), law);
+                                  increment(step.braking, law), law);
   };
   const auto drift = drift_with({}), wider = drift_with(unseen);
   const auto at = [](const auto& bound, double t) {
     return std::min(bound.start.value + bound.per_time.value * t, bound.most.value);
   };
-  const double rest = step.duration - seen_at, braking = step.limits.max_braking;
+  const double rest = step.duration - seen_at, braking = step.braking;
   Excess excess{-1.0, -1.0};
   for (double t = own_step; t < 8.0; t += 0.02) {
     const Vec2 place =

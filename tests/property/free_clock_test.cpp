@@ -48,13 +48,14 @@ std::vector<Clocked> clocked_fleet(Random& random, const Belief& belief) {
   std::vector<Clocked> fleet;
   std::vector<Robot> robots;
   const int count = 2 + random.below(5);
-  const bool brakes_less = belief.part_of_longest == 1.0 && random.below(2) == 0;
+  const bool brakes_otherwise = belief.part_of_longest == 1.0 && random.below(2) == 0;
   double extent = 1.0;
   while (static_cast<int>(fleet.size()) < count) {
     extent *= 1.05;
     Clocked each;
     each.robot = random_robot(random);
-    if (brakes_less) each.robot.max_braking = random_braking(random, each.robot.max_acceleration);
+    if (brakes_otherwise)
+      each.robot.max_braking = random_braking(random, each.robot.max_acceleration);
     each.robot.position = in_disc(random, extent);
     if (touches(each.robot, others(robots, robots.size()))) continue;
     PlannerOptions options;
@@ -77,8 +78,11 @@ CheckReport run(std::uint64_t seed, const Belief& belief, int decisions) {
   Random random(seed);
   std::vector<Clocked> fleet = clocked_fleet(random, belief);
   std::vector<CheckedRobot> limits;
-  for (const Clocked& each : fleet)
+  for (const Clocked& each : fleet) {
     limits.push_back({each.robot.radius, each.robot.max_acceleration, each.robot.max_speed});
+    limits.back().time_step = each.law.step.time_step;
+    limits.back().max_braking = each.robot.max_braking;
+  }
   Check check(limits);
   CertificateConstraints constraints;
   const auto show = [&](double time) {
@@ -123,6 +127,7 @@ std::pair<int, double> overlapping(const Belief& belief, int fleets, int decisio
   for (int seed = 1; seed <= fleets; ++seed) {
     const CheckReport report = run(static_cast<std::uint64_t>(seed), belief, decisions);
     EXPECT_EQ(report.accelerations.count + report.speeds.count + report.jumps.count, 0) << seed;
+    EXPECT_EQ(report.changes.count, 0) << seed;
     count += report.overlaps.count > 0 ? 1 : 0;
     if (report.least_clearance) least = std::min(least, *report.least_clearance);
   }
@@ -192,7 +197,7 @@ TEST(FreeClock, no_rest_of_a_step_leads_farther_than_the_drift) {
     const double part = k % 2 == 0 ? 1.0 : random.uniform(0.2, 1.0);
     const double step = part * options.longest_step;
     const double time = k % 3 == 0 ? step : random.uniform(0.0, step);
-    const Vec2 held = b.max_acceleration * random.direction();
+    const Vec2 held = change_limit(b) * random.direction();
     const SlowPath rest(b, held, time, step), expected(b, {}, law.time_step, law.time_step);
     for (std::size_t n = 0; n < std::max(rest.places.size(), expected.places.size()); ++n) {
       const double t = std::max(SlowPath::kGrain * static_cast<double>(n), law.time_step);
@@ -233,8 +238,8 @@ TEST(FreeClock, what_is_admitted_keeps_clear_of_all_rests_that_braking_keeps_cle
     const SlowPath braking(a, {}, 0.0, options.time_step);
     std::vector<SlowPath> rests;
     for (int n = 0; n < 30; ++n) {
-      const Vec2 held = n % 2 == 0 ? b.max_acceleration * random.direction()
-                                   : in_disc(random, b.max_acceleration);
+      const double most = change_limit(b);
+      const Vec2 held = n % 2 == 0 ? most * random.direction() : in_disc(random, most);
       const SlowPath rest(b, held, random.uniform(0.0, step_of_b), step_of_b);
       if (least_distance(braking, rest) >= contact) rests.push_back(rest);
     }

@@ -89,6 +89,7 @@ inline std::vector<Neighbor> sensed(const std::vector<Body>& bodies, std::size_t
                          .max_acceleration = other.max_acceleration,
                          .behavior = bodies[k].decides ? Behavior::decides : Behavior::moves_on,
                          .age = senses.tells_age ? age : 0,
+                         .max_braking = other.max_braking,
                          .acceleration = a});
   }
   return neighbors;
@@ -110,8 +111,8 @@ inline double clearance_after(const std::vector<Body>& bodies, std::size_t self,
          ++m) {
       p = p + (0.5 * law.time_step) * (v + next);
       v = next;
-      next = braked(v, braking_decrement(robot.max_acceleration, law));
-      const Vec2 w_1 = bodies[k].decides ? braked(w, braking_decrement(other.max_acceleration, law))
+      next = braked(v, decrement_of(robot, law));
+      const Vec2 w_1 = bodies[k].decides ? braked(w, decrement_of(other, law))
                                          : w + law.time_step * bodies[k].acceleration;
       q = q + (0.5 * law.time_step) * (w + w_1);
       w = w_1;
@@ -187,6 +188,7 @@ inline Check judge_of(const std::vector<Body>& bodies) {
     const Robot& robot = body.robot;
     if (body.decides) {
       robots.push_back({robot.radius, robot.max_acceleration, robot.max_speed, {}, 0.0});
+      robots.back().max_braking = robot.max_braking;
     } else {
       obstacles.push_back({robot.position, robot.velocity, body.acceleration, robot.radius});
     }

@@ -52,6 +52,10 @@ Meeting random_meeting(Random& random, bool at_wall) {
   other.position = (robot.radius + other.radius + gap) * random.direction();
   other.velocity = in_disc(random, 4.0);
   other.acceleration = in_disc(random, random.below(2) == 0 ? 0.0 : 2.0);
+  if (random.below(3) == 0) {
+    robot.max_braking = random.log_uniform(0.5, 3.0) * robot.max_acceleration;
+    other.max_braking = random.log_uniform(0.5, 3.0) * other.max_acceleration;
+  }
   meeting.wall.radius = random.below(2) == 0 ? 0.0 : other.radius;
   do {
     meeting.wall.a = random.uniform(0.0, 2.5) * random.direction();
@@ -113,7 +117,7 @@ bool can_escape(const Meeting& meeting, double time, int ways, Random& random) {
   for (int way = 0; way < ways; ++way) {
     const double angle = 2.0 * std::numbers::pi * way / ways;
     const Vec2 d{std::cos(angle), std::sin(angle)};
-    const double a_A = meeting.robot.max_acceleration, a_B = other.max_acceleration;
+    const double a_A = change_limit(meeting.robot), a_B = change_limit(other);
     const Control kept{other.acceleration};
     if (least_gap(meeting, time, {a_A * d}, decides ? Control{-a_B * d} : kept) > kTouch)
       return true;
@@ -173,13 +177,13 @@ TEST(State, most_that_cannot_escape_are_doomed) {
 // Full braking in steps of Δt, at a time.
 struct Stop {
   Vec2 position, velocity;
-  double max_acceleration = 0.0;
+  double braking = 0.0;  // m/s^2
 
-  double time(double dt) const { return dt * std::ceil(norm(velocity) / (max_acceleration * dt)); }
+  double time(double dt) const { return dt * std::ceil(norm(velocity) / (braking * dt)); }
   Vec2 at(double t, double dt) const {
     Vec2 p = position, v = velocity;
     for (; t > 0.0 && !(v == Vec2{}); t -= dt) {
-      const double speed = norm(v), left = std::max(speed - max_acceleration * dt, 0.0);
+      const double speed = norm(v), left = std::max(speed - braking * dt, 0.0);
       const double h = std::min(t, dt);
       p = p + h * v - (0.5 * h * h / dt) * (v - (left / speed) * v);
       v = (left / speed) * v;
@@ -194,8 +198,8 @@ double gap_of_braking(const Meeting& meeting, double dt) {
   const Robot& robot = meeting.robot;
   const Neighbor& other = meeting.neighbor;
   const bool decides = other.behavior == Behavior::decides;
-  const Stop a{robot.position, robot.velocity, robot.max_acceleration};
-  const Stop b{other.position, other.velocity, other.max_acceleration};
+  const Stop a{robot.position, robot.velocity, braking_limit(robot)};
+  const Stop b{other.position, other.velocity, braking_limit(other)};
   const double time = decides && !meeting.at_wall ? std::max(a.time(dt), b.time(dt)) : a.time(dt);
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kSamples; ++k) {
@@ -254,7 +258,7 @@ TEST(State, holds_for_all_that_errors_and_age_allow) {
     }
     const bool decides = meeting.neighbor.behavior == Behavior::decides;
     const double late = meeting.neighbor.age * options.time_step;
-    const double a = decides ? meeting.neighbor.max_acceleration : 0.0;
+    const double a = decides ? change_limit(meeting.neighbor) : 0.0;
     const auto& [position, velocity] = options.sensing_error;
     const Vec2 e_v = in_disc(random, velocity), done = in_disc(random, a);
     meeting.neighbor.position = meeting.neighbor.position + position * random.direction() +

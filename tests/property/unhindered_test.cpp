@@ -17,7 +17,7 @@ using test::Random;
 constexpr double kApart = 1000.0;  // m, of robots that move; more than they sense
 
 double braking_of(const RobotSetup& robot) {
-  return robot.max_braking.value_or(robot.max_acceleration);
+  return std::min(robot.max_braking.value_or(robot.max_acceleration), robot.max_acceleration);
 }
 
 // [M] m, that the straight way of a robot keeps from a parked one's disc, beyond its own radius.
@@ -49,7 +49,8 @@ RobotSetup on_its_way(Random& random, Vec2 around, double time_step) {
   // a step may bend the way of a robot by its radius
   const double strongest = std::min(3.0, 3.9 * robot.radius / (time_step * time_step));
   robot.max_acceleration = random.uniform(0.1 * strongest, strongest);
-  if (random.below(2) == 0) robot.max_braking = random.uniform(0.5, 1.0) * robot.max_acceleration;
+  if (random.below(2) == 0)
+    robot.max_braking = std::min(random.log_uniform(0.5, 3.0) * robot.max_acceleration, strongest);
   robot.max_speed = random.uniform(0.5, 3.0);
   robot.preferred_speed = random.uniform(0.3, 1.0) * robot.max_speed;
   return robot;
