@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "avo_io/errors.h"
+#include "hdf5_chunks.h"
 #include "hdf5_output.h"
 #include "hdf5_recording.h"
 #include "words.h"
@@ -171,7 +172,7 @@ void Hdf5Reader::read_rows(const Hdf5Handle& table, hid_t type, const std::vecto
   const int rank = static_cast<int>(count.size());
   const Hdf5Handle rows(H5Screate_simple(rank, count.data(), nullptr), H5Sclose);
   const Hdf5Handle space(H5Dget_space(table.id()), H5Sclose);
-  if (!rows || !space ||
+  if (!rows || !space || !are_chunks_whole(table.id(), offset, count) ||
       H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, offset.data(), nullptr, count.data(),
                           nullptr) < 0 ||
       H5Dread(table.id(), type, rows.id(), space.id(), H5P_DEFAULT, values) < 0)

@@ -207,6 +207,30 @@ TEST(Refusals, of_chunks_larger_than_a_block) {
   expect("time", {1U << 24U}, ": found chunks of 16777216, must be of 64 at most");
 }
 
+// HDF5 itself reads on behind a chunk that is shorter once it is inflated than the table says.
+TEST(Refusals, of_chunks_of_another_length_than_the_table_says) {
+  const std::string zeros_26("\x78\x9c\x63\x60\xc0\x05\x00\x00\x1a\x00\x01", 11);  // deflated
+  const auto expect = [](const char* table, std::size_t rank, unsigned left_out,
+                         const std::string& bytes) {
+    const std::string h5 = recorded();
+    {
+      const avo_io::Hdf5Handle file = open_to_edit(h5);
+      const avo_io::Hdf5Handle set(H5Dopen2(file.id(), table, H5P_DEFAULT), H5Dclose);
+      const std::vector<hsize_t> offset(rank, 0);
+      ASSERT_GE(H5Dwrite_chunk(set.id(), H5P_DEFAULT, left_out, offset.data(), bytes.size(),
+                               bytes.data()),
+                0);
+    }
+    expect_refused(h5, "found damaged rows from time 0 of 91 on, must be whole");
+  };
+  constexpr unsigned kEveryFilter = 0, kNone = ~0U;
+  expect("state", 3, kEveryFilter, zeros_26);
+  expect("status", 2, kEveryFilter, zeros_26);
+  expect("clearance", 2, kEveryFilter, zeros_26);
+  expect("state", 3, kNone, zeros_26);  // neither deflated nor as long as a chunk
+  expect("state", 3, kEveryFilter, std::string(11, '\x78'));
+}
+
 TEST(Refusals, not_of_smaller_chunks_or_none) {
   const std::string h5 = recorded();
   lay_out(h5, "state", properties());
@@ -214,6 +238,10 @@ TEST(Refusals, not_of_smaller_chunks_or_none) {
   const avo_io::Hdf5Handle layout = properties();
   const hsize_t chunk[3] = {7, 2, 1};
   ASSERT_GE(H5Pset_chunk(layout.id(), 3, chunk), 0);
+  lay_out(h5, "state", layout);
+  EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
+  ASSERT_GE(H5Pset_shuffle(layout.id()), 0);
+  ASSERT_GE(H5Pset_deflate(layout.id(), 9), 0);
   lay_out(h5, "state", layout);
   EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
 }
