@@ -61,7 +61,7 @@ std::vector<Scene> scenes(Traffic traffic, bool admitted) {
   while (scenes.size() < 1024) {  // so many that no branch can be learned
     Scene scene = random_scene(state, traffic);
     collect_constraints(scene.robot, scene.neighbors, law(), constraints);
-    if (constraints.invariant.broken >= 0) continue;
+    if (constraints.invariant.broken.any()) continue;
     if (admits(scene.robot, scene.wanted, law(), constraints) == admitted) scenes.push_back(scene);
   }
   return scenes;

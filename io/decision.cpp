@@ -102,13 +102,30 @@ std::string text_of(const avo::Wall& wall) {
              : fmt::format("the wall from {} to {}{}", text(wall.a), text(wall.b), thick);
 }
 
+/// One of the neighbors or of the walls, or neither.
+Json name_of_either(const Decision& decision, int neighbor, int wall) {
+  if (neighbor >= 0) return name_of(decision.seen.source[static_cast<std::size_t>(neighbor)]);
+  if (wall >= 0) return fmt::format("walls.{}", wall);
+  return nullptr;
+}
+
+std::string text_of_either(const Decision& decision, int neighbor, int wall) {
+  return neighbor >= 0 ? text_of(decision.seen.source[static_cast<std::size_t>(neighbor)])
+                       : text_of(decision.seen.walls[static_cast<std::size_t>(wall)]);
+}
+
 /// With whom or what contact is inevitable.
 Json doomed_by(const Decision& decision) {
   const avo::SafetyReport& state = decision.state;
-  if (state.neighbor >= 0)
-    return name_of(decision.seen.source[static_cast<std::size_t>(state.neighbor)]);
-  if (state.wall >= 0) return fmt::format("walls.{}", state.wall);
-  return nullptr;
+  if (state.state != avo::SafetyState::doomed) return nullptr;
+  return name_of_either(decision, state.neighbor, state.wall);
+}
+
+/// Of a decision that is overlapping.
+std::string contact_text(const Decision& decision) {
+  const avo::Plan& plan = decision.plan;
+  return fmt::format("{:.6g} m deep with {}, now or in spite of braking", plan.depth,
+                     text_of_either(decision, plan.neighbor, plan.wall));
 }
 
 std::string state_text(const Decision& decision) {
@@ -117,10 +134,8 @@ std::string state_text(const Decision& decision) {
     return is_airplane(decision.seen.robot.model) ? "safe: its circle keeps clear of all others"
                                                   : "safe: braking avoids contact";
   if (state.state == avo::SafetyState::unknown) return "unknown: neither safe nor doomed is proved";
-  const std::string whom =
-      state.neighbor >= 0 ? text_of(decision.seen.source[static_cast<std::size_t>(state.neighbor)])
-                          : text_of(decision.seen.walls[static_cast<std::size_t>(state.wall)]);
-  return fmt::format("doomed: contact with {} within {:.6g} s, whatever it does", whom, state.time);
+  return fmt::format("doomed: contact with {} within {:.6g} s, whatever it does",
+                     text_of_either(decision, state.neighbor, state.wall), state.time);
 }
 
 /// A line on each of the half-planes of walls that may cut, and on what the certificate keeps.
@@ -234,6 +249,7 @@ std::string to_json(const Decision& decision) {
     json["wall_certificate"] = wall_constraints_of(decision);
     json["detour"] = seen.detour.angle;
   }
+  const bool overlaps = decision.plan.status == avo::PlanStatus::overlapping;
   const Json rest{
       {"acceleration_disc", to_json(decision.acceleration_disc)},
       {"speed_disc", to_json(decision.speed_disc)},
@@ -245,6 +261,8 @@ std::string to_json(const Decision& decision) {
       {"contact_within",
        decision.state.state == avo::SafetyState::doomed ? Json(decision.state.time) : Json()},
       {"status", avo::to_string(decision.plan.status)},
+      {"contact_with", name_of_either(decision, decision.plan.neighbor, decision.plan.wall)},
+      {"contact_depth", overlaps ? Json(decision.plan.depth) : Json()},
       {"violation", decision.plan.violation}};
   if (self.loiter) json["loiter"] = to_json(*self.loiter);
   if (!decision.risks.empty()) json["risk"] = risk_of(decision);
@@ -291,6 +309,7 @@ std::string readable(const Decision& decision) {
     line("risk",
          fmt::format("{:.3g} or less that noise hides a broken half-plane", risk_of(decision)));
   line("state", state_text(decision));
+  if (decision.plan.status == avo::PlanStatus::overlapping) line("contact", contact_text(decision));
   line("status", fmt::format("{}, violation {:.6g} m/s", avo::to_string(decision.plan.status),
                              decision.plan.violation));
   return result;

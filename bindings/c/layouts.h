@@ -35,6 +35,9 @@ AVO_SAME_PLACE(avo_plan, avo::Plan, next_velocity);
 AVO_SAME_PLACE(avo_plan, avo::Plan, acceleration);
 AVO_SAME_PLACE(avo_plan, avo::Plan, status);
 AVO_SAME_PLACE(avo_plan, avo::Plan, state);
+AVO_SAME_PLACE(avo_plan, avo::Plan, neighbor);
+AVO_SAME_PLACE(avo_plan, avo::Plan, wall);
+AVO_SAME_PLACE(avo_plan, avo::Plan, depth);
 AVO_SAME_PLACE(avo_plan, avo::Plan, violation);
 
 #undef AVO_SAME_PLACE

@@ -151,6 +151,7 @@ avo_result avo_planner_state(avo_planner_id planner, const avo_robot* robot,
     const avo::SafetyReport known =
         own.state(read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"),
                   scratch().workspace, walls_of(walls, wall_count));
-    result = {known.time, known.neighbor, known.wall, static_cast<avo_safety_state>(known.state)};
+    result = {known.time, known.depth, known.neighbor, known.wall,
+              static_cast<avo_safety_state>(known.state)};
   });
 }

@@ -140,11 +140,13 @@ AVO_API PlannerOptions default_options(Method method);
 /// How a decision was made.
 enum class PlanStatus : std::uint8_t {
   /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.
-  optimal,        ///< v' lies in CA_A: no collision before τ if all do likewise (Definition 4)
-  least_unsafe,   ///< CA_A is empty: v' violates it by as little as the limits allow
-  candidate,      ///< the certificate refused that choice and admitted another one near it
-  braking,        ///< it admitted none but braking, or |v| exceeds v_max by more than a decision
-  overlapping,    ///< in contact already, or braking no longer avoids it; v' separates if it can
+  optimal,       ///< v' lies in CA_A: no collision before τ if all do likewise (Definition 4)
+  least_unsafe,  ///< CA_A is empty: v' violates it by as little as the limits allow
+  candidate,     ///< the certificate refused that choice and admitted another one near it
+  braking,       ///< it admitted none but braking, or |v| exceeds v_max by more than a decision
+  /// In contact, or braking no longer avoids it, by more than rounding and the declared errors can
+  /// feign: an assumption is broken. Plan says with whom; v' separates if it can.
+  overlapping,
   invalid_input,  ///< a number known or sensed is not finite or out of range: brakes
 };
 AVO_API const char* to_string(PlanStatus status);
@@ -171,6 +173,11 @@ struct Plan {
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
   /// Of the state in which it was made, as Planner::state() says; unknown without a certificate.
   SafetyState state = SafetyState::unknown;
+  /// If overlapping, with whom most deeply: an index into the neighbors given. -1: none, and in a
+  /// simulation, which gives it none.
+  int neighbor = -1;
+  int wall = -1;           ///< or one into the walls given, likewise
+  float depth = 0.0F;      ///< m: if overlapping, by how much, see SafetyReport::depth
   double violation = 0.0;  ///< m/s: by how much CA_A is missed; 0 if optimal
 };
 
@@ -238,9 +245,15 @@ struct WallConstraint {
 /// What Planner::state() proves of a state.
 struct SafetyReport {
   SafetyState state = SafetyState::unknown;
-  int neighbor = -1;  ///< if doomed, with whom it collides: an index into the neighbors given,
+  /// If doomed, with whom contact comes first; if unknown, with whom it is in contact most deeply,
+  /// or comes to be while all fall back: an index into the neighbors given,
+  int neighbor = -1;
   int wall = -1;      ///< or one into the walls given; -1: none
   double time = 0.0;  ///< s: if doomed, when the two are in contact
+  /// m, >= 0: by how much the two overlap, or come to while all fall back, for all that the
+  /// declared errors may hide. A depth that rounding may feign is told as well (docs/on_board.md,
+  /// "Contact").
+  double depth = 0.0;
 };
 
 /// Scratch memory of a Planner; reuse it and nothing is allocated once it has grown. One per
@@ -326,7 +339,8 @@ class AVO_API Planner {
   [[nodiscard]] double half_plane_risk(const Robot& robot, const Neighbor& neighbor,
                                        Vec2 new_velocity) const;
 
-  /// The constraints of the certificate that can refuse anything, likewise.
+  /// The constraints of the certificate that can refuse anything, likewise; none where plan() says
+  /// invalid_input.
   void collect_certificate(const Robot& robot, std::span<const Neighbor> neighbors,
                            PlanWorkspace& workspace,
                            std::vector<CertificateConstraint>& constraints,

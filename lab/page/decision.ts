@@ -68,6 +68,8 @@ export interface Decision {
   doomed_by: Source | null;     // also "walls.K", of `walls` above
   contact_within: number | null;
   status: string;
+  contact_with: Source | null;  // whom it touches, or cannot help touching, where it is overlapping; likewise
+  contact_depth: number | null; // m
   violation: number;
 }
 

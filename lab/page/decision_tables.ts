@@ -40,6 +40,7 @@ function motionRows(decision: Decision): Row[] {
 function verdictRows(decision: Decision): Row[] {
   const rows: Row[] = [
     { name: "status", label: "status", value: decision.status, exact: decision.status, title: STATUS_COLORS[decision.status]?.says ?? "" },
+    ...contactRows(decision),
     { name: "violation", label: "violation", value: `${digits(decision.violation, 3)} m/s`, exact: decision.violation, title: "by how much v′ misses CA_A" },
     { name: "state", label: "state", value: stateText(decision), exact: decision.state, title: "what is proved before anything is decided (docs/states.md)" },
     { name: "rule", label: "rule", value: decision.rule.replaceAll("_", " "), exact: decision.rule },
@@ -54,6 +55,12 @@ function verdictRows(decision: Decision): Row[] {
   if (decision.risk !== undefined)
     rows.push({ name: "risk", label: "risk", value: decision.risk.toPrecision(2), exact: decision.risk, title: "that noise hides a broken half-plane, at most" });
   return rows;
+}
+
+function contactRows(decision: Decision): Row[] {
+  if (decision.contact_with === null || decision.contact_depth === null) return [];
+  const whom = labelOf(nameOf(decision.contact_with));
+  return [{ name: "contact", label: "contact", value: `${whom}, ${decision.contact_depth.toPrecision(3)} m deep`, exact: decision.contact_depth, title: "whom it touches, or comes to touch in spite of braking, and how deep" }];
 }
 
 function stateText(decision: Decision): string {

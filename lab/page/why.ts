@@ -154,7 +154,10 @@ const STATUS_REASONS: Record<string, (decision: Decision, law: Law) => string> =
     ? `the way is blocked, so it takes what the certificate admits on a detour of ${number(decision.detour * 180 / Math.PI, 0)}° to the right`
     : "the certificate refuses what the half-planes propose, or the way is blocked, and this is the nearest that it admits",
   braking: () => "nothing but braking is admitted",
-  overlapping: () => "it is in contact already, or braking no longer avoids it: it separates if it can",
+  overlapping: (decision) => {
+    const whom = decision.contact_with === null ? "" : ` with ${labelOf(nameOf(decision.contact_with))}`;
+    return `it is in contact${whom} already, or braking no longer avoids it: it separates if it can`;
+  },
   invalid_input: () => "a number that it knows or senses is not finite or out of range: it brakes",
 };
 

@@ -92,7 +92,7 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
     constraints.columns.count = first;
     append_constraints(wanted, law, constraints.own_columns, constraints.columns);
   }
-  if (pair.decides && invariant.broken == index && nearly_coincide(nearest, pair.contact))
+  if (pair.decides && nearest < pair.contact - pair.error && nearly_coincide(nearest, pair.contact))
     drop_undirected(first, constraints.columns);
   if (!pair.decides && nearest < pair.contact - pair.error) invariant.touched = true;
   if (!pair.decides || !law.is_exact()) take_off(wanted, first, law, constraints);

@@ -87,7 +87,8 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
     if (!neighbor.loiter || neighbor.behavior != Behavior::decides) continue;
     const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
     invariant.slack = std::min(invariant.slack, line.gap);
-    if (line.gap < 0.0) invariant.broken = static_cast<int>(k), invariant.doubtful = true;
+    if (line.gap < 0.0)
+      invariant.broken.take(static_cast<int>(k), -line.gap), invariant.doubtful = true;
     // A's begins at n . x = min(0, n . way)
     const double begin = std::min(0.0, dot(line.normal, own.way));
     constraints.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
@@ -102,21 +103,25 @@ double flight_margin(const Wall& wall, double radius, double circle) {
 void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                     const StepLaw& law, FlightConstraints& constraints) {
   const Footprint own = footprint_of(robot, law);
-  constraints = {std::move(constraints.lines), std::move(constraints.walls),
-                 std::numeric_limits<double>::infinity(), false};
+  constraints = {std::move(constraints.lines),
+                 std::move(constraints.walls),
+                 std::numeric_limits<double>::infinity(),
+                 {},
+                 {}};
   constraints.lines.clear(), constraints.walls.clear();
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor neighbor = neighbors[k];
     if (neighbor.behavior != Behavior::decides) continue;
     const Between line = line_between(own, footprint_of(neighbor, law), share_of(robot, neighbor));
     constraints.slack = std::min(constraints.slack, line.gap);
-    constraints.broken = constraints.broken || line.gap < 0.0;
+    constraints.broken.take(static_cast<int>(k), -line.gap);
     constraints.lines.push_back({static_cast<int>(k), line.normal, line.part});
   }
-  for (const Wall& wall : walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const Wall& wall = walls[k];
     const double kept = robot.radius + wall.radius;
     const double away = distance(own.start, {wall.a, wall.b}) - robot.loiter->radius;
-    constraints.broken = constraints.broken || away < kept;
+    constraints.broken_wall.take(static_cast<int>(k), kept - away);
     constraints.walls.push_back(
         {wall.a, wall.b, kept + flight_margin(wall, robot.radius, robot.loiter->radius)});
   }

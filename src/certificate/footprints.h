@@ -44,7 +44,9 @@ struct FlightConstraints {
   std::vector<SeparatingLine> lines;
   std::vector<Wall> walls;  ///< each with all that is kept from its middle line for a radius
   double slack = 0.0;       ///< m, see Invariant
-  bool broken = false;      ///< its circle does not keep clear of a neighbor or a wall
+  Deepest broken = {}, broken_wall = {};  ///< of those that its circle does not keep clear of
+
+  bool are_broken() const { return broken.any() || broken_wall.any(); }
 };
 void collect_flight(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                     const StepLaw& law, FlightConstraints& constraints);

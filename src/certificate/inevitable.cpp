@@ -5,14 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "certificate/deepest.h"
 #include "core/plane.h"
 #include "walls/segment.h"
 
 namespace avo {
 namespace {
-
-constexpr double kContactRounding =
-    0x1p-40;  // of coordinates and lengths, more than all that is lost
 
 // m: how far something may be from a path at the time t, start + t speed + t²/2 acceleration.
 struct Spread {
@@ -98,18 +96,15 @@ std::optional<double> find_crossing(const Front& front, double most) {
   return stays ? std::optional(latest) : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
-                                         const StepLaw& law) {
+// lost: m, that rounding may have cost of the two radii.
+std::optional<double> find_contact_of(const Robot& robot, const Neighbor& neighbor,
+                                      const StepLaw& law, double lost) {
   const bool decides = neighbor.behavior == Behavior::decides;
   const double a_A = change_limit(robot), a_B = top_acceleration(neighbor);
   const auto [position, velocity] = error_against(neighbor, law);
   const Vec2 p = robot.position - neighbor.position;
   const Vec2 kept = decides ? Vec2{} : neighbor.acceleration;
-  const double lost =
-      kContactRounding * (length_1(robot.position) + length_1(neighbor.position) + robot.radius);
-  const double contact = (1.0 - kContactRounding) * (robot.radius + neighbor.radius) - lost;
+  const double contact = robot.radius + neighbor.radius - lost;
   // A may be off its present course by what its acceleration does, and off its place by its speed
   const std::array closings{
       Closing{p, robot.velocity - neighbor.velocity, -kept, {position, velocity, a_A + a_B}},
@@ -120,11 +115,9 @@ std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& nei
   return std::nullopt;
 }
 
-std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
+std::optional<double> find_contact_of(const Robot& robot, const Wall& wall, double lost) {
   const Segment segment{wall.a - robot.position, wall.b - robot.position};
-  const double lost =
-      kContactRounding * (length_1(robot.position) + length_1(wall.a) + length_1(wall.b));
-  const double contact = (1.0 - kContactRounding) * (robot.radius + wall.radius) - lost;
+  const double contact = robot.radius + wall.radius - lost;
   const double most = change_limit(robot);
   const Spread spread{0.0, 0.0, most};
   const double end = spread.time_of(contact);
@@ -150,6 +143,32 @@ std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
     if (const auto time = find_crossing(front, most)) return time;
   }
   return std::nullopt;
+}
+
+// What rounding may feign dooms nobody; of the others no more is taken off than these very sums
+// may have lost.
+template <typename Find>
+std::optional<double> find_certain(double coordinates, double radii, const Find& find) {
+  constexpr double kRounding = 0x1p-40;
+  const std::optional<double> certain = find(feigned_depth(coordinates, radii));
+  if (!certain) return std::nullopt;
+  const std::optional<double> earlier = find(kRounding * (coordinates + radii));
+  return earlier ? earlier : certain;
+}
+
+}  // namespace
+
+std::optional<double> inevitable_contact(const Robot& robot, const Neighbor& neighbor,
+                                         const StepLaw& law) {
+  return find_certain(length_1(robot.position) + length_1(neighbor.position),
+                      robot.radius + neighbor.radius,
+                      [&](double lost) { return find_contact_of(robot, neighbor, law, lost); });
+}
+
+std::optional<double> inevitable_contact(const Robot& robot, const Wall& wall) {
+  return find_certain(length_1(robot.position) + length_1(wall.a) + length_1(wall.b),
+                      robot.radius + wall.radius,
+                      [&](double lost) { return find_contact_of(robot, wall, lost); });
 }
 
 }  // namespace avo

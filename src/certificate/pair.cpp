@@ -103,7 +103,7 @@ double held_distance(const BrakingPair& pair, double distance, int index, Invari
   if (!(distance < pair.contact + pair.error)) return pair.inflated;
   invariant.doubtful = true;
   if (!(distance < pair.contact - pair.error)) return pair.inflated;
-  invariant.broken = index;
+  invariant.broken.take(index, (pair.contact - pair.error) - distance);
   return distance;
 }
 

@@ -5,6 +5,7 @@
 
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
+#include "certificate/deepest.h"
 
 namespace avo {
 
@@ -77,7 +78,8 @@ struct Invariant {
   /// m, least distance beyond contact while all brake, of pairs and intervals that are near enough
   /// to refuse anything; infinite if none is
   double slack = 0.0;
-  int broken = -1;  ///< a neighbor with which braking collides, or -1
+  Deepest broken =
+      {};  ///< of the neighbors with which braking collides, for all that errors may hide
   /// One that does not decide is in contact, or braking does not avoid it: brake, and stay at rest.
   bool touched = false;
   bool unknown = false;   ///< one brakes for longer than kMostIntervals: brake

@@ -194,8 +194,7 @@ void hold_lost(NearWall& near, const WallConstraints& constraints, double contac
 
 void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                  WallConstraints& constraints) {
-  constraints.near.clear();
-  constraints.must_brake = constraints.broken = constraints.doubtful = false;
+  constraints.clear();
   if (walls.empty()) return;
   const double u = decrement_of(robot, law), speed = norm(robot.velocity);
   const double reach = wall_reach(speed, robot.max_speed, ability_of(robot), law) +
@@ -207,14 +206,16 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
   constraints.stop = stopping_way(robot.velocity, u, law);
   constraints.first = constraints.middle + (law.time_step - law.lag) * constraints.backup;
   const double lost = law.localization_error;
-  for (const Wall& wall : walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const Wall& wall = walls[k];
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
     const double away = distance(Vec2{}, segment), contact = robot.radius + wall.radius;
     const double margin = wall_margin(wall, rounding);
     if (!(away <= contact + lost + margin + reach)) continue;
     NearWall near{segment, away, contact, margin};
     if (!(away > 0.0)) {  // the center is on it: there is no side to keep, nor anything deeper
-      constraints.broken = true;
+      constraints.broken.take(static_cast<int>(k), contact);
+      constraints.doubtful = true;
       continue;
     }
     // beyond what rounding can have cost, there is no more to hold than what braking gives
@@ -223,7 +224,7 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
       hold_lost(near, constraints, contact, lost);
     else if (kept < contact + 0.5 * margin)
       near.held = kept, near.margin = 0.0;
-    constraints.broken = constraints.broken || kept < contact - lost;
+    constraints.broken.take(static_cast<int>(k), contact - lost - kept);
     constraints.doubtful = constraints.doubtful || kept < contact + lost;
     constraints.must_brake = constraints.must_brake || (kept == 0.0 && speed > 0.0);
     constraints.near.push_back(near);

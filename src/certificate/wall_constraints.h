@@ -9,6 +9,7 @@
 #include "avo/robot.h"
 #include "avo/wall.h"
 #include "certificate/braking_path.h"
+#include "certificate/deepest.h"
 #include "walls/segment.h"
 
 namespace avo {
@@ -32,9 +33,11 @@ struct WallConstraints {
   Vec2 stop;                   ///< m, likewise: where braking ends
   Vec2 backup;                 ///< m/s, the velocity after one step of braking
   Vec2 first;                  ///< m, relative to p_A: where that step leads
-  bool broken = false;         ///< braking touches a wall
-  bool doubtful = false;       ///< or may do so, by where A may be
+  Deepest broken = {};         ///< of the walls that braking touches
+  bool doubtful = false;       ///< it touches one, or may do so, by where A may be
   bool must_brake = false;     ///< and takes the center across one: nothing but braking is admitted
+
+  void clear() { near.clear(), broken = {}, doubtful = must_brake = false; }
 };
 
 /// m: S Δt + l(S), S the largest speed that it can have after this step. No candidate leads a robot

@@ -8,6 +8,7 @@
 #include "core/ranges.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
+#include "planner/contact.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
 #include "robots/model.h"
@@ -125,13 +126,9 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
   return choice;
 }
 
-PlanStatus certified_status(Chosen chosen, double violation,
-                            const CertificateConstraints& constraints, bool overlapping) {
-  const Invariant& invariant = constraints.invariant;
-  if (overlapping || invariant.broken >= 0 || invariant.touched || constraints.walls.broken)
-    return PlanStatus::overlapping;
+PlanStatus certified_status(Chosen chosen, double violation) {
   if (chosen == Chosen::backup) return PlanStatus::braking;
-  return chosen == Chosen::candidate ? PlanStatus::candidate : status_of(false, violation);
+  return chosen == Chosen::candidate ? PlanStatus::candidate : status_of(violation);
 }
 
 }  // namespace
@@ -151,10 +148,8 @@ Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColum
       robot, law, planner.acceleration_disc(robot), wished.half_planes, wished.walls, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
-  return plan_under(
-      law, robot, choice.next_velocity,
-      certified_status(choice.chosen, wished.violation, certified.constraints, wished.overlapping),
-      wished.violation);
+  return plan_under(law, robot, choice.next_velocity,
+                    certified_status(choice.chosen, wished.violation), wished.violation);
 }
 
 Plan certify_among_movers(const Planner& planner, const Robot& robot,
@@ -173,13 +168,15 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   const double u = increment(robot.max_acceleration, law.step);
   const Vec2 wanted = approach(robot.velocity, target.velocity, reach_of(robot.model) * u);
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
-  Plan plan = plan_under(
-      law, robot, choice.next_velocity,
-      certified_status(choice.chosen, target.violation, certified.constraints, overlapping),
-      target.violation);
-  plan.state =
-      state_of(robot, certified.constraints.alone.neighbors[0], walls, law, certified.constraints)
-          .state;
+  Plan plan = plan_under(law, robot, choice.next_velocity,
+                         certified_status(choice.chosen, target.violation), target.violation);
+  const CertificateConstraints& constraints = certified.constraints;
+  const Neighbors& seen = constraints.alone.neighbors[0];
+  if (overlapping || collides(constraints))
+    tell(deepest_contact(robot, seen, walls, law.step, constraints.invariant.broken,
+                         constraints.walls.broken),
+         plan);
+  plan.state = state_of(robot, seen, walls, law, constraints).state;
   return plan;
 }
 

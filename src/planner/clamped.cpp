@@ -15,8 +15,7 @@ Plan clamped(const Planner& planner, const Robot& robot, const Plan& plan,
   if (reached == plan.new_velocity) return plan;
   double worst = plan.violation;
   for (const HalfPlane& plane : half_planes) worst = std::max(worst, violation(plane, reached));
-  const bool overlapping = plan.status == PlanStatus::overlapping;
-  return plan_of(options, robot.velocity, reached, status_of(overlapping, worst), worst);
+  return plan_of(options, robot.velocity, reached, status_of(worst), worst);
 }
 
 PassiveChoice clamped(const PassiveChoice& choice, const Robot& robot, double time_step,

@@ -29,6 +29,10 @@ bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOpt
 bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
                 const PlannerOptions& options);
 
+/// Whether plan() decides by all of that, and does not say invalid_input.
+bool can_decide(const Robot& robot, std::span<const Neighbor> neighbors,
+                std::span<const Wall> walls, const PlannerOptions& options);
+
 /// How many of the neighbors, the nearest, get a half-plane.
 inline std::size_t planned_with(const PlannerOptions& options, std::size_t neighbors) {
   if (!options.max_neighbors) return neighbors;
@@ -61,10 +65,9 @@ struct Wished {
   std::span<const HalfPlane> half_planes;
   std::span<const HalfPlane> walls;  ///< those of them that walls ask for
   Vec2 wish;                         ///< m/s
-  Vec2 next, unhindered;     ///< m/s, as far as one step leads to Eq. (23)'s choice and to the wish
-  double violation = 0.0;    ///< m/s
-  bool overlapping = false;  ///< with whom it does not matter
-  bool coinciding = false;   ///< nearly, with another one that decides
+  Vec2 next, unhindered;    ///< m/s, as far as one step leads to Eq. (23)'s choice and to the wish
+  double violation = 0.0;   ///< m/s
+  bool coinciding = false;  ///< nearly, with another one that decides
 };
 
 /// m/s: the program's violation, with what no program sees. A neighbor or a wall with which
@@ -78,9 +81,8 @@ inline double with_excess(std::span<const HalfPlane> planes, std::span<const dou
   return worst;
 }
 
-/// The status of a choice that the program made and that is kept.
-inline PlanStatus status_of(bool overlapping, double violation) {
-  if (overlapping) return PlanStatus::overlapping;
+/// The status of a choice that the program made and that is kept, where nobody is in contact.
+inline PlanStatus status_of(double violation) {
   return violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
 }
 

@@ -8,6 +8,7 @@
 
 #include "certificate/wall_constraints.h"
 #include "obstacles/wall_half_plane.h"
+#include "planner/contact.h"
 #include "planner/way_out.h"
 #include "robots/model.h"
 #include "walls/segment.h"
@@ -27,6 +28,19 @@ double speed_before(double gap, double max_braking, const StepLaw& law) {
   return u * (steps + std::clamp(fraction, 0.0, 1.0));
 }
 
+namespace {
+
+// m/s: away from a wall that is touched by no more than rounding feigns, so that a robot whose
+// place is rounded in each step drifts into none, however long it drives along it. What no
+// double-precision sum loses stays as it is.
+double leaving_speed(double depth, const Robot& robot, const Wall& wall, const StepLaw& law) {
+  const WallRounding rounding =
+      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
+  return depth > wall_margin(wall, rounding) ? depth / law.time_step : 0.0;
+}
+
+}  // namespace
+
 bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                          Vec2 out, std::vector<HalfPlane>& half_planes) {
   bool is_in_any = false;
@@ -34,20 +48,21 @@ bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const 
   const double reach = wall_reach(norm(robot.velocity), robot.max_speed, ability, law);
   for (const Wall& wall : walls) {
     const Vec2 away = robot.position - nearest_on({wall.a, wall.b}, robot.position);
-    const double distance = norm(away), contact = robot.radius + wall.radius;
-    const double gap = distance - contact - law.localization_error;
+    const double distance = norm(away), depth = robot.radius + wall.radius - distance;
+    const double gap = -depth - law.localization_error;
     if (!(gap < reach)) continue;
     if (!(distance > 0.0)) {  // the wall itself gives no direction
       is_in_any = true;
       if (out != Vec2{}) half_planes.push_back({out / norm(out), norm(out)});
       continue;
     }
-    const bool is_in = distance < contact;
-    is_in_any = is_in_any || is_in;
     const Vec2 normal = away / distance;
-    const double speed = speed_before(gap, ability.braking, law);
-    half_planes.push_back(
-        {normal, is_in ? std::max(dot(normal, out), 0.0) : -std::min(speed, robot.max_speed)});
+    const bool is_in = depth > 0.0 && depth > feigned(robot, wall, law);
+    is_in_any = is_in_any || is_in;
+    const double leaving = is_in         ? std::max(dot(normal, out), 0.0)
+                           : depth > 0.0 ? leaving_speed(depth, robot, wall, law)
+                                         : -speed_before(gap, ability.braking, law);
+    half_planes.push_back({normal, std::max(leaving, -robot.max_speed)});
   }
   return is_in_any;
 }

@@ -25,8 +25,9 @@ constexpr bool slows_before_walls(Method method) {
 double speed_before(double gap, double max_braking, const StepLaw& law);
 
 /// A half-plane n . v' >= -V for each wall that the robot can reach with this decision, n away from
-/// it, V by its gap; n . v' >= n . out, at least 0, of one that it is in, out being its
-/// velocity_out(). 0 is in all of them where it is in none. Returns whether it is in any.
+/// it, V by its gap. Of one that it is in, n . v' >= n . out, at least 0, out being its
+/// velocity_out(); one that is touched by as little as rounding feigns is left within the step. 0
+/// is in all others. Returns whether it is in any.
 bool append_speed_planes(const Robot& robot, std::span<const Wall> walls, const StepLaw& law,
                          Vec2 out, std::vector<HalfPlane>& half_planes);
 

@@ -87,9 +87,7 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   const CertificateLaw law = certificate_law(planner);
   collect_flight(robot, neighbors, walls, law.step, constraints);
   const bool certified = law.kind != Certificate::none;
-  const bool broken = course.overlapping || (certified && constraints.broken);
-  const auto told = [&](PlanStatus status) { return broken ? PlanStatus::overlapping : status; };
-  const PlanStatus best = told(status_of(false, course.violation));
+  const PlanStatus best = status_of(course.violation);
   if (robot.preferred_velocity == Vec2{}) return loiter_on(planner, robot, best, course.violation);
   const MotionState state = state_of(robot);
   const MotionLimits limits{robot.max_acceleration, robot.max_speed};
@@ -107,9 +105,9 @@ Plan fly_towards(const Planner& planner, const Robot& given, const Neighbors& ne
   for (std::size_t k = 0; k < tried.count; ++k) {
     const Vec2 acceleration = tried.controls[k].ahead * h + tried.controls[k].left * n;
     if (admitted(acceleration))
-      return plan_of(planner, robot, acceleration, told(PlanStatus::candidate), course.violation);
+      return plan_of(planner, robot, acceleration, PlanStatus::candidate, course.violation);
   }
-  return loiter_on(planner, robot, told(PlanStatus::braking), course.violation);
+  return loiter_on(planner, robot, PlanStatus::braking, course.violation);
 }
 
 bool is_on_circle(const Neighbor& neighbor) {

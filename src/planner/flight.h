@@ -13,7 +13,6 @@ namespace avo {
 struct Course {
   Vec2 target;  ///< [v'] m/s, that Eq. (23) chose
   double violation = 0.0;
-  bool overlapping = false;
 };
 
 /// The controls nearest to the course that keep to all neighbors that decide and to the walls, or

@@ -10,11 +10,13 @@
 
 #include "avo/half_plane.h"
 #include "core/elementary.h"
+#include "core/plane.h"
 #include "core/ranges.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/certify.h"
 #include "planner/clamped.h"
+#include "planner/contact.h"
 #include "planner/demands.h"
 #include "planner/flight.h"
 #include "planner/neighbor_order.h"
@@ -171,6 +173,13 @@ bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
   return can_follow_among(robot, neighbors, options);
 }
 
+bool can_decide(const Robot& robot, std::span<const Neighbor> neighbors,
+                std::span<const Wall> walls, const PlannerOptions& options) {
+  return all_valid(robot, neighbors) &&
+         std::all_of(walls.begin(), walls.end(), [](const Wall& wall) { return is_valid(wall); }) &&
+         follows_heading(robot) && can_follow(robot, neighbors, options);
+}
+
 PlanWorkspace::PlanWorkspace() : scratch_(std::make_unique<Scratch>()) {}
 PlanWorkspace::~PlanWorkspace() = default;
 PlanWorkspace::PlanWorkspace(PlanWorkspace&&) noexcept = default;
@@ -315,16 +324,21 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                            robot.preferred_velocity, scratch.passive);
   if (options.method == Method::orca_clamped)
     choice = clamped(choice, robot, options.time_step, scratch.passive.limits);
+  Plan plan;
   if (options.method == Method::avo) {
-    return certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
+    plan = certify_among_movers(planner, robot, obstacles, walls, choice, overlapping, scratch);
+  } else {
+    const double violation =
+        with_excess(demands.planes, demands.excess, choice.velocity, choice.violation);
+    const bool is_free = choice.state == PassiveState::free && !(violation > 0.0);
+    const PlanStatus status = is_free ? PlanStatus::optimal : PlanStatus::least_unsafe;
+    plan = plan_of(options, robot.velocity, choice.velocity, status, violation);
+    if (overlapping)
+      tell(deepest_contact(robot, obstacles, walls, certificate_law(planner).step), plan);
   }
-  const double violation =
-      with_excess(demands.planes, demands.excess, choice.velocity, choice.violation);
-  const bool is_free = choice.state == PassiveState::free && !(violation > 0.0);
-  const PlanStatus status = overlapping ? PlanStatus::overlapping
-                            : is_free   ? PlanStatus::optimal
-                                        : PlanStatus::least_unsafe;
-  return plan_of(options, robot.velocity, choice.velocity, status, violation);
+  if (plan.neighbor >= 0)
+    plan.neighbor = index_in(given, obstacles[static_cast<std::size_t>(plan.neighbor)]);
+  return plan;
 }
 
 namespace {
@@ -398,6 +412,9 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
     tile.slot.push_back(0);
     if (!walls.empty()) tile.walls.push_back(walls);
     plan_together(*this, tile, scratch, clock);
+    if (plan.neighbor >= 0)  // of the order in which it was planned with
+      plan.neighbor =
+          index_in(neighbors, tile.robots.neighbors[0][static_cast<std::size_t>(plan.neighbor)]);
   } else {
     plan = brake(*this, robot, PlanStatus::invalid_input, 0.0);
   }

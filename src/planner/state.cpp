@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "planner/state.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 
 #include "certificate/inevitable.h"
 #include "planner/certify.h"
+#include "planner/contact.h"
 #include "planner/decision.h"
 #include "planner/flight.h"
 #include "planner/scratch.h"
@@ -53,23 +53,56 @@ SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<
   return first.report;
 }
 
+namespace {
+
+void name(const Contact& contact, SafetyReport& report) {
+  report.neighbor = contact.neighbor, report.wall = contact.wall, report.depth = contact.depth;
+}
+
+SafetyReport state_of_flight(const Robot& robot, std::span<const Neighbor> neighbors,
+                             std::span<const Wall> walls, const StepLaw& law,
+                             PlanWorkspace::Scratch& scratch) {
+  const Neighbors seen = in_columns(neighbors, scratch.alone.neighbors);
+  const FlightConstraints& flight = scratch.flight;
+  collect_flight(with_circle(robot), seen, walls, law, scratch.flight);
+  if (!flight.are_broken()) return {SafetyState::safe};
+  SafetyReport report;
+  name(deepest_contact(robot, seen, walls, law, flight.broken, flight.broken_wall), report);
+  return report;
+}
+
+Contact deepest_contact(const Robot& robot, std::span<const Neighbor> neighbors,
+                        std::span<const Wall> walls, const CertificateLaw& law,
+                        const CertificateConstraints& constraints) {
+  return deepest_contact(robot, neighbors, walls, law.step, constraints.invariant.broken,
+                         constraints.walls.broken);
+}
+
+// The one of k, or nothing.
+template <typename T>
+std::span<const T> one_of(std::span<const T> all, int k) {
+  return k < 0 ? std::span<const T>{} : all.subspan(static_cast<std::size_t>(k), 1);
+}
+
+}  // namespace
+
 SafetyReport Planner::state(const Robot& robot, std::span<const Neighbor> neighbors,
                             PlanWorkspace& workspace, std::span<const Wall> walls) const {
-  const bool walls_valid =
-      std::all_of(walls.begin(), walls.end(), [](const Wall& wall) { return is_valid(wall); });
-  if (!all_valid(robot, neighbors) || !walls_valid || !follows_heading(robot) ||
-      !can_follow(robot, neighbors, options_))
-    return {};
+  if (!can_decide(robot, neighbors, walls, options_)) return {};
   const CertificateLaw law = law_of_state(*this);
-  if (is_airplane(robot.model)) {
-    PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
-    collect_flight(with_circle(robot), in_columns(neighbors, scratch.alone.neighbors), walls,
-                   law.step, scratch.flight);
-    return {scratch.flight.broken ? SafetyState::unknown : SafetyState::safe};
-  }
-  CertificateConstraints& constraints = PlanWorkspace::Scratch::of(workspace).certified.constraints;
+  PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
+  if (is_airplane(robot.model)) return state_of_flight(robot, neighbors, walls, law.step, scratch);
+  CertificateConstraints& constraints = scratch.certified.constraints;
   collect_constraints(robot, neighbors, law, constraints, walls);
-  return state_of(robot, constraints.alone.neighbors[0], walls, law, constraints);
+  SafetyReport report = state_of(robot, constraints.alone.neighbors[0], walls, law, constraints);
+  if (report.state == SafetyState::unknown)
+    name(deepest_contact(robot, neighbors, walls, law, constraints), report);
+  if (report.state != SafetyState::doomed) return report;
+  const auto other = one_of(neighbors, report.neighbor);  // how deep with that one
+  const auto wall = one_of(walls, report.wall);
+  collect_constraints(robot, other, law, constraints, wall);
+  report.depth = deepest_contact(robot, other, wall, law, constraints).depth;
+  return report;
 }
 
 }  // namespace avo

@@ -17,6 +17,11 @@ inline bool braking_keeps_clear(const CertificateConstraints& constraints) {
          !constraints.walls.doubtful;
 }
 
+/// Whether braking is seen to touch a neighbor or a wall.
+inline bool collides(const CertificateConstraints& constraints) {
+  return constraints.invariant.broken.any() || constraints.walls.broken.any();
+}
+
 /// The constraints are those of the robot under the law, its neighbors and walls.
 SafetyReport state_of(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                       const CertificateLaw& law, const CertificateConstraints& constraints);

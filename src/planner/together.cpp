@@ -12,6 +12,7 @@
 #include "planner/certify.h"
 #include "planner/choice.h"
 #include "planner/clamped.h"
+#include "planner/contact.h"
 #include "planner/demands.h"
 #include "planner/flight.h"
 #include "planner/scratch.h"
@@ -87,8 +88,7 @@ void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
                  const CertificateLaw& law, WallConstraints& walls) {
   const std::span<const Wall> near = tile.walls_of(i);
   if (near.empty() || law.kind == Certificate::none) {
-    walls.near.clear();
-    walls.broken = walls.must_brake = false;
+    walls.clear();
   } else {
     begin_walls(robots.robot(i), near, law.step, walls);
   }
@@ -126,9 +126,16 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
     const double violation = most_violation(soft, i, decisions.violation[i]);
     if (robots.model[i] != nullptr && passes_goal(*robots.model[i])) {
       const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
+      const FlightConstraints& flight = scratch.flight;
       plan = fly_towards(planner, robots.robot(i), robots.neighbors[i], tile.walls_of(i),
-                         {target, violation, overlapping}, scratch.flight);
-      plan.state = scratch.flight.broken ? SafetyState::unknown : state_if_free;
+                         {target, violation}, scratch.flight);
+      plan.state = flight.are_broken() ? SafetyState::unknown : state_if_free;
+      const bool certified = law.kind != Certificate::none;
+      if (overlapping || (certified && flight.are_broken()))
+        tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step,
+                             certified ? flight.broken : Deepest{},
+                             certified ? flight.broken_wall : Deepest{}),
+             plan);
       continue;
     }
     WallConstraints& walls = scratch.certified.constraints.walls;
@@ -137,8 +144,12 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
       plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
       plan.violation = violation;
-      plan.status = status_of(overlapping, violation);
+      plan.status = status_of(violation);
       plan.state = state_if_free;
+      plan.neighbor = plan.wall = -1, plan.depth = 0.0F;
+      if (overlapping)
+        tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step),
+             plan);
       continue;
     }
     std::span<const HalfPlane> planes = soft.of(i), hard;
@@ -152,12 +163,15 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
                   {decisions.next_x[i], decisions.next_y[i]},
                   {decisions.unhindered_x[i], decisions.unhindered_y[i]},
                   violation,
-                  overlapping,
                   soft.coinciding[i] != 0};
     if (robots.model[i] != nullptr && has_own_limits(*robots.model[i]))
       reach_out(robots, i, law.step, decisions, wished);
     plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
     const CertificateConstraints& constraints = scratch.certified.constraints;
+    if (overlapping || collides(constraints))
+      tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step,
+                           constraints.invariant.broken, constraints.walls.broken),
+           plan);
     plan.state =
         braking_keeps_clear(constraints) && !tile.neighbors.has_movers
             ? state_if_free
@@ -179,10 +193,13 @@ void adopt(const Planner& planner, Tile& tile, const PlanWorkspace::Scratch& scr
     const SoftPlanes& soft = scratch.soft;
     double worst = decisions.violation[i];
     if (soft.exceeding) worst = with_excess(soft.of(i), soft.excess_of(i), target, worst);
-    const PlanStatus status = status_of(soft.overlapping[i] != 0, worst);
-    plan = plan_of(planner.options(), tile.robots.velocity(i), target, status, worst);
+    plan = plan_of(planner.options(), tile.robots.velocity(i), target, status_of(worst), worst);
     if (planner.options().method == Method::orca_clamped)
       plan = clamped(planner, tile.robots.robot(i), plan, soft.of(i));
+    if (soft.overlapping[i] != 0)
+      tell(deepest_contact(tile.robots.robot(i), tile.robots.neighbors[i], tile.walls_of(i),
+                           certificate_law(planner).step),
+           plan);
   }
 }
 

@@ -163,6 +163,7 @@ void move(World& world, const Pace& pace, Worker& worker) {
   Tile& tile = worker.tile;
   tile.robots.count = tile.slot.size();
   for (std::size_t k = 0; k < tile.slot.size(); ++k) {
+    tile.plan[k]->neighbor = tile.plan[k]->wall = -1;  // of lists that nobody else has
     const Vec2 v_new = tile.plan[k]->new_velocity;
     moving.new_x[k] = v_new.x, moving.new_y[k] = v_new.y;
   }

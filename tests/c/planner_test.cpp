@@ -97,7 +97,8 @@ bool is_same(const avo_plan& a, const avo::Plan& b) {
   return is_same(a.new_velocity, b.new_velocity) && is_same(a.next_velocity, b.next_velocity) &&
          is_same(a.acceleration, b.acceleration) &&
          a.status == static_cast<avo_plan_status>(b.status) &&
-         a.state == static_cast<avo_safety_state>(b.state) && a.violation == b.violation;
+         a.state == static_cast<avo_safety_state>(b.state) && a.violation == b.violation &&
+         a.neighbor == b.neighbor && a.wall == b.wall && a.depth == b.depth;
 }
 
 // What one robot sees, as C and as C++ plan with it.
@@ -131,7 +132,7 @@ void check_decision(avo_planner_id planner, const avo::Planner& own,
   const avo::SafetyReport expected = own.state(seen.robot, seen.neighbors, workspace, seen.walls);
   CHECK(report.state == static_cast<avo_safety_state>(expected.state));
   CHECK(report.neighbor == expected.neighbor && report.wall == expected.wall);
-  CHECK(report.time == expected.time);
+  CHECK(report.time == expected.time && report.depth == expected.depth);
 }
 
 void check_scene(const char* name, const std::vector<std::string>& overrides) {

@@ -204,6 +204,17 @@ TEST(Explain, tells_what_is_proved_of_the_state) {
   walled.insert(walled.end(), {"--set", "obstacles=[{polyline: [[-1, -8], [-1, 8]]}]"});
   EXPECT_EQ(explained(walled)["doomed_by"], "walls.0");
 
+  Strings touching = near;
+  touching.insert(touching.end(), {"--time", "0.4"});
+  json = explained(touching);
+  EXPECT_EQ(json["status"], "overlapping");
+  EXPECT_EQ(json["contact_with"], 1);
+  EXPECT_GT(json["contact_depth"], 0.1);
+  EXPECT_LT(json["contact_depth"], 1.0);
+  json = explained(near);
+  EXPECT_TRUE(json["contact_with"].is_null());
+  EXPECT_TRUE(json["contact_depth"].is_null());
+
   Strings words{"explain"};
   words.insert(words.end(), near.begin(), near.end());
   words.insert(words.end(), {"--states", path_of("states.svg"), "--figure", path_of("why.svg")});

@@ -35,6 +35,20 @@ def test_one_robot_gives_way_to_one_that_comes():
     assert math.hypot(*plan.acceleration) <= 1.0 + 1e-12
 
 
+def test_a_contact_is_named_with_its_depth():
+    planner, robot = avo.Planner(), avo.Robot(position=(10, 4), velocity=(0, 0), preferred_velocity=(0, 0))
+    far, near = (avo.Neighbor(position=(x, 4), velocity=(0, 0)) for x in (15, 10.97))
+    plan = planner.plan(robot, [far, near])
+    assert (plan.status, plan.neighbor, plan.wall) == ("overlapping", 1, -1)
+    assert plan.depth == pytest.approx(0.03, abs=1e-6)
+    report = planner.state(robot, [far, near])
+    assert (report.neighbor, report.wall) == (1, -1) and report.depth == pytest.approx(0.03)
+    plan = planner.plan(robot, [far], [avo.Wall((0, 9), (20, 9)), avo.Wall((0, 4.4), (20, 4.4))])
+    assert (plan.status, plan.neighbor, plan.wall) == ("overlapping", -1, 1)
+    plan = planner.plan(robot, [far])
+    assert (plan.neighbor, plan.wall, plan.depth) == (-1, -1, 0.0)
+
+
 @pytest.mark.parametrize("method", ["avo", "avo_paper", "velocity_obstacle", "orca", "orca_clamped",
                                     "reciprocal_velocity_obstacle", "buffered_voronoi"])
 def test_batches_have_the_bits_of_single_decisions(method):

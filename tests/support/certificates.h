@@ -155,7 +155,7 @@ inline bool invariant_holds(const std::vector<Robot>& robots, const CertificateL
   CertificateConstraints constraints;
   for (std::size_t k = 0; k < robots.size(); ++k) {
     collect_constraints(robots[k], others(robots, k), law, constraints);
-    if (constraints.invariant.broken >= 0 || constraints.invariant.unknown) return false;
+    if (constraints.invariant.broken.any() || constraints.invariant.unknown) return false;
   }
   return true;
 }

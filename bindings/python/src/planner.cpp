@@ -73,6 +73,10 @@ void bind_results(py::module_& module) {
       .def_readonly("acceleration", &Plan::acceleration, "m/s^2, at the start of the step")
       .def_readonly("status", &Plan::status, "how it was made, one of PLAN_STATUS")
       .def_readonly("state", &Plan::state, "in which it was made, one of SAFETY_STATE")
+      .def_readonly("neighbor", &Plan::neighbor,
+                    "if overlapping, index of whom it touches most deeply, or -1")
+      .def_readonly("wall", &Plan::wall, "likewise of the wall, or -1")
+      .def_readonly("depth", &Plan::depth, "m: if overlapping, by how much")
       .def_readonly("violation", &Plan::violation, "m/s, 0 if optimal")
       .def("__repr__", [](const Plan& plan) {
         return fmt::format("<avo.Plan {}: acceleration ({:.6g}, {:.6g}) m/s^2>",
@@ -81,9 +85,12 @@ void bind_results(py::module_& module) {
   using avo::SafetyReport;
   py::class_<SafetyReport>(module, "SafetyReport", "What is proved of a state.")
       .def_readonly("state", &SafetyReport::state, "one of SAFETY_STATE")
-      .def_readonly("neighbor", &SafetyReport::neighbor, "index of whom it collides with, or -1")
-      .def_readonly("wall", &SafetyReport::wall, "index of what it collides with, or -1")
-      .def_readonly("time", &SafetyReport::time, "s: if doomed, when the two are in contact");
+      .def_readonly("neighbor", &SafetyReport::neighbor,
+                    "index of whom it collides with first if doomed, most deeply if unknown; or -1")
+      .def_readonly("wall", &SafetyReport::wall, "likewise of the wall, or -1")
+      .def_readonly("time", &SafetyReport::time, "s: if doomed, when the two are in contact")
+      .def_readonly("depth", &SafetyReport::depth,
+                    "m, >= 0: by how much the two overlap, or come to while all fall back");
 }
 
 void bind_options(py::class_<Planner>& planner) {

@@ -63,7 +63,7 @@ void push(Random& random, const PlannerOptions& options, int steps, Outcome& out
   CertifiedWorkspace workspace;
   for (int k = 0; k < steps; ++k) {
     collect_constraints(robot, {}, law, workspace.constraints, walls);
-    EXPECT_FALSE(workspace.constraints.walls.broken);
+    EXPECT_FALSE(workspace.constraints.walls.broken.any());
     const CertifiedChoice choice =
         choose_certified(robot, wicked_wish(random, robot, walls, u), law, workspace);
     const TrueStep step{robot.position, robot.velocity, choice.next_velocity};
@@ -141,7 +141,7 @@ TEST(Walls, a_post_inside_of_the_steps_triangle_is_seen) {
     const Wall wall{post, post};
     CertificateConstraints constraints;
     collect_constraints(robot, {}, law, constraints, {&wall, 1});
-    EXPECT_FALSE(constraints.walls.broken);
+    EXPECT_FALSE(constraints.walls.broken.any());
     return admits(robot, next, law, constraints);
   };
   const Vec2 inside{0.1, 0.0125};
@@ -158,7 +158,7 @@ TEST(Walls, braking_is_always_admitted) {
     robot.velocity = {0.0, -speed};
     CertificateConstraints constraints;
     collect_constraints(robot, {}, law, constraints, {&kWall, 1});
-    EXPECT_TRUE(constraints.walls.broken);
+    EXPECT_TRUE(constraints.walls.broken.any());
     EXPECT_TRUE(admits(robot, backup_velocity(robot, law), law, constraints));
   }
 }

@@ -252,7 +252,10 @@ typedef struct avo_plan {
   avo_vec2 acceleration;   ///< m/s^2, at the start of the step
   avo_plan_status status;
   avo_safety_state state;  ///< of the state in which it was made; unknown without a certificate
-  double violation;        ///< m/s, by how much the half-planes are missed; 0 if optimal
+  int32_t neighbor;  ///< if overlapping, index of the neighbor, or -1, as always in a simulation
+  int32_t wall;      ///< or of the wall, or -1, likewise
+  float depth;       ///< m: if overlapping, by how much, see avo_safety_report
+  double violation;  ///< m/s, by how much the half-planes are missed; 0 if optimal
 } avo_plan;
 
 /* ---------------------------------------------------------------------------------- planner */
@@ -317,7 +320,9 @@ typedef struct avo_neighbor {
 /// What avo_planner_state() proves.
 typedef struct avo_safety_report {
   double time;       ///< s: if doomed, when the two are in contact
-  int32_t neighbor;  ///< if doomed, index of the neighbor that it collides with, or -1
+  double depth;      ///< m, >= 0: by how much the two overlap, or come to while all fall back
+  int32_t neighbor;  ///< index of the one with whom contact comes first if doomed; is deepest if
+                     ///< unknown; or -1
   int32_t wall;      ///< or of the wall, or -1
   avo_safety_state state;
 } avo_safety_report;

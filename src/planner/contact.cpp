@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/contact.h"
+
+#include <algorithm>
+
+#include "certificate/pair.h"
+#include "core/plane.h"
+#include "walls/segment.h"
+
+namespace avo {
+namespace {
+
+// m: what numbers of one of the two are rounded by grows with these.
+struct Magnitude {
+  double lengths;  // coordinates of its place, and what it needs to stop
+  double radius;
+};
+
+Magnitude magnitude_of(const Robot& robot, const StepLaw& law) {
+  const double way = stopping_length(norm(robot.velocity), decrement_of(robot, law), law);
+  return {length_1(robot.position) + way, robot.radius};
+}
+
+Magnitude magnitude_of(const Neighbor& neighbor, const StepLaw& law) {
+  double way = 0.0;
+  if (neighbor.loiter) {
+    way = 2.0 * neighbor.loiter->radius;
+  } else if (neighbor.behavior == Behavior::decides) {
+    way = stopping_length(norm(neighbor.velocity), decrement_of(neighbor, law), law);
+  }
+  return {length_1(neighbor.position) + way, neighbor.radius};
+}
+
+Magnitude magnitude_of(const Wall& wall) {
+  return {std::max(length_1(wall.a), length_1(wall.b)), wall.radius};
+}
+
+double feigned_by(const Magnitude& a, const Magnitude& b) {
+  return feigned_depth(a.lengths + b.lengths, a.radius + b.radius);
+}
+
+// Takes those in contact, in the order of neighbors and walls.
+struct ContactSearch {
+  Magnitude own;
+  Contact contact = {};
+  double beyond = -kInfinity;  // m, of its depth, what rounding does not feign
+
+  void take(int neighbor, int wall, double depth, const Magnitude& other) {
+    const double left = depth - feigned_by(own, other);
+    if (!(depth > 0.0) || !(left > beyond)) return;
+    contact = {neighbor, wall, depth, left > 0.0};
+    beyond = left;
+  }
+};
+
+template <typename Neighbors>
+Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
+                     const StepLaw& law, const Deepest& neighbor, const Deepest& wall) {
+  ContactSearch search{magnitude_of(robot, law)};
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor& other = neighbors[k];
+    const int index = static_cast<int>(k);
+    const double hidden = error_against(other, law).position;
+    double depth = robot.radius + other.radius - norm(other.position - robot.position) - hidden;
+    if (index == neighbor.index) depth = std::max(depth, neighbor.depth);
+    if (depth > 0.0) search.take(index, -1, depth, magnitude_of(other, law));
+  }
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const int index = static_cast<int>(k);
+    double depth = robot.radius + walls[k].radius - law.localization_error -
+                   distance(robot.position, {walls[k].a, walls[k].b});
+    if (index == wall.index) depth = std::max(depth, wall.depth);
+    if (depth > 0.0) search.take(-1, index, depth, magnitude_of(walls[k]));
+  }
+  return search.contact;
+}
+
+}  // namespace
+
+Contact deepest_contact(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
+                        const StepLaw& law, const Deepest& neighbor, const Deepest& wall) {
+  return find_deepest(robot, neighbors, walls, law, neighbor, wall);
+}
+
+Contact deepest_contact(const Robot& robot, std::span<const Neighbor> neighbors,
+                        std::span<const Wall> walls, const StepLaw& law, const Deepest& neighbor,
+                        const Deepest& wall) {
+  return find_deepest(robot, neighbors, walls, law, neighbor, wall);
+}
+
+double feigned(const Robot& robot, const Wall& wall, const StepLaw& law) {
+  return feigned_by(magnitude_of(robot, law), magnitude_of(wall));
+}
+
+void tell(const Contact& contact, Plan& plan) {
+  if (!contact.is_certain) return;
+  plan.status = PlanStatus::overlapping;
+  plan.neighbor = contact.neighbor, plan.wall = contact.wall;
+  plan.depth = static_cast<float>(contact.depth);
+}
+
+int index_in(std::span<const Neighbor> given, const Neighbor& neighbor) {
+  const auto same = [&neighbor](const Neighbor& other) {
+    return other.position == neighbor.position && other.velocity == neighbor.velocity &&
+           other.radius == neighbor.radius;
+  };
+  const auto found = std::find_if(given.begin(), given.end(), same);
+  return found == given.end() ? -1 : static_cast<int>(found - given.begin());
+}
+
+}  // namespace avo
