@@ -19,6 +19,11 @@ constexpr Vec2 turned(Vec2 a, Vec2 by) {
 inline double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
+/// Whether a velocity is none: the squares of slower ones have lost their digits, and so has
+/// norm().
+constexpr bool is_rest(Vec2 velocity) {
+  return norm_squared(velocity) < std::numeric_limits<double>::min();
+}
 /// At least the length, and at most sqrt(2) times it.
 inline double length_1(Vec2 a) {
   return std::abs(a.x) + std::abs(a.y);

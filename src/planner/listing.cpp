@@ -76,9 +76,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Neighbor> 
                                   std::span<const Wall> walls) const {
   half_planes.planes.clear();
   half_planes.overlapping = false;
-  if (!all_valid(robot, neighbors) || !follows_heading(robot) ||
-      !can_follow(robot, neighbors, options_))
-    return;
+  if (!can_decide(robot, neighbors, walls, options_)) return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   for (const std::uint32_t k :
        list_planned(*this, robot, neighbors, walls, PlanWorkspace::Scratch::of(workspace))) {
@@ -97,9 +95,7 @@ void Planner::collect_half_planes(const Robot& robot, std::span<const Wall> wall
   half_planes.speeds.clear();
   half_planes.obstacles.clear();
   half_planes.overlapping = false;
-  if (!is_valid(robot) || !follows_heading(robot) ||
-      !can_follow(robot, std::span<const Neighbor>{}, options_))
-    return;
+  if (!can_decide(robot, {}, {}, options_)) return;
   const Lens allowed = make_lens(acceleration_disc(robot), robot.max_speed);
   const auto cuts = [&allowed](const HalfPlane& plane) {
     return lens_support_min(plane.normal, allowed) < plane.offset;
@@ -125,7 +121,7 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Wall> wall
                                   PlanWorkspace& workspace,
                                   std::vector<WallConstraint>& constraints) const {
   constraints.clear();
-  if (options_.certificate == Certificate::none || !is_valid(robot)) return;
+  if (options_.certificate == Certificate::none || !can_decide(robot, {}, {}, options_)) return;
   if (is_airplane(robot.model))
     return list_walls_of_flight(robot, options_.time_step, walls, constraints);
   WallConstraints& own = PlanWorkspace::Scratch::of(workspace).certified.constraints.walls;
@@ -145,9 +141,7 @@ void Planner::find_admitted(const Robot& robot, std::span<const Neighbor> neighb
                             PlanWorkspace& workspace, std::span<const Vec2> next_velocities,
                             std::span<std::uint8_t> admitted, std::span<const Wall> walls) const {
   std::fill(admitted.begin(), admitted.end(), std::uint8_t{0});
-  if (is_airplane(robot.model) || !all_valid(robot, neighbors) || !follows_heading(robot) ||
-      !can_follow(robot, neighbors, options_))
-    return;
+  if (is_airplane(robot.model) || !can_decide(robot, neighbors, walls, options_)) return;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
   list_seen(*this, robot, neighbors, walls, scratch);
   const CertificateLaw law = certificate_law(*this);
@@ -161,13 +155,14 @@ void Planner::collect_certificate(const Robot& robot, std::span<const Neighbor> 
                                   PlanWorkspace& workspace,
                                   std::vector<CertificateConstraint>& constraints,
                                   std::span<const Wall> walls) const {
+  constraints.clear();
+  if (!can_decide(robot, neighbors, walls, options_)) return;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
   list_seen(*this, robot, neighbors, walls, scratch);
   if (is_airplane(robot.model)) {
     const Robot on_circle = with_circle(robot);
     collect_flight(on_circle, in_columns(scratch.listed, scratch.alone.neighbors), {},
                    certificate_law(*this).step, scratch.flight);
-    constraints.clear();
     for (const SeparatingLine& line : scratch.flight.lines)
       constraints.push_back(
           {static_cast<int>(scratch.order[static_cast<std::size_t>(line.neighbor)]), 0, line.normal,

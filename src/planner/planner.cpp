@@ -79,7 +79,7 @@ bool is_valid(const Robot& robot) {
 }
 
 bool follows_heading(const Robot& robot) {
-  if (!moves_along_heading(robot.model)) return true;
+  if (!moves_along_heading(robot.model) || is_rest(robot.velocity)) return true;
   const Vec2 v = robot.velocity, heading = elementary::direction(robot.heading);
   const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
   return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
@@ -245,13 +245,27 @@ double Planner::step_lag() const {
   return options_.motion == Motion::held ? 0.5 * options_.time_step : horizon_->step().lag;
 }
 
+namespace {
+
+// An airplane can hold its speed and turn right, which is all that is left to it where a number is
+// wrong, wherever it is: if its place or its circle is unknown, as if it were at the origin.
+std::optional<Robot> flying(const Robot& robot, double time_step) {
+  if (!can_brake(robot) || !can_drive(robot)) return std::nullopt;
+  if (is_known(robot.position) != 0 && can_fly(robot, time_step)) return robot;
+  Robot anywhere = robot;
+  anywhere.position = {}, anywhere.loiter = {};
+  return can_fly(anywhere, time_step) ? std::optional(anywhere) : std::nullopt;
+}
+
+}  // namespace
+
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation) {
   if (!can_brake(robot)) return {.status = PlanStatus::invalid_input};
   const PlannerOptions& options = planner.options();
   if (is_airplane(robot.model)) {
-    if (!can_drive(robot) || !can_fly(robot, options.time_step))
-      return {.status = PlanStatus::invalid_input};
-    return loiter_on(planner, robot, status, violation);
+    const auto airplane = flying(robot, options.time_step);
+    return airplane ? loiter_on(planner, *airplane, status, violation)
+                    : Plan{.status = PlanStatus::invalid_input};
   }
   if (adopts_at_once(options.method))
     return plan_of(options, robot.velocity, {}, status, violation);
@@ -371,14 +385,20 @@ std::optional<Neighbors> take_neighbors(const Robot& robot, std::span<const Neig
   return Neighbors{&columns, 0, given.size()};
 }
 
+Robot at_rest(Robot robot) {
+  robot.velocity = {};
+  return robot;
+}
+
 // Moved as a simulation moves it.
 Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
   if (!can_brake(robot)) return plan;
   if (!is_holonomic(robot.model) && can_drive(robot) && follows_heading(robot)) {
     MotionState state{{}, robot.velocity, robot.heading};
     if (is_airplane(robot.model)) {
-      if (!can_fly(robot, planner.options().time_step)) return plan;
-      state.position = robot.position, state.circle = *with_circle(robot).loiter;
+      const auto airplane = flying(robot, planner.options().time_step);
+      if (!airplane) return plan;
+      state.position = airplane->position, state.circle = *with_circle(*airplane).loiter;
     }
     const MotionLimits limits{planned_braking(robot), robot.max_speed};
     plan.next_velocity =
@@ -393,6 +413,8 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan) {
 
 Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
                    PlanWorkspace& workspace, Detour* detour, std::span<const Wall> walls) const {
+  if (is_rest(robot.velocity) && robot.velocity != Vec2{})
+    return plan(at_rest(robot), neighbors, workspace, detour, walls);
   Detour next = detour != nullptr && is_sound(*detour) ? *detour : Detour{};
   Plan plan;
   PlanWorkspace::Scratch& scratch = PlanWorkspace::Scratch::of(workspace);
@@ -424,7 +446,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
 
 Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor> obstacles,
                                    PlanWorkspace& workspace) const {
-  Robot steering = robot;
+  Robot steering = is_rest(robot.velocity) ? at_rest(robot) : robot;
   if (is_valid(robot)) steering.preferred_velocity = steered(robot, approach_of(options_));
   if (options_.method == Method::buffered_voronoi) {
     std::vector<Neighbor>& movers = PlanWorkspace::Scratch::of(workspace).movers;

@@ -20,10 +20,12 @@
 namespace avo {
 namespace {
 
-// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of braking takes
-// away, a car that would have to turn by more than this first stops, and then turns in place
-// about its rear axle (front wheels across), which does not move the axle.
-constexpr double kTurnInPlace = 0.25;  // rad
+// Rest is no speed at all: a car that kept what rounding leaves would creep on for ever, and its
+// sign would say where it may drive. Of the speed before the step:
+constexpr double kRestRounding = 0x1p-48;
+// Of the speed that one step of braking takes away: less is no decision. The choices of a
+// certificate are drawn by as much on the safe side, and rounding of places makes more of it.
+constexpr double kLeastDecided = 0x1p-30;
 
 struct Controls {
   double linear = 0.0;     // [a_lin] m/s^2
@@ -41,7 +43,7 @@ struct Driving {
 // Whether it drives backwards; one at rest, if that is where it is to go.
 bool is_reversing(const Car& car, Vec2 heading, Vec2 velocity, Vec2 wanted) {
   if (!car.reverse) return false;
-  return dot(heading, velocity == Vec2{} ? wanted : velocity) < 0.0;
+  return dot(heading, is_rest(velocity) ? wanted : velocity) < 0.0;
 }
 
 Driving driving_of(const Car& car, const MotionState& state, Vec2 wanted) {
@@ -54,10 +56,14 @@ Driving driving_of(const Car& car, const MotionState& state, Vec2 wanted) {
 
 // Eq. (25) solved for the controls. κ is that of the highest speed in the step, so that |v² κ|
 // stays below what was decided all through it. At the end of a step at the earliest it stands. One
-// that brakes weakly could turn by more than kMostTurn at little speed; it does not.
-Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, double time_step) {
+// that brakes weakly could turn by more than kMostTurn at little speed; it does not. slow: m/s,
+// that it can brake from within the step.
+Controls controls(const Car& car, Vec2 acceleration, const Driving& driving, double slow,
+                  double time_step) {
   Controls result;
   result.linear = std::max(dot(driving.heading, acceleration), -driving.speed / time_step);
+  if (driving.speed <= slow && driving.speed + result.linear * time_step < kLeastDecided * slow)
+    result.linear = -driving.speed / time_step;
   const double next_speed = std::max(0.0, driving.speed + result.linear * time_step);
   const double top = std::max(driving.speed, next_speed);
   if (!(top > 0.0)) return result;
@@ -89,7 +95,8 @@ double largest(const Car& car, Vec2 acceleration) {
 // Eq. (24) with held controls: an arc of the length that the speed covers.
 MotionStep drive(const Car& car, const MotionState& state, const Driving& driving,
                  const Controls& control, double time_step) {
-  const double next_speed = std::max(0.0, driving.speed + control.linear * time_step);
+  double next_speed = std::max(0.0, driving.speed + control.linear * time_step);
+  if (next_speed < kRestRounding * driving.speed) next_speed = 0.0;
   const double length = 0.5 * (driving.speed + next_speed) * time_step;
   const double half_turn = 0.5 * control.curvature * length;
   const Vec2 half = elementary::direction(half_turn), middle = turned(driving.heading, half);
@@ -130,11 +137,13 @@ MotionStep turn_in_place(const MotionState& state, const Driving& driving, doubl
 MotionStep advance_car(const Car& car, const MotionLimits& limits, const MotionState& state,
                        const Plan& plan, double time_step) {
   const Driving driving = driving_of(car, state, plan.new_velocity);
-  const Controls control = controls(car, plan.acceleration, driving, time_step);
-  const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
   const double slow = limits.planned_braking * time_step;
+  const Controls control = controls(car, plan.acceleration, driving, slow, time_step);
+  const double top = std::max(driving.speed, driving.speed + control.linear * time_step);
   if (top > slow || !turns_in_place(car)) return drive(car, state, driving, control, time_step);
-  const bool moves = norm(plan.new_velocity) > 0.0;
+  const bool moves =
+      norm(plan.new_velocity) > 0.0 &&
+      (driving.speed > 0.0 || norm(plan.acceleration) * time_step >= kLeastDecided * slow);
   const double turn = moves ? elementary::atan2(cross(driving.heading, plan.new_velocity),
                                                 dot(driving.heading, plan.new_velocity))
                             : 0.0;

@@ -52,9 +52,14 @@ inline double sharpest(const Car& car) {
   if (offset == 0.0) return car.max_curvature.value_or(std::numeric_limits<double>::infinity());
   return car.max_curvature ? std::min(*car.max_curvature, 1.0 / offset) : 0.25 / offset;
 }
+/// Near v = 0 Eq. (25) asks for unbounded curvature. Below the speed that one step of braking takes
+/// away, a car that would have to turn by more than this first stops, and then turns in place
+/// about its rear axle (front wheels across), which does not move the axle.
+inline constexpr double kTurnInPlace = 0.25;  // rad
 /// So near its goal that it does not turn round for what is left.
 inline bool is_there(const Car& car, const Robot& robot, const Approach& approach) {
-  constexpr double kNearEnough = 0.05;  // times the turning circle's radius
-  return robot.distance_to_goal <= std::min(kNearEnough / sharpest(car), approach.near_enough);
+  constexpr double kNearEnough = 0.05;  // times the radius of the circle that it turns on
+  const double radius = turns_in_place(car) ? std::abs(offset_of(car)) : 1.0 / sharpest(car);
+  return robot.distance_to_goal <= std::min(kNearEnough * radius, approach.near_enough);
 }
 }  // namespace avo

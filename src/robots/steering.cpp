@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/elementary.h"
+#include "core/plane.h"
 #include "robots/car.h"
 
 namespace avo {
@@ -20,6 +21,7 @@ constexpr double kWellOutside = 1.3;
 // While it speeds up, less is left of what others expect for its disc to sweep aside: per offset.
 constexpr double kWhileStarting = 0.6;
 constexpr double kWidest = 4.0;  // times that circle: turned round on at most
+constexpr double kTurnInPlaceCosine = 0.96891242171064473;  // of kTurnInPlace
 // It drives on in its direction until it had to turn by 90 degrees and more, by this cosine.
 constexpr double kKeepDirection = 0.5;
 
@@ -80,9 +82,13 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
 
 Vec2 steered(const Car& car, const Robot& robot, const Approach& approach) {
   const double speed = norm(robot.preferred_velocity);
-  if (turns_in_place(car) || !(speed > 0.0)) return robot.preferred_velocity;
+  if (!(speed > 0.0)) return robot.preferred_velocity;
   const Vec2 to = robot.preferred_velocity / speed, ahead = direction_of(car, robot, to);
   const double x = dot(ahead, to), y = cross(ahead, to), distance = robot.distance_to_goal;
+  if (turns_in_place(car)) {  // its disc swings: it would turn to and fro at its goal for ever
+    const bool has_to_turn = is_rest(robot.velocity) && x < kTurnInPlaceCosine;
+    return has_to_turn && is_there(car, robot, approach) ? Vec2{} : robot.preferred_velocity;
+  }
   const double turning = 1.0 / sharpest(car);
   if (is_there(car, robot, approach)) return {};
   const double radius = pursuit_radius(distance, y);

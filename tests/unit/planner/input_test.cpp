@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is known or sensed may be any number: bad ones are told, and none makes a NaN.
+#include <array>
 #include <cfenv>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,6 +107,72 @@ TEST(Status, invalid_input_is_told_and_brakes_whatever_field_it_is) {
       }
     }
   }
+}
+
+// What plan() refuses has no certificate and no half-planes: that is said, not thrown.
+TEST(Status, of_invalid_input_every_question_has_an_answer) {
+  for (const Method method : {Method::avo, Method::avo_paper}) {
+    const Planner planner(default_options(method));
+    PlanWorkspace workspace;
+    const auto expect_nothing = [&](const Robot& robot, const std::vector<Neighbor>& seen,
+                                    const std::vector<Wall>& walls) {
+      std::vector<CertificateConstraint> constraints(1);
+      EXPECT_NO_THROW(planner.collect_certificate(robot, seen, workspace, constraints, walls));
+      EXPECT_TRUE(constraints.empty());
+      HalfPlanes half_planes{{NeighborPlane{}}, true};
+      EXPECT_NO_THROW(planner.collect_half_planes(robot, seen, workspace, half_planes, walls));
+      EXPECT_TRUE(half_planes.planes.empty());
+      const std::array<Vec2, 1> wanted{robot.velocity};
+      std::array<std::uint8_t, 1> admitted{1};
+      EXPECT_NO_THROW(planner.find_admitted(robot, seen, workspace, wanted, admitted, walls));
+      EXPECT_EQ(admitted[0], 0);
+      EXPECT_EQ(planner.state(robot, seen, workspace, walls).state, SafetyState::unknown);
+      std::vector<WallConstraint> of_walls;
+      WallPlanes wall_planes;
+      EXPECT_NO_THROW(planner.collect_certificate(robot, walls, workspace, of_walls));
+      EXPECT_NO_THROW(planner.collect_half_planes(robot, walls, wall_planes));
+    };
+    const Robot good = paper_robot({1, 2}, {1.2, -0.9}, {2, 0});
+    for (const Field& field : all_fields()) {
+      for (const double value : bad_values(field)) {
+        SCOPED_TRACE(field.name + " = " + std::to_string(value));
+        Robot robot = good;
+        Neighbor other = as_neighbor(paper_robot({5, 2}, {-1, 0}, {}));
+        field.set(robot, other, value);
+        expect_nothing(robot, {other}, {{{0, 9}, {9, 9}}});
+      }
+    }
+    for (const double value : {kNaN, kInfinity}) {
+      expect_nothing(good, {as_neighbor(good)}, {{{0, value}, {9, 9}}});
+      expect_nothing(good, {}, {{{0, 9}, {9, 9}, value}});
+    }
+  }
+}
+
+// It cannot stop: it holds its speed and turns right, for which it need not know where it is.
+TEST(Status, an_airplane_that_does_not_know_its_place_flies_on) {
+  const Planner planner(default_options(Method::avo));
+  PlanWorkspace workspace;
+  Robot lost = paper_robot({1, 2}, {2, 0}, {2, 0});
+  lost.model = Airplane{.min_speed = 1.0};
+  const Plan known = planner.plan(lost, {}, workspace);
+  EXPECT_NE(known.status, PlanStatus::invalid_input);
+  const LoiterCircle circle = loiter_circle(Airplane{.min_speed = 1.0}, {1, 2}, {2, 0});
+  for (const bool has_circle : {false, true}) {
+    for (const double x : {kInfinity, -kInfinity, kNaN, 1e300}) {
+      lost.position.x = x;
+      lost.loiter = has_circle ? std::optional(circle) : std::nullopt;
+      const Plan plan = planner.plan(lost, {}, workspace);
+      EXPECT_EQ(plan.status, PlanStatus::invalid_input);
+      EXPECT_TRUE(finite(plan)) << x;
+      EXPECT_NEAR(norm(plan.next_velocity), 2.0, 1e-6);
+      EXPECT_LT(plan.next_velocity.y, 0.0) << "to the right";
+    }
+  }
+  lost.position = {1, 2}, lost.loiter = LoiterCircle{{kNaN, 0}, 4.0};
+  const Plan plan = planner.plan(lost, {}, workspace);
+  EXPECT_TRUE(finite(plan));
+  EXPECT_NEAR(norm(plan.next_velocity), 2.0, 1e-6);
 }
 
 // A car brakes along its heading, and others see only which way it moves.

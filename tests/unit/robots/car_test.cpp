@@ -4,6 +4,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "avo/simulation.h"
 #include "robots/model.h"
@@ -309,6 +311,90 @@ TEST(Car, at_rest_without_a_wish_stays_as_it_is) {
   EXPECT_EQ(step.next.position, state.position);
   EXPECT_EQ(step.next.heading, state.heading);
   EXPECT_EQ(step.next.velocity, Vec2{});
+}
+
+// What is left of a speed by rounding is halved by rounding in each step, for ever; its sign would
+// say which way the car drives.
+TEST(Car, that_brakes_to_rest_has_no_speed_left) {
+  Random random(41);
+  for (int k = 0; k < 20'000; ++k) {
+    const double heading = random.uniform(-4.0, 4.0), speed = random.log_uniform(1e-12, 0.1);
+    const Vec2 along{std::cos(heading), std::sin(heading)};
+    const Car car{.wheelbase = kWheelbase,
+                  .max_curvature = random.below(2) == 0 ? std::optional(0.8) : std::nullopt,
+                  .reverse = random.below(2) == 0};
+    const Vec2 v = (car.reverse && random.below(2) == 0 ? -speed : speed) * along;
+    const double control_time = random.log_uniform(0.1, 4.0);
+    const Vec2 target = v - (control_time / 0.1) * v;  // Eq. (7): rest at the end of the step
+    const Plan plan{.new_velocity = target, .acceleration = (target - v) / control_time};
+    const MotionStep step = advance(car, kLimits, {{}, v, heading}, plan, 0.1);
+    ASSERT_EQ(step.next.velocity, Vec2{}) << speed;
+    ASSERT_LE(step.acceleration, 1.0);
+  }
+}
+
+// Nor does a decision of no more than rounding move or turn it.
+TEST(Car, at_rest_stays_at_rest_where_nothing_is_decided) {
+  for (const double angle : {0.0, 0.1, 2.0, 3.1}) {
+    const Vec2 wish{std::cos(angle), std::sin(angle)};
+    for (const bool reverse : {false, true}) {
+      for (const double speed : {1e-163, 1e-30, 1e-15, 1e-12}) {
+        const Car car{.wheelbase = kWheelbase, .reverse = reverse};
+        const Plan plan{.new_velocity = (2.0 * speed) * wish, .acceleration = speed * wish};
+        const MotionState rest{{3.0, 4.0}, {}, 0.0};
+        const MotionStep step = advance(car, kLimits, rest, plan, 0.1);
+        EXPECT_EQ(step.next.velocity, Vec2{});
+        EXPECT_EQ(step.next.position, rest.position);
+        EXPECT_EQ(step.next.heading, 0.0);
+      }
+    }
+  }
+}
+
+// Nobody creeps: whoever is slower than a decision means is at rest; and nobody at rest at its goal
+// turns for ever.
+TEST(Car, in_a_crowd_comes_to_rest_or_moves) {
+  const CarBody ahead{0.4, 0.5};
+  for (const Car& car : {Car{.wheelbase = 1.0}, Car{.wheelbase = 1.0, .body = ahead},
+                         Car{.wheelbase = 1.0, .max_curvature = 0.8},
+                         Car{.wheelbase = 1.0, .max_curvature = 0.8, .body = ahead},
+                         Car{.wheelbase = 1.0, .max_curvature = 0.8, .reverse = true},
+                         Car{.wheelbase = 1.0,
+                         .max_curvature = 0.8,
+                         .body = ahead,
+                         .reverse = true,
+                         .acceleration_set = AccelerationSet::exact}}) {
+    Random random(7);
+    Scenario scene;
+    scene.sensing_radius = 12.0;
+    for (int k = 0; k < 25; ++k) {
+      RobotSetup robot;
+      robot.position = {2.6 * (k % 5), 2.6 * static_cast<double>(k / 5)};
+      const int goal = (7 * k + 3) % 25;
+      robot.goal = {2.6 * (goal % 5), 2.6 * static_cast<double>(goal / 5)};
+      robot.model = car, robot.heading = random.uniform(-3.0, 3.0);
+      scene.robots.push_back(robot);
+    }
+    Simulation simulation(scene, 1);
+    int turning = 0, creeping = 0;
+    std::vector<bool> crept(25, false);
+    for (int step = 0; step < 1500; ++step) {
+      const auto before = simulation.fleet();
+      const std::vector<double> heading(before.heading.begin(), before.heading.end());
+      simulation.step();
+      for (std::size_t i = 0; i < heading.size(); ++i) {
+        const Vec2 v = simulation.fleet().velocity[i];
+        const double speed = std::hypot(v.x, v.y);
+        const bool creeps = speed > 0.0 && speed < 5e-11;
+        creeping += creeps && crept[i] ? 1 : 0;
+        crept[i] = creeps;
+        const bool rests = speed == 0.0 && simulation.is_at_goal(i) && step >= 1250;
+        turning += rests && simulation.fleet().heading[i] != heading[i] ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(creeping, 0);
+    EXPECT_LE(turning, 40) << "of 6250";
+  }
 }
 
 Scenario lone_car(Vec2 goal, double heading, double speed) {
