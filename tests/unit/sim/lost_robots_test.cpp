@@ -168,6 +168,35 @@ TEST(LostRobots, one_beside_a_wall_leaves_it) {
   }
 }
 
+// The worst of views: the pillar looks off to one side by all of the error, and the robot wishes to
+// go where it seems to keep its distance and does not.
+TEST(LostRobots, a_view_from_aside_leads_into_no_pillar) {
+  constexpr double kError = 0.1;
+  PlannerOptions options;
+  options.localization_error = kError;
+  const Planner planner(options);
+  PlanWorkspace workspace;
+  for (const double gap : {1e-4, 0.02, 0.06}) {
+    Robot robot{.position = {0.35 + gap, 0.0}, .radius = 0.3};
+    double least = gap, moved = 0.0;
+    for (int k = 0; k < 400; ++k) {
+      const Vec2 out = robot.position / norm(robot.position);
+      const Vec2 off = kError * perpendicular(out);
+      const Vec2 seen_out = (robot.position + off) / norm(robot.position + off);
+      const Vec2 aside = perpendicular(seen_out);
+      robot.preferred_velocity = (dot(aside, out) < 0.0 ? 1.0 : -1.0) * aside;
+      const std::vector<Wall> seen{{-off, -off, 0.05}};
+      const Plan plan = planner.plan(robot, {}, workspace, nullptr, seen);
+      moved += 0.05 * norm(robot.velocity + plan.next_velocity);
+      robot.position = robot.position + 0.05 * (robot.velocity + plan.next_velocity);
+      robot.velocity = plan.next_velocity;
+      least = std::min(least, norm(robot.position) - 0.35);
+    }
+    EXPECT_GE(least, 0.0) << gap;
+    EXPECT_GT(moved, 0.1) << gap;
+  }
+}
+
 TEST(LostRobots, see_each_other_as_if_they_knew_where_they_are) {
   Scenario scene = pressed(4, 0.05, false);
   Simulation simulation(scene, 1);
