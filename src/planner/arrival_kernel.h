@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "certificate/plan_kernel.h"
+#include "core/share_kernel.h"
 #include "planner/arrival.h"
 #include "planner/certified.h"
 #include "planner/decision_columns.h"
@@ -39,6 +40,13 @@ AVO_KERNEL Vec<Real> turned_right(Vec<Real> a, Real angle) {
   return {c * a.x + s * a.y, c * a.y - s * a.x};
 }
 
+/// What a neighbor of another priority counts in the rules: twice the part of all that both have to
+/// do to avoid each other that priorities leave to the robot, 1 where they are equal.
+template <typename Real>
+AVO_KERNEL Real deference(Real own, Real other) {
+  return Real(2.0) * room_share(Real(1.0), Real(1.0), other, own);
+}
+
 /// See Traffic.
 template <typename Real>
 AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double range) {
@@ -50,6 +58,8 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
   const Real most_squared(neighbors.range * neighbors.range);
   const Vec<Real> p = constant<Real>(robots.position(i)), v = constant<Real>(robots.velocity(i));
   const Vec<Real> way{robots.preferred_x[i], robots.preferred_y[i]};
+  const Real priority = robots.priority[i];
+  const bool has_priorities = columns.has_priorities || robots.priority[i] != 1.0;
   Traffic traffic;
   alignas(64) double weights[8] = {};
   for (std::size_t k = 0; k < neighbors.count; k += Real::kLanes) {
@@ -64,7 +74,14 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const auto closing = dot(towards, velocity - v) < zero;
     const auto rests = dot(velocity, velocity) < slow_squared;
     const auto near = (squared < range_squared) & (dot(towards, way) > zero);
-    const Real weight = one - per_range * sqrt(squared);
+    Real weight = one - per_range * sqrt(squared);
+    Real defers = one;
+    if (has_priorities) {  // a mover gives way to nobody
+      const Real decides = load(columns.decides);
+      defers = select((decides < zero) | (decides > zero),
+                      deference(priority, load(columns.priority)), one);
+      weight = weight * defers;
+    }
     // eight at a time in the same order: no number of lanes has a say, nor zeros at the end
     select(counted & near & (closing | rests), weight, zero).store(weights + k % 8);
     if ((k + Real::kLanes) % 8 == 0 || last) {
@@ -79,10 +96,12 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     if (std::uint32_t lanes = bits(beside); lanes != 0) {
       traffic.is_beside = true;
       const Robot robot = robots.robot(i);
+      alignas(64) double defer[Real::kLanes];
+      defers.store(defer);
       for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const Neighbor neighbor = neighbors[k + lane];
-        const Vec2 push = push_of(robot, neighbor);
+        const Vec2 push = defer[lane] * push_of(robot, neighbor);
         const double motion = motion_of(robot, neighbor);
         traffic.push = traffic.push + motion * push;
         traffic.push_at_rest = traffic.push_at_rest + (1.0 - motion) * push;
