@@ -73,11 +73,12 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   decision.goal = simulation.fleet().goal[index];
   decision.method = planner.options().method;
   decision.seen = simulation.perceive(index);
-  const auto& [self, neighbors, source, detour, among_movers, walls] = decision.seen;
+  const auto& [self, neighbors, source, detour, among_movers, walls, stop] = decision.seen;
   avo::Detour next_detour = detour;
   decision.by_half_planes = !among_movers;
   avo::PlanWorkspace workspace;
   decision.plan = planner.plan(self, neighbors, workspace, &next_detour, walls);
+  if (stop && decision.plan.status != avo::PlanStatus::overlapping) decision.plan = *stop;
   decision.state = planner.state(self, neighbors, workspace, walls);
   if (decision.by_half_planes)
     planner.collect_half_planes(self, neighbors, workspace, decision.half_planes, walls);

@@ -32,7 +32,7 @@ const std::vector<Field<Scenario>>& fields() {
       {"time_horizon", &Scenario::time_horizon, kOptional, kPositive, "s",
        "tau: how far collisions are looked for", "3 s for method avo, else 10 s"},
       {"sensing_radius", &Scenario::sensing_radius, kOptional, kPositive, "m",
-       "between centers; who is farther is not seen"},
+       "between centers; who is farther is not seen", "what the robots need, see docs/scenes.md"},
       {"max_neighbors", &Scenario::max_neighbors, kOptional, kAtLeastOne, "",
        "nearest neighbors that get a half-plane", "no limit"},
       {"method", &Scenario::method, kOptional, kNoNumber, "", "how new velocities are chosen"},

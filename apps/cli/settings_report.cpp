@@ -51,7 +51,8 @@ void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenari
   tell("time_horizon", seconds(options.time_horizon) + " (tau)");
   tell("time_step", seconds(scenario.time_step));
   tell("duration", seconds(scenario.duration));
-  tell("sensing_radius", fmt::format("{} m", scenario.sensing_radius));
+  tell("sensing_radius", fmt::format("{} m{}", avo::sensing_radius_of(scenario),
+                                     scenario.sensing_radius ? "" : ", what the robots need"));
   tell("max_neighbors", scenario.max_neighbors ? std::to_string(*scenario.max_neighbors) : "all");
   tell("clock", scenario.clock == avo::Clock::free ? "free" : "common");
   tell("seed", std::to_string(scenario.seed));

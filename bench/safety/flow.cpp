@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "avo/simulation.h"
 #include "output.h"
 #include "placement.h"
 
@@ -16,8 +18,9 @@ namespace avo::safety {
 namespace {
 
 constexpr int kRobots = 100;
-constexpr double kReached = 1.0;    // m
-constexpr double kSettling = 60.0;  // s, before it counts
+constexpr double kReached = 1.0;    // m, from a waypoint
+constexpr double kStill = 0.01;     // m/s: so slow, a robot stands
+constexpr double kSettling = 60.0;  // s, before Outcome::late_flow counts
 constexpr double kNoGoal = 1e3;     // m: on the torus goals are never near
 
 // A difference of two coordinates, across the seam where that is shorter.
@@ -25,63 +28,84 @@ double across(double difference) {
   return difference - kFlowSide * std::round(difference / kFlowSide);
 }
 
-class FlowLoop {
- public:
-  FlowLoop(const Scene& scene, const PlannerOptions& options)
-      : flow_(*scene.flow), radius_(scene.scenario.sensing_radius), planner_(options) {
+// Who moves, and how they have moved in the last step.
+struct Crowd {
+  explicit Crowd(const Scene& scene) : flow(*scene.flow) {
     for (const RobotSetup& setup : scene.scenario.robots) {
       Robot robot;
       robot.position = setup.position;
       robot.radius = setup.radius;
       robot.max_acceleration = setup.max_acceleration;
       robot.max_speed = setup.max_speed;
-      robots_.push_back(robot);
-      goals_.push_back(setup.goal);
-      speeds_.push_back(setup.preferred_speed);
+      robots.push_back(robot);
+      goals.push_back(setup.goal);
+      speeds.push_back(setup.preferred_speed);
     }
-    detours_.resize(robots_.size());
-    plans_.resize(robots_.size());
-  }
-
-  void step() {
-    for (std::size_t i = 0; i < robots_.size(); ++i) plans_[i] = decide(i);
-    before_ = robots_;
-    for (std::size_t i = 0; i < robots_.size(); ++i) move(i);
+    plans.resize(robots.size());
   }
 
   [[nodiscard]] Vec2 between(Vec2 from, Vec2 to) const {
     const Vec2 straight = to - from;
-    if (flow_ == Flow::to_and_fro) return straight;
+    if (flow == Flow::to_and_fro) return straight;
     return {across(straight.x), across(straight.y)};
   }
 
-  // Mean over all robots of what their velocities have of the preferred ones.
-  [[nodiscard]] double progress() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < robots_.size(); ++i)
-      sum += dot(robots_[i].velocity, direction(i)) / speeds_[i];
-    return sum / static_cast<double>(robots_.size());
-  }
-
-  [[nodiscard]] const std::vector<Robot>& robots() const { return robots_; }
-  [[nodiscard]] const std::vector<Robot>& before() const { return before_; }
-  [[nodiscard]] const std::vector<Plan>& plans() const { return plans_; }
-
- private:
   // On the torus the goal stands for a direction.
   [[nodiscard]] Vec2 direction(std::size_t i) const {
-    const Vec2 way = flow_ == Flow::torus ? goals_[i] : goals_[i] - robots_[i].position;
+    const Vec2 way = flow == Flow::torus ? goals[i] : goals[i] - robots[i].position;
     return way / norm(way);
   }
 
-  Plan decide(std::size_t i) {
-    Robot& robot = robots_[i];
-    robot.preferred_velocity = speeds_[i] * direction(i);
-    robot.distance_to_goal = flow_ == Flow::torus ? kNoGoal : norm(goals_[i] - robot.position);
+  [[nodiscard]] bool is_there(std::size_t i) const {
+    return flow == Flow::to_and_fro && norm(goals[i] - robots[i].position) <= kReached;
+  }
+
+  // Mean over all robots of what their velocities have of the preferred ones; who is at its
+  // waypoint prefers none.
+  [[nodiscard]] double progress() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      if (!is_there(i)) sum += dot(robots[i].velocity, direction(i)) / speeds[i];
+    return sum / static_cast<double>(robots.size());
+  }
+
+  Flow flow;
+  std::vector<Robot> robots, before = {};
+  std::vector<Vec2> goals;
+  std::vector<double> speeds;  // m/s, preferred
+  std::vector<Plan> plans;
+};
+
+// A loop around Planner::plan: the library's simulation knows no seam.
+class TorusLoop {
+ public:
+  TorusLoop(const Scene& scene, const PlannerOptions& options)
+      : radius_(sensing_radius_of(scene.scenario)),
+        planner_(options),
+        detours_(scene.scenario.robots.size()) {}
+
+  void step(Crowd& crowd) {
+    for (std::size_t i = 0; i < crowd.robots.size(); ++i) crowd.plans[i] = decide(crowd, i);
+    crowd.before = crowd.robots;
+    const double lag = planner_.step_lag(), lead = planner_.options().time_step - lag;
+    for (std::size_t i = 0; i < crowd.robots.size(); ++i) {
+      Robot& robot = crowd.robots[i];
+      const Vec2 next = crowd.plans[i].next_velocity;
+      const Vec2 place = robot.position + lag * robot.velocity + lead * next;
+      robot.position = {across(place.x), across(place.y)};
+      robot.velocity = next;
+    }
+  }
+
+ private:
+  Plan decide(Crowd& crowd, std::size_t i) {
+    Robot& robot = crowd.robots[i];
+    robot.preferred_velocity = crowd.speeds[i] * crowd.direction(i);
+    robot.distance_to_goal = kNoGoal;
     neighbors_.clear();
-    for (std::size_t k = 0; k < robots_.size(); ++k) {
-      const Robot& other = robots_[k];
-      const Vec2 way = between(robot.position, other.position);
+    for (std::size_t k = 0; k < crowd.robots.size(); ++k) {
+      const Robot& other = crowd.robots[k];
+      const Vec2 way = crowd.between(robot.position, other.position);
       if (k == i || norm(way) > radius_) continue;
       Neighbor neighbor;
       neighbor.position = robot.position + way;
@@ -93,28 +117,35 @@ class FlowLoop {
     return planner_.plan(robot, neighbors_, workspace_, &detours_[i]);
   }
 
-  void move(std::size_t i) {
-    Robot& robot = robots_[i];
-    const double lag = planner_.step_lag(), lead = planner_.options().time_step - lag;
-    robot.position = robot.position + lag * robot.velocity + lead * plans_[i].next_velocity;
-    robot.velocity = plans_[i].next_velocity;
-    if (flow_ == Flow::torus) {
-      robot.position = {across(robot.position.x), across(robot.position.y)};
-    } else if (norm(goals_[i] - robot.position) <= kReached) {
-      goals_[i] = -goals_[i];
+  double radius_;  // m, of sensing
+  Planner planner_;
+  std::vector<Detour> detours_;
+  std::vector<Neighbor> neighbors_;
+  PlanWorkspace workspace_;
+};
+
+// The library's simulation. Who stands at its waypoint is sent to the opposite one.
+class ToAndFroLoop {
+ public:
+  explicit ToAndFroLoop(const Scene& scene) : simulation_(scene.scenario, 1) {}
+
+  void step(Crowd& crowd) {
+    simulation_.step();
+    crowd.before = crowd.robots;
+    const FleetView fleet = simulation_.fleet();
+    for (std::size_t i = 0; i < crowd.robots.size(); ++i) {
+      crowd.robots[i].position = fleet.position[i], crowd.robots[i].velocity = fleet.velocity[i];
+      crowd.plans[i] = fleet.plan[i];
+    }
+    for (std::size_t i = 0; i < crowd.robots.size(); ++i) {
+      if (!crowd.is_there(i) || norm(crowd.robots[i].velocity) > kStill) continue;
+      crowd.goals[i] = -crowd.goals[i];
+      simulation_.set_goal({i}, crowd.goals[i]);
     }
   }
 
-  Flow flow_;
-  double radius_;  // m, of sensing
-  Planner planner_;
-  std::vector<Robot> robots_, before_;
-  std::vector<Vec2> goals_;
-  std::vector<double> speeds_;  // m/s, preferred
-  std::vector<Detour> detours_;
-  std::vector<Plan> plans_;
-  std::vector<Neighbor> neighbors_;
-  PlanWorkspace workspace_;
+ private:
+  Simulation simulation_;
 };
 
 // The library's judge knows no seam. Accelerations are held: a pair's distance in 16 parts of a
@@ -123,15 +154,15 @@ class FlowJudge {
  public:
   explicit FlowJudge(double time_step) : time_step_(time_step) {}
 
-  void observe(const FlowLoop& loop) {
-    const std::vector<Robot>&before = loop.before(), &now = loop.robots();
+  void observe(const Crowd& crowd) {
+    const std::vector<Robot>&before = crowd.before, &now = crowd.robots;
     for (std::size_t i = 0; i < now.size(); ++i) {
       const double rounding = 1.0 + 1e-9;
       const double change = norm(now[i].velocity - before[i].velocity);
       verdict_.acceleration_violations +=
           change > rounding * now[i].max_acceleration * time_step_ ? 1 : 0;
       verdict_.speed_violations += norm(now[i].velocity) > rounding * now[i].max_speed ? 1 : 0;
-      for (std::size_t k = 0; k < i; ++k) observe_pair(loop, i, k);
+      for (std::size_t k = 0; k < i; ++k) observe_pair(crowd, i, k);
     }
   }
 
@@ -143,14 +174,14 @@ class FlowJudge {
   }
 
  private:
-  void observe_pair(const FlowLoop& loop, std::size_t i, std::size_t k) {
-    const Robot &a = loop.before()[i], &b = loop.before()[k];
-    const Vec2 apart = loop.between(a.position, b.position);
+  void observe_pair(const Crowd& crowd, std::size_t i, std::size_t k) {
+    const Robot &a = crowd.before[i], &b = crowd.before[k];
+    const Vec2 apart = crowd.between(a.position, b.position);
     const double contact = a.radius + b.radius;
     const double farthest = (a.max_speed + b.max_speed) * time_step_;
     if (norm(apart) > 2.0 * contact + farthest) return;
     const Vec2 v = b.velocity - a.velocity;
-    const Vec2 v_1 = loop.robots()[k].velocity - loop.robots()[i].velocity;
+    const Vec2 v_1 = crowd.robots[k].velocity - crowd.robots[i].velocity;
     for (int part = 1; part <= 16; ++part) {
       const double s = part / 16.0, t = s * time_step_;
       const double clearance = norm(apart + t * (v + (0.5 * s) * (v_1 - v))) - contact;
@@ -184,6 +215,7 @@ Scene flow_scene(Flow flow, std::uint64_t seed) {
     scenario.robots.push_back(usual_robot(place, goal, 2.0));
   }
   scenario.duration = 300.0;
+  if (flow == Flow::to_and_fro) scenario.arrival_distance = kReached;
   Scene scene{std::move(scenario)};
   scene.flow = flow;
   return scene;
@@ -193,31 +225,37 @@ void run_flow(const Scene& scene, const std::string& record, Outcome& outcome) {
   const Scenario& scenario = scene.scenario;
   validate(scenario);
   outcome.planner = planner_options(scenario);
-  FlowLoop loop(scene, outcome.planner);
+  Crowd crowd(scene);
+  std::optional<TorusLoop> torus;
+  std::optional<ToAndFroLoop> to_and_fro;
+  if (*scene.flow == Flow::torus)
+    torus.emplace(scene, outcome.planner);
+  else
+    to_and_fro.emplace(scene);
   FlowJudge judge(scenario.time_step);
   std::optional<Recording> recording;
   if (!record.empty()) recording.emplace(record);
   std::vector<CheckedState> rows(scenario.robots.size());
   const std::int64_t steps = last_step(scenario, scenario.duration);
   const std::int64_t first = last_step(scenario, kSettling);
-  double sum = 0.0;
+  double sum = 0.0, late = 0.0;
   const double start = thread_seconds();
   for (std::int64_t step = 1; step <= steps; ++step) {
-    loop.step();
-    judge.observe(loop);
-    for (const Plan& plan : loop.plans())
+    torus ? torus->step(crowd) : to_and_fro->step(crowd);
+    judge.observe(crowd);
+    for (const Plan& plan : crowd.plans)
       ++outcome.decisions[std::min(static_cast<std::size_t>(plan.status), kMostStatuses - 1)];
-    outcome.robot_steps += static_cast<std::int64_t>(loop.plans().size());
-    if (step > first) sum += loop.progress();
+    outcome.robot_steps += static_cast<std::int64_t>(crowd.plans.size());
+    sum += crowd.progress();
+    if (step > first) late += crowd.progress();
     if (!recording) continue;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Robot& robot = loop.robots()[i];
-      rows[i] = {static_cast<std::int64_t>(i), robot.position, robot.velocity};
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i] = {static_cast<std::int64_t>(i), crowd.robots[i].position, crowd.robots[i].velocity};
     recording->add(static_cast<double>(step) * scenario.time_step, rows);
   }
   outcome.seconds = thread_seconds() - start;
-  outcome.flow = sum / static_cast<double>(steps - first);
+  outcome.flow = sum / static_cast<double>(steps);
+  outcome.late_flow = late / static_cast<double>(steps - first);
   outcome.verdict = judge.verdict();
   if (recording) recording->commit();
 }

@@ -34,8 +34,9 @@ struct Outcome {
   /// s, of scenes with Scene::until_rest: since when nobody has moved; kNever where somebody has
   /// till the end
   std::optional<double> rest = {};
-  /// Of scenes with Scene::flow: mean velocity towards where robots want to go, over the preferred.
-  std::optional<double> flow = {};
+  /// Of scenes with Scene::flow: mean velocity towards where robots want to go, over the preferred;
+  /// of the whole run, and from 60 s on.
+  std::optional<double> flow = {}, late_flow = {};
 };
 
 /// On one thread. Ends early where all are at rest at their goals for good. `record`: path of a CSV

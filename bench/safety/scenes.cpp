@@ -40,7 +40,7 @@ double straight_time(const Scenario& scenario) {
 
 void see_far_enough(Scenario& scenario) {
   if (const std::optional<SensingNeed> need = sensing_need(scenario)) {
-    scenario.sensing_radius = std::max(scenario.sensing_radius, need->range);
+    scenario.sensing_radius = std::max(sensing_radius_of(scenario), need->range);
   }
 }
 

@@ -70,9 +70,13 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
   row.fewest_arrived = row.robots;
-  std::vector<double> lasts, last_ratios, rests, flows;
+  std::vector<double> lasts, last_ratios, rests, flows, late_flows;
   for (const Outcome& outcome : outcomes) {
     const auto never = std::count(outcome.arrival.begin(), outcome.arrival.end(), kNever);
     const std::int64_t arrived = static_cast<std::int64_t>(outcome.arrival.size()) - never;
@@ -81,6 +85,7 @@ void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
     lasts.push_back(std::min(last_arrival(outcome), outcome.duration));
     if (outcome.unit > 0.0) last_ratios.push_back(last_arrival(outcome) / outcome.unit);
     if (outcome.flow) flows.push_back(*outcome.flow);
+    if (outcome.late_flow) late_flows.push_back(*outcome.late_flow);
     if (!outcome.rest) continue;
     row.resting_scenes += std::isfinite(*outcome.rest) ? 1 : 0;
     rests.push_back(std::min(*outcome.rest, outcome.duration));
@@ -89,9 +94,8 @@ void compare_scenes(const std::vector<Outcome>& outcomes, RowResult& row) {
   }
   row.median_ratio = quantile(last_ratios, 0.5), row.high_ratio = quantile(last_ratios, 0.95);
   if (!flows.empty()) {
-    row.least_flow = *std::min_element(flows.begin(), flows.end());
-    row.mean_flow =
-        std::accumulate(flows.begin(), flows.end(), 0.0) / static_cast<double>(flows.size());
+    row.mean_flow = mean(flows), row.least_flow = quantile(flows, 0.0);
+    row.mean_late_flow = mean(late_flows), row.least_late_flow = quantile(late_flows, 0.0);
   }
   if (!rests.empty()) row.median_rest = median(rests), row.last_rest = quantile(rests, 1.0);
   row.median_last = median(std::move(lasts));
@@ -209,8 +213,10 @@ std::string table_lines(const RowResult& row) {
         *row.median_rest, *row.last_rest, *row.longest_to_rest);
   }
   if (row.mean_flow) {
-    line += format("  flow: %.3f of the preferred speed in the mean of the scenes, %.3f in one\n",
-                   *row.mean_flow, *row.least_flow);
+    line += format(
+        "  flow: %.3f of the preferred speed in the mean of the scenes, %.3f in one; from 60 s on "
+        "%.3f and %.3f\n",
+        *row.mean_flow, *row.least_flow, *row.mean_late_flow, *row.least_late_flow);
   }
   if (row.least_static_clearance) {
     line += format("  walls: touched by %lld robots, least clearance %.4g mm",

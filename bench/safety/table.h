@@ -37,7 +37,8 @@ struct RowResult {
   std::optional<double> median_rest, last_rest;  ///< s, since when; never counts as the duration
   std::optional<double> longest_to_rest;         ///< s, after the last arrival of a scene
   std::optional<double> mean_flow, least_flow;   ///< of the scenes, see Outcome::flow
-  std::int64_t late_scenes = 0;                  ///< where too few arrived within the limit
+  std::optional<double> mean_late_flow, least_late_flow;
+  std::int64_t late_scenes = 0;  ///< where too few arrived within the limit
   std::array<std::int64_t, kMostStatuses> decisions = {};
   double microseconds = 0.0, worst_microseconds = 0.0;  ///< CPU, a robot-step
   double density = 0.0;

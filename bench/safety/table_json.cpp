@@ -127,7 +127,10 @@ std::string json_line(const RowResult& row, const std::vector<Outcome>& outcomes
           .add("longest_to_rest", *row.longest_to_rest);
     }
   }
-  if (row.mean_flow) object.add("flow", *row.mean_flow).add("least_flow", *row.least_flow);
+  if (row.mean_flow) {
+    object.add("flow", *row.mean_flow).add("least_flow", *row.least_flow);
+    object.add("late_flow", *row.mean_late_flow).add("least_late_flow", *row.least_late_flow);
+  }
   object.add_raw("decisions", decisions_json(row))
       .add("microseconds", row.microseconds)
       .add("worst_second_microseconds", row.worst_microseconds)

@@ -220,6 +220,10 @@ avo_result avo_simulation_get_steps(avo_simulation_id simulation, int64_t* steps
   return get(simulation, steps, [](const avo::Simulation& own) { return own.steps(); });
 }
 
+avo_result avo_simulation_get_sensing_radius(avo_simulation_id simulation, double* radius) {
+  return get(simulation, radius, [](const avo::Simulation& own) { return own.sensing_radius(); });
+}
+
 avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* count) {
   return get(simulation, count, [](const avo::Simulation& own) { return own.fleet().id.size(); });
 }

@@ -58,6 +58,15 @@ avo::ObstacleId number_of(const Simulation& simulation, avo_obstacle_id obstacle
 
 using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is C
 
+avo_result avo_needed_sensing_radius(const avo_simulation_def* def, double* radius) {
+  return guarded([&] {
+    double& needed = at(radius, "radius");
+    const avo::Scenario scenario = scenario_of(read(def, {"def"}, avo_default_simulation_def()));
+    avo::validate(scenario);
+    needed = avo::needed_sensing_radius(scenario);
+  });
+}
+
 avo_result avo_create_simulation(const avo_simulation_def* def, avo_simulation_id* simulation) {
   return guarded([&] {
     avo_simulation_id& id = at(simulation, "simulation");

@@ -57,7 +57,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.duration = def.duration;
   scenario.control_time = unless_zero(def.control_time);
   scenario.time_horizon = unless_zero(def.time_horizon);
-  scenario.sensing_radius = def.sensing_radius;
+  scenario.sensing_radius = unless_zero(def.sensing_radius);
   scenario.max_neighbors = unless_zero(def.max_neighbors);
   scenario.method = word<avo::Method>(def.method, 7, here, "method");
   if (def.certificate != AVO_UNSET)
@@ -133,7 +133,7 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.duration = scenario.duration;
   def.control_time = scenario.control_time.value_or(0.0);
   def.time_horizon = scenario.time_horizon.value_or(0.0);
-  def.sensing_radius = scenario.sensing_radius;
+  def.sensing_radius = scenario.sensing_radius.value_or(0.0);
   def.arrival_distance = scenario.arrival_distance;
   def.longest_step = scenario.longest_step.value_or(0.0);
   def.seed = scenario.seed;

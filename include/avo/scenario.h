@@ -151,10 +151,10 @@ struct Scenario {
   std::string name = {};
   double time_step = 0.1;  ///< [Δt] s, > 0; whole nanoseconds where the clock is free
   double duration = 60.0;  ///< s, >= time_step
-  std::optional<double> control_time = {};  ///< [δ] s, > 0; unset: default_options(method)
-  std::optional<double> time_horizon = {};  ///< [τ] s, > 0; likewise
-  double sensing_radius = 15.0;             ///< m, > 0, between centers
-  std::optional<int> max_neighbors = {};    ///< nearest neighbors that get a half-plane; unset: all
+  std::optional<double> control_time = {};    ///< [δ] s, > 0; unset: default_options(method)
+  std::optional<double> time_horizon = {};    ///< [τ] s, > 0; likewise
+  std::optional<double> sensing_radius = {};  ///< m, > 0, between centers; unset: what they need
+  std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all
   Method method = Method::avo;
   std::optional<Certificate> certificate = {};  ///< unset: default_options(method)
   Motion motion = Motion::held;
@@ -186,6 +186,13 @@ struct Scenario {
 constexpr double time_step_of(const Scenario& scenario, const RobotSetup& robot) {
   return robot.time_step.value_or(scenario.time_step);
 }
+
+/// m, > 0: the sensing radius that its robots need, whatever its sensing_radius: the range of their
+/// certificate (sensing_need()) and of their method's rules (docs/scenes.md, "How far robots
+/// sense"). The scene has to pass validate().
+AVO_API double needed_sensing_radius(const Scenario& scenario);
+/// m: how far its robots sense at the start: sensing_radius, or where that is unset what they need.
+AVO_API double sensing_radius_of(const Scenario& scenario);
 
 /// What covers the noise and the delay of the scene's robots: the bounds of the noise, and what the
 /// strongest of them can do within the delay. Missed measurements are told by Neighbor::age.

@@ -152,6 +152,9 @@ class AVO_API Simulation {
   [[nodiscard]] StaticObstacleView static_obstacles() const;
   [[nodiscard]] double time() const;  ///< s: steps() * time_step, or the instant of free clocks
   [[nodiscard]] std::int64_t steps() const;
+  /// m: how far robots sense. Where the scene names no sensing_radius, a robot that is added and
+  /// needs more makes it grow; nothing makes it less while robots are there.
+  [[nodiscard]] double sensing_radius() const;
   /// Whether the next step ends by that time, s.
   [[nodiscard]] bool can_step_by(double time) const;
   /// s: when the robot (an index into fleet()) decides next. Now, where the clock is common; never,
@@ -188,6 +191,9 @@ class AVO_API Simulation {
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)
     /// All that matter to it, and more: where they are as it sees them, whose own place may be off.
     std::vector<Wall> walls = {};
+    /// Of one that brakes until it stands, near a goal that others share (docs/arrival.md, rule 4):
+    /// its decision, whatever it would plan, unless that is `overlapping`.
+    std::optional<Plan> stop = {};
   };
   [[nodiscard]] Perception perceive(std::size_t robot) const;
   [[nodiscard]] const Planner& planner() const;                   ///< of the scene's time_step

@@ -28,7 +28,7 @@ Json shown(const std::optional<Value>& value) {
 }
 
 /// All keys of scenes that take plain values, as they are in this one.
-Json options_of(const avo::Scenario& scenario, const avo::Planner& planner) {
+Json options_of(const avo::Scenario& scenario, const avo::Simulation& simulation) {
   Json json;
   for (const auto& field : avo_io::fields<avo::Scenario>()) {
     std::visit(
@@ -38,7 +38,8 @@ Json options_of(const avo::Scenario& scenario, const avo::Planner& planner) {
         },
         field.member);
   }
-  json["certificate"] = to_string(planner.options().certificate);
+  json["certificate"] = to_string(simulation.planner().options().certificate);
+  json["sensing_radius"] = simulation.sensing_radius();
   return json;
 }
 
@@ -92,7 +93,7 @@ AVO_EXPORT(std::size_t, info)() {
     moving_obstacles.push_back({{"radius", obstacle.radius}});
   const Json json{{"name", scenario.name},
                   {"duration", scenario.duration},
-                  {"options", options_of(scenario, simulation->planner())},
+                  {"options", options_of(scenario, *simulation)},
                   {"robots", robots_of(simulation->fleet())},
                   {"walls", walls_of(simulation->static_obstacles())},
                   {"moving_obstacles", moving_obstacles},

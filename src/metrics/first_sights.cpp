@@ -13,7 +13,7 @@ FirstSights::FirstSights(const Scenario& scenario)
     : certified_(planner_options(scenario).certificate != Certificate::none) {
   if (!certified_) return;
   const std::optional<SensingNeed> need = sensing_need(scenario);
-  may_be_late_ = scenario.sensing.misses() || (need && need->range > scenario.sensing_radius);
+  may_be_late_ = scenario.sensing.misses() || (need && need->range > sensing_radius_of(scenario));
 }
 
 void FirstSights::observe(const Simulation& simulation) {

@@ -7,6 +7,7 @@
 
 #include "avo/scenario.h"
 #include "robots/model.h"
+#include "sim/assumptions.h"
 
 namespace avo {
 namespace {
@@ -138,13 +139,34 @@ void advise_sensing_radius(const Scenario& scenario, std::vector<std::string>& l
   robots.erase(robots.begin() + static_cast<std::ptrdiff_t>(first.robot));
   const Worst second = worst(robots, reach);
   const double needed = first.value + second.value;
-  if (scenario.sensing_radius >= needed) return;
+  const double sensing_radius = sensing_radius_of(scenario);
+  if (sensing_radius >= needed) return;
   const std::size_t other = second.robot + (second.robot >= first.robot ? 1 : 0);
-  lines.push_back("sensing_radius " + in_short(scenario.sensing_radius) + " m is less than " +
+  lines.push_back("sensing_radius " + in_short(sensing_radius) + " m is less than " +
                   robot_name(first.robot) + " and " + robot_name(other) +
                   " need to keep clear of each other, radius + max_speed * time_step + " +
                   fallback_term(scenario.robots[first.robot]) + " = " + in_short(first.value) +
                   " + " + in_short(second.value) + " = " + in_short(needed) + " m");
+}
+
+/// What a step costs is about in proportion to the neighbors of a robot, which each get a
+/// half-plane where max_neighbors does not limit them.
+void advise_crowding(const Scenario& scenario, std::vector<std::string>& lines) {
+  constexpr double kMany = 50.0, kCostly = 4.0;  // neighbors; times as many as are needed
+  if (scenario.max_neighbors || !scenario.sensing_radius) return;
+  const double sensed = *scenario.sensing_radius, needed = needed_sensing_radius(scenario);
+  if (sensed <= needed) return;
+  const double seen = mean_neighbors(scenario, sensed);
+  const double least = std::max(mean_neighbors(scenario, needed), 1.0);
+  if (seen < kMany || seen < kCostly * least) return;
+  const auto rounded = [](double value) {
+    return in_short(value < 10.0 ? std::round(10.0 * value) / 10.0 : std::round(value));
+  };
+  lines.push_back("sensing_radius " + in_short(sensed) + " m is " + rounded(sensed / needed) +
+                  " times the " + in_short(needed) + " m that the robots need: a robot senses " +
+                  rounded(seen) + " others at the start instead of " + rounded(least) +
+                  ", so that a step costs about " + rounded(seen / least) +
+                  " times as much; leave sensing_radius out, or set max_neighbors");
 }
 
 void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -257,6 +279,7 @@ std::vector<std::string> advice(const Scenario& scenario) {
   advise_time_step(scenario, lines);
   advise_time_horizon(scenario, lines);
   advise_sensing_radius(scenario, lines);
+  advise_crowding(scenario, lines);
   advise_speeds(scenario, lines);
   advise_overlaps(scenario, lines);
   return lines;

@@ -294,7 +294,7 @@ BrokenAssumptions broken_assumptions(const Scenario& scenario) {
   find_wall_starts(scenario, starts, law, result);
   find_fast_starts(scenario, result);
   const std::optional<SensingNeed> need = sensing_need(scenario);
-  if (!suffices(scenario.sensing_radius, need)) result.unseen = need;
+  if (!suffices(sensing_radius_of(scenario), need)) result.unseen = need;
   return result;
 }
 

@@ -54,6 +54,12 @@ void find_wall_starts(const Scenario& scenario, std::span<const MotionState> sta
 /// Whether not everybody avoids everybody.
 bool is_layered(const Scenario& scenario);
 
+/// As if the scene had the certificate braking_trajectories, whatever it has.
+std::optional<SensingNeed> sensing_need(const Scenario& scenario, const CertificateLaw& law);
+
+/// How many others within the radius, m, a robot has at the start, in the mean of a sample.
+double mean_neighbors(const Scenario& scenario, double radius);
+
 bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed);
 
 /// What separates a broken start from the rounding of decimal fractions, of the length or speed.

@@ -103,7 +103,7 @@ Heading heed_passages(const World& world, const Claims& claims, std::size_t slot
   const Passage& passage = passages[claim->passage];
   const Course course =
       right_of_way(passage, claimant_of(world, slot, *claim), planned_braking(traits),
-                   claims.of(claim->passage), world.settings.sensing_radius);
+                   claims.of(claim->passage), world.sensing_radius);
   heeding.preferred_speed = std::min(heeding.preferred_speed, course.max_speed);
   if (course.target) heeding.goal = course.stops ? *course.target : beyond(p, *course.target, rest);
   return heeding;

@@ -82,11 +82,12 @@ std::string complaint_of(const SensingNeed& need, const Scenario& scenario,
                          const Wording& wording) {
   const double speed = admissible_speed(scenario);
   const bool fly = flies(scenario, need.robot) || flies(scenario, need.other);
-  return "sensing_radius: found " + text(scenario.sensing_radius) + " m, must be >= " +
-         at_least(need.range) + " m for " + wording.name_of(need.robot) + " and " +
-         wording.name_of(need.other) + " to see each other in time, " +
-         rounded(need.robot_part, 6) + " + " + rounded(need.other_part, 6) + " m with one step and " +
-         (fly ? "braking or circling at" : "braking from") + " their highest speeds; " +
+  return "sensing_radius: found " + text(sensing_radius_of(scenario)) +
+         " m, must be >= " + at_least(need.range) + " m for " + wording.name_of(need.robot) +
+         " and " + wording.name_of(need.other) + " to see each other in time, " +
+         rounded(need.robot_part, 6) + " + " + rounded(need.other_part, 6) +
+         " m with one step and " + (fly ? "braking or circling at" : "braking from") +
+         " their highest speeds; " +
          (speed > 0.0 ? "sense farther, or lower max_speed to " + at_most(speed) + " m/s (" +
                             wording.remedies.limit_speed + ")"
                       : "sense farther, no max_speed is low enough");
@@ -127,8 +128,8 @@ std::string complaint(const WallStart& start, const Scenario& scenario, const Wo
   const bool is_fast = can_slow_down(scenario, start.robot);
   return name + " starts too " + (is_fast ? "fast for " : "near ") + place + ": found " +
          rounded(start.kept, 6) + " m left when it " +
-         (flies(scenario, start.robot) ? "circles" : "brakes") + ", must be >= " +
-         rounded(own, 6) + " + " + rounded(wall, 6) + " m; " +
+         (flies(scenario, start.robot) ? "circles" : "brakes") + ", must be >= " + rounded(own, 6) +
+         " + " + rounded(wall, 6) + " m; " +
          (is_fast ? "slow down, move it away, or " + wording.remedies.start_at_rest
                   : "move it away");
 }
@@ -151,13 +152,12 @@ std::string complaint(const FastStart& start, const Scenario& scenario, const Wo
 }
 
 std::vector<std::string> complaints(const Scenario& scenario, const RemedyNames& remedies) {
-  const Wording wording{
-      remedies,
-      [](int source) {
-        return source >= 0 ? "robot " + std::to_string(source)
-                           : "moving obstacle " + std::to_string(-1 - source);
-      },
-      [](int index) { return "obstacles." + std::to_string(index); }};
+  const Wording wording{remedies,
+                        [](int source) {
+                          return source >= 0 ? "robot " + std::to_string(source)
+                                             : "moving obstacle " + std::to_string(-1 - source);
+                        },
+                        [](int index) { return "obstacles." + std::to_string(index); }};
   const BrokenAssumptions broken = broken_assumptions(scenario);
   std::vector<std::string> lines;
   const auto tell = [&](const auto& list, std::int64_t count, const char* others) {
@@ -166,8 +166,7 @@ std::vector<std::string> complaints(const Scenario& scenario, const RemedyNames&
       lines.push_back(further(count, list.size(), others));
   };
   tell(broken.starts, broken.start_count, "pairs overlap or start too fast for their distance");
-  tell(broken.beside, broken.beside_count,
-       "robots start too near an obstacle, or too fast for it");
+  tell(broken.beside, broken.beside_count, "robots start too near an obstacle, or too fast for it");
   tell(broken.misplaced, broken.misplaced_count, "robots start inside of solids or out of bounds");
   tell(broken.fast, broken.fast_count, "robots start faster than their max_speed");
   if (broken.unseen) lines.push_back(complaint_of(*broken.unseen, scenario, wording));

@@ -47,21 +47,27 @@ RobotSetup standing(const World& world, std::size_t slot) {
 
 namespace {
 
-// Throws Error if nobody would see this one in time, or it others.
-void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
+// All who are there.
+Scenario present_scene(const World& world) {
   Scenario scene = world.settings;
   scene.moving_obstacles = world.obstacles.setup;
-  for (const std::uint32_t slot : world.fleet.slot_of) {
+  for (const std::uint32_t slot : world.fleet.slot_of)
     scene.robots.push_back(world.fleet.setup(slot));
-  }
+  return scene;
+}
+
+// Throws Error if nobody would see this one in time, or it others.
+void check_sensing(const World& world, const RobotSetup& setup, RobotId robot) {
+  if (!world.settings.sensing_radius) return;  // it grows
+  Scenario scene = present_scene(world);
   const auto before = sensing_need(scene);
   scene.robots.push_back(setup);
   const auto need = sensing_need(scene);
-  if (!need || need->range <= scene.sensing_radius * (1.0 + 1e-9)) return;
+  if (!need || need->range <= world.sensing_radius * (1.0 + 1e-9)) return;
   if (before && need->range <= before->range) return;  // that was so without it
   throw Error(name_of(robot) + ": found a max_speed of " + std::to_string(setup.max_speed) +
               " m/s, has to be seen from " + std::to_string(need->range) +
-              " m, sensing_radius is " + std::to_string(scene.sensing_radius) + " m");
+              " m, sensing_radius is " + std::to_string(world.sensing_radius) + " m");
 }
 
 // Throws Error where what all have declared is enough for those who are there, and not for this
@@ -158,6 +164,16 @@ void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot) 
   check_flights(world, setup, robot);
   check_one_sided(world, setup, robot);
   check_start(world, setup, robot);
+}
+
+double sensing_radius_with(const World& world, const RobotSetup& setup) {
+  if (world.settings.sensing_radius) return world.sensing_radius;
+  Scenario scene = present_scene(world);
+  const bool is_first = std::all_of(scene.robots.begin(), scene.robots.end(),
+                                    [](const RobotSetup& robot) { return robot.parked; });
+  scene.robots.push_back(setup);
+  const double needed = sensing_radius_of(scene);
+  return is_first ? needed : std::max(world.sensing_radius, needed);
 }
 
 void check_newly_static(const World& world, const StaticObstacle& obstacle,

@@ -21,6 +21,8 @@ void check_values(const World& world, const RobotSetup& setup, RobotId robot, bo
 void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot);
 /// A start that breaks what the certificate assumes, unless the scene allows for that.
 void check_start(const World& world, const RobotSetup& setup, RobotId robot);
+/// m: how far robots sense once this one has come.
+double sensing_radius_with(const World& world, const RobotSetup& setup);
 /// Where somebody could not keep clear of what does not move from now on.
 void check_newly_static(const World& world, const StaticObstacle& obstacle,
                         const std::string& name);

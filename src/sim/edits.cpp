@@ -43,7 +43,7 @@ void join(World& world, const RobotSetup& setup, RobotId robot, std::uint32_t pa
   world.senses.add(world.moment());
   world.senses.note(world.fleet, world.steps);
   ++world.next_id;
-  world.changed = true;
+  world.changed = world.has_new_goals = true;
 }
 
 static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
@@ -114,8 +114,10 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
     if (ways.travels.size() == ways.travels.capacity())
       ways.travels.reserve(2 * ways.travels.size() + 8);
   }
+  const double sensing_radius = sensing_radius_with(world, setup);
   join(world, setup, robot, pace_for(world, setup));
   if (!ways.empty()) ways.travels.push_back(std::move(travel));  // there is room
+  world.sensing_radius = sensing_radius;
   return robot;
 }
 
@@ -126,7 +128,7 @@ void remove_robot(World& world, RobotId robot) {
   if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);
   world.senses.remove(static_cast<std::size_t>(world.fleet.rank[slot]));
   world.fleet.remove(slot);
-  world.changed = true;
+  world.changed = world.has_new_goals = true;
 }
 
 void set_goal(World& world, RobotId robot, Vec2 goal) {
@@ -142,8 +144,10 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
         ways.plan(disc_radius(setup), world.fleet.position[slot], goal);
   }
   world.fleet.goal[slot] = goal;
+  world.has_new_goals = true;
   Detour& detour = world.fleet.detour[slot];
   detour = {.congestion = detour.congestion};  // the rest is about the way to that goal
+  world.fleet.has_stood[slot] = 0;
   if (Flight* flight = world.fleet.flight(slot)) flight->has_arrived = false;
 }
 
@@ -165,6 +169,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   fleet.velocity[slot] = start_velocity(setup);
   fleet.nearest[slot] = std::numeric_limits<float>::infinity();
   fleet.detour[slot] = {};
+  fleet.has_stood[slot] = 0;
   fleet.plan[slot] = {};
   fleet.applied_acceleration[slot] = 0.0;
   if (Flight* own = fleet.flight(slot))

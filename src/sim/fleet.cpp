@@ -56,7 +56,7 @@ void Fleet::for_each_column(const Action& action) {
   action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
   action(goal), action(position), action(velocity), action(heading), action(detour), action(plan),
       action(applied_acceleration);
-  action(cell);
+  action(has_stood), action(cell);
 }
 
 void Fleet::reserve(std::size_t count) {
@@ -285,6 +285,7 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
     const Detour& detour = fleet.detour[i];
     hash = hashed(hashed(hash, detour.angle), detour.beside);
     hash = hashed(hashed(hash, detour.congestion), detour.has_arrived ? 1.0 : 0.0);
+    if (fleet.has_stood[i] != 0) hash = hashed(hash, 1.0);
     if (fleet.has_clocks) hash = hashed(hash, fleet.clock_of(i));
     if (const Flight* own = fleet.flight(i)) {
       hash = hashed(hashed(hash, own->circle.center), own->circle.radius);

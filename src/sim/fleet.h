@@ -108,7 +108,8 @@ struct Fleet {
   std::vector<Detour> detour;
   std::vector<Plan> plan;
   std::vector<double> applied_acceleration;
-  std::vector<std::uint32_t> cell;  // key of its cell, see Cells
+  std::vector<std::uint8_t> has_stood;  // near its goal, which others share
+  std::vector<std::uint32_t> cell;      // key of its cell, see Cells
 
   std::vector<std::uint32_t> slot_of;  // by rank
   std::vector<OwnClock> clock;         // by rank; empty where the clock is common

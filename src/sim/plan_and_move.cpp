@@ -58,15 +58,31 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
   }
 }
 
-// The place that comes to a goal is not the center of every disc.
-void aim_discs(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
+// The place that comes to a goal is not the center of every disc, and not all come to shared goals.
+void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   MovingColumns& moving = worker.moving;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
-    if (!fleet.traits[slot].has_model) continue;
-    const Vec2 goal = disc_goal(fleet, slot, {moving.goal_x[k], moving.goal_y[k]});
+    const Vec2 aim{moving.goal_x[k], moving.goal_y[k]};
+    const bool stays = stays_near(world, slot, aim);
+    if (stays && world.fleet.velocity[slot] == Vec2{}) world.fleet.has_stood[slot] = 1;
+    const Vec2 goal = stays ? world.fleet.position[slot] : disc_goal(world.fleet, slot, aim);
     moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
+    if (stays) worker.staying.push_back(static_cast<std::uint32_t>(k));
   }
+}
+
+// Whoever stays near a goal that others share brakes until it stands, and lets no one push it.
+void stop(const World& world, Worker& worker) {
+  for (const std::uint32_t k : worker.staying) {
+    const std::optional<Plan> stop = stop_of(world, worker.tile.slot[k]);
+    Plan& plan = *worker.tile.plan[k];
+    if (!stop || plan.status == PlanStatus::overlapping) continue;
+    const Plan planned = plan;
+    plan = *stop;
+    plan.state = planned.state;
+  }
+  worker.staying.clear();
 }
 
 // Airplanes do not slow down at their goals, and circle where they are once they have passed them.
@@ -117,7 +133,7 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
   lose_places(world, slots, worker);
   if (!world.statics.walls.empty()) list_walls(world, slots, worker);
   if (!world.ways.empty()) follow_ways(world, slots, worker);
-  if (robots.has_models) aim_discs(fleet, slots, worker);
+  if (robots.has_models || !world.shares_goal.empty()) aim_discs(world, slots, worker);
   for (std::size_t k = 0; k < worker.lost.size(); ++k) {
     worker.moving.goal_x[k] -= worker.lost[k].x;
     worker.moving.goal_y[k] -= worker.lost[k].y;
@@ -194,6 +210,7 @@ void plan_and_move(World& world, const Pace& pace, std::span<const std::uint32_t
   worker.clock.lap(Stage::motion);
   plan_together(pace.planner, worker.tile, PlanWorkspace::Scratch::of(worker.workspace),
                 worker.clock);
+  stop(world, worker);
   count(world, worker);
   move(world, pace, worker);
   worker.tile.clear();

@@ -156,6 +156,9 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::size_t k = 0; k < scene.obstacles.size(); ++k) {
     describe(archive, scene.obstacles[k], state.static_ids[k]);
   }
+  describe(archive, state.sensing_radius);
+  archive.size(state.stood, 1);
+  for (std::uint64_t& id : state.stood) describe(archive, id);
   describe(archive, state.next_obstacle);
   archive.size(state.ways, 1);
   for (SavedWay& way : state.ways) describe(archive, way);

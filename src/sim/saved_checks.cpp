@@ -135,6 +135,8 @@ void check_states(const SavedState& state) {
   check_past(state);
   check_clocks(state);
   next = 0;
+  for (const std::uint64_t id : state.stood) check_id(id, state.next_id);
+  next = 0;
   for (const RobotState& robot : state.robots) {
     if (!kAnyValue.contains(robot.heading))
       refuse_saved("heading " + text(robot.heading), "an angle in rad");
@@ -158,6 +160,9 @@ void check_states(const SavedState& state) {
 
 void check_saved(const SavedState& state) {
   check_setups(state.scene);
+  const double radius = state.sensing_radius, named = state.scene.sensing_radius.value_or(radius);
+  if (!kPositive.contains(radius) || radius != named)
+    refuse_saved("a sensing radius of " + text(radius) + " m", "that of the scene");
   check_states(state);
 }
 

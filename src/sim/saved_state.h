@@ -46,7 +46,8 @@ struct SavedClock {
 };
 
 struct SavedState {
-  Scenario scene;  // what is in RobotState does not count in its robots
+  Scenario scene;               // what is in RobotState does not count in its robots
+  double sensing_radius = 0.0;  // m, at present
   std::int64_t steps = 0;
   std::uint64_t next_id = 0;
   std::vector<RobotState> robots;   // by ascending id, as many as the scene has
@@ -58,6 +59,7 @@ struct SavedState {
   std::vector<PastState> past;
   std::int64_t now = 0;                   // ns, of free clocks
   std::vector<SavedClock> clocks;         // of the robots; none where the clock is common
+  std::vector<std::uint64_t> stood;       // ids of robots that have, see Fleet::has_stood; ascending
   std::vector<SavedFlight> flights;       // of the airplanes among the robots, in their order
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
 };

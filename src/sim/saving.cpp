@@ -108,6 +108,8 @@ Fleet fleet_of(const SavedState& state) {
     fleet.position[k] = robot.position;  // of its disc, to the last bit
     fleet.velocity[k] = robot.velocity;  // to the last bit, along a heading as well
     fleet.detour[k] = robot.detour;
+    fleet.has_stood[k] =
+        std::binary_search(state.stood.begin(), state.stood.end(), robot.id.value) ? 1 : 0;
   }
   std::size_t flights = 0;
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
@@ -181,9 +183,11 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
 
 SavedState saved_state(const World& world) {
   const Fleet& fleet = world.fleet;
-  SavedState state{
-      world.settings, world.steps, world.next_id, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
-  state.now = world.now;
+  SavedState state;
+  state.scene = world.settings;
+  state.sensing_radius = world.sensing_radius;
+  state.steps = world.steps, state.now = world.now;
+  state.next_id = world.next_id;
   state.next_obstacle = world.statics.next_id;
   state.static_ids = world.statics.id;
   if (world.senses.remember()) {
@@ -212,6 +216,7 @@ SavedState saved_state(const World& world) {
     state.scene.robots.push_back(fleet.setup(slot));
     state.robots.push_back({fleet.id[slot], fleet.position[slot], fleet.velocity[slot],
                             fleet.heading[slot], fleet.detour[slot]});
+    if (fleet.has_stood[slot] != 0) state.stood.push_back(fleet.id[slot].value);
     if (const Flight* flight = fleet.flight(slot))
       state.flights.push_back({flight->circle, flight->has_arrived});
     if (!fleet.has_clocks) continue;
@@ -247,15 +252,17 @@ void restore(const SavedState& state, World& world) {
   if (statics) std::swap(world.statics, *statics);
   if (other_ways) std::swap(world.ways, *other_ways);
   world.statics.next_id = state.next_obstacle;
+  world.sensing_radius = state.sensing_radius;
   world.steps = state.steps;
   world.now = state.now;
   world.before = -1;
   world.next_id = state.next_id;
   world.next_layout = state.steps + 1;
-  world.changed = true;
+  world.changed = world.has_new_goals = true;
   world.torn = false;
   for (Worker& worker : world.workers) {
     worker.tile.clear();  // of a torn step
+    worker.staying.clear();
     worker.fast = false;
   }
 }

@@ -259,7 +259,7 @@ void validate(const Scenario& scenario) {
   validate(options, "");
   check_clocks(scenario, options);
   check_duration(scenario);
-  require("sensing_radius", scenario.sensing_radius, kPositive, "m");
+  if (scenario.sensing_radius) require("sensing_radius", *scenario.sensing_radius, kPositive, "m");
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robots > kMostRobots)
     refuse("robots", std::to_string(robots), "at most " + std::to_string(kMostRobots));

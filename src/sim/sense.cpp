@@ -21,10 +21,10 @@ bool is_trusted(const World& world, std::size_t slot) {
 
 // m: others farther away matter only if they are among the nearest.
 double near_range(const World& world, std::size_t slot) {
-  if (!world.senses.are_exact()) return world.settings.sensing_radius;
+  if (!world.senses.are_exact()) return world.sensing_radius;
   if (!world.all_matter() && !world.selective) return -1.0;
   const Vec2 p = world.fleet.position[slot];
-  const double everyone = world.settings.sensing_radius;
+  const double everyone = world.sensing_radius;
   const double farthest = std::max({std::abs(p.x), std::abs(p.y), everyone});
   // among movers it matters whether anybody decides at all
   if (world.fast || world.selective || !world.obstacles.setup.empty() ||
@@ -159,7 +159,7 @@ std::size_t sense(World& world, std::span<const std::uint32_t> slots, Worker& wo
                               .self = fleet.rank[slot],
                               .most = nearest,
                               .near = near_range(world, slot),
-                              .far = world.settings.sensing_radius,
+                              .far = world.sensing_radius,
                               .guess = kMargin * static_cast<double>(fleet.nearest[slot])});
   }
   const std::size_t robots = snapshot.grid.find(worker.queries, kTileCandidates, worker.search);

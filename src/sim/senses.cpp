@@ -102,7 +102,7 @@ struct Encounter {
 
   // Whether a measurement succeeds. At first nobody is missed: a start is known to all.
   bool succeeds(Vec2 from, Vec2 to, std::int64_t moment) const {
-    const double radius = world.settings.sensing_radius;
+    const double radius = world.sensing_radius;
     if (!(norm_squared(to - from) <= radius * radius)) return false;
     if (model().dropped > 0.0 && moment > first && draws(moment).uniform() < model().dropped)
       return false;

@@ -112,7 +112,9 @@ void take_by_layers(const Scenario& scenario, const std::vector<Part>& parts, co
   }
 }
 
-std::optional<SensingNeed> need(const Scenario& scenario, const CertificateLaw& law) {
+}  // namespace
+
+std::optional<SensingNeed> sensing_need(const Scenario& scenario, const CertificateLaw& law) {
   std::optional<SensingNeed> worst;
   const auto take = [&](const Part& part, int other, double other_part) {
     const double range = part.length + other_part;
@@ -147,6 +149,8 @@ std::optional<SensingNeed> need(const Scenario& scenario, const CertificateLaw& 
   return worst;
 }
 
+namespace {
+
 // m/s: an airplane cannot be slower than it flies.
 double limited_speed(const RobotSetup& robot, double limit) {
   return std::min(robot.max_speed, std::max(limit, least_speed(robot.model)));
@@ -173,18 +177,19 @@ bool suffices(double sensing_radius, const std::optional<SensingNeed>& needed) {
 std::optional<SensingNeed> sensing_need(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
   if (law.kind == Certificate::none) return {};
-  return need(scenario, law);
+  return sensing_need(scenario, law);
 }
 
 double admissible_speed(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
   if (law.kind == Certificate::none) return kInfinity;
+  const double sensing_radius = sensing_radius_of(scenario);
   Scenario limited = scenario;
   const auto is_seen = [&](double limit) {  // with no robot faster than the limit
     for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
       limited.robots[i].max_speed = limited_speed(scenario.robots[i], limit);
     }
-    return suffices(scenario.sensing_radius, need(limited, law));
+    return suffices(sensing_radius, sensing_need(limited, law));
   };
   const double top = scene_top_speed(scenario);
   if (is_seen(top)) return kInfinity;

@@ -30,7 +30,7 @@ void append_all(const World& world, std::size_t slot, std::vector<Sighting>& rob
   const Fleet& fleet = world.fleet;
   if (fleet.conduct[slot].parked) return;
   const Vec2 position = fleet.position[slot];
-  const double radius = world.settings.sensing_radius;
+  const double radius = world.sensing_radius;
   const auto add = [&](const Neighbor& neighbor, int source, std::vector<Sighting>& to) {
     const double distance_squared = norm_squared(neighbor.position - position);
     if (!is_finite(neighbor.position) || !is_finite(position)) return;
@@ -220,6 +220,10 @@ std::int64_t Simulation::steps() const {
   return state_->steps;
 }
 
+double Simulation::sensing_radius() const {
+  return state_->sensing_radius;
+}
+
 bool Simulation::can_step_by(double time) const {
   if (!state_->fleet.has_clocks) return state_->steps < last_step(state_->settings, time);
   constexpr double kRounding = 1e-12;  // of a sum of decimal fractions
@@ -283,15 +287,16 @@ std::uint64_t Simulation::state_hash() const {
 
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   State& state = *state_;
-  if (state.changed) {
+  if (state.changed || state.has_new_goals) {
     const Lock lock(state.looking);
-    find_walls(state);
+    if (state.changed) find_walls(state);
+    find_shared_goals(state);
   }
   const std::uint32_t slot = state.fleet.slot_of[robot];
   const std::vector<Sighting> sightings = all_sightings(state, slot);
   const double nearest = sightings.empty() ? std::numeric_limits<double>::infinity()
                                            : std::sqrt(sightings.front().distance_squared);
-  Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}};
+  Perception seen{state.robot(slot, nearest), {}, {}, state.fleet.detour[slot], false, {}, {}};
   for (const Sighting& sighting : sightings) {
     seen.neighbors.push_back(sighting.neighbor);
     const int source = sighting.source;
@@ -301,6 +306,9 @@ Simulation::Perception Simulation::perceive(std::size_t robot) const {
   const Vec2 lost = own_error(state, slot);
   for (const Wall& wall : walls) seen.walls.push_back(lost == Vec2{} ? wall : moved(wall, -lost));
   seen.among_movers = is_among_movers(state.planner().options(), seen.neighbors);
+  const bool shares = !state.shares_goal.empty() && state.shares_goal[robot] != 0;
+  if (shares && seen.robot.distance_to_goal == 0.0 && !(state.fleet.velocity[slot] == Vec2{}))
+    seen.stop = stop_of(state, slot);
   return seen;
 }
 

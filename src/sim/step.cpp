@@ -66,12 +66,11 @@ void find_ranges(World& world) {
     const Pace& pace = world.pace(slot);
     const auto k = static_cast<std::size_t>(&pace - world.paces.data());
     fleet.range[slot] = relevant_range(pace.planner, limits(slot), peers[k]);
-    sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed),
-                    world.settings.sensing_radius);
+    sum += std::min(fleet.range[slot].at(0.5 * fleet.traits[slot].max_speed), world.sensing_radius);
     world.fast = world.fast || world.is_fast(slot);
   }
-  world.valid = !world.selective && world.obstacles.setup.empty() &&
-                world.settings.sensing_radius <= kFarthestTrusted;
+  world.valid =
+      !world.selective && world.obstacles.setup.empty() && world.sensing_radius <= kFarthestTrusted;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     world.valid =
         world.valid && is_valid(fleet.sensed(i)) && fleet.traits[i].max_speed <= kFarthestTrusted;
@@ -81,7 +80,7 @@ void find_ranges(World& world) {
 
 void lay_out(World& world, Executor& executor) {
   Fleet& fleet = world.fleet;
-  lay_out(fleet, world.settings.sensing_radius, world.near, world.most_nearest(), world.snapshot);
+  lay_out(fleet, world.sensing_radius, world.near, world.most_nearest(), world.snapshot);
   const std::size_t count = fleet.size(), tiles = (count + kTileRobots - 1) / kTileRobots;
   parallel_for(executor, tiles, [&](std::size_t tile, std::size_t) {
     const std::size_t last = std::min((tile + 1) * kTileRobots, count);
@@ -115,11 +114,12 @@ void index(World& world, Executor& executor) {
     if (!world.statics.walls.empty()) make_room(world);
     if (world.fleet.has_clocks) world.due.reserve(world.fleet.size());
   }
+  find_shared_goals(world);
   const bool due = world.steps >= world.next_layout;
   if (world.changed || due) lay_out(world, executor);
   if (due) world.next_layout = world.steps + kStepsInOrder;
   world.changed = false;
-  world.obstacle_grid.build(world.obstacles.position, world.settings.sensing_radius);
+  world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
   clock.lap(Stage::index);
   take_snapshot(world, executor);
   clock.start();

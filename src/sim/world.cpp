@@ -52,6 +52,7 @@ void reserve(const World& world, Worker& worker) {
   const std::size_t seen = most_seen(world);
   const std::size_t together = std::min(kTileRobots, robots);
   worker.queries.reserve(together);
+  worker.staying.reserve(together);
   worker.search.reserve(
       together, std::min(together * robots, kTileCandidates + std::min(robots, kMostAhead)));
   const std::size_t sensed = std::min(together * seen, kTileCandidates + seen);
@@ -102,6 +103,7 @@ void start_clocks(World& world, const Scenario& scenario) {
 
 World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     : settings(scenario),
+      sensing_radius(sensing_radius_of(scenario)),
       paces{Pace(planner_options(scenario))},
       statics(static_world(scenario)),
       ways(scenario, statics.walls),
@@ -192,7 +194,8 @@ Robot World::robot(std::size_t slot, double nearest) const {
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Heading heading{goal, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
-  heading.goal = disc_goal(fleet, slot, heading.goal) - own_error(*this, slot);
+  heading.goal = stays_near(*this, slot, heading.goal) ? p : disc_goal(fleet, slot, heading.goal);
+  heading.goal = heading.goal - own_error(*this, slot);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that a simulation is made of, and its step.
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -34,6 +35,7 @@ struct alignas(128) Worker {
   MovingColumns moving;
   std::vector<NeighborQuery> queries;
   std::vector<std::uint32_t> deciding;  // slots of a tile, where some robots are parked
+  std::vector<std::uint32_t> staying;   // places in a tile, of those that stays_near() holds of
   SearchScratch search, obstacles;
   LegScratch legs;
   std::vector<Sighting> sightings;  // where senses are not exact
@@ -57,6 +59,7 @@ struct Pace {
 
 struct World {
   Scenario settings;        // without its robots and obstacles
+  double sensing_radius;    // m; where the scene names none, it grows with robots that are added
   std::vector<Pace> paces;  // the scene's first; others only where clocks are free
   Fleet fleet;
   ObstacleColumns obstacles;
@@ -72,11 +75,13 @@ struct World {
   UniformGrid obstacle_grid;
   std::shared_ptr<Executor> executor;
   SerialExecutor serial;
-  std::vector<Worker> workers;     // as many as the executor has
-  std::vector<std::uint32_t> due;  // slots, by pace, where clocks are free
-  bool torn = false;               // a step ended while some had moved and others not
-  bool changed = true;             // robots came or went
-  bool fast = false;               // some robot exceeds its max_speed
+  std::vector<Worker> workers;             // as many as the executor has
+  std::vector<std::uint32_t> due;          // slots, by pace, where clocks are free
+  bool torn = false;                       // a step ended while some had moved and others not
+  bool changed = true;                     // robots came or went
+  std::atomic<bool> has_new_goals = true;  // since find_shared_goals()
+  std::vector<std::uint8_t> shares_goal;   // by rank; empty where no two have the same goal
+  bool fast = false;                       // some robot exceeds its max_speed
   bool alike = true;       // all robots are of the usual Conduct, and brake as hard as they can
   bool exceeding = false;  // some accelerate by more than their max_acceleration
   bool selective = false;  // not everybody minds everybody, or some loiter
@@ -108,6 +113,16 @@ struct World {
 /// Builds the grid of walls and finds the passages, where walls are new or a robot is larger or
 /// reaches farther than they were made for.
 void find_walls(World& world);
+
+/// Finds who has the same goal as another one, where goals are new.
+void find_shared_goals(World& world);
+
+/// Whether it is within the arrival distance of a goal that others share, and heads for that: there
+/// it stays where it is (docs/arrival.md, rule 4).
+bool stays_near(const World& world, std::size_t slot, Vec2 aim);
+/// The decision of one that stays: until it stands it brakes, whoever comes. Nothing once it has
+/// stood, when it gives way to others as all do.
+std::optional<Plan> stop_of(const World& world, std::size_t slot);
 
 /// For what the walls near a robot and its looking for a way take in a step.
 void make_room(World& world);

@@ -100,7 +100,40 @@ static void check_arrays(void) {
   CHECK(simulation.index == 0 && simulation.generation == 0);
 }
 
+/* 0 stands for what the robots need, also of those that come later. */
+static void check_sensing_radius(void) {
+  avo_robot_def robots[2] = {avo_default_robot_def(), avo_default_robot_def()};
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_simulation_id simulation;
+  avo_robot_id id;
+  double radius = 0.0;
+  robots[1].position.x = robots[1].goal.x = 10.0;
+  def.robots = robots;
+  def.robot_count = 2;
+  CHECK(def.sensing_radius == 0.0);
+  TAKES_ITS_SIZE_ALONE(def, "def", avo_needed_sensing_radius(&def, &radius));
+  CHECK(radius == 6.0);
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  REQUIRE(avo_simulation_get_sensing_radius(simulation, &radius));
+  CHECK(radius == 6.0);
+  robots[0].position.y = 50.0;
+  robots[0].max_speed = 4.0;
+  REQUIRE(avo_simulation_add_robot(simulation, &robots[0], &id));
+  REQUIRE(avo_simulation_get_sensing_radius(simulation, &radius));
+  CHECK(radius == 24.0);
+  REQUIRE(avo_destroy_simulation(simulation));
+
+  def.sensing_radius = 7.0;
+  REQUIRE(avo_needed_sensing_radius(&def, &radius));
+  CHECK(radius == 24.0);
+  REFUSES(avo_needed_sensing_radius(&def, NULL), AVO_ERROR_INVALID_ARGUMENT, "radius: found null");
+  def.sensing_radius = -1.0;
+  REFUSES(avo_needed_sensing_radius(&def, &radius), AVO_ERROR_INVALID_DEFINITION,
+          "sensing_radius: found -1");
+}
+
 int main(void) {
+  check_sensing_radius();
   check_planner();
   check_scene();
   check_loaded();

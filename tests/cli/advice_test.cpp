@@ -105,6 +105,36 @@ TEST(Advice, sensing_radius_shorter_than_two_stopping_distances) {
                   "2.7 + 2.7 = 5.4 m"});
 }
 
+/// `side` x `side` robots 1.2 m apart.
+Scenario crowd(int side, double sensing_radius) {
+  Scenario scenario;
+  scenario.time_step = 1.0 / 60.0;
+  scenario.sensing_radius = sensing_radius;
+  for (int k = 0; k < side * side; ++k) {
+    const avo::Vec2 place{1.2 * (k % side), 1.2 * (k / side)};
+    avo::RobotSetup robot;
+    robot.position = place, robot.goal = place, robot.radius = 0.3;
+    robot.max_speed = robot.preferred_speed = 1.3;
+    scenario.robots.push_back(robot);
+  }
+  return scenario;
+}
+
+TEST(Advice, sensing_radius_that_costs_many_times_what_is_needed) {
+  Scenario scenario = crowd(45, 12.0);
+  EXPECT_EQ(avo::advice(scenario),
+            Lines{"sensing_radius 12 m is 4.7 times the 2.535 m that the robots need: a robot "
+                  "senses 256 others at the start instead of 11, so that a step costs about 23 "
+                  "times as much; leave sensing_radius out, or set max_neighbors"});
+  scenario.max_neighbors = 10;
+  EXPECT_EQ(avo::advice(scenario), Lines{});
+  EXPECT_EQ(avo::advice(crowd(45, 4.0)), Lines{});  // 2.6 times
+  EXPECT_EQ(avo::advice(crowd(6, 12.0)), Lines{});  // of few
+  scenario = crowd(45, 12.0);
+  scenario.sensing_radius.reset();
+  EXPECT_EQ(avo::advice(scenario), Lines{});
+}
+
 TEST(Advice, speeds_beyond_max_speed) {
   Scenario scenario = paper();
   scenario.robots[0].preferred_speed = 3.0;

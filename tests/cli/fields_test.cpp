@@ -184,7 +184,7 @@ TEST(Fields, every_default_is_that_of_the_struct) {
   EXPECT_EQ(scenario.time_step, defaults.time_step);
   EXPECT_EQ(scenario.control_time, std::nullopt);
   EXPECT_EQ(scenario.time_horizon, std::nullopt);
-  EXPECT_EQ(scenario.sensing_radius, 15.0);
+  EXPECT_EQ(scenario.sensing_radius, std::nullopt);
   EXPECT_EQ(scenario.max_neighbors, std::nullopt);
   EXPECT_EQ(scenario.method, avo::Method::avo);
   EXPECT_EQ(scenario.certificate, std::nullopt);

@@ -185,5 +185,20 @@ def test_what_a_scene_says_is_told():
     assert avo.Scenario("cars-100").robots[0].model.wheelbase > 0.0
 
 
+def test_a_sensing_radius_that_is_left_out_is_what_the_robots_need():
+    scene = avo.Scenario(TWO)
+    assert scene.sensing_radius == scene.needed_sensing_radius == avo.Simulation(scene).sensing_radius
+    named = avo.Scenario(TWO, {"sensing_radius": 60})
+    assert named.sensing_radius == 60 and named.needed_sensing_radius == scene.sensing_radius
+    simulation = avo.Simulation(TWO)
+    simulation.add_robot(avo.RobotSetup(position=(80, 0), goal=(90, 0), max_speed=5))
+    assert simulation.sensing_radius > 2 * scene.sensing_radius
+    crowd = {"version": 1, "groups": [{"number": 400, "radius": 0.3, "max_speed": 1.3, "goals": {"permutation": {}},
+                                       "placement": {"grid": {"corner": [0, 0], "spacing": 1.2, "columns": 20}}}]}
+    assert avo.Scenario(crowd).advice() == []
+    lines = avo.Scenario(crowd, {"sensing_radius": 12}).advice()
+    assert len(lines) == 1 and "times the" in lines[0] and "a step costs about" in lines[0]
+
+
 def test_schema_is_the_command_lines(command_line):
     assert avo.schema() == json.loads(command_line("schema").stdout)

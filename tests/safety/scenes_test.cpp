@@ -105,7 +105,7 @@ TEST(Families, unequal_robots_see_as_far_as_they_need) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const Scenario& scenario : {mixed(seed).scenario, crush(false, 1e3, seed).scenario}) {
       EXPECT_TRUE(broken_assumptions(scenario).none());
-      most = std::max(most, scenario.sensing_radius);
+      most = std::max(most, sensing_radius_of(scenario));
     }
   }
   EXPECT_GT(most, 15.0);  // the others' radius would not do
@@ -219,10 +219,10 @@ TEST(StraightTime, is_that_of_the_slowest_from_rest_to_rest) {
 
 TEST(SeeFarEnough, widens_for_robots_that_brake_longer) {
   Scenario scenario = mixed(1).scenario;
-  const double for_braking = scenario.sensing_radius;
+  const double for_braking = sensing_radius_of(scenario);
   for (RobotSetup& robot : scenario.robots) robot.max_acceleration *= 0.4;
   see_far_enough(scenario);
-  EXPECT_GT(scenario.sensing_radius, 1.5 * for_braking);
+  EXPECT_GT(sensing_radius_of(scenario), 1.5 * for_braking);
   EXPECT_FALSE(broken_assumptions(scenario).unseen);
 }
 

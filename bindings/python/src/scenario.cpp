@@ -140,7 +140,10 @@ void bind_scenario(py::module_& module) {
       .def_readonly("name", &Scenario::name, "of the scene")
       .def_readonly("time_step", &Scenario::time_step, "s")
       .def_readonly("duration", &Scenario::duration, "s")
-      .def_readonly("sensing_radius", &Scenario::sensing_radius, "m, between centers")
+      .def_property_readonly("sensing_radius", &avo::sensing_radius_of,
+                             "m, between centers; what the robots need where the scene names none")
+      .def_property_readonly("needed_sensing_radius", &avo::needed_sensing_radius,
+                             "m: the sensing radius that its robots need, whatever it names")
       .def_readonly("method", &Scenario::method, "as in scene files")
       .def_readonly("motion", &Scenario::motion, "as in scene files")
       .def_readonly("clock", &Scenario::clock, "\"common\" or \"free\"")

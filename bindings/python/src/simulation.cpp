@@ -122,6 +122,10 @@ void bind_state(SimulationClass& simulation) {
       .def_property_readonly("time", told([](const Simulation& s) { return s.time(); }), "s")
       .def_property_readonly("steps", told([](const Simulation& s) { return s.steps(); }),
                              "done since the start")
+      .def_property_readonly("sensing_radius",
+                             told([](const Simulation& s) { return s.sensing_radius(); }),
+                             "m: how far robots sense; where the scene names none, it grows with "
+                             "robots that are added")
       .def_property_readonly("threads", told([](const Simulation& s) { return s.threads(); }),
                              "that a step may use")
       .def(
@@ -257,7 +261,10 @@ void bind_perception(py::module_& module, SimulationClass& simulation) {
       .def_readonly("detour", &Perception::detour, "Detour, what it remembers")
       .def_readonly("among_movers", &Perception::among_movers,
                     "whether it plans as among obstacles that do not react")
-      .def_readonly("walls", &Perception::walls, "list of Wall, a copy");
+      .def_readonly("walls", &Perception::walls, "list of Wall, a copy")
+      .def_readonly("stop", &Perception::stop,
+                    "Plan of one that brakes until it stands, near a goal that others share: its "
+                    "decision, whatever it would plan; else None");
   simulation
       .def(
           "perceive",

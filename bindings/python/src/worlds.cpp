@@ -82,7 +82,7 @@ class Worlds {
  public:
   Worlds(std::size_t worlds, const avo::Scenario& scenario)
       : planner_(planner_options(scenario)),
-        sensing_radius_(scenario.sensing_radius),
+        sensing_radius_(avo::sensing_radius_of(scenario)),
         robots_(scenario.robots.size()) {
     if (worlds == 0) throw avo::Error("num_envs: found 0, must be >= 1");
     all_.resize(worlds);

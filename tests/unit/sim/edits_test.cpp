@@ -279,6 +279,7 @@ TEST(Edits, robots_that_are_moved_are_kept_apart_and_saved) {
 TEST(Edits, delayed_senses_see_nothing_of_where_a_moved_robot_was) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {20, 0}), robot_at({8, 0}, {-20, 0})};
+  scene.sensing_radius = 15.0;
   scene.sensing.delay = 5;
   Simulation simulation(scene, 1);
   for (int k = 0; k < 10; ++k) simulation.step();

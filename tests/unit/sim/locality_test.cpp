@@ -17,6 +17,7 @@ Scenario among_movers(Method method) {
   scene.method = method;
   scene.duration = 20.0;
   scene.robots = {{.position = {-10.0, 0.0}, .velocity = {1.0, 0.0}, .goal = {10.0, 0.0}}};
+  scene.sensing_radius = 15.0;
   scene.moving_obstacles = {{.position = {0.0, 5.0}, .velocity = {0.0, -0.8}},
                             {.position = {4.0, -9.0}, .velocity = {-0.1, 1.0}},
                             {.position = {3.0, 0.2}, .velocity = {-0.4, 0.0}}};

@@ -158,9 +158,9 @@ TEST(SavedBytes, forged_values_are_refused) {
                 "saved state: found a detour that no robot can remember, must be a sound one");
     }
   }
-  EXPECT_EQ(word(saved, 14), static_cast<std::uint64_t>(Method::avo_paper));
-  EXPECT_EQ(forged(14, 7), "saved state: found an unknown choice, must be a known one");
-  EXPECT_EQ(forged(14, 1000), "saved state: found the number 1000, must be one that its type has");
+  EXPECT_EQ(word(saved, 15), static_cast<std::uint64_t>(Method::avo_paper));
+  EXPECT_EQ(forged(15, 7), "saved state: found an unknown choice, must be a known one");
+  EXPECT_EQ(forged(15, 1000), "saved state: found the number 1000, must be one that its type has");
   const std::size_t robots = last - 3 * 19 - 1, obstacles = robots - 3 * 16 - 1;
   ASSERT_EQ(word(saved, robots), 3u);
   EXPECT_EQ(forged(obstacles - 2, 1ull << 63),
@@ -194,6 +194,13 @@ TEST(SavedBytes, forged_ways_and_static_obstacles_are_refused) {
   seal(taken);
   EXPECT_EQ(refusal(simulation, taken),
             "saved state: found id 0, must be ascending and below the next, 0");
+  const std::size_t radius = next_obstacle - 2;  // nobody has stood near a shared goal
+  for (const std::uint64_t value : {0ull, 0x7ff8000000000000ull, 0xbff0000000000000ull}) {
+    Bytes blind = saved;
+    set_word(blind, radius, value);
+    seal(blind);
+    EXPECT_TRUE(refusal(simulation, blind).starts_with("saved state: found a sensing radius of "));
+  }
   for (const std::uint64_t target : {0ull, 7ull, 0xfffffffcull, 0xfffffffdull, 0xfffffffeull}) {
     Bytes odd = saved;
     set_word(odd, ways + 1, target);

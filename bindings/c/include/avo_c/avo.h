@@ -452,7 +452,7 @@ typedef struct avo_simulation_def {
   double duration;          ///< s, >= time_step: a whole run takes it, see can_step_by
   double control_time;      ///< s, > 0; 0: the method's
   double time_horizon;      ///< s, > 0; 0: the method's
-  double sensing_radius;    ///< m, > 0
+  double sensing_radius;    ///< m, > 0; 0: what the robots need
   double arrival_distance;  ///< m, > 0
   double longest_step;      ///< s, > 0, where the clock is free; 0: that of the robots
   uint64_t seed;            ///< of sensing and of clocks
@@ -508,6 +508,10 @@ AVO_C_API bool avo_scene_is_valid(avo_scene_id scene);
 AVO_C_API avo_result avo_scene_get_def(avo_scene_id scene, avo_simulation_def* def);
 
 /* ---------------------------------------------------------------------------------- simulation */
+
+/// m: the sensing radius that the robots of a definition need, whatever its sensing_radius: less is
+/// refused by its certificate, more costs time. What a sensing_radius of 0 stands for.
+AVO_C_API avo_result avo_needed_sensing_radius(const avo_simulation_def* def, double* radius);
 
 AVO_C_API avo_result avo_create_simulation(const avo_simulation_def* def,
                                            avo_simulation_id* simulation);
@@ -615,6 +619,10 @@ AVO_C_API avo_result avo_simulation_get_robot_def(avo_simulation_id simulation, 
 
 AVO_C_API avo_result avo_simulation_get_time(avo_simulation_id simulation, double* time);  ///< s
 AVO_C_API avo_result avo_simulation_get_steps(avo_simulation_id simulation, int64_t* steps);
+/// m: how far robots sense. Where the definition says 0, a robot that is added and needs more makes
+/// it grow.
+AVO_C_API avo_result avo_simulation_get_sensing_radius(avo_simulation_id simulation,
+                                                       double* radius);
 AVO_C_API avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* count);
 /// That a step may use: threads of the library, or workers of the host.
 AVO_C_API avo_result avo_simulation_get_threads(avo_simulation_id simulation, int32_t* threads);

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who shares its goal with others stands near it, and does not fight for a point at which only one
+// can be (docs/arrival.md, rule 4).
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "certificate/braking_path.h"
+#include "planner/certify.h"
+#include "robots/model.h"
+#include "sim/world.h"
+
+namespace avo {
+
+void find_shared_goals(World& world) {
+  if (!world.has_new_goals) return;
+  const Fleet& fleet = world.fleet;
+  const auto goal_of = [&](std::uint32_t slot) {
+    return std::pair(fleet.goal[slot].x, fleet.goal[slot].y);
+  };
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t slot = 0; slot < fleet.size(); ++slot)
+    if (!fleet.conduct[slot].parked && fleet.flight(slot) == nullptr) slots.push_back(slot);
+  std::sort(slots.begin(), slots.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return goal_of(a) < goal_of(b); });
+  std::vector<std::uint8_t> shares;
+  for (std::size_t k = 1; k < slots.size(); ++k) {
+    if (goal_of(slots[k - 1]) != goal_of(slots[k])) continue;
+    shares.resize(fleet.size());
+    for (const std::uint32_t slot : {slots[k - 1], slots[k]})
+      shares[static_cast<std::size_t>(fleet.rank[slot])] = 1;
+  }
+  world.shares_goal = std::move(shares);
+  world.has_new_goals = false;
+}
+
+bool stays_near(const World& world, std::size_t slot, Vec2 aim) {
+  if (world.shares_goal.empty()) return false;
+  const Fleet& fleet = world.fleet;
+  const Vec2 goal = fleet.goal[slot];
+  return world.shares_goal[static_cast<std::size_t>(fleet.rank[slot])] != 0 && aim == goal &&
+         norm(goal - fleet.place(slot)) <= world.settings.arrival_distance;
+}
+
+std::optional<Plan> stop_of(const World& world, std::size_t slot) {
+  const Fleet& fleet = world.fleet;
+  if (fleet.has_stood[slot] != 0) return std::nullopt;
+  const RobotTraits& traits = fleet.traits[slot];
+  Robot robot;
+  robot.velocity = fleet.velocity[slot];
+  robot.max_acceleration = traits.max_acceleration, robot.max_braking = max_braking_of(traits);
+  const Pace& pace = world.pace(slot);
+  const CertificateLaw law = certificate_law(pace.planner);
+  const Vec2 next = braked(robot.velocity, decrement_of(robot, law.step));
+  Plan plan = plan_under(law, robot, next, PlanStatus::optimal, 0.0);
+  const MotionState state{{}, robot.velocity, fleet.heading[slot]};
+  const MotionModel* model = fleet.own_model(slot);
+  const MotionStep step = model == nullptr ? advance(state, plan, pace.response)
+                                           : advance(*model, {traits.max_braking, traits.max_speed},
+                                                     state, plan, pace.response.time_step);
+  plan.next_velocity = step.next.velocity;
+  return plan;
+}
+
+}  // namespace avo

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who shares its goal with others stands once it is within the arrival distance.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "avo/simulation.h"
+#include "scenes.h"
+
+namespace avo {
+namespace {
+
+using test::robot_at;
+
+double distance_to_goal(const Simulation& simulation, std::size_t robot) {
+  const FleetView fleet = simulation.fleet();
+  return norm(fleet.goal[robot] - fleet.position[robot]);
+}
+
+// One that is near the goal at 30 s, and so slow that it can stand long before it is there; and
+// another one that is far away.
+Scenario far_and_near() {
+  Scenario scene;
+  scene.robots = {robot_at({-8, 0}, {0, 0}), robot_at({0, 900}, {0, 0})};
+  scene.robots[0].preferred_speed = 0.5;
+  return scene;
+}
+
+void run(Simulation& simulation, int steps) {
+  for (int k = 0; k < steps; ++k) simulation.step();
+}
+
+TEST(SharedGoals, who_is_near_enough_brakes_and_stands) {
+  Simulation simulation(far_and_near(), 1);
+  run(simulation, 300);
+  const double distance = distance_to_goal(simulation, 0);
+  EXPECT_GT(distance, 0.1);
+  EXPECT_LT(distance, 0.5);
+  EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
+  EXPECT_TRUE(simulation.is_at_goal(0));
+}
+
+TEST(SharedGoals, that_are_no_longer_shared_are_reached) {
+  Simulation simulation(far_and_near(), 1);
+  run(simulation, 300);
+  simulation.set_goal({1}, {5, 0});
+  run(simulation, 100);
+  EXPECT_LT(distance_to_goal(simulation, 0), 1e-9);
+  simulation.set_goal({1}, {0, 0});  // and it stays there
+  run(simulation, 10);
+  EXPECT_LT(distance_to_goal(simulation, 0), 1e-9);
+
+  Simulation left(far_and_near(), 1);
+  run(left, 300);
+  left.remove_robot({1});
+  run(left, 100);
+  EXPECT_LT(distance_to_goal(left, 0), 1e-9);
+}
+
+TEST(SharedGoals, of_robots_that_come_later_count_as_well) {
+  Scenario scene = far_and_near();
+  scene.robots.pop_back();
+  Simulation simulation(scene, 1);
+  simulation.add_robot(robot_at({0, 900}, {0, 0}));
+  run(simulation, 300);
+  EXPECT_GT(distance_to_goal(simulation, 0), 0.1);
+}
+
+TEST(SharedGoals, are_perceived_as_they_are_stepped_and_restored) {
+  Simulation simulation(far_and_near(), 1);
+  int stops = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Simulation::Perception seen = simulation.perceive(0);
+    Detour detour = seen.detour;
+    PlanWorkspace workspace;
+    const Plan planned =
+        simulation.planner().plan(seen.robot, seen.neighbors, workspace, &detour, seen.walls);
+    stops += seen.stop ? 1 : 0;
+    simulation.step();
+    const Plan plan = seen.stop.value_or(planned);
+    ASSERT_EQ(simulation.fleet().plan[0].next_velocity, plan.next_velocity) << k;
+  }
+  EXPECT_GE(stops, 5);
+  Simulation restored(simulation.save(), 1);
+  run(simulation, 50), run(restored, 50);
+  EXPECT_EQ(simulation.state_hash(), restored.state_hash());
+}
+
+TEST(SharedGoals, make_a_crowd_come_to_rest) {
+  Scenario scene;
+  scene.arrival_distance = 1.5;
+  for (int k = 0; k < 6; ++k) {
+    const double angle = k * std::numbers::pi / 3.0 + 0.1 * k;
+    RobotSetup robot = robot_at(10.0 * Vec2{std::cos(angle), std::sin(angle)}, {});
+    robot.radius = 0.3;
+    scene.robots.push_back(robot);
+  }
+  Simulation simulation(scene, 1);
+  run(simulation, 600);
+  EXPECT_TRUE(simulation.all_at_goal());
+  for (const Vec2 velocity : simulation.fleet().velocity) EXPECT_EQ(velocity, Vec2{});
+}
+
+}  // namespace
+}  // namespace avo
