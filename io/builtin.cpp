@@ -102,8 +102,7 @@ std::string first_comment(std::string_view yaml) {
 void append_members(std::string_view name, std::vector<std::string>& names) {
   const std::string_view number = name.substr(std::min(name.find_first_of(kDigits), name.size()));
   if (!is_whole(number) || !is_allowed(*to_double(number.substr(0, 20)))) return;
-  for (const Family& family : kFamilies)
-    names.push_back(std::string(family.stem).append(number));
+  for (const Family& family : kFamilies) names.push_back(std::string(family.stem).append(number));
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ std::shared_ptr<Executor> counted(std::shared_ptr<Executor> host);
 inline constexpr std::size_t kFewestParallel = 256;
 
 /// body(index, worker) for every index in [0, count), see Executor::run(); a single one is done by
-/// the caller. What body does must not depend on the order or on the worker. Throws what a body threw, the first one of them; some
-/// others have not been called then.
+/// the caller. What body does must not depend on the order or on the worker. Throws what a body
+/// threw, the first one of them; some others have not been called then.
 template <typename Body>
 void parallel_for(Executor& executor, std::size_t count, const Body& body) {
   if (count <= 1) {

@@ -132,8 +132,8 @@ TEST(Outputs, names_of_another_format_are_refused) {
 TEST(Outputs, empty_names_are_refused) {
   const auto refused_empty = [](const Strings& arguments, const std::string& option) {
     const std::string& verb = arguments.front();
-    refused(arguments, verb + ": " + option + ": found an empty name, must have one; see avo " + verb +
-                           " --help");
+    refused(arguments, verb + ": " + option + ": found an empty name, must have one; see avo " +
+                           verb + " --help");
   };
   for (const std::string option : {"--record", "--summary", "--figure"})
     refused_empty({"run", "circle-2", option, ""}, option);

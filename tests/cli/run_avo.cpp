@@ -100,7 +100,8 @@ bool wait_until(int pid, const std::function<bool()>& holds) {
   const Clock::time_point end = Clock::now() + std::chrono::seconds(kHang);
   while (!holds()) {
     siginfo_t ended = {};
-    if (pid > 0 && waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+    if (pid > 0 &&
+        waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
         ended.si_pid == pid)
       return holds();
     if (Clock::now() > end) return false;

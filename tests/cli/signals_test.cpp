@@ -28,13 +28,13 @@ void wait_ms(int milliseconds) {
 
 ProcessResult endless(const std::function<void(int pid)>& meanwhile,
                       const std::function<void()>& before = {}) {
-  return run_avo_to_its_own_end(
-      {"run", "circle-5", "--set", "duration=1e6", "--record", path_of("out.csv"), "--summary",
-       path_of("out.json")},
-      {.before = before, .meanwhile = [&](int pid) {
-         wait_until_any_larger(pid, ".part", 0);  // the first rows are there
-         meanwhile(pid);
-       }});
+  return run_avo_to_its_own_end({"run", "circle-5", "--set", "duration=1e6", "--record",
+                                 path_of("out.csv"), "--summary", path_of("out.json")},
+                                {.before = before, .meanwhile = [&](int pid) {
+                                   // the first rows are there
+                                   wait_until_any_larger(pid, ".part", 0);
+                                   meanwhile(pid);
+                                 }});
 }
 
 void expect_whole(const ProcessResult& result) {

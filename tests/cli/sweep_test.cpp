@@ -184,12 +184,11 @@ TEST(Sweep, prepares_no_run_again_that_is_done) {
 /// Ends the long sweep once some of its runs are done.
 ProcessResult ended_by(int signal) {
   const std::string journal = path_of("runs.csv.part");
-  return sweep(kLongSweep, {"--out", path_of("runs.csv"), "--jobs=2"}, {.meanwhile = [&](int pid) {
-                 wait_until(pid, [&] {
-                   return exists(journal) && lines_of(read_file(journal)).size() > 4;
-                 });
-                 kill(pid, signal);
-               }});
+  return sweep(
+      kLongSweep, {"--out", path_of("runs.csv"), "--jobs=2"}, {.meanwhile = [&](int pid) {
+        wait_until(pid, [&] { return exists(journal) && lines_of(read_file(journal)).size() > 4; });
+        kill(pid, signal);
+      }});
 }
 
 /// The rows of the journal without their hashes.

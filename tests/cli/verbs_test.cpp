@@ -105,13 +105,15 @@ TEST(Verbs, schema_is_json) {
 }
 
 TEST(Verbs, what_is_left_out_is_told_with_what_it_may_be) {
-  const std::string scene = " (name of a built-in scene, see avo scenes, or a YAML file; - is stdin)";
+  const std::string scene =
+      " (name of a built-in scene, see avo scenes, or a YAML file; - is stdin)";
   for (const std::string verb : {"run", "explain", "bench", "validate"})
     EXPECT_EQ(run_avo({verb}).err,
               "avo: " + verb + ": found no SCENE" + scene + "; see avo " + verb + " --help\n");
   EXPECT_EQ(run_avo({"explain", "circle-10"}).err,
             "avo: explain: found no --robot (its number); see avo explain --help\n");
-  EXPECT_EQ(run_avo({"run", "circle-10", "circle-20"}).err.find("see avo --help"), std::string::npos);
+  EXPECT_EQ(run_avo({"run", "circle-10", "circle-20"}).err.find("see avo --help"),
+            std::string::npos);
 }
 
 TEST(Verbs, a_name_that_is_none_is_told_the_scene_with_its_number) {

@@ -23,7 +23,8 @@ bool has_output_begun() {
                      [](const std::string& name) { return name.starts_with(".avo-"); });
 }
 
-/// Ends by the signal, a little after its output has begun. How soon it ends, scripts/waiting shows.
+/// Ends by the signal, a little after its output has begun. How soon it ends, scripts/waiting
+/// shows.
 ProcessOptions interrupted_by(int signal, useconds_t wait = 100'000) {
   return {.meanwhile = [signal, wait](int pid) {
     wait_until(pid, has_output_begun);
@@ -114,8 +115,7 @@ TEST(Interrupted, a_video_kills_the_program_that_makes_it) {
   ASSERT_EQ(chmod(path_of("ffmpeg").c_str(), 0755), 0);
   const ProcessResult result =
       run_avo({"video", h5, path_of("out.mp4")},
-              {.before =
-                   [here] { setenv("PATH", (here + ":/bin:/usr/bin").c_str(), 1); },
+              {.before = [here] { setenv("PATH", (here + ":/bin:/usr/bin").c_str(), 1); },
                .meanwhile =
                    [](int pid) {
                      wait_until_larger(pid, path_of("pid"), 0);

@@ -16,12 +16,12 @@ using avo_io::Hdf5Handle;
 
 /// With 128 MiB of memory, and 20 s of a processor, which a busy machine does not shorten.
 void expect_refused(const std::string& table, const std::string& message) {
-  const ProcessResult result = run_avo({"compare", table}, {.before = [] {
-                                         const rlimit memory{128U << 20U, 128U << 20U},
-                                             seconds{20, 20};
-                                         setrlimit(RLIMIT_DATA, &memory);
-                                         setrlimit(RLIMIT_CPU, &seconds);
-                                       }});
+  const ProcessResult result =
+      run_avo({"compare", table}, {.before = [] {
+                const rlimit memory{128U << 20U, 128U << 20U}, seconds{20, 20};
+                setrlimit(RLIMIT_DATA, &memory);
+                setrlimit(RLIMIT_CPU, &seconds);
+              }});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err, table + message + "\n");
 }
