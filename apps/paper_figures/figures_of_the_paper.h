@@ -14,6 +14,9 @@ struct Caption {
   std::string shows;    ///< what is drawn, with its numbers
   std::string agrees;   ///< with the paper
   std::string differs;  ///< from the paper
+  /// What is drawn, each with the hash of the state that it ends in, as tools/check_figures.py
+  /// reads it: "circle-100 method=avo_paper 0x0123456789abcdef".
+  std::vector<std::string> runs = {};
 };
 
 Caption draw_velocity_obstacle(const std::string& folder);      // Fig. 2

@@ -42,6 +42,9 @@ std::string readme(const std::vector<Caption>& captions) {
             caption.file + ")\n\n" + paragraph(caption.shows) + "\n\n**Agrees:** " +
             paragraph(caption.agrees) + "\n";
     if (!caption.differs.empty()) text += "\n**Differs:** " + paragraph(caption.differs) + "\n";
+    if (!caption.runs.empty()) text += "\n";
+    for (const std::string& run : caption.runs)
+      text += "<!-- drawn by scripts/paper: " + run + " -->\n";
   }
   return text;
 }

@@ -2,7 +2,9 @@
 // The paper's Figs. 1, 7, 8 and 9: scenes run to their end, with what happened in them.
 #include <algorithm>
 #include <array>
+#include <cinttypes>
 #include <cmath>
+#include <cstdio>
 
 #include "avo/metrics.h"
 #include "avo/simulation.h"
@@ -20,11 +22,12 @@ struct Run {
   Scenario scenario;
   std::vector<figures::TrajectoryFrame> frames;
   RunSummary summary;
+  std::string name;  // with its settings and the hash of its last state
 };
 
 Run run_scene(const std::string& name, std::vector<std::string> overrides = {}) {
   overrides.emplace_back("method=avo_paper");
-  Run run{avo_io::load_scenario(name, overrides), {}, {}};
+  Run run{avo_io::load_scenario(name, overrides), {}, {}, name};
   Simulation simulation(run.scenario);
   Metrics metrics(run.scenario);
   figures::TrajectoryRecorder recorder;
@@ -38,6 +41,10 @@ Run run_scene(const std::string& name, std::vector<std::string> overrides = {}) 
   }
   run.frames = recorder.frames();
   run.summary = metrics.summary();
+  for (const std::string& setting : overrides) run.name += " " + setting;
+  char hash[24];
+  std::snprintf(hash, sizeof hash, " 0x%016" PRIx64, simulation.state_hash());
+  run.name += hash;
   return run;
 }
 
@@ -200,7 +207,8 @@ Caption draw_exchange(const std::string& folder) {
           comparison.differs +
               "The paper prints no positions, and its robots pass their targets at high speed; "
               "ours come to rest there: at the end none is faster than " +
-              format("%.2g m/s", final_speed(run)) + "."};
+              format("%.2g m/s", final_speed(run)) + ".",
+          {run.name}};
 }
 
 Caption draw_moving_obstacle(const std::string& folder) {
@@ -215,7 +223,8 @@ Caption draw_moving_obstacle(const std::string& folder) {
               parameters(run.scenario) + ". " + numbers(run.summary),
           comparison.agrees + "The robot passes the obstacle " +
               detour_text(largest_detour(run, 0)) + " of its straight way.",
-          comparison.differs + "The paper prints no positions."};
+          comparison.differs + "The paper prints no positions.",
+          {run.name}};
 }
 
 Caption draw_circle(const std::string& folder) {
@@ -237,7 +246,8 @@ Caption draw_circle(const std::string& folder) {
               format("%.1f m", mean_distance(run.frames, 0.0)) + ".",
           comparison.differs + "Before they rest, robots swing past their goals, out to " +
               format("%.1f m", farthest(run.frames)) +
-              " from the middle: the half-planes of those that have arrived refuse the braking."};
+              " from the middle: the half-planes of those that have arrived refuse the braking.",
+          {run.name}};
 }
 
 Caption draw_cars(const std::string& folder) {
@@ -262,7 +272,8 @@ Caption draw_cars(const std::string& folder) {
       (same ? "With the exact set of Fig. 6(b) all is the same: as δ a_max = 2 v_max, no choice "
               "comes to the limit of acceleration. "
             : "With the exact set of Fig. 6(b): " + numbers(exact.summary) + " ") +
-          comparison.differs + "The paper prints neither poses nor sizes."};
+          comparison.differs + "The paper prints neither poses nor sizes.",
+      {run.name, exact.name}};
 }
 
 }  // namespace avo::paper
