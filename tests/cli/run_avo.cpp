@@ -87,12 +87,14 @@ ProcessResult run_avo(const std::vector<std::string>& arguments, const ProcessOp
 ProcessResult run_avo_to_its_own_end(const std::vector<std::string>& arguments,
                                      const ProcessOptions& options) {
   constexpr int kTries = 20;
-  ProcessResult result;
-  for (int k = 0; k < kTries; ++k) {
-    result = run_avo(arguments, options);
-    if (result.err.find("ended by a signal;") == result.err.npos) break;
+  const std::vector<std::string> before = files_in(folder());
+  for (int k = 0;; ++k) {
+    ProcessResult result = run_avo(arguments, options);
+    if (k == kTries || result.err.find("ended by a signal;") == result.err.npos) return result;
+    for (const std::string& name : files_in(folder()))  // a spool is left
+      if (std::find(before.begin(), before.end(), name) == before.end())
+        unlink(path_of(name).c_str());
   }
-  return result;
 }
 
 bool wait_until(int pid, const std::function<bool()>& holds) {

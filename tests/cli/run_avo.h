@@ -29,7 +29,7 @@ ProcessResult run_avo(const std::vector<std::string>& arguments,
                       const ProcessOptions& options = {});
 
 /// The same of a program that ends by itself after a signal. It has a second for that, as elapsed:
-/// where the machine has stalled for so long, it is run again.
+/// where the machine has stalled for so long, its files are removed and it is run again.
 ProcessResult run_avo_to_its_own_end(const std::vector<std::string>& arguments,
                                      const ProcessOptions& options);
 

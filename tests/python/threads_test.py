@@ -45,14 +45,23 @@ def counted_while(act):
     return seen[1] - seen[0]
 
 
+def is_ever(holds, act):
+    """Whether the count is ever such, in twenty attempts: a machine that stalls for the switch interval spoils one."""
+    return any(holds(counted_while(act)) for _ in range(20))
+
+
+def lets_others_run(act):
+    return is_ever(lambda count: count > 100, act)  # with the lock held: 0
+
+
 def test_what_keeps_the_lock_is_told_from_what_does_not():
     numbers = list(range(1000000))
-    assert counted_while(lambda: sorted(numbers)) == 0
+    assert is_ever(lambda count: count == 0, lambda: sorted(numbers))
 
 
 def test_other_threads_run_during_a_step():
     simulation = avo.Simulation("uniform-20000", threads=1)
-    assert counted_while(simulation.step) > 100  # with the lock held: 0
+    assert lets_others_run(simulation.step)
 
 
 def test_other_threads_run_during_a_batch():
@@ -61,12 +70,12 @@ def test_other_threads_run_during_a_batch():
                         preferred_velocity=random.uniform(-1, 1, (3000, 2)), radius=0.2)
     neighbors = avo.Neighbors.among(robots, 6.0)
     planner = avo.Planner()
-    assert counted_while(lambda: planner.plan(robots, neighbors)) > 100
+    assert lets_others_run(lambda: planner.plan(robots, neighbors))
 
 
 def test_other_threads_run_while_a_simulation_is_made():
     scene = avo.Scenario("uniform-20000")
-    assert counted_while(lambda: avo.Simulation(scene, threads=1)) > 100
+    assert lets_others_run(lambda: avo.Simulation(scene, threads=1))
 
 
 def test_threads_may_share_a_simulation():
