@@ -25,9 +25,9 @@ class AVO_API Executor {
   /// task(context, index, worker) once for every index in [0, count), in any order; worker is in
   /// [0, workers()), and no two tasks at the same time have the same. Returns when all are done.
   /// count is at least 2: a single task is done by the thread that steps.
-  /// The library counts them: where one was left out or called again, or the worker was none, the
-  /// step throws Error. That, and what it throws, ends the step in its midst: every later one
-  /// throws Error.
+  /// The library counts the tasks: where one was left out or called again, or had a wrong worker,
+  /// the step throws Error. That, and what run() throws, ends the step. Where robots have moved by
+  /// then, every later step throws Error until a state is restored.
   virtual void run(std::size_t count, Task task, void* context) = 0;
 };
 

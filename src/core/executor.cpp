@@ -21,7 +21,7 @@ namespace {
 class Counted final : public Executor {
  public:
   explicit Counted(std::shared_ptr<Executor> host)
-      : host_(std::move(host)), workers_(host_->workers()) {}
+      : host_(std::move(host)), workers_(host_->workers()), is_busy_(workers_) {}
 
   [[nodiscard]] std::size_t workers() const override { return workers_; }
   void run(std::size_t count, Task task, void* context) override {
@@ -34,10 +34,11 @@ class Counted final : public Executor {
     }
     const std::size_t done = close();
     if (done == count && !is_wrong_) return;
-    throw Error("executor: found " + std::to_string(done) + " of " + std::to_string(count) +
-                " tasks done when run() returned" +
-                (is_wrong_ ? ", and one called again or with a wrong index or worker" : "") +
-                ", must do each once, with a worker less than " + std::to_string(workers_));
+    throw Error(
+        "executor: found " + std::to_string(done) + " of " + std::to_string(count) +
+        " tasks done when run() returned" +
+        (is_wrong_ ? ", and one called again, or with a wrong index or a busy worker" : "") +
+        ", must do each once, with an idle worker less than " + std::to_string(workers_));
   }
 
  private:
@@ -65,12 +66,18 @@ class Counted final : public Executor {
 
   static void do_task(void* pointer, std::size_t index, std::size_t worker) {
     Counted& own = *static_cast<Counted*>(pointer);
-    if (index >= own.count_ || worker >= own.workers_ || !own.begins(index)) {
-      own.is_wrong_.store(true, std::memory_order_relaxed);
-      return;
-    }
-    own.task_(own.context_, index, worker);
-    own.done_.fetch_add(1, std::memory_order_release);
+    if (index < own.count_ && worker < own.workers_ && own.do_once(index, worker)) return;
+    own.is_wrong_.store(true, std::memory_order_relaxed);
+  }
+
+  // Returns whether it has: what a worker writes is no one else's meanwhile.
+  bool do_once(std::size_t index, std::size_t worker) {
+    if (is_busy_[worker].exchange(true, std::memory_order_acquire)) return false;
+    const bool is_first = begins(index);
+    if (is_first) task_(context_, index, worker);
+    is_busy_[worker].store(false, std::memory_order_release);
+    if (is_first) done_.fetch_add(1, std::memory_order_release);
+    return is_first;
   }
 
   bool begins(std::size_t index) {
@@ -80,6 +87,7 @@ class Counted final : public Executor {
 
   std::shared_ptr<Executor> host_;
   std::size_t workers_;
+  std::vector<std::atomic<bool>> is_busy_;  // by worker
   Task task_ = nullptr;
   void* context_ = nullptr;
   std::size_t count_ = 0;

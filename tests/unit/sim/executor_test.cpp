@@ -305,6 +305,45 @@ TEST(Executor, what_a_host_does_too_late_is_not_done) {
   EXPECT_EQ(simulation.state_hash(), hash);
 }
 
+// Calls the second task from within the first one, by a given worker.
+class Nested final : public Executor {
+ public:
+  explicit Nested(std::size_t worker) : worker_(worker) {}
+  [[nodiscard]] std::size_t workers() const override { return 2; }
+  void run(std::size_t, Task task, void* context) override {
+    task_ = task, context_ = context;
+    task(context, 0, 0);
+  }
+  void call_second() { task_(context_, 1, worker_); }
+
+ private:
+  std::size_t worker_;
+  Task task_ = nullptr;
+  void* context_ = nullptr;
+};
+
+TEST(Executor, two_tasks_at_the_same_time_have_not_the_same_worker) {
+  for (const std::size_t worker : {0U, 1U}) {
+    const auto host = std::make_shared<Nested>(worker);
+    struct Context {
+      Nested& host;
+      int done = 0;
+    } context{*host};
+    const auto run = [&] {
+      counted(host)->run(
+          2,
+          [](void* pointer, std::size_t index, std::size_t) {
+            Context& own = *static_cast<Context*>(pointer);
+            ++own.done;
+            if (index == 0) own.host.call_second();
+          },
+          &context);
+    };
+    EXPECT_EQ(test::refusal(run).empty(), worker == 1);
+    EXPECT_EQ(context.done, worker == 1 ? 2 : 1);
+  }
+}
+
 TEST(Executor, what_a_host_throws_ends_the_step) {
   Simulation simulation(test::dense_scene(300, Motion::held), std::make_shared<Idle>(2));
   EXPECT_THROW(simulation.step(), std::runtime_error);
