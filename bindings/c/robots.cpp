@@ -79,7 +79,8 @@ avo::Neighbor neighbor_of(const avo_neighbor& neighbor, const Where& where) {
           .max_deviation = neighbor.max_deviation,
           .position_error = neighbor.position_error,
           .acceleration = from_c(neighbor.acceleration),
-          .max_speed = neighbor.max_speed};
+          .max_speed = neighbor.max_speed,
+          .parting = from_c(neighbor.parting)};
 }
 
 }  // namespace avo_c
@@ -110,4 +111,9 @@ avo_neighbor avo_default_neighbor(void) {
   neighbor.priority = usual.priority;
   neighbor.max_speed = usual.max_speed;
   return neighbor;
+}
+
+avo_vec2 avo_parting_direction(uint64_t id, uint64_t other) {
+  const avo::Vec2 direction = avo::parting_direction(id, other);
+  return {direction.x, direction.y};
 }

@@ -68,6 +68,7 @@ avo_neighbor to_c(const avo::Neighbor& neighbor) {
   c.max_speed = neighbor.max_speed;
   c.behavior = static_cast<avo_behavior>(neighbor.behavior);
   c.age = neighbor.age;
+  c.parting = to_c(neighbor.parting);
   return c;
 }
 

@@ -227,3 +227,15 @@ def test_wrong_use_is_a_value_error(make, message):
 def test_points_are_real(point):
     with pytest.raises(TypeError):
         avo.Robot(position=point)
+
+
+def test_two_that_coincide_part_along_the_direction_of_their_ids():
+    n = avo.parting_direction(7, 3)
+    assert avo.parting_direction(3, 7) == (-n[0], -n[1]) and avo.parting_direction(3, 3) == (0.0, 0.0)
+    robot = avo.Robot(position=(0, 0), preferred_velocity=(1, 0))
+    first, second = (avo.Planner().plan(robot, [avo.Neighbor(position=(0, 0), parting=way)]).next_velocity
+                     for way in (n, (-n[0], -n[1])))
+    assert sum(n[k] * (first[k] - second[k]) for k in (0, 1)) > 0.19
+    robots = avo.Robots(position=[(0, 0)] * 3, preferred_velocity=[(1, 0)] * 3)
+    plans = avo.Planner().plan_many(robots, avo.Neighbors.among(robots, 10.0))
+    assert len({tuple(v) for v in plans.next_velocity()}) == 3

@@ -220,6 +220,7 @@ class Neighbor:
     position_error: _Number
     acceleration: _Point
     max_speed: _Number
+    parting: _Point
     def __init__(
         self,
         *,
@@ -236,6 +237,7 @@ class Neighbor:
         position_error: _Float = 0.0,
         acceleration: _Pair = (0.0, 0.0),
         max_speed: _Float = ...,
+        parting: _Pair = (0.0, 0.0),
     ) -> None: ...
 
 class Detour:
@@ -575,6 +577,7 @@ class Worlds:
 
 def _numbers(name: str, given: npt.ArrayLike) -> _Floats: ...
 def usual_offset(radius: _Float, track: _Float) -> float: ...
+def parting_direction(id: _Int, other: _Int) -> tuple[float, float]: ...
 def builtin_scenes() -> list[tuple[str, str]]: ...
 def schema() -> dict[str, Any]: ...
 def explain(scene: _Source, robot: _Int, time: _Float = 0.0, threads: _Int = 0) -> dict[str, Any]: ...

@@ -179,13 +179,17 @@ Neighbors among(const Robots& robots, double sensing_radius) {
       if (j != i && squared <= sensing_radius * sensing_radius) near.emplace_back(squared, j);
     }
     std::sort(near.begin(), near.end());
-    for (const auto& [squared, j] : near)
+    for (const auto& [squared, j] : near) {
+      const bool coincide =
+          all[j].position == all[i].position && all[j].velocity == all[i].velocity;
       neighbors.all.push_back({.position = all[j].position,
                                .velocity = all[j].velocity,
                                .radius = all[j].radius,
                                .max_acceleration = all[j].max_acceleration,
                                .priority = all[j].priority,
-                               .max_braking = all[j].max_braking});
+                               .max_braking = all[j].max_braking,
+                               .parting = coincide ? avo::parting_direction(i, j) : avo::Vec2{}});
+    }
     neighbors.first.push_back(neighbors.all.size());
   }
   return neighbors;

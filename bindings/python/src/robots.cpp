@@ -66,21 +66,22 @@ void bind_neighbor(py::module_& module) {
                        double max_acceleration, avo::Behavior behavior, int age, double priority,
                        std::optional<double> max_braking, std::optional<avo::LoiterCircle> loiter,
                        double max_deviation, double position_error, avo::Vec2 acceleration,
-                       double max_speed) {
-             return Neighbor{position, velocity,      radius,         max_acceleration,
-                             behavior, age,           priority,       max_braking,
-                             loiter,   max_deviation, position_error, acceleration,
-                             max_speed};
+                       double max_speed, avo::Vec2 parting) {
+             return Neighbor{position,  velocity,      radius,         max_acceleration,
+                             behavior,  age,           priority,       max_braking,
+                             loiter,    max_deviation, position_error, acceleration,
+                             max_speed, parting};
            }),
            py::kw_only(), arg("position"), arg("velocity") = py::make_tuple(0.0, 0.0),
            arg("radius") = 0.5, arg("max_acceleration") = 1.0, arg("behavior") = "decides",
            arg("age") = 0, arg("priority") = 1.0, arg("max_braking") = py::none(),
            arg("loiter") = py::none(), arg("max_deviation") = 0.0, arg("position_error") = 0.0,
            arg("acceleration") = py::make_tuple(0.0, 0.0), arg("max_speed") = kInfinity,
+           arg("parting") = py::make_tuple(0.0, 0.0),
            "position: (x, y), m; velocity: m/s; radius: m, > 0; max_acceleration: m/s^2, > 0; "
            "behavior: \"decides\" or \"moves_on\"; age: steps since it was sensed; priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
-           "m/s^2, and max_speed: m/s, of one that moves on.")
+           "m/s^2, and max_speed: m/s, of one that moves on; parting: see parting_direction().")
       .def_readwrite("position", &Neighbor::position, "[p_B] (x, y), m")
       .def_readwrite("velocity", &Neighbor::velocity, "[v_B] (x, y), m/s")
       .def_readwrite("radius", &Neighbor::radius, "[r_B] m, > 0")
@@ -98,7 +99,14 @@ void bind_neighbor(py::module_& module) {
                      "m, >= 0: of its position, besides the declared sensing error")
       .def_readwrite("acceleration", &Neighbor::acceleration, "(x, y), m/s^2, where it moves on")
       .def_readwrite("max_speed", &Neighbor::max_speed,
-                     "m/s, > 0, where it moves on: that it never exceeds; None: unknown");
+                     "m/s, > 0, where it moves on: that it never exceeds; None: unknown")
+      .def_readwrite(
+          "parting", &Neighbor::parting,
+          "unit (x, y), or 0: of one that coincides in place and velocity, the direction "
+          "in which to leave it");
+  module.def("parting_direction", &avo::parting_direction, arg("id"), arg("other"),
+             "(x, y): the direction in which a robot of the first id leaves one of the other id, "
+             "where they coincide; the opposite one if the ids are exchanged, 0 of equal ids.");
 }
 
 void bind_detour(py::module_& module) {

@@ -315,6 +315,9 @@ typedef struct avo_neighbor {
   double max_speed;  ///< m/s, > 0, of one that moves on, with max_deviation; may be infinite
   avo_behavior behavior;
   int32_t age;  ///< steps since it was sensed, 0 to 1 000 000
+  /// Unit, or 0: of one that coincides in place and velocity, the direction in which to leave it;
+  /// see avo_parting_direction().
+  avo_vec2 parting;
 } avo_neighbor;
 
 /// What avo_planner_state() proves.
@@ -331,6 +334,9 @@ typedef struct avo_safety_report {
 AVO_C_API avo_planner_def avo_default_planner_def(avo_method method);
 AVO_C_API avo_robot avo_default_robot(void);
 AVO_C_API avo_neighbor avo_default_neighbor(void);
+/// The direction in which a robot of the first id leaves one of the other id, where they coincide:
+/// unit, the opposite one if the ids are exchanged, 0 of equal ids.
+AVO_C_API avo_vec2 avo_parting_direction(uint64_t id, uint64_t other);
 
 AVO_C_API avo_result avo_create_planner(const avo_planner_def* def, avo_planner_id* planner);
 AVO_C_API avo_result avo_destroy_planner(avo_planner_id planner);
