@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How deep a contact is, and whether that is no more than rounding.
 #pragma once
-#include <algorithm>
 
 namespace avo {
 
-/// m: how deep a contact rounding may feign, of the radii and of the other lengths (coordinates,
-/// ways) that it is told from. It is sixteen roundings to single precision, in which robots are
-/// often told their place (docs/on_board.md, "Contact"). Far from the origin, where nobody keeps
-/// coordinates in it, radii alone count.
-inline double feigned_depth(double lengths, double radii) {
-  return std::min(0x1p-20 * (lengths + radii), 0x1p-10 * radii);
+/// m: how deep a contact rounding may feign, of both radii together and of the ways that both need
+/// to stop. It is sixteen roundings to single precision, in which robots are often told their
+/// state: of places 256 times as far from the origin as the radii are long, and of these ways
+/// (docs/on_board.md, "Contact"). Where the two are does not count, only how far they are apart.
+constexpr double feigned_depth(double radii, double ways) {
+  return 0x1p-12 * radii + 0x1p-20 * ways;
 }
 
 /// The deepest of several contacts, of equally deep ones that of the least index.

@@ -150,7 +150,7 @@ std::optional<double> find_contact_of(const Robot& robot, const Wall& wall, doub
 template <typename Find>
 std::optional<double> find_certain(double coordinates, double radii, const Find& find) {
   constexpr double kRounding = 0x1p-40;
-  const std::optional<double> certain = find(feigned_depth(coordinates, radii));
+  const std::optional<double> certain = find(feigned_depth(radii, 0.0));
   if (!certain) return std::nullopt;
   const std::optional<double> earlier = find(kRounding * (coordinates + radii));
   return earlier ? earlier : certain;

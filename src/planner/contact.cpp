@@ -10,43 +10,25 @@
 namespace avo {
 namespace {
 
-// m: what numbers of one of the two are rounded by grows with these.
-struct Magnitude {
-  double lengths;  // coordinates of its place, and what it needs to stop
-  double radius;
-};
-
-Magnitude magnitude_of(const Robot& robot, const StepLaw& law) {
-  const double way = stopping_length(norm(robot.velocity), decrement_of(robot, law), law);
-  return {length_1(robot.position) + way, robot.radius};
+// m, that each needs to stop: what its velocity is rounded by counts for so long.
+double way_of(const Robot& robot, const StepLaw& law) {
+  return stopping_length(norm(robot.velocity), decrement_of(robot, law), law);
 }
 
-Magnitude magnitude_of(const Neighbor& neighbor, const StepLaw& law) {
-  double way = 0.0;
-  if (neighbor.loiter) {
-    way = 2.0 * neighbor.loiter->radius;
-  } else if (neighbor.behavior == Behavior::decides) {
-    way = stopping_length(norm(neighbor.velocity), decrement_of(neighbor, law), law);
-  }
-  return {length_1(neighbor.position) + way, neighbor.radius};
-}
-
-Magnitude magnitude_of(const Wall& wall) {
-  return {std::max(length_1(wall.a), length_1(wall.b)), wall.radius};
-}
-
-double feigned_by(const Magnitude& a, const Magnitude& b) {
-  return feigned_depth(a.lengths + b.lengths, a.radius + b.radius);
+double way_of(const Neighbor& neighbor, const StepLaw& law) {
+  if (neighbor.loiter) return 2.0 * neighbor.loiter->radius;
+  if (neighbor.behavior == Behavior::moves_on) return 0.0;
+  return stopping_length(norm(neighbor.velocity), decrement_of(neighbor, law), law);
 }
 
 // Takes those in contact, in the order of neighbors and walls.
 struct ContactSearch {
-  Magnitude own;
+  double own_way;
   Contact contact = {};
   double beyond = -kInfinity;  // m, of its depth, what rounding does not feign
 
-  void take(int neighbor, int wall, double depth, const Magnitude& other) {
-    const double left = depth - feigned_by(own, other);
+  void take(int neighbor, int wall, double depth, double radii, double way) {
+    const double left = depth - feigned_depth(radii, own_way + way);
     if (!(depth > 0.0) || !(left > beyond)) return;
     contact = {neighbor, wall, depth, left > 0.0};
     beyond = left;
@@ -56,21 +38,23 @@ struct ContactSearch {
 template <typename Neighbors>
 Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                      const StepLaw& law, const Deepest& neighbor, const Deepest& wall) {
-  ContactSearch search{magnitude_of(robot, law)};
+  ContactSearch search{way_of(robot, law)};
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const Neighbor& other = neighbors[k];
     const int index = static_cast<int>(k);
     const double hidden = error_against(other, law).position;
-    double depth = robot.radius + other.radius - norm(other.position - robot.position) - hidden;
+    const double radii = robot.radius + other.radius;
+    double depth = radii - norm(other.position - robot.position) - hidden;
     if (index == neighbor.index) depth = std::max(depth, neighbor.depth);
-    if (depth > 0.0) search.take(index, -1, depth, magnitude_of(other, law));
+    if (depth > 0.0) search.take(index, -1, depth, radii, way_of(other, law));
   }
   for (std::size_t k = 0; k < walls.size(); ++k) {
     const int index = static_cast<int>(k);
-    double depth = robot.radius + walls[k].radius - law.localization_error -
-                   distance(robot.position, {walls[k].a, walls[k].b});
+    const double radii = robot.radius + walls[k].radius;
+    double depth =
+        radii - law.localization_error - distance(robot.position, {walls[k].a, walls[k].b});
     if (index == wall.index) depth = std::max(depth, wall.depth);
-    if (depth > 0.0) search.take(-1, index, depth, magnitude_of(walls[k]));
+    if (depth > 0.0) search.take(-1, index, depth, radii, 0.0);
   }
   return search.contact;
 }
@@ -89,7 +73,7 @@ Contact deepest_contact(const Robot& robot, std::span<const Neighbor> neighbors,
 }
 
 double feigned(const Robot& robot, const Wall& wall, const StepLaw& law) {
-  return feigned_by(magnitude_of(robot, law), magnitude_of(wall));
+  return feigned_depth(robot.radius + wall.radius, way_of(robot, law));
 }
 
 void tell(const Contact& contact, Plan& plan) {

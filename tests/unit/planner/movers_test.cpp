@@ -49,18 +49,19 @@ TEST(Movers, observed_acceleration_is_avoided_by_both_ways_of_planning) {
   }
 }
 
-// An overlap by a few millionths asks for no more than one step can mend, alone or not.
+// An overlap by a millionth asks for no more than one step can mend, alone or not. Rounding may feign
+// so little: nothing is said of it.
 TEST(Movers, a_hardly_overlapping_one_is_left_gently) {
   PlannerOptions options = test::paper_options();
   options.control_time = 0.5;
   const Planner planner(options);
   const Robot A = test::paper_robot({}, {}, {});
-  const std::vector<Neighbor> others{mover({1.0 - 4e-6, 0}, {}, {})};
+  const std::vector<Neighbor> others{mover({1.0 - 1e-6, 0}, {}, {})};
   PlanWorkspace workspace;
   const Plan alone = planner.plan_among_obstacles(A, others, workspace);
   const Plan by_plane = planner.plan(A, others, workspace);
-  EXPECT_EQ(alone.status, PlanStatus::overlapping);
-  EXPECT_EQ(by_plane.status, PlanStatus::overlapping);
+  EXPECT_NE(alone.status, PlanStatus::overlapping);
+  EXPECT_NE(by_plane.status, PlanStatus::overlapping);
   EXPECT_NEAR(norm(alone.new_velocity - by_plane.new_velocity), 0.0, 1e-12);
   EXPECT_GT(norm(alone.new_velocity), 0.0);
   EXPECT_LT(norm(alone.new_velocity), 1e-3);
