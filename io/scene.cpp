@@ -209,9 +209,9 @@ class SceneBuilder {
       all.layers.bits |= robots[b].layers.bits, all.avoids.bits |= robots[b].avoids.bits;
       all.parked = all.parked || robots[b].parked;
       if (clear || scenario_.allow_broken_assumptions) continue;
-      const std::size_t a = *std::find_if(
-          order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
-          [&](std::size_t other) { return keep_apart(robots[other], robots[b]); });
+      const std::size_t a =
+          *std::find_if(order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
+                        [&](std::size_t other) { return keep_apart(robots[other], robots[b]); });
       const YamlNode* position = origins_[b]->find("position");
       reader_.fail(position != nullptr ? *position : *origins_[b],
                    fmt::format("robots.{}.position", b),

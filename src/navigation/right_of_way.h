@@ -26,8 +26,9 @@ struct Claim {
 /// What the rules know of a robot.
 struct Claimant {
   Claim claim;
-  Vec2 position;                                // m
-  std::uint32_t layers = 1, avoids = ~0U;  // bits: it minds who is in one of the layers that it avoids
+  Vec2 position;  // m
+  // bits: it minds whoever is in a layer that it avoids
+  std::uint32_t layers = 1, avoids = 0xffffffff;
 };
 
 /// The claim that others see, where there is one: inside the direction in which the robot moves, or

@@ -11,7 +11,7 @@ namespace avo {
 /// What is called how where the words are read.
 struct Wording {
   RemedyNames remedies = {};
-  std::function<std::string(int source)> name_of;  // robot i, or -1 - k for moving obstacle k
+  std::function<std::string(int source)> name_of;        // robot i, or -1 - k for moving obstacle k
   std::function<std::string(int index)> name_of_static;  // of Scenario::obstacles
 };
 

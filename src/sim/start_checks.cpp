@@ -102,23 +102,22 @@ std::optional<BrokenStart> find_on_way(const World& world, const Company& compan
     const OwnClock& clock = fleet.clock_of(slot);
     if (other.parked || clock.end <= world.now || !keep_apart(own, other)) continue;
     const double left = seconds(clock.end - world.now);
-    const double bow = 0.125 * std::numbers::sqrt2 * other.max_acceleration * left * left +
-                       (fleet.traits[slot].has_model
-                            ? world.planner().options().sensing_error.position
-                            : 0.0);
+    const double bow =
+        0.125 * std::numbers::sqrt2 * other.max_acceleration * left * left +
+        (fleet.traits[slot].has_model ? world.planner().options().sensing_error.position : 0.0);
     const double contact = disc_radius(own) + disc_radius(other);
     const double gap = distance(disc_center(own), {fleet.position[slot], clock.to.position}) - bow -
                        norm(own.velocity) * left;
     if (gap < (1.0 - kStartTolerance) * contact)
-      return BrokenStart{0, static_cast<int>(k) + 1,
-                         norm(fleet.position[slot] - disc_center(own)), contact - gap};
+      return BrokenStart{0, static_cast<int>(k) + 1, norm(fleet.position[slot] - disc_center(own)),
+                         contact - gap};
   }
   return {};
 }
 
 // Of those that are no robots, where the newcomer lacks most; the scene gets that obstacle alone.
-std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law,
-                                   Company& company, ObstacleId& obstacle) {
+std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law, Company& company,
+                                   ObstacleId& obstacle) {
   const StaticWorld& statics = world.statics;
   const RobotSetup& own = company.scene.robots.front();
   const MotionState state = start_of(own);

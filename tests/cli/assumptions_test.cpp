@@ -247,12 +247,12 @@ TEST(Assumptions, robots_that_do_not_avoid_each_other_may_be_in_one_place) {
   const std::string group =
       "  - {number: 12, placement: {random: {min: [0, 0], max: [4, 5]}}, goals: antipodal, ";
   const std::string groups = "version: 1\ngroups:\n" + group + "layers: [0], avoids: [0]}\n";
-  EXPECT_EQ(run_avo(with_scene({"validate"}, groups + group + "layers: [1], avoids: [1]}\n"))
-                .exit_code,
-            0);
-  EXPECT_EQ(run_avo(with_scene({"validate"}, groups + group + "layers: [1], avoids: [0]}\n"))
-                .exit_code,
-            3);
+  EXPECT_EQ(
+      run_avo(with_scene({"validate"}, groups + group + "layers: [1], avoids: [1]}\n")).exit_code,
+      0);
+  EXPECT_EQ(
+      run_avo(with_scene({"validate"}, groups + group + "layers: [1], avoids: [0]}\n")).exit_code,
+      3);
 }
 
 TEST(Assumptions, recordings_are_judged_without_them) {

@@ -182,8 +182,8 @@ void bind_edits(SimulationClass& simulation) {
             return self.alone([&](Simulation& s) { return s.add_robot(setup).value; });
           },
           arg("setup"),
-          "Returns its id. Raises Error where it starts in others, or too near or too fast for them "
-          "or for obstacles, unless the scene has allow_broken_assumptions.")
+          "Returns its id. Raises Error where it starts in others, or too near or too fast for "
+          "them or for obstacles, unless the scene has allow_broken_assumptions.")
       .def(
           "remove_robot",
           [](SharedSimulation& self, std::int64_t id) {

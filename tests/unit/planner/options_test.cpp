@@ -116,9 +116,8 @@ TEST(Options, that_are_left_out_follow_the_method) {
     EXPECT_EQ(options.certificate, usual.certificate);
     const Planner planner(PlannerOptions{.method = method, .time_step = 0.2});
     EXPECT_EQ(planner.options().time_horizon, method == Method::avo ? 3.0 : 10.0);
-    EXPECT_EQ(planner.options().certificate, method == Method::avo
-                                                 ? Certificate::braking_trajectories
-                                                 : Certificate::none);
+    EXPECT_EQ(planner.options().certificate,
+              method == Method::avo ? Certificate::braking_trajectories : Certificate::none);
   }
   const PlannerOptions set = {.method = Method::orca, .time_horizon = 5.0};
   EXPECT_EQ(set.time_horizon, 5.0);

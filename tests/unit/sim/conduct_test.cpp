@@ -264,7 +264,8 @@ TEST(Layers, those_who_avoid_nobody_there_may_be_in_one_place) {
 
 TEST(Layers, nobody_is_held_by_those_whom_it_does_not_avoid) {
   Scenario scene;
-  scene.robots = {in_layer(robot_at({0, 0}, {9, 0}), 1, 1), in_layer(robot_at({0, 0}, {9, 0}), 2, 2),
+  scene.robots = {in_layer(robot_at({0, 0}, {9, 0}), 1, 1),
+                  in_layer(robot_at({0, 0}, {9, 0}), 2, 2),
                   in_layer(robot_at({1, 0}, {9, 0}), 1, 1)};
   Simulation simulation(scene, 1);
   Metrics metrics(scene);

@@ -102,9 +102,9 @@ TEST(StartChecks, a_robot_is_not_added_where_it_breaks_an_assumption) {
             "0.5 + 0 m; slow down, move it away, or start at rest" +
                 kAllowed);
   robot.position = {25, 0}, robot.velocity = {};
-  EXPECT_EQ(said_of(simulation, robot),
-            "position of robot 4: found [25, 0], must be outside of the solid obstacle 1" +
-                kAllowed);
+  EXPECT_EQ(
+      said_of(simulation, robot),
+      "position of robot 4: found [25, 0], must be outside of the solid obstacle 1" + kAllowed);
   robot.position = {0, -30}, robot.velocity = {0, -2.5};
   EXPECT_EQ(said_of(simulation, robot),
             "velocity of robot 4: found 2.5 m/s at the start, must be <= its max_speed = 2 m/s; "
