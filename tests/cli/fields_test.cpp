@@ -104,6 +104,7 @@ TEST(Fields, ranges_are_those_of_validate) {
   EXPECT_EQ(check_ranges(scenario, scenario.moving_obstacles[0], "moving_obstacles.0."), 6);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing, "sensing."), 1);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing.noise, "sensing.noise."), 3);
+  EXPECT_EQ(check_ranges(scenario, scenario.sensing.localization, "sensing.localization."), 2);
   EXPECT_EQ(check_ranges(scenario, scenario.sensing_error.emplace(), "sensing_error."), 2);
 }
 
@@ -172,6 +173,8 @@ TEST(Fields, every_key_is_guessed_and_refused_twice) {
   check_misspellings(avo_io::fields<avo::SensingModel>(), "{version: 1, sensing: {", "}}");
   check_misspellings(avo_io::fields<avo::MeasurementNoise>(), "{version: 1, sensing: {noise: {",
                      "}}}");
+  check_misspellings(avo_io::fields<avo::LocalizationNoise>(),
+                     "{version: 1, sensing: {localization: {", "}}}");
   check_misspellings(avo_io::fields<avo::SensingError>(), "{version: 1, sensing_error: {", "}}");
   check_misspellings(avo_io::fields<avo::Disc>(), "{version: 1, obstacles: [{disc: {", "}}]}");
 }
@@ -312,6 +315,16 @@ groups:
             0.5 * most_acceleration(std::get<avo::DifferentialDrive>(own.model)));
   EXPECT_EQ((avo::DifferentialDrive{.track = 0.16}.offset), 0.08);
   EXPECT_EQ(avo::DifferentialDrive{}.offset, 0.2);
+}
+
+TEST(Fields, sensing_says_how_lost_robots_are) {
+  const Scenario scenario = avo_io::parse_scenario(
+      "version: 1\nsensing: {localization: {position: 0.03, distribution: uniform}}\n"
+      "robots: [{position: [0, 0], goal: [9, 0]}]\n",
+      "f");
+  EXPECT_EQ(scenario.sensing.localization.position, 0.03);
+  EXPECT_EQ(scenario.sensing.localization.distribution, avo::NoiseDistribution::uniform);
+  EXPECT_EQ(scenario.sensing.noise, avo::MeasurementNoise{});
 }
 
 TEST(Fields, doubles_arrive_bit_by_bit_and_without_minus_zero) {
