@@ -33,13 +33,6 @@ struct Where {
 template <typename Def>
 inline constexpr std::array kReleasedSizes{sizeof(Def)};
 
-template <>
-inline constexpr std::array kReleasedSizes<avo_planner_def>{
-    offsetof(avo_planner_def, localization_error), sizeof(avo_planner_def)};
-template <>
-inline constexpr std::array kReleasedSizes<avo_simulation_def>{
-    offsetof(avo_simulation_def, localization), sizeof(avo_simulation_def)};
-
 /// Bytes of the definition. Throws Failure where no version of it has as many.
 template <typename Def>
 std::size_t size_of(const Def* def, const Where& where) {
