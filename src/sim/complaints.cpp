@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -20,23 +21,14 @@ const RobotSetup& setup_of(const Scenario& scenario, int robot) {
   return scenario.robots[static_cast<std::size_t>(robot)];
 }
 
-double parsed(const std::string& digits) {
-  double value = 0.0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return value;
-}
-
 // One of the sixth digit: a power of ten, as formatting and reading round it, correctly.
 double sixth_digit(double value) {
   char buffer[32];
   constexpr auto kScientific = std::chars_format::scientific;
   const std::string digits(
       buffer, std::to_chars(buffer, buffer + sizeof buffer, value, kScientific, 5).ptr);
-  std::string_view exponent = std::string_view(digits).substr(digits.find('e') + 1);
-  if (exponent.starts_with('+')) exponent.remove_prefix(1);
-  int power = 0;
-  std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
-  return parsed("1e" + std::to_string(power - 5));
+  const int power = std::atoi(digits.c_str() + digits.find('e') + 1);
+  return std::strtod(("1e" + std::to_string(power - 5)).c_str(), nullptr);
 }
 // Six digits, rounded so that whoever types them is within the limit: upwards or downwards.
 std::string at_least(double value) {
