@@ -39,6 +39,7 @@ TEST(FirstSights, count_who_comes_within_a_sensing_radius_that_is_too_short) {
                   cruising({-6.0, 30.0}, {6.0, 30.0})};
   scene.moving_obstacles = {{{8.0, 30.0}, {-2.0, 0.0}, {}, 0.5}};
   scene.sensing_radius = 4.5;  // both robots would need 5.4 m
+  scene.allow_broken_assumptions = true;
   EXPECT_EQ(run(scene, 60).first_seen_too_late, 2);
   scene.sensing_radius = 15.0;
   EXPECT_EQ(run(scene, 60).first_seen_too_late, 0);
@@ -48,6 +49,7 @@ TEST(FirstSights, are_not_those_of_the_start_or_of_robots_that_are_added) {
   Scenario scene;
   scene.robots = {cruising({-1.0, 0.0}, {6.0, 0.0}), cruising({1.0, 0.0}, {-6.0, 0.0})};
   scene.sensing_radius = 5.0;
+  scene.allow_broken_assumptions = true;
   Simulation simulation(scene, 1);
   Metrics metrics(scene);
   metrics.observe(simulation);

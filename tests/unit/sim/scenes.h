@@ -33,6 +33,7 @@ inline Scenario dense_scene(int count, Motion motion, std::uint64_t seed = 1) {
   scene.time_horizon = 5.0;
   scene.sensing_radius = 8.0;
   scene.max_neighbors = 10;
+  scene.allow_broken_assumptions = true;  // of a certificate that somebody adds
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
   const double extent = 1.6 * side;
   for (int k = 0; k < count; ++k) {
@@ -62,7 +63,6 @@ inline Scenario dense_avo_scene(int count, Motion motion, Certificate certificat
   Scenario scene = dense_scene(count, motion, seed);
   scene.method = Method::avo;
   scene.certificate = certificate;
-  scene.allow_broken_assumptions = true;
   for (RobotSetup& robot : scene.robots) robot.model = Holonomic{};
   return scene;
 }
