@@ -129,6 +129,10 @@ TEST(Allocation, none_per_step_where_others_look_as_the_scene_says) {
     scene.sensing.dropped = 0.1;
     scene.sensing.occlusion = true;
     EXPECT_EQ(allocations_when_warm(scene, threads, 1, 60), 0) << threads << " threads";
+    scene.sensing.localization.position = 0.01;
+    EXPECT_EQ(allocations_when_warm(scene, threads, 1, 60), 0) << threads << " threads";
+    scene.clock = Clock::free;
+    EXPECT_EQ(allocations_when_warm(scene, threads, 400, 400), 0) << threads << " threads";
   }
 }
 
