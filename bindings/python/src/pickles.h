@@ -37,7 +37,7 @@ inline constexpr int kFields<avo::MovingObstacle> = 7;
 template <>
 inline constexpr int kFields<avo::Robot> = 12;
 template <>
-inline constexpr int kFields<avo::Neighbor> = 13;
+inline constexpr int kFields<avo::Neighbor> = 14;
 template <>
 inline constexpr int kFields<avo::Detour> = 4;
 template <>
@@ -75,9 +75,9 @@ auto fields(T& x) {
   } else if constexpr (n == 12) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
-  } else if constexpr (n == 13) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  } else if constexpr (n == 14) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o);
   } else if constexpr (n == 15) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p);
