@@ -128,7 +128,7 @@ static void check_sensing_radius(void) {
   CHECK(radius == 24.0);
   REFUSES(avo_needed_sensing_radius(&def, NULL), AVO_ERROR_INVALID_ARGUMENT, "radius: found null");
   def.sensing_radius = -1.0;
-  REFUSES(avo_needed_sensing_radius(&def, &radius), AVO_ERROR_INVALID_DEFINITION,
+  REFUSES(avo_needed_sensing_radius(&def, &radius), AVO_ERROR_INVALID_VALUE,
           "sensing_radius: found -1");
 }
 

@@ -124,7 +124,7 @@ TEST(Advice, sensing_radius_that_costs_many_times_what_is_needed) {
   Scenario scenario = crowd(45, 12.0);
   EXPECT_EQ(avo::advice(scenario),
             Lines{"sensing_radius 12 m is 4.7 times the 2.535 m that the robots need: a robot "
-                  "senses 256 others at the start instead of 11, so that a step costs about 23 "
+                  "senses 257 others at the start instead of 12, so that a step costs about 22 "
                   "times as much; leave sensing_radius out, or set max_neighbors"});
   scenario.max_neighbors = 10;
   EXPECT_EQ(avo::advice(scenario), Lines{});
