@@ -78,9 +78,9 @@ struct Neighbor {
   Vec2 acceleration = {};  ///< [a_B] m/s^2, observed; read only where B moves on
   /// m/s, > 0, of one that moves on: it is never faster. Read only with a max_deviation.
   double max_speed = std::numeric_limits<double>::infinity();
-  /// Unit, or 0: of one that decides, and that coincides with A in place and velocity, the direction
-  /// in which A leaves it; B has to mean the opposite one. That of parting_direction() suits any
-  /// number of robots. Without it two that coincide, and wish for the same, stay one.
+  /// Unit, or 0: of one that decides, and that coincides with A in place and velocity, the
+  /// direction in which A leaves it; B has to mean the opposite one. That of parting_direction()
+  /// suits any number of robots. Without it two that coincide, and wish for the same, stay one.
   Vec2 parting = {};
 };
 

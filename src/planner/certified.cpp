@@ -151,7 +151,8 @@ CertifiedChoice choose_by_half_planes(const Proposals& proposals) {
     proposals.begin();
     const std::size_t own = workspace.hard.size();  // what a car at rest may do lies on a line
     append_half_planes(workspace.constraints.capsules, robot, law.step, top_speed, workspace.hard);
-    for (std::size_t k = own; k < workspace.hard.size(); ++k) workspace.hard[k].offset += kInside * u;
+    for (std::size_t k = own; k < workspace.hard.size(); ++k)
+      workspace.hard[k].offset += kInside * u;
     for (int round = 0; round < kRounds; ++round) {
       const ProgramResult result = propose(proposals, top_speed);
       if (result.state != ProgramState::optimal) break;

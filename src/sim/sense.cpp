@@ -64,8 +64,7 @@ void part_coinciding(const World& world, std::size_t slot, const Found& hits,
     if (Vec2{to.x[place], to.y[place]} != position) return;  // nor anybody behind it
     const std::uint32_t other = world.snapshot.grid.order()[search.order[hits.first + k]];
     if (Vec2{to.v_x[place], to.v_y[place]} == velocity)
-      to.part(place,
-              parting_direction(world.fleet.id[slot].value, world.fleet.id[other].value));
+      to.part(place, parting_direction(world.fleet.id[slot].value, world.fleet.id[other].value));
   }
 }
 
