@@ -2,6 +2,7 @@
 // A crush of all kinds: unequal robots, cars among them, with priorities that give shares of 1/64
 // to 63/64, limits of braking of 0.5 to 3 of their a_max, one-sided layers, and people who do as
 // they like, all sent to one point after the other. Judged by Check.
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -31,7 +32,8 @@ RobotSetup any_robot(Random& random) {
   if (kind == 0) robot.model = Car{0.3};
   if (kind == 1) robot.layers.bits = robot.avoids.bits = 2;
   if (kind == 2) {
-    robot.model = DifferentialDrive{0.2, 0.1, 1.5, 4.0 * robot.max_acceleration};
+    const double most = std::max(robot.max_acceleration, *robot.max_braking);
+    robot.model = DifferentialDrive{0.2, 0.1, 1.5, 4.0 * most};
     robot.radius -= 0.1;
   }
   if (kind == 3) {

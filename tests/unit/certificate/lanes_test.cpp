@@ -145,6 +145,9 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
       find_near(single, Whom::everyone, law, alone);
       ASSERT_EQ(all.of(i).size(), alone.of(0).size());
       EXPECT_EQ(all.has_others[i], alone.has_others[0]);
+      const Deviation in_lane = all.own.deviation(i), by_itself = alone.own.deviation(0);
+      EXPECT_EQ(in_lane.most_ahead, by_itself.most_ahead);
+      EXPECT_EQ(in_lane.most_aside, by_itself.most_aside);
       for (std::size_t k = 0; k < all.of(i).size(); ++k) {
         const NearPair &of_all = all.of(i)[k], &own = alone.of(0)[k];
         EXPECT_EQ(of_all.neighbor, own.neighbor);
