@@ -187,22 +187,29 @@ void Fleet::reorder(std::span<const std::uint32_t> order, Executor& executor, bo
       body(chunk * kChunk, std::min((chunk + 1) * kChunk, count));
     });
   };
-  std::size_t widest = 0;
-  for_each_column([&](auto& column) { widest = std::max(widest, sizeof column[0]); });
-  if (scratch_.size() < count * widest) scratch_.resize(count * widest);  // before anything changes
+  // bytes of an entry that are moved at once, which bounds the memory: a wider one in two parts
+  constexpr std::size_t kMost = 48;
+  if (scratch_.size() < count * kMost) scratch_.resize(count * kMost);  // before anything changes
   torn = true;
-  for_each_column([&](auto& column) {
-    using T = typename std::decay_t<decltype(column)>::value_type;
-    static_assert(std::is_trivially_copyable_v<T>);
+  const auto move_part = [&]<std::size_t kBegin, std::size_t kWidth>(std::byte* column,
+                                                                     std::size_t entry) {
     std::byte* const copy = scratch_.data();
     for_each_chunk([&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) {
-        std::memcpy(copy + k * sizeof(T), &column[order[k]], sizeof(T));
-      }
+      for (std::size_t k = first; k < last; ++k)
+        std::memcpy(copy + k * kWidth, column + order[k] * entry + kBegin, kWidth);
     });
     for_each_chunk([&](std::size_t first, std::size_t last) {
-      std::memcpy(column.data() + first, copy + first * sizeof(T), (last - first) * sizeof(T));
+      for (std::size_t k = first; k < last; ++k)
+        std::memcpy(column + k * entry + kBegin, copy + k * kWidth, kWidth);
     });
+  };
+  for_each_column([&](auto& column) {
+    using T = typename std::decay_t<decltype(column)>::value_type;
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= 2 * kMost);
+    constexpr std::size_t kFirst = std::min(sizeof(T), kMost), kRest = sizeof(T) - kFirst;
+    std::byte* const bytes = reinterpret_cast<std::byte*>(column.data());
+    move_part.template operator()<0, kFirst>(bytes, sizeof(T));
+    if constexpr (kRest > 0) move_part.template operator()<kFirst, kRest>(bytes, sizeof(T));
   });
   for (std::size_t slot = 0; slot < count; ++slot) {
     slot_of[static_cast<std::size_t>(rank[slot])] = static_cast<std::uint32_t>(slot);
