@@ -96,10 +96,10 @@ class Poison {
     each(contact, tip, convexes, horns, follow, others);
   }
   void spoil(SoftPlanes& soft) const {
-    auto& [planes, excess, exceeding, first, overlapping, share, pair_end, raise, shared, pairs,
-           workspace, relative] = soft;
-    each(planes, excess, exceeding, first, overlapping, share, pair_end, raise, shared, pairs,
-         workspace, relative);
+    auto& [planes, excess, exceeding, first, overlapping, coinciding, share, pair_end, raise,
+           shared, pairs, workspace, relative] = soft;
+    each(planes, excess, exceeding, first, overlapping, coinciding, share, pair_end, raise, shared,
+         pairs, workspace, relative);
   }
   void spoil(DecisionColumns& decisions) const {
     auto& [range, ahead, is_beside, push_x, push_y, push_at_rest_x, push_at_rest_y, wish_x, wish_y,
@@ -110,23 +110,23 @@ class Poison {
          new_y, a_x, a_y, is_free);
   }
   void spoil(Demands& demands) const {
-    auto& [planes, excess, overlapping] = demands;
-    each(planes, excess, overlapping);
+    auto& [planes, excess, overlapping, out] = demands;
+    each(planes, excess, overlapping, out);
   }
   void spoil(FlightConstraints& flight) const {
-    auto& [lines, walls, slack, broken] = flight;
+    auto& [lines, walls, slack, broken, broken_wall] = flight;
     for (auto& [neighbor, normal, part] : lines) each(neighbor, normal, part);
     for (auto& [a, b, radius] : walls) each(a, b, radius);
-    each(slack, broken);
+    each(slack, broken, broken_wall);
   }
 
   void spoil(NeighborColumns& neighbors) const {
-    auto& [count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations, x, y, v_x,
-           v_y, radius, max_acceleration, decides, priority, max_braking, age, position_error,
-           motion, has_loiterers, loiter] = neighbors;
-    each(count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations, x, y, v_x,
-         v_y, radius, max_acceleration, decides, priority, max_braking, age, position_error, motion,
-         has_loiterers, loiter);
+    auto& [count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations,
+           has_partings, x, y, v_x, v_y, radius, max_acceleration, decides, priority, max_braking,
+           age, position_error, motion, has_loiterers, loiter, parting] = neighbors;
+    each(count, has_movers, has_aged, has_priorities, has_max_braking, has_deviations, has_partings,
+         x, y, v_x, v_y, radius, max_acceleration, decides, priority, max_braking, age,
+         position_error, motion, has_loiterers, loiter, parting);
   }
   // model, neighbors and loiter are lists
   void spoil(RobotColumns& robots) const {
@@ -176,17 +176,18 @@ class Poison {
     each(neighbor, normal, offset, begin);
   }
   void spoil(NearWall& wall) const {
-    auto& [segment, distance, held, margin] = wall;
-    each(segment, distance, held, margin);
+    auto& [segment, distance, held, margin, normal, cone] = wall;
+    each(segment, distance, held, margin, normal, cone);
   }
   void spoil(WallConstraints& walls) const {
-    auto& [near, middle, stop, backup, broken, must_brake] = walls;
-    each(near, middle, stop, backup, broken, must_brake);
+    auto& [near, middle, stop, backup, first, broken, doubtful, must_brake] = walls;
+    each(near, middle, stop, backup, first, broken, doubtful, must_brake);
   }
   void spoil(CandidatePath& path) const {
     auto& [first, next_velocity, direction, speed, way, moving, bend, swing, braking] = path;
     each(first, next_velocity, direction, speed, way, moving, bend, swing, braking);
   }
+  void spoil(Deepest& deepest) const { each(deepest.index, deepest.depth); }
   void spoil(Invariant& invariant) const {
     auto& [slack, broken, touched, unknown, doubtful] = invariant;
     each(slack, broken, touched, unknown, doubtful);
