@@ -153,11 +153,12 @@ TEST(Hdf5Recording, a_given_scene_wins_over_its_own) {
 
 TEST(Hdf5Recording, ends_where_a_signal_ends_the_run) {
   const std::string h5 = path_of("run.h5");
-  const ProcessResult run = run_avo_to_its_own_end({"run", "circle-1000", "--record", h5, "-q"},
-                                                   {.meanwhile = [&h5](int pid) {
-                                                     wait_until_larger(pid, h5 + ".part", 100'000);
-                                                     kill(pid, SIGINT);
-                                                   }});
+  const ProcessResult run = run_avo_to_its_own_end(
+      {"run", "circle-30", "--duration", "1e5", "--threads", "1", "--record", h5, "-q"},
+      {.meanwhile = [&h5](int pid) {
+        wait_until_larger(pid, h5 + ".part", 20'000);
+        kill(pid, SIGINT);
+      }});
   EXPECT_EQ(run.exit_code, 130) << run.err;
   EXPECT_EQ(files_in(folder()), Strings{"run.h5"});
   const ProcessResult again = run_avo({"replay", h5});
