@@ -16,8 +16,8 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"drives_100", "drives-100", {}, 0, 0xf18a0bc2af0230e2},
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
       {"person", "person", {}, 0, 0x3acc942a286b85da},
-      {"reversing_cars", "reversing-cars", {}, 0, 0xb8c4e48b7f9ef75c},
-      {"mixed_yard", "mixed-yard", {}, 0, 0xed68392ad0c41482},
+      {"reversing_cars", "reversing-cars", {}, 0, 0x0cb943cecda187dd},
+      {"mixed_yard", "mixed-yard", {}, 0, 0xe810bfe7fd0338d2},
       {"moving_obstacle_exponential",
        "moving-obstacle",
        {"motion=exponential"},
@@ -32,12 +32,12 @@ const std::vector<PinnedRun>& pinned_runs() {
         "groups.0.placement.random={min: [0, 0], max: [44, 44], clearance: 0.1}",
         "groups.0.goals.random={min: [0, 0], max: [44, 44], clearance: 0.1}"},
        100,
-       0x827a9904cd16731d},
+       0x6eee3689871946d2},
       {"reversing_cars_that_sense_late",
        "reversing-cars",
        {"sensing.delay=1"},
        0,
-       0x6e209646bdccf098},
+       0x47173d37c03441d0},
   };
   return runs;
 }
