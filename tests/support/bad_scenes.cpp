@@ -64,7 +64,7 @@ const std::vector<BadScene>& bad_scenes() {
       {"brakes_harder_than_its_wheels_can",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: differential_drive, "
          "max_acceleration: 0.5, max_braking: 2.5}\n"),
-       "3:101: robots.0.max_braking: found 2.5, must be < 2.12132 m/s^2, "
+       "3:101: robots.0.max_braking: found 2.5, must be < 2.1213203435596424 m/s^2, "
        "wheel_acceleration/sqrt(1 + (track/(2 offset))^2)"},
       {"max_speed_of_one_that_keeps_its_acceleration",
        kGood + s("moving_obstacles:\n  - {position: [9, 9], max_speed: 2}\n"),
@@ -125,14 +125,15 @@ const std::vector<BadScene>& bad_scenes() {
       {"number_minus_zero", kGood + s("control_time: -0.0\n"),
        "4:15: control_time: found -0.0, must be > 0 s"},
       {"sensing_a_word", kGood + s("sensing: noisy\n"),
-       "4:10: sensing: found \"noisy\", must be a map with keys noise, delay, dropped, occlusion"},
+       "4:10: sensing: found \"noisy\", must be a map with keys noise, delay, dropped, occlusion, "
+       "localization"},
       {"noise_of_another_kind",
        kGood + s("sensing: {noise: {position: 0.1, distribution: normal}}\n"),
        "4:48: sensing.noise.distribution: found \"normal\", must be one of gaussian, uniform"},
       {"noise_uniform_truncated",
        kGood + s("sensing: {noise: {position: 0.1, distribution: uniform, truncated: 2}}\n"),
        "4:68: sensing.noise.truncated: found 2, must be left out with distribution uniform, which "
-       "stays within position and velocity"},
+       "stays within what is given"},
       {"delay_of_half_a_step", kGood + s("sensing: {delay: 0.5}\n"),
        "4:18: sensing.delay: found 0.5, must be a whole number"},
       {"dropped_all", kGood + s("sensing: {dropped: 1}\n"),

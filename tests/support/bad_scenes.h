@@ -17,7 +17,8 @@ inline const std::string kSceneKeys =
     "version, name, time_step, duration, control_time, time_horizon, sensing_radius, "
     "max_neighbors, method, certificate, motion, precision, samples, arrival_distance, seed, "
     "robots, groups, robots_from, "
-    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock";
+    "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, clock, "
+    "allow_broken_assumptions";
 inline const std::string kRobotKeys =
     "position, velocity, goal, radius, max_speed, max_acceleration, preferred_speed, model, "
     "heading, car, drive, airplane, "
