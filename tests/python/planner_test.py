@@ -236,6 +236,6 @@ def test_two_that_coincide_part_along_the_direction_of_their_ids():
     first, second = (avo.Planner().plan(robot, [avo.Neighbor(position=(0, 0), parting=way)]).next_velocity
                      for way in (n, (-n[0], -n[1])))
     assert sum(n[k] * (first[k] - second[k]) for k in (0, 1)) > 0.19
-    robots = avo.Robots(position=[(0, 0)] * 3, preferred_velocity=[(1, 0)] * 3)
-    plans = avo.Planner().plan_many(robots, avo.Neighbors.among(robots, 10.0))
+    robots = avo.Robots(position=[(0, 0)] * 3, velocity=[(0, 0)] * 3, preferred_velocity=[(1, 0)] * 3)
+    plans = avo.Planner().plan(robots, avo.Neighbors.among(robots, 10.0))
     assert len({tuple(v) for v in plans.next_velocity()}) == 3
