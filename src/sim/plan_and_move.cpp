@@ -64,11 +64,11 @@ void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worke
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     const Vec2 aim{moving.goal_x[k], moving.goal_y[k]};
-    const bool stays = stays_near(world, slot, aim);
-    if (stays && world.fleet.velocity[slot] == Vec2{}) world.fleet.has_stood[slot] = 1;
-    const Vec2 goal = stays ? world.fleet.position[slot] : disc_goal(world.fleet, slot, aim);
+    const Vec2 goal = disc_goal(world.fleet, slot, aim);
     moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
-    if (stays) worker.staying.push_back(static_cast<std::uint32_t>(k));
+    if (!stays_near(world, slot, aim)) continue;
+    if (world.fleet.velocity[slot] == Vec2{}) world.fleet.has_stood[slot] = 1;
+    worker.staying.push_back(static_cast<std::uint32_t>(k));
   }
 }
 
@@ -138,6 +138,8 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
     worker.moving.goal_x[k] -= worker.lost[k].x;
     worker.moving.goal_y[k] -= worker.lost[k].y;
   }
+  for (const std::uint32_t k : worker.staying)
+    worker.moving.goal_x[k] = robots.x[k], worker.moving.goal_y[k] = robots.y[k];
   choose_ways(pace.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far robots sense whose scene does not say it (docs/scenes.md, "How far robots sense").
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "avo/assumptions.h"
 #include "core/ranges.h"
 #include "planner/arrival.h"
+#include "planner/certify.h"
 #include "robots/model.h"
 #include "sim/assumptions.h"
 
@@ -17,19 +19,53 @@ namespace {
 constexpr double kAlone = 1.0;         // m, where there is nobody to sense
 constexpr std::size_t kSampled = 200;  // robots, whose neighbors are counted
 
+// Radii: as far as robots look, among walls, for who claims a passage (docs/arrival.md).
+constexpr double kAmongWalls = 30.0;
+
+// Of the robots that decide.
+struct Largest {
+  double radius = 0.0, speed = 0.0;  // m, m/s
+  bool has_priorities = false;       // some have more than others
+};
+
+Largest largest_of(const Scenario& scenario) {
+  Largest largest;
+  for (const RobotSetup& robot : scenario.robots) {
+    if (robot.parked) continue;
+    largest.radius = std::max(largest.radius, disc_radius(robot));
+    largest.speed = std::max(largest.speed, robot.max_speed);
+    largest.has_priorities = largest.has_priorities || robot.priority != 1.0;
+  }
+  return largest;
+}
+
+// m: one that heads for the robot is seen in time for the robot alone to be out of its way, from
+// rest to rest, which takes 2 √(r/a) for the way r; and where one of two has to make more of the
+// correction, before the time horizon, from which on half-planes say so.
+double evading_range(const Robot& robot, const Largest& others, double time_horizon) {
+  const double r = robot.radius + others.radius;
+  const double time = 2.0 * std::sqrt(r / robot.max_acceleration);
+  return r + (robot.max_speed + others.speed) *
+                 (others.has_priorities ? std::max(time, time_horizon) : time);
+}
+
 // m: as far as a method's rules look, beside the certificate.
 double rules_range(const Scenario& scenario, const PlannerOptions& options) {
-  double radius = 0.0, range = 0.0;
-  for (const RobotSetup& robot : scenario.robots)
-    if (!robot.parked) radius = std::max(radius, disc_radius(robot));
+  const bool among_walls = !scenario.obstacles.empty() && scenario.navigation.value_or(true) &&
+                           scenario.right_of_way != RightOfWay::none;
+  const Largest largest = largest_of(scenario);
+  double range = 0.0;
   for (const RobotSetup& setup : scenario.robots) {
     if (setup.parked) continue;
     Robot robot;
     robot.radius = disc_radius(setup), robot.max_speed = setup.max_speed;
     robot.max_acceleration = setup.max_acceleration, robot.max_braking = setup.max_braking;
-    range = std::max(range, arrival_range(robot, radius));
-    if (options.method != Method::avo)
-      range = std::max(range, robot.radius + radius + options.time_horizon * robot.max_speed);
+    range = std::max(range, arrival_range(robot, largest.radius));
+    if (among_walls) range = std::max(range, kAmongWalls * robot.radius);
+    const double tau = options.time_horizon;
+    range = std::max(range, options.method == Method::avo
+                                ? evading_range(robot, largest, tau)
+                                : robot.radius + largest.radius + tau * robot.max_speed);
   }
   return range;
 }

@@ -58,9 +58,10 @@ std::optional<Plan> stop_of(const World& world, std::size_t slot) {
   Plan plan = plan_under(law, robot, next, PlanStatus::optimal, 0.0);
   const MotionState state{{}, robot.velocity, fleet.heading[slot]};
   const MotionModel* model = fleet.own_model(slot);
-  const MotionStep step = model == nullptr ? advance(state, plan, pace.response)
-                                           : advance(*model, {traits.max_braking, traits.max_speed},
-                                                     state, plan, pace.response.time_step);
+  const MotionStep step = model == nullptr
+                              ? advance(state, plan, pace.response)
+                              : advance(*model, {planned_braking(traits), traits.max_speed}, state,
+                                        plan, pace.response.time_step);
   plan.next_velocity = step.next.velocity;
   return plan;
 }

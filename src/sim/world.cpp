@@ -194,8 +194,9 @@ Robot World::robot(std::size_t slot, double nearest) const {
   const Vec2 p = fleet.position[slot], v = fleet.velocity[slot], goal = fleet.goal[slot];
   Heading heading{goal, robot_traits.preferred_speed};
   if (!ways.empty()) heading = heading_of(*this, slot, nearest);
-  heading.goal = stays_near(*this, slot, heading.goal) ? p : disc_goal(fleet, slot, heading.goal);
-  heading.goal = heading.goal - own_error(*this, slot);
+  heading.goal = stays_near(*this, slot, heading.goal)
+                     ? p
+                     : disc_goal(fleet, slot, heading.goal) - own_error(*this, slot);
   RobotTraits traits = robot_traits;
   traits.preferred_speed = heading.preferred_speed;
   Robot robot{

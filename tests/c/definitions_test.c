@@ -112,10 +112,10 @@ static void check_sensing_radius(void) {
   def.robot_count = 2;
   CHECK(def.sensing_radius == 0.0);
   TAKES_ITS_SIZE_ALONE(def, "def", avo_needed_sensing_radius(&def, &radius));
-  CHECK(radius == 6.0);
+  CHECK(radius == 9.0);
   REQUIRE(avo_create_simulation(&def, &simulation));
   REQUIRE(avo_simulation_get_sensing_radius(simulation, &radius));
-  CHECK(radius == 6.0);
+  CHECK(radius == 9.0);
   robots[0].position.y = 50.0;
   robots[0].max_speed = 4.0;
   REQUIRE(avo_simulation_add_robot(simulation, &robots[0], &id));

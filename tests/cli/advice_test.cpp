@@ -123,8 +123,8 @@ Scenario crowd(int side, double sensing_radius) {
 TEST(Advice, sensing_radius_that_costs_many_times_what_is_needed) {
   Scenario scenario = crowd(45, 12.0);
   EXPECT_EQ(avo::advice(scenario),
-            Lines{"sensing_radius 12 m is 4.7 times the 2.535 m that the robots need: a robot "
-                  "senses 257 others at the start instead of 12, so that a step costs about 22 "
+            Lines{"sensing_radius 12 m is 2.6 times the 4.6279 m that the robots need: a robot "
+                  "senses 257 others at the start instead of 41, so that a step costs about 6.2 "
                   "times as much; leave sensing_radius out, or set max_neighbors"});
   scenario.max_neighbors = 10;
   EXPECT_EQ(avo::advice(scenario), Lines{});

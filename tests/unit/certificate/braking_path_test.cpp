@@ -143,7 +143,7 @@ TEST(BrakingPath, true_motion_stays_in_the_triangle_of_its_points) {
 
 // A neighbor that would brake for ever is braked for: A has no other choice.
 Scenario braking_scene(Random& random, Motion motion) {
-  Scenario scene;
+  Scenario scene{.allow_broken_assumptions = true};
   scene.motion = motion;
   scene.sensing_radius = 1000.0;
   scene.time_step = random.log_uniform(0.02, 0.4);

@@ -235,7 +235,7 @@ TEST(Contact, what_a_declared_error_may_feign_breaks_no_assumption) {
 }
 
 TEST(Contact, a_simulation_tells_the_depth_alone) {
-  Scenario scene;
+  Scenario scene{.allow_broken_assumptions = true};
   scene.robots = {{.position = {0.0, 0.0}, .goal = {5.0, 0.0}},
                   {.position = {0.9, 0.0}, .goal = {-5.0, 0.0}}};
   Simulation simulation(scene, 1);

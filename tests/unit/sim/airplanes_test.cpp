@@ -111,7 +111,7 @@ Scenario crowd(std::uint64_t seed, int robots, bool mixed) {
       setup.max_acceleration = 0.5 * most_acceleration(std::get<DifferentialDrive>(setup.model));
     }
     if (kind != 0 && random.below(2) == 0)
-      setup.max_braking = random.log_uniform(0.3, 3.0) * setup.max_acceleration;
+      setup.max_braking = random.log_uniform(0.3, kind == 2 ? 1.9 : 3.0) * setup.max_acceleration;
     scene.robots.push_back(setup);
     if (broken_assumptions(scene).start_count > 0) scene.robots.pop_back();
   }

@@ -42,7 +42,7 @@ Scenario crossing(int robots, const SensingModel& sensing, std::uint64_t seed = 
   Scenario scene;
   scene.clock = Clock::free;
   scene.seed = seed;
-  scene.sensing_radius = 30.0;
+  scene.sensing_radius = 40.0;
   scene.sensing = sensing;
   const double far = std::max(5.0, 0.35 * robots);
   for (int k = 0; k < robots; ++k) {

@@ -55,7 +55,7 @@ RobotSetup any_robot(Random& random, double size, double time_step) {
 }
 
 Scenario any_scene(Random& random) {
-  Scenario scene;
+  Scenario scene{.allow_broken_assumptions = true};
   const double size = random.log_uniform(1e-3, 1e6);  // m
   scene.time_step = random.log_uniform(1e-3, 1e2);
   scene.control_time = scene.time_step * random.log_uniform(1.0, 50.0);
@@ -105,7 +105,7 @@ TEST(Saving, whatever_a_run_reaches_is_read) {
 // Steps so long that a robot is at its full speed, and at rest again, hundreds of times within one.
 TEST(Saving, what_robots_remember_stays_in_its_range) {
   for (const double max_speed : {0.35, 0.1, 1e-3, 1e-9}) {
-    Scenario scene;
+    Scenario scene{.allow_broken_assumptions = true};
     for (int k = 0; k < 4; ++k) {
       RobotSetup robot = test::robot_at({1.02 * k, 0}, {k < 2 ? 1.02 : 2.04, 0});
       robot.max_speed = robot.preferred_speed = max_speed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far robots sense whose scene does not say it: as far as they need, also those that come
 // later.
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -36,13 +37,22 @@ RobotSetup robot_of(double max_speed, double x) {
 }
 
 TEST(SensingRadius, is_what_the_method_and_the_certificate_need) {
-  EXPECT_DOUBLE_EQ(sensing_radius_of(pair_of(Method::avo)), 6.0);  // 1.5 v²/b; 5.4 for braking
+  // 1 m + 4 m/s · 2 √(1 m / 1 m/s²); 5.4 m for braking
+  EXPECT_DOUBLE_EQ(sensing_radius_of(pair_of(Method::avo)), 9.0);
   for (const Method method : {Method::avo_paper, Method::orca, Method::velocity_obstacle})
     EXPECT_DOUBLE_EQ(sensing_radius_of(pair_of(method)), 21.0);  // 1 + 10 s at 2 m/s
   Scenario scene = pair_of(Method::avo);
-  for (RobotSetup& robot : scene.robots) robot.radius = 1.5;  // 9 m is more than 7.4 m for braking
-  EXPECT_DOUBLE_EQ(sensing_radius_of(scene), 9.0);
-  scene.sensing.delay = 15;  // 1.5 s more of 2 m/s each
+  for (RobotSetup& robot : scene.robots) robot.radius = 1.5;  // 7.4 m for braking
+  EXPECT_DOUBLE_EQ(sensing_radius_of(scene), 3.0 + 8.0 * std::sqrt(3.0));
+  Scenario among_walls = pair_of(Method::avo);
+  among_walls.obstacles = {{.chains = {{{{-30.0, 8.0}, {30.0, 8.0}}}}}};
+  EXPECT_DOUBLE_EQ(sensing_radius_of(among_walls), 15.0);  // 30 radii
+  among_walls.right_of_way = RightOfWay::none;
+  EXPECT_DOUBLE_EQ(sensing_radius_of(among_walls), 9.0);
+  Scenario unequal = pair_of(Method::avo);
+  unequal.robots[0].priority = 4.0;
+  EXPECT_DOUBLE_EQ(sensing_radius_of(unequal), 13.0);  // 1 m + 4 m/s · τ
+  scene.sensing.delay = 40;                            // 4 s more of 2 m/s each
   EXPECT_DOUBLE_EQ(sensing_radius_of(scene), sensing_need(scene)->range);
   scene.sensing_radius = 15.0;
   EXPECT_EQ(sensing_radius_of(scene), 15.0);
@@ -82,9 +92,9 @@ TEST(SensingRadius, grows_with_robots_that_are_added) {
   Simulation simulation(Scenario{}, 1);
   simulation.add_robot(robot_of(1.0, 0.0));
   const double small = simulation.sensing_radius();
-  EXPECT_DOUBLE_EQ(small, 1.8);  // 6 radii
+  EXPECT_DOUBLE_EQ(small, 0.6 + 4.0 * std::sqrt(0.6));
   simulation.add_robot(robot_of(1.0, 20.0));
-  EXPECT_DOUBLE_EQ(simulation.sensing_radius(), small);  // 2 (0.3 + 0.1 + 0.5) is as much
+  EXPECT_DOUBLE_EQ(simulation.sensing_radius(), small);
   const RobotId fast = simulation.add_robot(robot_of(4.0, 40.0));
   EXPECT_DOUBLE_EQ(simulation.sensing_radius(), 24.0);  // 1.5 · 16
   simulation.remove_robot(fast);
