@@ -70,7 +70,7 @@ enum class Traffic : std::uint8_t { oncoming, crossing, circle };
 Scenario among_others(Traffic traffic, int others, double priority, std::uint64_t seed) {
   constexpr double kTurn = 6.283185307179586;
   test::Random random(100 * seed + static_cast<std::uint64_t>(others));
-  Scenario scene;
+  Scenario scene{.sensing_radius = 15.0};  // the same for all priorities
   const auto jitter = [&](double most) { return random.uniform(-most, most); };
   if (traffic == Traffic::circle) {
     for (int k = 0; k <= others; ++k) {

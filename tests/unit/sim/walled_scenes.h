@@ -23,7 +23,7 @@ inline Vec2 cell_of_maze(int k) {
 
 /// Up to four robots in each cell of a maze of 10 x 10, on their ways to others.
 inline Scenario crowded_maze(int robots) {
-  Scenario scene;
+  Scenario scene{.sensing_radius = 15.0};
   scene.obstacles = {pieces(maze(10, 3.0, 4))};
   for (int k = 0; k < robots; ++k) {
     RobotSetup robot = robot_at(cell_of_maze((7 * k) % 100), cell_of_maze((31 * k + 5) % 100));
