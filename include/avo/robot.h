@@ -80,7 +80,8 @@ struct Neighbor {
   double max_speed = std::numeric_limits<double>::infinity();
   /// Unit, or 0: of one that decides, and that coincides with A in place and velocity, the
   /// direction in which A leaves it; B has to mean the opposite one. That of parting_direction()
-  /// suits any number of robots. Without it two that coincide, and wish for the same, stay one.
+  /// suits any number of robots. Without it two that coincide, and wish for the same, stay one. It
+  /// is in place of the pair's half-plane: of those that do not coincide it has to be 0.
   Vec2 parting = {};
 };
 

@@ -58,29 +58,31 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
   }
 }
 
-// The place that comes to a goal is not the center of every disc, and not all come to shared goals.
+// The place that comes to a goal is not the center of every disc, not all come to shared goals, and
+// who is lost takes its goal to be elsewhere.
 void aim_discs(World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   MovingColumns& moving = worker.moving;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::uint32_t slot = slots[k];
     const Vec2 aim{moving.goal_x[k], moving.goal_y[k]};
-    const Vec2 goal = disc_goal(world.fleet, slot, aim);
+    const bool stays = stays_near(world, slot, aim);
+    if (stays) worker.staying.push_back(slot);
+    if (stays && world.fleet.velocity[slot] == Vec2{}) world.fleet.has_stood[slot] = 1;
+    const Vec2 lost = worker.lost.empty() ? Vec2{} : worker.lost[k];
+    const Vec2 goal = stays ? world.fleet.position[slot] : disc_goal(world.fleet, slot, aim) - lost;
     moving.goal_x[k] = goal.x, moving.goal_y[k] = goal.y;
-    if (!stays_near(world, slot, aim)) continue;
-    if (world.fleet.velocity[slot] == Vec2{}) world.fleet.has_stood[slot] = 1;
-    worker.staying.push_back(static_cast<std::uint32_t>(k));
   }
 }
 
 // Whoever stays near a goal that others share brakes until it stands, and lets no one push it.
-void stop(const World& world, Worker& worker) {
-  for (const std::uint32_t k : worker.staying) {
-    const std::optional<Plan> stop = stop_of(world, worker.tile.slot[k]);
-    Plan& plan = *worker.tile.plan[k];
+void stop(World& world, Worker& worker) {
+  for (const std::uint32_t slot : worker.staying) {
+    const std::optional<Plan> stop = stop_of(world, slot);
+    Plan& plan = world.fleet.plan[slot];
     if (!stop || plan.status == PlanStatus::overlapping) continue;
-    const Plan planned = plan;
+    const SafetyState state = plan.state;
     plan = *stop;
-    plan.state = planned.state;
+    plan.state = state;
   }
   worker.staying.clear();
 }
@@ -133,13 +135,8 @@ void set_out(World& world, const Pace& pace, std::span<const std::uint32_t> slot
   lose_places(world, slots, worker);
   if (!world.statics.walls.empty()) list_walls(world, slots, worker);
   if (!world.ways.empty()) follow_ways(world, slots, worker);
-  if (robots.has_models || !world.shares_goal.empty()) aim_discs(world, slots, worker);
-  for (std::size_t k = 0; k < worker.lost.size(); ++k) {
-    worker.moving.goal_x[k] -= worker.lost[k].x;
-    worker.moving.goal_y[k] -= worker.lost[k].y;
-  }
-  for (const std::uint32_t k : worker.staying)
-    worker.moving.goal_x[k] = robots.x[k], worker.moving.goal_y[k] = robots.y[k];
+  if (robots.has_models || !world.shares_goal.empty() || !worker.lost.empty())
+    aim_discs(world, slots, worker);
   choose_ways(pace.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
 }

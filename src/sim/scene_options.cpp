@@ -81,7 +81,7 @@ SensingError declared_error(const Scenario& scenario) {
   if (scenario.sensing.delay > 0) {
     double strongest = 0.0;  // m/s²
     for (const RobotSetup& robot : scenario.robots)
-      strongest = std::max(strongest, top_acceleration(traits_of(robot)));
+      if (!robot.parked) strongest = std::max(strongest, top_acceleration(traits_of(robot)));
     for (const MovingObstacle& obstacle : scenario.moving_obstacles)
       strongest = std::max(strongest, obstacle.max_deviation);
     const double time = scenario.sensing.delay * scenario.time_step;

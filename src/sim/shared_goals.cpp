@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who shares its goal with others stands near it, and does not fight for a point at which only one
-// can be (docs/arrival.md, rule 4).
+// can be (docs/arrival.md, rule 4): a rule for arriving, of method avo alone.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +15,10 @@
 
 namespace avo {
 
-void find_shared_goals(World& world) {
-  if (!world.has_new_goals) return;
-  const Fleet& fleet = world.fleet;
+namespace {
+
+// By rank: 1 of those whose goal another one has as well; empty where there are none.
+std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
   const auto goal_of = [&](std::uint32_t slot) {
     return std::pair(fleet.goal[slot].x, fleet.goal[slot].y);
   };
@@ -33,7 +34,14 @@ void find_shared_goals(World& world) {
     for (const std::uint32_t slot : {slots[k - 1], slots[k]})
       shares[static_cast<std::size_t>(fleet.rank[slot])] = 1;
   }
-  world.shares_goal = std::move(shares);
+  return shares;
+}
+
+}  // namespace
+
+void find_shared_goals(World& world) {
+  if (!world.has_new_goals) return;
+  if (world.settings.method == Method::avo) world.shares_goal = sharers_of(world.fleet);
   world.has_new_goals = false;
 }
 

@@ -63,14 +63,20 @@ class Reach {
   double radius_, top_speed_, seconds_;
 };
 
-// Where it begins to brake, if it decides nothing any more: now, or where its own step ends.
+// Where it begins to brake, if it decides nothing any more: now, or where its own step ends. The
+// disc of a drive moves otherwise than one that starts along its heading: as any disc does.
 RobotSetup committed(const Fleet& fleet, std::size_t slot) {
   RobotSetup setup = fleet.setup(slot);
-  if (!fleet.has_clocks || setup.parked) return setup;
-  const MotionState& end = fleet.clock_of(slot).to;
-  setup.heading = end.heading;
-  setup.position = end.position - disc_center(setup.model, {}, end.heading);
-  setup.velocity = end.velocity;
+  if (setup.parked) return setup;
+  const MotionState begin = fleet.has_clocks ? fleet.clock_of(slot).to : fleet.state(slot);
+  if (moves_along_heading(setup.model) && !fleet.has_clocks) return setup;
+  if (!moves_along_heading(setup.model)) {
+    setup.radius = disc_radius(setup);
+    setup.model = Holonomic{};
+  }
+  setup.heading = begin.heading;
+  setup.position = begin.position - disc_center(setup.model, {}, begin.heading);
+  setup.velocity = begin.velocity;
   return setup;
 }
 

@@ -35,7 +35,7 @@ struct alignas(128) Worker {
   MovingColumns moving;
   std::vector<NeighborQuery> queries;
   std::vector<std::uint32_t> deciding;  // slots of a tile, where some robots are parked
-  std::vector<std::uint32_t> staying;   // places in a tile, of those that stays_near() holds of
+  std::vector<std::uint32_t> staying;   // slots in a tile of which stays_near() holds
   SearchScratch search, obstacles;
   LegScratch legs;
   std::vector<Sighting> sightings;  // where senses are not exact

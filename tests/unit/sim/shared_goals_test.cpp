@@ -101,5 +101,45 @@ TEST(SharedGoals, make_a_crowd_come_to_rest) {
   for (const Vec2 velocity : simulation.fleet().velocity) EXPECT_EQ(velocity, Vec2{});
 }
 
+// The methods to compare with are what they are.
+TEST(SharedGoals, are_minded_by_method_avo_alone) {
+  for (const Method method : {Method::orca, Method::velocity_obstacle, Method::avo_paper}) {
+    Scenario scene = far_and_near();
+    scene.method = method;
+    Simulation simulation(scene, 1);
+    for (int k = 0; k < 400; ++k) {
+      EXPECT_FALSE(simulation.perceive(0).stop) << to_string(method);
+      simulation.step();
+      ASSERT_LE(norm(simulation.fleet().velocity[0]), 0.5 + 1e-9) << to_string(method);
+    }
+  }
+}
+
+// A robot that senses movers alone is planned apart from the others: whoever stops is the right
+// one.
+TEST(SharedGoals, stop_those_who_share_them_beside_robots_among_movers) {
+  Scenario scene = far_and_near();
+  scene.robots.insert(scene.robots.begin(), robot_at({200, 0}, {230, 0}));
+  scene.robots.insert(scene.robots.begin() + 2, robot_at({200, 400}, {230, 400}));
+  scene.moving_obstacles = {{.position = {205, 2}}, {.position = {204, 403}}};
+  Simulation simulation(scene, 1);
+  int stops = 0;
+  for (int k = 0; k < 300; ++k) {
+    std::vector<Vec2> expected;
+    PlanWorkspace workspace;
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+      Simulation::Perception seen = simulation.perceive(i);
+      stops += seen.stop ? 1 : 0;
+      const Plan planned = simulation.planner().plan(seen.robot, seen.neighbors, workspace,
+                                                     &seen.detour, seen.walls);
+      expected.push_back(seen.stop.value_or(planned).new_velocity);
+    }
+    simulation.step();
+    for (std::size_t i = 0; i < scene.robots.size(); ++i)
+      ASSERT_EQ(simulation.fleet().plan[i].new_velocity, expected[i]) << k << ", robot " << i;
+  }
+  EXPECT_GE(stops, 3);
+}
+
 }  // namespace
 }  // namespace avo

@@ -184,6 +184,46 @@ TEST(StartChecks, with_free_clocks_others_finish_their_steps) {
   EXPECT_EQ(said_of(simulation, robot_at({x + at_once + 2.0, 0}, {0, 9})), "");
 }
 
+// The disc of a drive moves off its heading: whoever is accepted before it is not touched.
+TEST(StartChecks, a_drive_in_motion_can_stop_before_whoever_comes) {
+  int accepted = 0, refused = 0;
+  for (const Clock clock : {Clock::common, Clock::free}) {
+    Scenario scene;
+    scene.clock = clock;
+    RobotSetup drive = robot_at({0, 0}, {0, 20});
+    drive.radius = 0.3, drive.max_acceleration = 1.2;
+    drive.model = DifferentialDrive{
+        .track = 0.4, .offset = 0.4, .wheel_speed = 2.0, .wheel_acceleration = 3.0};
+    scene.robots = {drive, robot_at({60, 0}, {60, 0})};
+    Simulation simulation(scene, 1);
+    for (int k = 0; k < 40; ++k) {
+      simulation.step();
+      const FleetView fleet = simulation.fleet();
+      const Vec2 center = disc_center(drive.model, fleet.position[0], fleet.heading[0]);
+      const Vec2 v = fleet.velocity[0];
+      if (!(norm(v) > 0.0)) continue;
+      const double contact = disc_radius(drive.model, 0.3) + 0.5;
+      for (const double gap : {0.002, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8}) {
+        Simulation other(simulation.save(), 1);
+        const Vec2 place = center + ((contact + gap) / norm(v)) * v;
+        if (!said_of_move(other, 1, place).empty()) {
+          ++refused;
+          continue;
+        }
+        ++accepted;
+        for (int step = 0; step < 30; ++step) {
+          other.step();
+          const FleetView now = other.fleet();
+          const Vec2 disc = disc_center(drive.model, now.position[0], now.heading[0]);
+          ASSERT_GE(norm(disc - now.position[1]), contact - 1e-9) << k << ", " << gap << " m ahead";
+        }
+      }
+    }
+  }
+  EXPECT_GT(accepted, 50);
+  EXPECT_GT(refused, 50);
+}
+
 TEST(StartChecks, where_the_scene_allows_for_it_robots_are_put_anywhere) {
   Scenario scene = yard();
   scene.allow_broken_assumptions = true;
