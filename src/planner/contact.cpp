@@ -35,13 +35,28 @@ struct ContactSearch {
   }
 };
 
+// Whether discs at rest touch, which is quickly told of all that are far.
+bool touches(const Robot& robot, Vec2 position, double radius) {
+  const double contact = robot.radius + radius;
+  return !(norm_squared(position - robot.position) > contact * contact);
+}
+bool touches(const Robot& robot, std::span<const Neighbor> neighbors, std::size_t k) {
+  return touches(robot, neighbors[k].position, neighbors[k].radius);
+}
+bool touches(const Robot& robot, const Neighbors& neighbors, std::size_t k) {
+  const NeighborColumns& columns = *neighbors.columns;
+  const std::size_t i = neighbors.first + k;
+  return touches(robot, {columns.x[i], columns.y[i]}, columns.radius[i]);
+}
+
 template <typename Neighbors>
 Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                      const StepLaw& law, const Deepest& neighbor, const Deepest& wall) {
   ContactSearch search{way_of(robot, law)};
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    const Neighbor& other = neighbors[k];
     const int index = static_cast<int>(k);
+    if (index != neighbor.index && !touches(robot, neighbors, k)) continue;
+    const Neighbor& other = neighbors[k];
     const double hidden = error_against(other, law).position;
     const double radii = robot.radius + other.radius;
     double depth = radii - norm(other.position - robot.position) - hidden;
