@@ -118,9 +118,9 @@ void mark_coinciding(const Tile& tile, SoftPlanes& soft) {
 }
 
 // Robots in contact. Without an early end, several pairs are looked at in one instruction.
-void mark_overlaps(const Tile& tile, SoftPlanes& soft) {
+void mark_overlaps(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   if (soft.workspace.cases.contact == 0) return;
-  mark_coinciding(tile, soft);
+  if (options.method == Method::avo) mark_coinciding(tile, soft);  // who makes detours alone
   const std::vector<PairState>& states = soft.relative.state;
   std::size_t i = 0;
   for (std::size_t r = 0; r < soft.pair_end.size(); ++r) {
@@ -200,7 +200,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   if (has_priorities(tile)) weigh(tile, soft);
   share_out(robots, soft.pair_end, soft.raise, options.control_time, soft.share, soft.relative,
             soft.shared);
-  mark_overlaps(tile, soft);
+  mark_overlaps(options, tile, soft);
   keep(robots.count, soft);
   if (tile.neighbors.has_movers) raise_for_movers(options, robots, soft);
 }
