@@ -57,10 +57,10 @@ struct SavedState {
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing
   std::vector<PastState> past;
-  std::int64_t now = 0;                   // ns, of free clocks
-  std::vector<SavedClock> clocks;         // of the robots; none where the clock is common
-  std::vector<std::uint64_t> stood;       // ids of robots that have, see Fleet::has_stood; ascending
-  std::vector<SavedFlight> flights;       // of the airplanes among the robots, in their order
+  std::int64_t now = 0;              // ns, of free clocks
+  std::vector<SavedClock> clocks;    // of the robots; none where the clock is common
+  std::vector<std::uint64_t> stood;  // ids of robots that have, see Fleet::has_stood; ascending
+  std::vector<SavedFlight> flights;  // of the airplanes among the robots, in their order
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
 };
 

@@ -49,8 +49,8 @@ TEST(Movers, observed_acceleration_is_avoided_by_both_ways_of_planning) {
   }
 }
 
-// An overlap by a millionth asks for no more than one step can mend, alone or not. Rounding may feign
-// so little: nothing is said of it.
+// An overlap by a millionth asks for no more than one step can mend, alone or not. Rounding may
+// feign so little: nothing is said of it.
 TEST(Movers, a_hardly_overlapping_one_is_left_gently) {
   PlannerOptions options = test::paper_options();
   options.control_time = 0.5;
