@@ -89,13 +89,16 @@ AVO_API const char* to_string(Certificate certificate);
 AVO_API const char* to_string(Motion motion);
 AVO_API const char* to_string(Clock clock);
 
-/// What is customary for a method: δ 2 s, τ 3 s and braking_trajectories for avo, the paper's δ 4 s
-/// and τ 10 s for the others (§VI-A), which have no certificate.
+/// What is customary for a method: δ 2 s, τ 3 s, a response time of 0.1 T and braking_trajectories
+/// for avo, the paper's δ 4 s and τ 10 s for the others (§VI-A), which have neither.
 constexpr double usual_control_time(Method method) {
   return method == Method::avo ? 2.0 : 4.0;
 }
 constexpr double usual_time_horizon(Method method) {
   return method == Method::avo ? 3.0 : 10.0;
+}
+constexpr double usual_response_time(Method method) {
+  return method == Method::avo ? 0.1 : 0.0;
 }
 constexpr Certificate usual_certificate(Method method) {
   return method == Method::avo ? Certificate::braking_trajectories : Certificate::none;
@@ -112,6 +115,13 @@ struct PlannerOptions {
   /// v' is reached within a step.
   double control_time = usual_control_time(method);
   double time_horizon = usual_time_horizon(method);  ///< [τ] s, > 0, Definition 2
+  /// [κ] >= 0, of T = v_max/a_max; 0 but with method avo: v' is approached with the time constant
+  /// response_time_of(), and the acceleration goes from none to a_max in that time, but where the
+  /// certificate asks for more (docs/smoothness.md). 0: at once.
+  double response_time = usual_response_time(method);
+  /// m/s², > 0, of method avo: what is used of a_max but where the certificate asks for more, which
+  /// counts on all of a_max; unset: all.
+  std::optional<double> comfort_acceleration = {};
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
   int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples
@@ -219,6 +229,8 @@ struct Detour {
   float beside = 0.0F;
   float congestion = 0.0F;   ///< robots ahead that it is used to, 0 to 2.8
   bool has_arrived = false;  ///< that it was within arrival_distance of its goal, beside others
+  /// m/s², of its last step; 0 of one that has not moved
+  float acceleration_x = 0.0F, acceleration_y = 0.0F;
 };
 
 /// What a neighbor's certificate demands of A on one interval between steps:

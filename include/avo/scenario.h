@@ -152,6 +152,9 @@ struct Scenario {
   double time_step = 0.1;  ///< [Δt] s, > 0; whole nanoseconds where the clock is free
   double duration = 60.0;  ///< s, >= time_step
   std::optional<double> control_time = {};    ///< [δ] s, > 0; unset: default_options(method)
+  std::optional<double> response_time = {};   ///< [κ] >= 0, of T = v_max/a_max; likewise
+  /// m/s², > 0, of method avo: see PlannerOptions; unset: none
+  std::optional<double> comfort_acceleration = {};
   std::optional<double> time_horizon = {};    ///< [τ] s, > 0; likewise
   std::optional<double> sensing_radius = {};  ///< m, > 0, between centers; unset: what they need
   std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all

@@ -9,6 +9,7 @@
 #include "planner/arrival_kernel.h"
 
 namespace avo {
+
 namespace {
 
 using Real = scalar::Pack<double>;
@@ -32,7 +33,7 @@ constexpr double kRecovers = 10.0;       // T alone, in which it forgets all of 
 constexpr double kGetsUsed = 100.0;      // T, to the congestion ahead
 constexpr double kUsual = 2.0;           // times what it is used to does not make it keep right
 constexpr float kMostDetour = 2.4F;      // rad, almost back
-constexpr double kTurnOff = 1.0;         // per T
+constexpr double kTurnOff = 0.8;         // per T
 constexpr double kTurnBack = 2.0;        // per T
 
 double time_to_speed(const Robot& robot) {
@@ -89,8 +90,8 @@ Vec2 turned_right(Vec2 a, double angle) {
   return plain(scalar::turned_right(pack(a), Real(angle)));
 }
 
-Vec2 approach(Vec2 velocity, Vec2 target, double decrement) {
-  return plain(scalar::approach(pack(velocity), pack(target), Real(decrement)));
+Vec2 approach(Vec2 velocity, Vec2 target, double most) {
+  return plain(scalar::approach(pack(velocity), pack(target), Real(most)));
 }
 
 double motion_of(const Robot& robot, const Neighbor& neighbor) {
@@ -128,8 +129,9 @@ Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
   return kept_right + robot.max_speed * (kPush * traffic.push + at_rest * traffic.push_at_rest);
 }
 
-bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {
-  return scalar::is_blocked(pack(next_velocity), pack(unhindered_next_velocity), pack(wish)).bit;
+double part_of_wish(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish) {
+  const double unhindered = dot(unhindered_next_velocity, wish);
+  return unhindered > 0.0 ? dot(next_velocity, wish) / unhindered : 1.0;
 }
 
 bool is_near_goal(const Robot& robot) {

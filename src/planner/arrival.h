@@ -10,8 +10,12 @@ namespace avo {
 
 inline constexpr double kMostKeepRight = 30.0 * (3.14159265358979323846 / 180.0);  // rad
 inline constexpr double kCongestion = 2.8;  // robots right ahead that make the way fully congested
-inline constexpr double kSlow = 0.05;       // of v_max: nearly at rest
-inline constexpr double kBlocked = 0.7;     // of the velocity that the limits alone allow
+inline constexpr double kSlow = 0.05;       // of v_max: so slow, a robot ahead counts in full
+inline constexpr double kCloses = 0.25;     // of v_max: that fast it moves away who does not count
+inline constexpr double kInFront = 0.2;     // cosine: nearer to abeam, a robot counts less
+/// Of the velocity that the limits alone allow: with less, a robot is blocked and takes to a
+/// detour; from the one to the other it goes over to it by and by.
+inline constexpr double kBlocked = 0.7, kFree = 0.9, kStuck = 0.5;
 /// The clearance that is nearly contact, of r_A + r_B.
 inline constexpr double kRoom = 0.25;
 
@@ -52,11 +56,11 @@ Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);
 
-/// The velocity after a step of at most `decrement` from v towards a target, m/s.
-Vec2 approach(Vec2 velocity, Vec2 target, double decrement);
+/// The velocity after a step of at most `most` from v towards a target, m/s.
+Vec2 approach(Vec2 velocity, Vec2 target, double most);
 
-/// Whether less than kBlocked is left of the velocity along `wish` that the limits alone allow.
-bool is_blocked(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);
+/// What is left of the velocity along `wish` that the limits alone allow; 1 where they allow none.
+double part_of_wish(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);
 
 /// Whether it is on the last of its way, where it gives way to those that move.
 bool is_near_goal(const Robot& robot);

@@ -13,6 +13,7 @@
 #include "planner/arrival.h"
 #include "planner/certified.h"
 #include "planner/decision_columns.h"
+#include "planner/execution_kernel.h"
 
 AVO_BEGIN_KERNELS
 
@@ -26,7 +27,7 @@ AVO_KERNEL Real stopping_distance(Real max_speed, Real braking) {
 template <typename Real>
 AVO_KERNEL Real traffic_range(Real max_speed, Real braking, Real radius) {
   const Real stopping = stopping_distance(max_speed, braking);
-  return max(Real(3.0) * stopping, Real(6.0) * radius);
+  return max(Real(3.0) * stopping, Real(12.0) * radius);
 }
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
@@ -52,12 +53,15 @@ template <typename Real>
 AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double range) {
   const Neighbors& neighbors = robots.neighbors[i];
   const NeighborColumns& columns = *neighbors.columns;
-  const double slow = kSlow * robots.max_speed[i];
-  const Real zero(0.0), one(1.0), per_range(1.0 / range);
-  const Real range_squared(range * range), slow_squared(slow * slow);
+  const Real zero(0.0), one(1.0), per_range(1.0 / range), range_squared(range * range);
+  const Real per_slow(1.0 / (kSlow * robots.max_speed[i]));
+  const Real per_closing(1.0 / (kCloses * robots.max_speed[i]));
   const Real most_squared(neighbors.range * neighbors.range);
   const Vec<Real> p = constant<Real>(robots.position(i)), v = constant<Real>(robots.velocity(i));
-  const Vec<Real> way{robots.preferred_x[i], robots.preferred_y[i]};
+  const Vec2 preferred{robots.preferred_x[i], robots.preferred_y[i]};
+  const double pace = norm(preferred);
+  const Vec<Real> way = constant<Real>(preferred);
+  const Real per_front(pace > 0.0 ? 1.0 / (kInFront * pace) : 0.0);
   const Real priority = robots.priority[i];
   const bool has_priorities = columns.has_priorities || robots.priority[i] != 1.0;
   Traffic traffic;
@@ -71,10 +75,15 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const Vec<Real> velocity{load(columns.v_x), load(columns.v_y)};
     const Real squared = dot(towards, towards);
     const bool last = k + Real::kLanes >= neighbors.count || any(squared > most_squared);
-    const auto closing = dot(towards, velocity - v) < zero;
-    const auto rests = dot(velocity, velocity) < slow_squared;
-    const auto near = (squared < range_squared) & (dot(towards, way) > zero);
-    Real weight = one - per_range * sqrt(squared);
+    const Real distance = sqrt(squared);
+    const Real per_distance = one / select(distance > zero, distance, one);
+    // all that drive alongside count, so that a block's rear learns of what is before its front
+    const Real closes = one + per_distance * dot(towards, v - velocity) * per_closing;
+    const Real rests = Real(2.0) - norm(velocity) * per_slow;
+    const Real in_front = per_distance * dot(towards, way) * per_front;
+    const auto near = (squared < range_squared) & (in_front > zero);
+    Real weight = (one - per_range * distance) * min(max(max(closes, rests), zero), one) *
+                  min(in_front, one);
     Real defers = one;
     if (has_priorities) {  // a mover gives way to nobody
       const Real decides = load(columns.decides);
@@ -83,7 +92,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
       weight = weight * defers;
     }
     // eight at a time in the same order: no number of lanes has a say, nor zeros at the end
-    select(counted & near & (closing | rests), weight, zero).store(weights + k % 8);
+    select(counted & near, weight, zero).store(weights + k % 8);
     if ((k + Real::kLanes) % 8 == 0 || last) {
       traffic.ahead += ((weights[0] + weights[4]) + (weights[2] + weights[6])) +
                        ((weights[1] + weights[5]) + (weights[3] + weights[7]));
@@ -145,25 +154,9 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
   }
 }
 
-/// Whether less than kBlocked is left of the velocity along `wish` that the limits alone allow.
 template <typename Real>
-AVO_KERNEL auto is_blocked(Vec<Real> next, Vec<Real> unhindered_next, Vec<Real> wish) {
-  const Real unhindered = dot(unhindered_next, wish);
-  return (unhindered > Real(0.0)) & (dot(next, wish) < Real(kBlocked) * unhindered);
-}
-
-/// The velocity after a step of at most `decrement` from v towards a target, m/s.
-template <typename Real>
-AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real decrement) {
-  const Vec<Real> change = target - velocity;
-  const Real length = norm(change);
-  const auto is_long = length > decrement;
-  const Real part = decrement / select(is_long, length, Real(1.0));
-  return select(is_long, velocity + part * change, target);
-}
-
-template <typename Real>
-void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColumns& columns) {
+void decide_freely(const StepLaw& law, const Execution& execution, const RobotColumns& robots,
+                   DecisionColumns& columns) {
   const auto within = [](Vec<Real> a, Real radius) {
     const Real rounding(kLimitRounding);
     return dot(a, a) <= rounding * radius * radius;
@@ -176,11 +169,17 @@ void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColum
     };
     const Vec<Real> v{load(robots.v_x), load(robots.v_y)};
     const Vec<Real> wish{load(columns.wish_x), load(columns.wish_y)};
+    const Vec<Real> last{load(columns.last_x), load(columns.last_y)};
+    const Vec<Real> target{load(columns.target_x), load(columns.target_y)};
     const Real u = load(robots.max_acceleration) * Real(law.braking_time);
-    const Vec<Real> next = approach(v, {load(columns.target_x), load(columns.target_y)}, u);
+    const PackHaste<Real> haste = haste_of(load(robots.radius), load(robots.max_speed),
+                                        load(robots.max_acceleration), execution);
+    const Vec<Real> next = executed(v, last, target, haste);
+    const Vec<Real> unhindered = approach(v, wish, haste.most);
+    const Real most = dot(unhindered, wish);
     const auto may_detour = load(robots.distance_to_goal) >= load(robots.radius);
-    const Vec<Real> unhindered = approach(v, wish, u);
-    const auto blocked = may_detour & is_blocked(next, unhindered, wish);
+    const auto blocked = may_detour & (most > Real(0.0)) &
+                         (dot(approach(v, target, haste.most), wish) < Real(kFree) * most);
     const auto kept = within(next - v, u) & within(next, load(robots.max_speed));
     select(kept & !blocked, Real(1.0), Real(0.0)).store(&columns.is_free[i]);
     const PackPlan<Real> plan = plan_to(v, next, law);

@@ -9,6 +9,7 @@
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/contact.h"
+#include "planner/execution.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
 #include "robots/model.h"
@@ -39,19 +40,24 @@ namespace {
 struct Decision {
   const Robot& robot;
   CertificateLaw law;
+  Haste haste;
   Disc acceleration;  // of v'
-  std::span<const HalfPlane> half_planes, walls;
+  const Wished& wished;
   CertifiedWorkspace& certified;
 
-  // As far as one step leads to v.
-  Vec2 reached(Vec2 v) const {
-    const Vec2 next = approach(robot.velocity, v, reach());
-    return is_holonomic(robot.model) ? next : within_own_limits(robot, law.step.braking_time, next);
+  Vec2 followed(Vec2 next) const {
+    return is_holonomic(robot.model) ? next
+                                     : within_own_limits(robot, law.step.braking_time, next);
   }
-  // m/s, of the farthest choice
-  double reach() const {
-    const double u = increment(robot.max_acceleration, law.step);
-    return is_holonomic(robot.model) ? u : reach_of(robot.model) * u;
+  // As far as one step leads to v.
+  Vec2 reached(Vec2 v) const { return followed(approach(robot.velocity, v, haste.most)); }
+  // The same without haste, or on a detour without any but that of its acceleration.
+  Vec2 gently(Vec2 v) const {
+    return followed(executed(robot.velocity, wished.last_change, v, haste));
+  }
+  Vec2 smoothly(Vec2 v) const {
+    return followed(
+        executed(robot.velocity, wished.last_change, v, {1.0, haste.most, haste.jerk}));
   }
 };
 
@@ -82,28 +88,54 @@ CertifiedChoice choose_admitted(const Decision& decision, Vec2 wanted) {
   return choice;
 }
 
-CertifiedChoice choose_by_program(const Decision& decision, std::span<const HalfPlane> half_planes,
-                                  Vec2 wish) {
-  const ProgramResult result = nearest_point(
-      half_planes, decision.acceleration, decision.robot.max_speed, wish, decision.certified.rows);
-  return choose_admitted(decision, decision.reached(result.point));
+// [v'] m/s, Eq. (23).
+Vec2 solved(const Decision& decision, std::span<const HalfPlane> half_planes, Vec2 wish) {
+  return nearest_point(half_planes, decision.acceleration, decision.robot.max_speed, wish,
+                       decision.certified.rows)
+      .point;
 }
 
-// unhindered: as far as one step leads to the wish.
-bool is_way_blocked(const Decision& decision, const CertifiedChoice& choice, Vec2 unhindered,
-                    Vec2 wish) {
-  const Vec2 next_velocity = turns_at_rest(decision.robot)
-                                 ? choose_as_turned(decision, unhindered).next_velocity
-                                 : choice.next_velocity;
-  return is_blocked(next_velocity, unhindered, wish);
+// What is left of the way along `wish` if v' is gone for at once, as far as the certificate, which
+// has been asked for `choice`, lets it be.
+double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v_new, Vec2 wish) {
+  const Vec2 unhindered = decision.reached(wish);
+  if (turns_at_rest(decision.robot))
+    return part_of_wish(choose_as_turned(decision, unhindered).next_velocity, unhindered, wish);
+  const bool kept = choice.chosen == Chosen::wanted;
+  return part_of_wish(kept ? decision.reached(v_new) : choice.next_velocity, unhindered, wish);
 }
 
-// Where the wish is blocked, take what the certificate alone admits on a detour.
-CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished, Detour& detour) {
+// Back from a detour: the half-planes count again.
+CertifiedChoice choose_on_way_back(const Decision& decision, const Detour& detour) {
   const Robot& robot = decision.robot;
-  const double time_step = decision.law.step.time_step;
-  const Vec2 wish = wished.wish;
-  CertifiedChoice choice = choose_admitted(decision, wished.next);
+  const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
+  const Vec2 v = robot.velocity;
+  const Vec2 aim = v + (turned - v) / decision.haste.gain;  // to have it after the step
+  return choose_admitted(decision,
+                         decision.gently(solved(decision, decision.wished.half_planes, aim)));
+}
+
+// What the certificate alone admits on the detour, by and by in place of `choice` as less is left
+// of the way.
+CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& choice, double left,
+                              Detour& detour) {
+  const Robot& robot = decision.robot;
+  const std::span<const HalfPlane> walls = decision.wished.walls;
+  const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
+  const Vec2 v_new = solved(decision, walls, turned);
+  const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
+  const Vec2 off = decision.smoothly(v_new);
+  CertifiedChoice next = choose_admitted(decision, off + kept * (choice.next_velocity - off));
+  if (left < kBlocked && part_left(decision, next, v_new, turned) < kBlocked)
+    turn_off(detour, robot, decision.law.step.time_step, !walls.empty());
+  if (next.chosen == Chosen::wanted) next.chosen = Chosen::candidate;
+  return next;
+}
+
+CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
+  const Robot& robot = decision.robot;
+  const Wished& wished = decision.wished;
+  const CertifiedChoice choice = choose_admitted(decision, wished.next);
   // those who coincide part by their half-planes, where that is possible at all: on detours from
   // one place to one goal they would stay together
   const bool parts = wished.coinciding && choice.next_velocity != Vec2{};
@@ -111,19 +143,11 @@ CertifiedChoice choose_and_arrive(const Decision& decision, const Wished& wished
     detour.angle = 0.0F;
     return choice;
   }
-  if (is_way_blocked(decision, choice, wished.unhindered, wish)) {
-    const Vec2 turned = within_steering(robot, turned_right(wish, detour.angle));
-    const Vec2 unhindered = decision.reached(turned);
-    choice = choose_by_program(decision, decision.walls, turned);
-    if (is_way_blocked(decision, choice, unhindered, turned))
-      turn_off(detour, robot, time_step, !decision.walls.empty());
-    if (choice.chosen == Chosen::wanted) choice.chosen = Chosen::candidate;
-  } else if (detour.angle > 0.0) {
-    turn_back(detour, robot, time_step);
-    choice = choose_by_program(decision, decision.half_planes,
-                               within_steering(robot, turned_right(wish, detour.angle)));
-  }
-  return choice;
+  const double left = part_left(decision, choice, wished.target, wished.wish);
+  const bool returns = left >= kBlocked && detour.angle > 0.0F;
+  if (returns) turn_back(detour, robot, decision.law.step.time_step);
+  const CertifiedChoice next = returns ? choose_on_way_back(decision, detour) : choice;
+  return left < kFree ? choose_detour(decision, next, left, detour) : next;
 }
 
 PlanStatus certified_status(Chosen chosen, double violation) {
@@ -142,12 +166,13 @@ Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocit
 }
 
 Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
-             std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour) {
+             std::size_t i, const Haste& haste, const Wished& wished, CertifiedWorkspace& certified,
+             Detour& detour) {
   const Robot robot = robots.robot(i);
-  const Decision decision{
-      robot, law, planner.acceleration_disc(robot), wished.half_planes, wished.walls, certified};
+  const Decision decision{robot,  law,      haste, planner.acceleration_disc(robot),
+                          wished, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
-  const CertifiedChoice choice = choose_and_arrive(decision, wished, detour);
+  const CertifiedChoice choice = choose_and_arrive(decision, detour);
   return plan_under(law, robot, choice.next_velocity,
                     certified_status(choice.chosen, wished.violation), wished.violation);
 }

@@ -6,6 +6,7 @@
 
 #include "planner/certified.h"
 #include "planner/decision.h"
+#include "planner/execution.h"
 #include "planner/passive_obstacles.h"
 
 namespace avo {
@@ -20,7 +21,8 @@ Plan plan_under(const CertificateLaw& law, const Robot& robot, Vec2 next_velocit
 /// Robot i of those that find_near() was given last, whose walls begin_walls() knows: nearest to
 /// what the program made of its wish, or on a detour.
 Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColumns& robots,
-             std::size_t i, const Wished& wished, CertifiedWorkspace& certified, Detour& detour);
+             std::size_t i, const Haste& haste, const Wished& wished, CertifiedWorkspace& certified,
+             Detour& detour);
 
 /// One robot on its way to a target outside the obstacles of movers (§III-C), none of which
 /// decides, whatever it could do.

@@ -27,7 +27,7 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
   DecisionColumns& decisions = scratch.decisions;
   const auto solve = [&](std::size_t i) {
     decisions.take(
-        i, solve_program(planner, robots.robot(i), soft.of(i), decisions.wish(i), scratch.rows));
+        i, solve_program(planner, robots.robot(i), soft.of(i), decisions.aim(i), scratch.rows));
   };
   if (robots.count == 1) return solve(0);
   ProgramBatch& batch = scratch.programs;
@@ -40,7 +40,7 @@ void solve_programs(const Planner& planner, const RobotColumns& robots,
     const Disc acceleration =
         unlimited ? Disc{{}, std::numeric_limits<double>::infinity()}
                   : Disc{robots.velocity(i), reach * control_time * robots.max_acceleration[i]};
-    batch.add(acceleration, robots.max_speed[i], decisions.wish(i), soft.of(i));
+    batch.add(acceleration, robots.max_speed[i], decisions.aim(i), soft.of(i));
   }
   nearest_points(batch);
   for (std::size_t i = 0; i < robots.count; ++i) {
@@ -89,10 +89,11 @@ void keep_to_demands(const Planner& planner, const Tile& tile, PlanWorkspace::Sc
     const Demands& demands = scratch.demands;
     if (demands.overlapping) scratch.soft.overlapping[i] = 1;
     if (demands.out != Vec2{})  // out of walls first
-      decisions.wish_x[i] = demands.out.x, decisions.wish_y[i] = demands.out.y;
+      decisions.aim_x[i] = decisions.wish_x[i] = demands.out.x,
+      decisions.aim_y[i] = decisions.wish_y[i] = demands.out.y;
     else if (is_kept(demands, target))
       continue;
-    ProgramResult result = solve_program(planner, robot, planes, decisions.wish(i), scratch.rows);
+    ProgramResult result = solve_program(planner, robot, planes, decisions.aim(i), scratch.rows);
     if (result.state == ProgramState::least_unsafe) {
       result = solve_program(planner, robot, demands.planes, target, scratch.rows);
       for (const HalfPlane& plane : scratch.soft.of(i))

@@ -64,8 +64,8 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
 struct Wished {
   std::span<const HalfPlane> half_planes;
   std::span<const HalfPlane> walls;  ///< those of them that walls ask for
-  Vec2 wish;                         ///< m/s
-  Vec2 next, unhindered;    ///< m/s, as far as one step leads to Eq. (23)'s choice and to the wish
+  Vec2 wish, target;                 ///< m/s, and what Eq. (23) chose
+  Vec2 next, last_change;   ///< m/s, what one step makes of the choice; what the last one made
   double violation = 0.0;   ///< m/s
   bool coinciding = false;  ///< nearly, with another one that decides
 };

@@ -8,7 +8,7 @@ namespace avo {
 struct ArrivalKernels {
   void (*look_around)(const RobotColumns&, DecisionColumns&);
   void (*keep_right)(const RobotColumns&, DecisionColumns&);
-  void (*decide_freely)(const StepLaw&, const RobotColumns&, DecisionColumns&);
+  void (*decide_freely)(const StepLaw&, const Execution&, const RobotColumns&, DecisionColumns&);
 };
 }  // namespace avo
 
@@ -27,8 +27,9 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
   kKernels->keep_right(robots, columns);
 }
 
-void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColumns& columns) {
-  kKernels->decide_freely(law, robots, columns);
+void decide_freely(const StepLaw& law, const Execution& execution, const RobotColumns& robots,
+                   DecisionColumns& columns) {
+  kKernels->decide_freely(law, execution, robots, columns);
 }
 
 void DecisionColumns::reserve(std::size_t robots) {
@@ -38,7 +39,7 @@ void DecisionColumns::reserve(std::size_t robots) {
                          &push_at_rest_x, &push_at_rest_y, &wish_x,    &wish_y, &target_x,
                          &target_y,       &violation,      &next_x,    &next_y, &unhindered_x,
                          &unhindered_y,   &new_x,          &new_y,     &a_x,    &a_y,
-                         &is_free}) {
+                         &is_free,        &aim_x,          &aim_y,     &last_x, &last_y}) {
     column->resize(robots + kSpareNeighbors, 1.0);
   }
 }

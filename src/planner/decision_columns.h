@@ -9,6 +9,7 @@
 #include "core/robot_columns.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
+#include "planner/execution.h"
 
 namespace avo {
 
@@ -19,6 +20,8 @@ struct DecisionColumns {
   Column ahead, is_beside, push_x, push_y;  // likewise, see Traffic
   Column push_at_rest_x, push_at_rest_y;    // likewise
   Column wish_x, wish_y;                    // m/s, by keep_right(), and then by wish_of()
+  Column aim_x, aim_y;    // m/s, what Eq. (23) is given in place of the wish, see aim()
+  Column last_x, last_y;  // m/s, by how much the last step has changed the velocity
   // [v'], m/s: what Eq. (23) made of the wish, by how much it misses CA_A, and how
   Column target_x, target_y, violation;
   std::vector<ProgramState> state;
@@ -39,6 +42,9 @@ struct DecisionColumns {
             {push_at_rest_x[i], push_at_rest_y[i]}};
   }
   [[nodiscard]] Vec2 wish(std::size_t i) const { return {wish_x[i], wish_y[i]}; }
+  [[nodiscard]] Vec2 aim(std::size_t i) const { return {aim_x[i], aim_y[i]}; }
+  [[nodiscard]] Vec2 target(std::size_t i) const { return {target_x[i], target_y[i]}; }
+  [[nodiscard]] Vec2 last_change(std::size_t i) const { return {last_x[i], last_y[i]}; }
 };
 
 /// What each sees of its traffic.
@@ -50,6 +56,7 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns);
 
 /// From a wish, and the target that the program has made of it, to the plan of one to whom no
 /// certificate objects.
-void decide_freely(const StepLaw& law, const RobotColumns& robots, DecisionColumns& columns);
+void decide_freely(const StepLaw& law, const Execution& execution, const RobotColumns& robots,
+                   DecisionColumns& columns);
 
 }  // namespace avo

@@ -25,6 +25,18 @@ void validate_control(const PlannerOptions& options, const std::string& prefix) 
                " s where motion is exponential");
 }
 
+void validate_comfort(const PlannerOptions& options, const std::string& prefix) {
+  require(prefix + "response_time", options.response_time, kNotNegative, "");
+  if (options.comfort_acceleration)
+    require(prefix + "comfort_acceleration", *options.comfort_acceleration, kPositive, "m/s^2");
+  if (options.method == Method::avo) return;
+  const std::string others = std::string(" with method ") + to_string(options.method);
+  if (options.response_time > 0.0)
+    refuse(prefix + "response_time", text(options.response_time), "0" + others);
+  if (options.comfort_acceleration)
+    refuse(prefix + "comfort_acceleration", text(*options.comfort_acceleration), "none" + others);
+}
+
 void validate_certificate(const PlannerOptions& options, const std::string& prefix) {
   if (options.certificate != Certificate::none && options.method != Method::avo)
     refuse(prefix + "certificate", to_string(options.certificate),
@@ -94,6 +106,7 @@ void validate(const PlannerOptions& options, const std::string& prefix) {
   } else if (!adopts_at_once(options.method)) {
     validate_control(options, prefix);
   }
+  validate_comfort(options, prefix);
   if (options.max_neighbors)
     require(prefix + "max_neighbors", *options.max_neighbors, kAtLeastOne, "");
   require(prefix + "samples", options.samples, kSamples, "");

@@ -432,6 +432,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
     tile.detour.push_back(&next);
     tile.plan.push_back(&plan);
     tile.slot.push_back(0);
+    tile.remembers = detour != nullptr;
     if (!walls.empty()) tile.walls.push_back(walls);
     plan_together(*this, tile, scratch, clock);
     if (plan.neighbor >= 0)  // of the order in which it was planned with

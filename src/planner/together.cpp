@@ -14,6 +14,7 @@
 #include "planner/clamped.h"
 #include "planner/contact.h"
 #include "planner/demands.h"
+#include "planner/execution.h"
 #include "planner/flight.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
@@ -94,20 +95,37 @@ void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
   }
 }
 
-// As far as one step leads a robot whose choices are no disc about its velocity.
-void reach_out(const RobotColumns& robots, std::size_t i, const StepLaw& law,
-               const DecisionColumns& decisions, Wished& wished) {
-  const double u = reach_of(*robots.model[i]) * braking_decrement(robots.max_acceleration[i], law);
-  const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-  const Robot robot = robots.robot(i);
-  const auto towards = [&](Vec2 v) {
-    return within_own_limits(robot, law.braking_time, approach(robot.velocity, v, u));
-  };
-  wished.next = towards(target), wished.unhindered = towards(wished.wish);
+// The haste of one of any model. Cars and drives have their own way to come to rest.
+Haste haste_of_any(const Robot& robot, const Execution& execution) {
+  Haste haste = haste_of(robot, execution);
+  if (is_holonomic(robot.model)) return haste;
+  haste.most *= reach_of(robot.model), haste.jerk *= reach_of(robot.model);
+  return haste;
+}
+
+// What the last steps have done, and what the program is given for the wishes.
+void make_aims(const Execution& execution, const Tile& tile, DecisionColumns& decisions) {
+  const RobotColumns& robots = tile.robots;
+  for (std::size_t i = 0; i < robots.count; ++i) {
+    const Detour& detour = *tile.detour[i];
+    decisions.last_x[i] = execution.braking_time * detour.acceleration_x;
+    decisions.last_y[i] = execution.braking_time * detour.acceleration_y;
+    const Robot robot = robots.robot(i);
+    const Haste haste = haste_of(robot, execution);
+    const Vec2 v = robot.velocity, wish = decisions.wish(i);
+    const Vec2 aim = is_landing(robot, haste, execution) ? v + (wish - v) / haste.gain : wish;
+    decisions.aim_x[i] = aim.x, decisions.aim_y[i] = aim.y;
+  }
+}
+
+void remember(const Plan& plan, Detour& detour) {
+  detour.acceleration_x = static_cast<float>(plan.acceleration.x);
+  detour.acceleration_y = static_cast<float>(plan.acceleration.y);
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
-void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch) {
+void decide(const Planner& planner, const Execution& execution, Tile& tile,
+            PlanWorkspace::Scratch& scratch) {
   const CertificateLaw law = certificate_law(planner);
   const RobotColumns& robots = tile.robots;
   const SoftPlanes& soft = scratch.soft;
@@ -116,7 +134,7 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
   const SafetyState state_if_free =
       law.kind == Certificate::none ? SafetyState::unknown : SafetyState::safe;
   find_near(robots, law, scratch.certified.constraints);
-  decide_freely(law.step, robots, decisions);
+  decide_freely(law.step, execution, robots, decisions);
   if (law.kind == Certificate::braking_trajectories) {
     admit_next(robots, decisions.next_x, decisions.next_y, law.step, near);
   }
@@ -157,16 +175,21 @@ void decide(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& scratch)
       planes = collect_hard_and_soft(planner, robots.robot(i), tile, i, law.step, scratch);
       hard = scratch.demands.planes;
     }
+    const Robot robot = robots.robot(i);
+    const Haste haste = haste_of_any(robot, execution);
     Wished wished{planes,
                   hard,
                   decisions.wish(i),
+                  decisions.target(i),
                   {decisions.next_x[i], decisions.next_y[i]},
-                  {decisions.unhindered_x[i], decisions.unhindered_y[i]},
+                  decisions.last_change(i),
                   violation,
                   soft.coinciding[i] != 0};
     if (robots.model[i] != nullptr && has_own_limits(*robots.model[i]))
-      reach_out(robots, i, law.step, decisions, wished);
-    plan = certify(planner, law, robots, i, wished, scratch.certified, *tile.detour[i]);
+      wished.next = within_own_limits(
+          robot, law.step.braking_time,
+          executed(robot.velocity, wished.last_change, wished.target, haste));
+    plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i]);
     const CertificateConstraints& constraints = scratch.certified.constraints;
     if (overlapping || collides(constraints))
       tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step,
@@ -264,12 +287,15 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   clock.lap(Stage::half_planes);
   make_wishes(planner, tile, scratch.decisions);
   if (options.method == Method::buffered_voronoi) wish_within_cells(options, tile.robots, scratch);
+  const Execution execution = execution_of(planner, tile.remembers);
+  if (options.method == Method::avo) make_aims(execution, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);
   clock.lap(Stage::program);
   if (options.method == Method::avo) {
-    decide(planner, tile, scratch);
+    decide(planner, execution, tile, scratch);
+    for (std::size_t i = 0; i < tile.robots.count; ++i) remember(*tile.plan[i], *tile.detour[i]);
   } else {
     adopt(planner, tile, scratch);
   }

@@ -16,7 +16,8 @@ StepResponse step_response(const Planner& planner) {
           .rate = rate,
           .lag = lag,
           .gain = gain,
-          .control_time = at_once ? options.time_step : options.control_time};
+          .control_time = at_once ? options.time_step : options.control_time,
+          .response_time = options.response_time};
 }
 
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response) {

@@ -37,6 +37,7 @@ struct StepResponse {
   double lag;           // s, see Planner::step_lag()
   double gain;          // s, of the position
   double control_time;  // s: |a| = |w| / control_time at the start of the step, its largest value
+  double response_time;  // [κ], see PlannerOptions
 };
 StepResponse step_response(const Planner& planner);
 

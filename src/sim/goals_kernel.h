@@ -3,6 +3,7 @@
 #ifndef AVO_SIM_GOALS_KERNEL_H
 #define AVO_SIM_GOALS_KERNEL_H
 
+#include "core/response_time_kernel.h"
 #include "core/scalar.h"
 #include "robots/motion.h"
 
@@ -12,7 +13,7 @@ AVO_BEGIN_KERNELS
 template <typename Real>
 struct Traveller {
   Vec<Real> position, velocity, goal;
-  Real preferred_speed, planned_braking, max_speed;
+  Real preferred_speed, planned_braking, max_speed, max_acceleration;
 };
 
 template <typename Real>
@@ -65,20 +66,42 @@ AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const StepResponse& st
   return result;
 }
 
-/// Method avo approaches v' as fast as it can, so v' needs no lead.
+/// The deceleration with which a soft landing ends, of the planned braking.
+inline constexpr double kLanding = 0.25;
+
+/// Highest next speed of a braking that begins, and ends, without a jolt. It goes along the path
+/// that speed²/2b + speed T leave of the distance, T = T_e + Δt/2, so that it takes hold within T;
+/// and where it would creep, along that of a quarter of b or of what the acceleration may change by.
+template <typename Real>
+AVO_KERNEL Real soft_speed(Real distance, Real braking, Real response_time, Real time_step) {
+  const Real lead = braking * (response_time + Real(0.5) * time_step);
+  const Real speed = sqrt(lead * lead + Real(2.0) * braking * max(distance, Real(0.0))) - lead;
+  const Real softly = min(Real(kLanding), time_step / response_time) * braking * time_step;
+  return max(speed, admissible_speed(distance, softly, time_step));
+}
+
+/// Method avo has v' after the step, so v' needs no lead but that of a soft landing.
 template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
   const Real u = Real(step.rate) * Real(step.control_time) * robot.planned_braking;
+  const bool is_soft = step.response_time > 0.0;
+  const Real response =
+      is_soft ? response_time(robot.max_speed, robot.max_acceleration, step.response_time,
+                              step.time_step)
+              : Real(0.0);
   const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below
   const Real around = Real(0x1p-45) * ((abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y)));
-  const auto known = surely_admits(way.left, speed, u, time_step) & (way.distance > around);
+  const auto known =
+      surely_admits(way.left - speed * response, speed, u, time_step) & (way.distance > around);
   if (!any(!known)) return at_speed;
   // nearer than rounding can tell: there
   const auto there = way.distance <= Real(0x1p-46) * (norm(p) + norm(goal));
-  const Vec<Real> slower = min(admissible_speed(way.left, u, time_step), speed) * way.direction;
+  const Real stops = is_soft ? soft_speed(way.left, u / time_step, response, time_step)
+                             : admissible_speed(way.left, u, time_step);
+  const Vec<Real> slower = min(stops, speed) * way.direction;
   return select(known, at_speed, select(there, constant<Real>({}), slower));
 }
 

@@ -22,7 +22,8 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, 
   const scalar::Traveller<Real> traveller{
       scalar::constant<Real>(position), scalar::constant<Real>(velocity),
       scalar::constant<Real>(goal),     robot.preferred_speed,
-      planned_braking(robot),           robot.max_speed};
+      planned_braking(robot),           robot.max_speed,
+      robot.max_acceleration};
   return plain(scalar::preferred_velocity(traveller, scalar::way_of(traveller, step), step));
 }
 

@@ -23,7 +23,8 @@ void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotCol
                                 {load(moving.goal_x), load(moving.goal_y)},
                                 load(moving.preferred_speed),
                                 min(load(robots.max_acceleration), load(robots.max_braking)),
-                                load(robots.max_speed)};
+                                load(robots.max_speed),
+                                load(robots.max_acceleration)};
     const Way<Real> way = way_of(robot, step);
     way.distance.store(&robots.distance_to_goal[k]);
     const Vec<Real> v = preferred_velocity(robot, way, step);

@@ -113,9 +113,12 @@ void describe(Archive<kReads>& archive, Detour& detour) {
   };
   std::uint64_t first = packed(detour.angle, std::bit_cast<std::uint32_t>(detour.beside));
   std::uint64_t second = packed(detour.congestion, detour.has_arrived ? 1 : 0);
-  archive.word(first), archive.word(second);
+  std::uint64_t third =
+      packed(detour.acceleration_x, std::bit_cast<std::uint32_t>(detour.acceleration_y));
+  archive.word(first), archive.word(second), archive.word(third);
   if (second >> 33 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
-  detour = {number(first), number(first >> 32), number(second), second >> 32 != 0};
+  detour = {number(first),        number(first >> 32), number(second),
+            second >> 32 != 0,    number(third),       number(third >> 32)};
 }
 
 template <bool kReads>

@@ -24,7 +24,7 @@ struct RobotState {
   double heading = 0.0;     // rad
   Detour detour;
 };
-static_assert(sizeof(RobotState) == 64, "it says so in avo/simulation.h");
+static_assert(sizeof(RobotState) == 72, "it says so in avo/simulation.h");
 
 /// What steps change of a robot's way around walls.
 struct SavedWay {
@@ -72,6 +72,8 @@ void for_each_setting(const Visit& visit) {
   visit("time_step", &Scenario::time_step);
   visit("duration", &Scenario::duration);
   visit("control_time", &Scenario::control_time);
+  visit("response_time", &Scenario::response_time);
+  visit("comfort_acceleration", &Scenario::comfort_acceleration);
   visit("time_horizon", &Scenario::time_horizon);
   visit("sensing_radius", &Scenario::sensing_radius);
   visit("max_neighbors", &Scenario::max_neighbors);

@@ -60,6 +60,8 @@ PlannerOptions planner_options(const Scenario& scenario) {
   if (scenario.clock == Clock::free) options.longest_step = longest_step_of(scenario);
   if (scenario.control_time) options.control_time = *scenario.control_time;
   if (scenario.time_horizon) options.time_horizon = *scenario.time_horizon;
+  if (scenario.response_time) options.response_time = *scenario.response_time;
+  options.comfort_acceleration = scenario.comfort_acceleration;
   if (scenario.certificate) options.certificate = *scenario.certificate;
   if (scenario.sensing_error) {
     options.sensing_error = *scenario.sensing_error;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The time constant with which method avo approaches v' (PlannerOptions::response_time).
+#ifndef AVO_CORE_RESPONSE_TIME_KERNEL_H
+#define AVO_CORE_RESPONSE_TIME_KERNEL_H
+
+#include "core/scalar.h"
+
+AVO_BEGIN_KERNELS
+
+/// [T_e] s, of one whose factor κ is not 0: below 2 Δt decisions could not follow.
+template <typename Real>
+AVO_KERNEL Real response_time(Real max_speed, Real max_acceleration, double factor,
+                              double time_step) {
+  return max(Real(factor) * (max_speed / max_acceleration), Real(2.0 * time_step));
+}
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/execution.h"
+
+#include <limits>
+
+#include "certificate/braking_path.h"
+#include "planner/certify.h"
+#include "planner/execution_kernel.h"
+
+namespace avo {
+
+Execution execution_of(const Planner& planner, bool remembers) {
+  const PlannerOptions& options = planner.options();
+  return {.time_step = options.time_step,
+          .braking_time = certificate_law(planner).step.braking_time,
+          .response_time = options.response_time,
+          .comfort_acceleration = options.comfort_acceleration.value_or(
+              std::numeric_limits<double>::infinity()),
+          .remembers = remembers};
+}
+
+Haste haste_of(const Robot& robot, const Execution& execution) {
+  using Real = scalar::Pack<double>;
+  const auto haste = scalar::haste_of<Real>(robot.radius, robot.max_speed, robot.max_acceleration,
+                                          execution);
+  return {haste.gain.value, haste.most.value, haste.jerk.value};
+}
+
+Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste) {
+  using Real = scalar::Pack<double>;
+  const auto in_lane = [](Vec2 a) { return scalar::constant<Real>(a); };
+  return plain(scalar::executed(in_lane(velocity), in_lane(last_change), in_lane(target),
+                                scalar::PackHaste<Real>{haste.gain, haste.most, haste.jerk}));
+}
+
+bool is_landing(const Robot& robot, const Haste& haste, const Execution& execution) {
+  if (haste.gain >= 1.0) return false;
+  const double stopping = 0.5 * robot.max_speed * robot.max_speed / planned_braking(robot);
+  const double response_time = execution.time_step / haste.gain;
+  return robot.distance_to_goal < stopping + 2.0 * response_time * robot.max_speed;
+}
+
+}  // namespace avo

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// How method avo goes towards the v' that it has chosen (docs/smoothness.md): by proportional
+// control, Eq. (7), with a time constant of its own, and without jumps of the acceleration.
+#pragma once
+#include "avo/planner.h"
+#include "avo/robot.h"
+
+namespace avo {
+
+/// What is common to all robots of a planner.
+struct Execution {
+  double time_step, braking_time;  ///< s, see StepLaw
+  double response_time;            ///< [κ], of v_max/a_max
+  double comfort_acceleration;     ///< m/s², infinite where none is asked for
+  bool remembers = true;           ///< the robots' last accelerations are known
+};
+Execution execution_of(const Planner& planner, bool remembers);
+
+/// What one robot makes of it within a step.
+struct Haste {
+  double gain;  ///< (0, 1], the part of v' - v that is made up for: Δt/T_e
+  double most;  ///< m/s, of v_1 - v
+  double jerk;  ///< m/s, by which v_1 - v differs from that of the last step; may be infinite
+};
+Haste haste_of(const Robot& robot, const Execution& execution);
+
+/// [v_1] m/s, from the velocity, and by how much the last step has changed it.
+Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste);
+
+/// Whether the wish is one to have after the step: on the last of the way, where the robot comes to
+/// rest.
+bool is_landing(const Robot& robot, const Haste& haste, const Execution& execution);
+
+}  // namespace avo

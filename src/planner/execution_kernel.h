@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a choice is executed, as many robots at once as Pack has lanes: see execution.h.
+#ifndef AVO_PLANNER_EXECUTION_KERNEL_H
+#define AVO_PLANNER_EXECUTION_KERNEL_H
+
+#include <limits>
+
+#include "core/response_time_kernel.h"
+#include "core/scalar.h"
+#include "planner/execution.h"
+
+AVO_BEGIN_KERNELS
+
+/// See Haste.
+template <typename Real>
+struct PackHaste {
+  Real gain, most, jerk;
+};
+
+template <typename Real>
+AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_acceleration,
+                                  const Execution& execution) {
+  const Real braking_time(execution.braking_time);
+  const Real comfort(execution.comfort_acceleration);
+  const Real all = max_acceleration * braking_time;
+  if (execution.response_time == 0.0)
+    return {Real(1.0), min(all, comfort * braking_time),
+            Real(std::numeric_limits<double>::infinity())};
+  // who is stronger than to reach its speed within its own radius has no use for that
+  const Real most = min(all, min(comfort, max_speed * (max_speed / radius)) * braking_time);
+  const Real gain = Real(execution.time_step) /
+                    response_time(max_speed, max_acceleration, execution.response_time,
+                                  execution.time_step);
+  const Real jerk = gain * most;
+  return {gain, most, execution.remembers ? jerk : Real(std::numeric_limits<double>::infinity())};
+}
+
+/// The velocity after a step of at most `most` from v towards a target, m/s.
+template <typename Real>
+AVO_KERNEL Vec<Real> approach(Vec<Real> velocity, Vec<Real> target, Real most) {
+  const Vec<Real> change = target - velocity;
+  const Real length = norm(change);
+  const auto is_long = length > most;
+  const Real part = most / select(is_long, length, Real(1.0));
+  return select(is_long, velocity + part * change, target);
+}
+
+/// See executed().
+template <typename Real>
+AVO_KERNEL Vec<Real> executed(Vec<Real> velocity, Vec<Real> last_change, Vec<Real> target,
+                              const PackHaste<Real>& haste) {
+  const auto at_once = haste.gain >= Real(1.0);
+  const Vec<Real> aim =
+      select(at_once, target, velocity + haste.gain * (target - velocity));
+  const Vec<Real> smooth =
+      approach(velocity + last_change, approach(velocity, aim, haste.most), haste.jerk);
+  return approach(velocity, smooth, haste.most);
+}
+
+AVO_END_KERNELS
+
+#endif  // once per pass
