@@ -39,8 +39,10 @@ Json to_json(const avo::RunMetrics& metrics) {
   json["flowtime"] = or_null(metrics.flowtime);
   json["path_ratio"] = or_null(metrics.path_ratio);
   json["effort"] = or_null(metrics.effort);
+  json["acceleration_rms"] = or_null(metrics.acceleration_rms);
   json["jerk"] = or_null(metrics.jerk);
   json["reversals"] = or_null(metrics.reversals);
+  json["turned_back"] = or_null(metrics.turned_back);
   json["efficacy"] = or_null(metrics.efficacy);
   json["deadlock_time"] = or_null(metrics.deadlock_time);
   json["step_ms_p50"] = or_null(metrics.step_ms_p50);

@@ -25,19 +25,12 @@ namespace avo_cli {
 namespace {
 
 constexpr std::size_t kMostFigures = 24;  // of arrivals: a page of some megabytes
-constexpr const char* kPageColumns[] = {"all_arrived",
-                                        "success",
-                                        "collided",
-                                        "collision_pairs",
-                                        "min_clearance",
-                                        "last_arrival",
-                                        "extra_time_mean",
-                                        "path_ratio",
-                                        "effort",
-                                        "jerk",
-                                        "reversals",
-                                        "deadlock_time",
-                                        "step_milliseconds_median"};
+constexpr const char* kPageColumns[] = {
+    "all_arrived",      "success",       "collided",
+    "collision_pairs",  "min_clearance", "last_arrival",
+    "extra_time_mean",  "path_ratio",    "effort",
+    "acceleration_rms", "jerk",          "reversals",
+    "turned_back",      "deadlock_time", "step_milliseconds_median"};
 
 /// Of a table: the values of one of its columns, each once.
 std::set<std::string> values_in(const avo_io::SweepTable& table, const std::string& column) {

@@ -24,8 +24,10 @@ avo_run_metrics to_c(const avo::RunMetrics& metrics) {
           .flowtime = or_none(metrics.flowtime),
           .path_ratio = or_none(metrics.path_ratio),
           .effort = or_none(metrics.effort),
+          .acceleration_rms = or_none(metrics.acceleration_rms),
           .jerk = or_none(metrics.jerk),
           .reversals = or_none(metrics.reversals),
+          .turned_back = or_none(metrics.turned_back),
           .efficacy = or_none(metrics.efficacy),
           .deadlock_time = or_none(metrics.deadlock_time)};
 }

@@ -47,11 +47,15 @@ struct RunMetrics {
   std::optional<double> extra_time_mean;   ///< s, of trips that end over their ideal times
   std::optional<double> extra_time_p75;
   std::optional<double> extra_time_p90;
-  std::optional<double> flowtime;       ///< s, sum of all trips' times; only if all have arrived
-  std::optional<double> path_ratio;     ///< mean over trips that end: length by the shortest way
-  std::optional<double> effort;         ///< m^2/s^3, mean of the trips' integrals of |a|^2
-  std::optional<double> jerk;           ///< m/s^3, root mean square over all trips' steps
-  std::optional<double> reversals;      ///< of the acceleration, mean number a trip
+  std::optional<double> flowtime;          ///< s, sum of all trips' times; only if all have arrived
+  std::optional<double> path_ratio;        ///< mean over trips that end: length by the shortest way
+  std::optional<double> effort;            ///< m^2/s^3, mean of the trips' integrals of |a|^2
+  std::optional<double> acceleration_rms;  ///< |a|/a_max, root mean square over all trips' time
+  std::optional<double> jerk;              ///< m/s^3, root mean square over all trips' steps
+  std::optional<double> reversals;         ///< of the acceleration, mean number a trip
+  /// Share of the steps in motion whose acceleration is more than 135 degrees from that of the step
+  /// before, both of more than 0.3 a_max.
+  std::optional<double> turned_back;
   std::optional<double> efficacy;       ///< mean speed along the way by the preferred speed
   std::optional<double> deadlock_time;  ///< s, mean time a trip without progress
   std::optional<double> step_ms_p50;    ///< ms, what a step took

@@ -10,7 +10,6 @@ namespace avo {
 namespace {
 
 constexpr double kDanger = 0.2;  // m, between discs: nearer is danger
-constexpr double kMoves = 0.01;  // of the preferred speed: no faster has no direction
 
 }  // namespace
 

@@ -34,7 +34,8 @@ bool is_in_time(const Trip& trip) {
 
 void Trips::describe(RunMetrics& metrics) const {
   Mean success, collision, timeout, extra, ratio, effort, reversals, efficacy, deadlock;
-  double flowtime = 0.0, jerk_squared = 0.0, jerk_steps = 0.0;
+  double flowtime = 0.0, jerk_squared = 0.0, jerk_steps = 0.0, acceleration_squared = 0.0;
+  std::int64_t moving_steps = 0, turned_back = 0;
   bool have_arrived = true;
   std::vector<double> extra_times;
   for (const Trip& trip : trips_) {
@@ -47,8 +48,11 @@ void Trips::describe(RunMetrics& metrics) const {
     reversals.add(static_cast<double>(trip.reversals));
     deadlock.add(trip.deadlock_time);
     flowtime += duration_of(trip);
+    acceleration_squared += trip.effort / (trip.acceleration_limit * trip.acceleration_limit);
     jerk_squared += trip.jerk_squared;
     jerk_steps += trip.jerk_steps;
+    moving_steps += trip.moving_steps;
+    turned_back += trip.turned_back;
     const bool has_way = trip.way < kInfinity && trip.way_left < kInfinity;
     const double best = trip.preferred_speed * duration_of(trip);  // m
     if (has_way && best > 0.0) efficacy.add((trip.way - trip.way_left) / best);
@@ -73,8 +77,11 @@ void Trips::describe(RunMetrics& metrics) const {
   if (metrics.trips > 0 && have_arrived) metrics.flowtime = flowtime;
   metrics.path_ratio = ratio.value();
   metrics.effort = effort.value();
+  if (flowtime > 0.0) metrics.acceleration_rms = std::sqrt(acceleration_squared / flowtime);
   if (jerk_steps > 0.0) metrics.jerk = std::sqrt(jerk_squared / jerk_steps);
   metrics.reversals = reversals.value();
+  if (moving_steps > 0)
+    metrics.turned_back = static_cast<double>(turned_back) / static_cast<double>(moving_steps);
   metrics.efficacy = efficacy.value();
   metrics.deadlock_time = deadlock.value();
 }

@@ -11,7 +11,8 @@ namespace avo {
 namespace {
 
 constexpr double kProgress = 0.01;     // of the preferred speed, nearer than ever: less is none
-constexpr double kNoDirection = 0.01;  // of max_acceleration: less has none
+constexpr double kNoDirection = 0.01;  // of a_max: less has none
+constexpr double kStrong = 0.3;        // of a_max: no more may turn
 
 // Begins it where the robot at that index of the fleet is.
 void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std::size_t i,
@@ -33,9 +34,24 @@ void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std
                   .top_speed = std::min(setup.preferred_speed, setup.max_speed),
                   .acceleration = a,
                   .stops = !is_airplane(setup.model)});
-  trip.least_acceleration_squared = (kNoDirection * a) * (kNoDirection * a);
+  trip.acceleration_limit = acceleration_limit(setup.model, a);
   trip.position = position;
   trip.velocity = fleet.velocity[i];
+}
+
+// Whether two accelerations are both more than that, m/s^2, and more than 135 degrees apart.
+bool turns_back(Vec2 a, Vec2 b, double least) {
+  const double along = dot(a, b), a_squared = norm_squared(a), b_squared = norm_squared(b);
+  return along < 0.0 && 2.0 * along * along > a_squared * b_squared &&
+         std::min(a_squared, b_squared) > least * least;
+}
+
+// The robot's own step in which it accelerates by a, as far as it moves before.
+void add_step(Trip& trip, Vec2 a) {
+  const double least = kMoves * trip.preferred_speed;  // m/s
+  if (!(norm_squared(trip.velocity) > least * least)) return;
+  ++trip.moving_steps;
+  if (turns_back(a, trip.acceleration, kStrong * trip.acceleration_limit)) ++trip.turned_back;
 }
 
 }  // namespace
@@ -46,7 +62,8 @@ double quantile(std::span<double> values, double share) {
   return values[static_cast<std::size_t>(place)];
 }
 
-void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double duration) {
+void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double duration,
+           bool decided) {
   const Vec2 a = (velocity - trip.velocity) / duration;
   const double a_squared = norm_squared(a);
   trip.length += norm(position - trip.position);
@@ -59,8 +76,10 @@ void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double dur
   if (trip.has_acceleration) {
     trip.jerk_squared += norm_squared(a - trip.acceleration) / (trip.step * trip.step);
     trip.jerk_steps += duration == trip.step ? 1.0 : duration / trip.step;
+    if (decided) add_step(trip, a);
   }
-  if (a_squared >= trip.least_acceleration_squared) {
+  const double least = kNoDirection * trip.acceleration_limit;
+  if (a_squared >= least * least) {
     if (dot(a, trip.directed) < 0.0) ++trip.reversals;
     trip.directed = a;
   }
@@ -114,7 +133,8 @@ void Trips::observe(const Simulation& simulation, double duration) {
       trip = {.robot = robot, .step = trip.step};
       begin(trip, simulation, fleet, i, arrival_distance_);
     } else if (duration > 0.0) {
-      go_on(trip, fleet.position[i], fleet.velocity[i], simulation.way(i).length, duration);
+      go_on(trip, fleet.position[i], fleet.velocity[i], simulation.way(i).length, duration,
+            simulation.decided(i));
       trip.end = now_;
     }
     if (simulation.is_at_goal(i)) {

@@ -16,21 +16,24 @@ namespace avo {
 /// there is one. Orders the values anew.
 double quantile(std::span<double> values, double share);
 
+/// Of the preferred speed: no faster is no motion.
+inline constexpr double kMoves = 0.01;
+
 /// One robot's. Trips whose goal is changed under way begin anew there.
 struct Trip {
   std::uint64_t robot = 0;
   std::optional<double> arrival = {};  // s
   bool parked = false;
-  bool overlapped = false;                  // before it arrived
-  double begin = 0.0;                       // s
-  double end = 0.0;                         // s, so far
-  Vec2 goal = {};                           // m
-  double ideal_time = 0.0;                  // s
-  double preferred_speed = 0.0;             // m/s
-  double step = 0.0;                        // s, of its own
-  double way = 0.0, way_left = 0.0;         // m, at the beginning and now
-  double progress = 0.0;                    // m, what was left when it last made some
-  double least_acceleration_squared = 0.0;  // (m/s^2)^2, below which it has no direction
+  bool overlapped = false;           // before it arrived
+  double begin = 0.0;                // s
+  double end = 0.0;                  // s, so far
+  Vec2 goal = {};                    // m
+  double ideal_time = 0.0;           // s
+  double preferred_speed = 0.0;      // m/s
+  double step = 0.0;                 // s, of its own
+  double way = 0.0, way_left = 0.0;  // m, at the beginning and now
+  double progress = 0.0;             // m, what was left when it last made some
+  double acceleration_limit = 0.0;   // [a_max] m/s^2, of its motion model
 
   Vec2 position = {}, velocity = {};      // m, m/s, as last seen
   Vec2 acceleration = {}, directed = {};  // m/s^2, of the last step; the last with a direction
@@ -40,11 +43,14 @@ struct Trip {
   double jerk_steps = 0.0;                // how many
   double deadlock_time = 0.0;             // s
   std::int64_t reversals = 0;
+  std::int64_t moving_steps = 0, turned_back = 0;  // of its own steps but the first
   bool has_acceleration = false;
 };
 
-/// A step on, of that duration, s, > 0, to where so much of the way is left, m.
-void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double duration);
+/// A step on, of that duration, s, > 0, to where so much of the way is left, m. By clocks of their
+/// own it is a part of the robot's own step: the first one where the robot decided.
+void go_on(Trip& trip, Vec2 position, Vec2 velocity, double way_left, double duration,
+           bool decided);
 
 /// Of every robot that ever was, by ascending id.
 class Trips {

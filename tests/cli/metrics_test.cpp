@@ -30,8 +30,10 @@ const Strings kMetricsKeys{"trips",
                            "flowtime",
                            "path_ratio",
                            "effort",
+                           "acceleration_rms",
                            "jerk",
                            "reversals",
+                           "turned_back",
                            "efficacy",
                            "deadlock_time",
                            "step_ms_p50",
@@ -82,8 +84,10 @@ TEST(RunMetrics, are_those_of_the_library) {
   EXPECT_EQ(json["flowtime"], *expected.flowtime);
   EXPECT_EQ(json["path_ratio"], *expected.path_ratio);
   EXPECT_EQ(json["effort"], *expected.effort);
+  EXPECT_EQ(json["acceleration_rms"], *expected.acceleration_rms);
   EXPECT_EQ(json["jerk"], *expected.jerk);
   EXPECT_EQ(json["reversals"], *expected.reversals);
+  EXPECT_EQ(json["turned_back"], *expected.turned_back);
   EXPECT_EQ(json["efficacy"], *expected.efficacy);
   EXPECT_EQ(json["deadlock_time"], *expected.deadlock_time);
   EXPECT_GT(json["step_ms_p50"], 0.0);
@@ -112,7 +116,7 @@ TEST(RunMetrics, are_null_where_there_is_nothing) {
   EXPECT_EQ(json["trips"], 1);
   EXPECT_EQ(json["timeout"], 1.0);
   for (const char* key : {"extra_time_mean", "extra_time_p75", "extra_time_p90", "flowtime",
-                          "path_ratio", "jerk", "danger", "flow", "crossing_times"})
+                          "path_ratio", "jerk", "turned_back", "danger", "flow", "crossing_times"})
     EXPECT_TRUE(json[key].is_null()) << key;
 }
 

@@ -660,11 +660,15 @@ typedef struct avo_run_metrics {
   double extra_time_mean;         ///< s, of trips that end over their ideal times
   double extra_time_p75;
   double extra_time_p90;
-  double flowtime;       ///< s, sum of all trips' times; only if all have arrived
-  double path_ratio;     ///< mean over trips that end: length by the shortest way
-  double effort;         ///< m^2/s^3, mean of the trips' integrals of |a|^2
-  double jerk;           ///< m/s^3, root mean square over all trips' steps
-  double reversals;      ///< of the acceleration, mean number a trip
+  double flowtime;          ///< s, sum of all trips' times; only if all have arrived
+  double path_ratio;        ///< mean over trips that end: length by the shortest way
+  double effort;            ///< m^2/s^3, mean of the trips' integrals of |a|^2
+  double acceleration_rms;  ///< |a|/a_max, root mean square over all trips' time
+  double jerk;              ///< m/s^3, root mean square over all trips' steps
+  double reversals;         ///< of the acceleration, mean number a trip
+  /// Share of the steps in motion whose acceleration is more than 135 degrees from that of the step
+  /// before, both of more than 0.3 a_max.
+  double turned_back;
   double efficacy;       ///< mean speed along the way by the preferred speed
   double deadlock_time;  ///< s, mean time a trip without progress
 } avo_run_metrics;
