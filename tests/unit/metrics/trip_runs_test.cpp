@@ -92,6 +92,7 @@ TEST(Trips, are_the_same_for_any_number_of_threads) {
   };
   const RunMetrics one = metrics_of(1);
   EXPECT_GT(*one.jerk, 0.0);
+  EXPECT_GT(*one.turned_back, 0.0);
   EXPECT_GT(one.crossing_times->size(), 5U);
   EXPECT_EQ(one, metrics_of(2));
   EXPECT_EQ(one, metrics_of(3));
