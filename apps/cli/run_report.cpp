@@ -52,6 +52,16 @@ std::string decisions(const avo::RunSummary& results) {
   return text;
 }
 
+/// Empty where nobody has accelerated twice.
+std::string smoothness(const avo::RunMetrics& metrics) {
+  if (!metrics.jerk) return "";
+  std::string text = fmt::format("jerk {:.3g} m/s^3, acceleration {:.3g} a_max (rms)",
+                                 *metrics.jerk, metrics.acceleration_rms.value_or(0.0));
+  if (metrics.turned_back)
+    text += fmt::format(", {:.3g} % of the steps turned back", 100.0 * *metrics.turned_back);
+  return text;
+}
+
 /// Whether the robot moves at the end, and who is in its way.
 std::string state_of(const avo::NotArrived& robot) {
   constexpr double kAtRest = 1e-3;  // m/s
@@ -130,6 +140,7 @@ std::string readable(const avo::Scenario& scenario, const avo::RunSummary& resul
   line("no safe choice",
        fmt::format("{} of {} robot-steps", results.infeasible_steps, decided(results)));
   line("decisions", decisions(results));
+  if (const std::string how = smoothness(results.metrics); !how.empty()) line("smoothness", how);
   if (const std::string who = not_arrived(results); !who.empty()) line("not arrived", who);
   line("time of a step", number(results.step_milliseconds_median, "ms (median)"));
   return text;

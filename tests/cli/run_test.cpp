@@ -276,6 +276,14 @@ TEST(Run, prints_a_summary_to_read) {
   EXPECT_TRUE(result.out.starts_with("moving-obstacle: 1 robots, 300 steps of 0.1 s\n"));
   for (const char* word : {"arrived            1 of 1", "collisions         0 pairs", "largest"})
     EXPECT_NE(result.out.find(word), std::string::npos) << word;
+
+  const Json m = Json::parse(run_avo({"run", "moving-obstacle", "--json"}).out)["metrics"];
+  const std::string smoothness = fmt::format(
+      "  smoothness         jerk {:.3g} m/s^3, acceleration {:.3g} a_max (rms), {:.3g} % of the "
+      "steps turned back\n",
+      m["jerk"].get<double>(), m["acceleration_rms"].get<double>(),
+      100.0 * m["turned_back"].get<double>());
+  EXPECT_NE(result.out.find(smoothness), std::string::npos) << smoothness;
 }
 
 TEST(Run, writes_to_the_standard_output_on_demand) {

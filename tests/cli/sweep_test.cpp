@@ -5,6 +5,7 @@
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <signal.h>
 #include <string>
 #include <sys/resource.h>
@@ -66,6 +67,9 @@ TEST(Sweep, has_the_numbers_of_avo_run) {
     EXPECT_EQ(found[kRun], json[name].is_null() ? "" : fmt::format("{}", json[name].get<double>()))
         << name;
   }
+  for (const char* name : {"effort", "acceleration_rms", "jerk", "reversals", "turned_back"})
+    EXPECT_EQ(column(table, name).at(kRun), fmt::format("{}", json["metrics"][name].get<double>()))
+        << name;
   EXPECT_EQ(column(table, "optimal")[kRun],
             fmt::format("{}", json["decisions"]["optimal"].get<int>()));
   EXPECT_EQ(column(table, "arrival_100")[kRun], column(table, "last_arrival")[kRun]);
@@ -135,14 +139,10 @@ TEST(Sweep, measures_the_flow_across_a_line) {
   EXPECT_EQ(column(avo_io::read_sweep(swept(head, "without.csv")), "flow"), Strings{});
 }
 
-TEST(Sweep, has_no_interval_of_runs_that_are_one_and_the_same) {
-  const std::string summary = path_of("summary.csv");
-  swept("version: 1\nscenes: [circle-5, uniform-8]\nseeds: {count: 3}\n", "runs.csv",
-        {"--summary", summary});
-  const std::vector<std::string> lines = lines_of(read_file(summary));
-  ASSERT_EQ(lines.size(), 3U);
+/// A summary of a sweep.
+avo_io::SweepTable table_in(const std::string& path) {
   avo_io::SweepTable table;
-  for (const std::string& line : lines) {
+  for (const std::string& line : lines_of(read_file(path))) {
     Strings row;
     for (std::size_t at = 0; at <= line.size();) {
       const std::size_t end = std::min(line.find(',', at), line.size());
@@ -154,6 +154,15 @@ TEST(Sweep, has_no_interval_of_runs_that_are_one_and_the_same) {
     else
       table.rows.push_back(row);
   }
+  return table;
+}
+
+TEST(Sweep, has_no_interval_of_runs_that_are_one_and_the_same) {
+  const std::string summary = path_of("summary.csv");
+  swept("version: 1\nscenes: [circle-5, uniform-8]\nseeds: {count: 3}\n", "runs.csv",
+        {"--summary", summary});
+  const avo_io::SweepTable table = table_in(summary);
+  ASSERT_EQ(table.rows.size(), 2U);
   for (const char* name : {"mean_arrival", "collided", "step_milliseconds_median"}) {
     const Strings low = column(table, std::string(name) + ".low");
     const Strings high = column(table, std::string(name) + ".high");
@@ -161,6 +170,25 @@ TEST(Sweep, has_no_interval_of_runs_that_are_one_and_the_same) {
     EXPECT_EQ(low[0] + high[0], "") << name << ": the seed changes nothing of a circle";
     EXPECT_NE(low[1], "") << name;
     EXPECT_NE(high[1], "") << name;
+  }
+}
+
+TEST(Sweep, tells_the_median_and_the_mean_over_its_seeds) {
+  const std::string summary = path_of("summary.csv");
+  const avo_io::SweepTable runs =
+      avo_io::read_sweep(swept("version: 1\nscenes: [uniform-12]\nmethods: "
+                               "[orca_clamped]\nparameters: {duration: [20]}\nseeds: {count: 5}\n",
+                               "runs.csv", {"--summary", summary}));
+  const avo_io::SweepTable table = table_in(summary);
+  for (const std::string name : {"jerk", "acceleration_rms", "turned_back"}) {
+    std::vector<double> values;
+    for (const std::string& field : column(runs, name)) values.push_back(std::stod(field));
+    std::sort(values.begin(), values.end());
+    ASSERT_EQ(values.size(), 5U) << name;
+    EXPECT_LT(values[0], values[4]) << name;
+    EXPECT_EQ(std::stod(column(table, name + ".median").at(0)), values[2]) << name;
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / 5.0;
+    EXPECT_NEAR(std::stod(column(table, name + ".mean").at(0)), mean, 1e-12) << name;
   }
 }
 

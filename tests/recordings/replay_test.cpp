@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo replay finds the first bit that differs.
+#include "avo_io/replay.h"
+
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <string>
 
+#include "avo/metrics.h"
 #include "avo/version.h"
+#include "avo_io/recorded_run.h"
+#include "avo_io/recording.h"
 #include "edit_hdf5.h"
 #include "verdicts.h"
 
@@ -37,6 +42,21 @@ TEST(Replay, of_what_was_recorded_is_equal) {
   EXPECT_EQ(json["equal"], true);
   EXPECT_EQ(json["times"], 91);
   EXPECT_EQ(json["difference"], Json());
+}
+
+TEST(Replay, shows_what_metrics_of_the_run_have_seen) {
+  for (const char* scene : {"circle-30", "planes-12", "mixed-yard"}) {
+    const std::string h5 = path_of("run.h5");
+    Json told = Json::parse(
+        run_avo({"run", scene, "--duration", "30", "--record", h5, "--json"}).out)["metrics"];
+    avo::Metrics metrics(avo_io::read_run(h5, 2).scenario);
+    avo_io::replay(h5, 2, [&](const avo::Simulation& simulation) { metrics.observe(simulation); });
+    const Json again = Json::parse(avo_io::to_json(metrics.summary()))["metrics"];
+    EXPECT_GT(told["acceleration_rms"], 0.0) << scene;
+    EXPECT_FALSE(told["turned_back"].is_null()) << scene;
+    told["step_ms_p50"] = told["step_ms_p99"] = Json();  // nobody has told it
+    EXPECT_EQ(again, told) << scene;
+  }
 }
 
 TEST(Replay, tells_the_first_value_that_differs) {
