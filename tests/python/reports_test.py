@@ -4,6 +4,7 @@ import json
 import math
 
 import avo
+import numpy as np
 import pytest
 
 
@@ -107,6 +108,24 @@ def test_summaries_are_the_command_lines(command_line, tmp_path):
         simulation.step()
         metrics.observe(simulation)
     assert without_times(metrics.summary()) == without_times(said)
+
+
+def test_metrics_see_shaking_as_columns_do():
+    scene = avo.Scenario("circle-40", {"method": "reciprocal_velocity_obstacle"})
+    simulation, metrics, velocities = avo.Simulation(scene), avo.Metrics(scene), []
+    for _ in range(100):  # nobody arrives
+        metrics.observe(simulation)
+        velocities.append(simulation.velocity().copy())
+        simulation.step()
+    told = metrics.summary()["metrics"]
+    v = np.array(velocities)
+    a = np.diff(v, axis=0) / 0.1
+    strong = np.linalg.norm(a, axis=2) / simulation.max_acceleration()
+    angles = np.abs((np.diff(np.arctan2(a[..., 1], a[..., 0]), axis=0) + np.pi) % (2 * np.pi) - np.pi)
+    moves = np.linalg.norm(v[1:-1], axis=2) > 0.01 * simulation.preferred_speed()
+    back = moves & (angles > 0.75 * np.pi) & (strong[1:] > 0.3) & (strong[:-1] > 0.3)
+    assert back.sum() > 0 and told["turned_back"] == pytest.approx(back.sum() / moves.sum())
+    assert told["acceleration_rms"] == pytest.approx(np.sqrt(np.mean(strong**2)))
 
 
 def test_metrics_are_of_one_scene():
