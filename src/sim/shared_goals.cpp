@@ -17,7 +17,35 @@ namespace avo {
 
 namespace {
 
-// By rank: 1 of those whose goal another one has as well; empty where there are none.
+// What is set in anybody's layers, and in those of two.
+struct LayersOfMany {
+  std::uint32_t once = 0, twice = 0;
+
+  void add(LayerSet layers) {
+    twice |= once & layers.bits;
+    once |= layers.bits;
+  }
+  // In those of anybody but the one whose layers these are.
+  std::uint32_t without(LayerSet own) const { return twice | (once & ~own.bits); }
+};
+
+// Those who have one goal.
+struct Sharers {
+  LayersOfMany layers, avoids;
+
+  void add(const Conduct& conduct) {
+    layers.add(conduct.layers);
+    avoids.add(conduct.avoids);
+  }
+  // keep_apart(), of one of them and any other one
+  bool hinder(const Conduct& own) const {
+    return (own.avoids.bits & layers.without(own.layers)) != 0 ||
+           (own.layers.bits & avoids.without(own.avoids)) != 0;
+  }
+};
+
+// By rank: 1 of those whose goal another one has as well, who may not be in their place; empty
+// where there are none.
 std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
   const auto goal_of = [&](std::uint32_t slot) {
     return std::pair(fleet.goal[slot].x, fleet.goal[slot].y);
@@ -28,11 +56,16 @@ std::vector<std::uint8_t> sharers_of(const Fleet& fleet) {
   std::sort(slots.begin(), slots.end(),
             [&](std::uint32_t a, std::uint32_t b) { return goal_of(a) < goal_of(b); });
   std::vector<std::uint8_t> shares;
-  for (std::size_t k = 1; k < slots.size(); ++k) {
-    if (goal_of(slots[k - 1]) != goal_of(slots[k])) continue;
-    shares.resize(fleet.size());
-    for (const std::uint32_t slot : {slots[k - 1], slots[k]})
-      shares[static_cast<std::size_t>(fleet.rank[slot])] = 1;
+  for (std::size_t first = 0, end = 0; first < slots.size(); first = end) {
+    Sharers sharers;
+    for (; end < slots.size() && goal_of(slots[end]) == goal_of(slots[first]); ++end)
+      sharers.add(fleet.conduct[slots[end]]);
+    if (end - first == 1) continue;
+    for (std::size_t k = first; k < end; ++k) {
+      if (!sharers.hinder(fleet.conduct[slots[k]])) continue;
+      shares.resize(fleet.size());
+      shares[static_cast<std::size_t>(fleet.rank[slots[k]])] = 1;
+    }
   }
   return shares;
 }

@@ -57,6 +57,43 @@ TEST(SharedGoals, that_are_no_longer_shared_are_reached) {
   EXPECT_LT(distance_to_goal(left, 0), 1e-9);
 }
 
+// Robots that may be in one place do not share a point at which only one can be.
+TEST(SharedGoals, are_those_of_robots_that_keep_apart) {
+  struct Case {
+    LayerSet layers, avoids;
+    bool stands;
+  };
+  for (const Case& other :
+       {Case{{2}, {2}, false}, Case{{2}, {3}, true}, Case{{3}, {2}, true}, Case{{1}, {2}, true}}) {
+    SCOPED_TRACE(testing::Message() << other.layers.bits << ' ' << other.avoids.bits);
+    Scenario scene = far_and_near();
+    scene.robots[0].layers = {1}, scene.robots[0].avoids = {1};
+    scene.robots[1].layers = other.layers, scene.robots[1].avoids = other.avoids;
+    Simulation simulation(scene, 1);
+    run(simulation, 400);
+    if (other.stands) {
+      EXPECT_GT(distance_to_goal(simulation, 0), 0.1);
+    } else {
+      EXPECT_LT(distance_to_goal(simulation, 0), 1e-9);
+    }
+  }
+}
+
+// Of three, two keep apart; the third one is in a layer of its own.
+TEST(SharedGoals, are_told_one_by_one) {
+  Scenario scene = far_and_near();
+  scene.robots.push_back(robot_at({900, 0}, {0, 0}));
+  scene.robots[0].layers = scene.robots[0].avoids = {4};
+  scene.robots[1].avoids = scene.robots[2].avoids = {1};
+  Simulation alone(scene, 1);
+  run(alone, 400);
+  EXPECT_LT(distance_to_goal(alone, 0), 1e-9);
+  scene.robots[2].layers = {4};
+  Simulation shared(scene, 1);
+  run(shared, 400);
+  EXPECT_GT(distance_to_goal(shared, 0), 0.1);
+}
+
 TEST(SharedGoals, of_robots_that_come_later_count_as_well) {
   Scenario scene = far_and_near();
   scene.robots.pop_back();
