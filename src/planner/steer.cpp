@@ -91,7 +91,6 @@ void steer(const PlannerOptions& options, const StepLaw& law, Tile& tile) {
   tile.maneuvers.assign(robots.count, 0);
   for (std::size_t i = 0; i < robots.count; ++i) {
     if (robots.model[i] == nullptr) continue;
-    if (turns_in_place(*robots.model[i]) && !swings(*robots.model[i])) continue;
     std::optional<Vec2> wish;
     if (options.method == Method::avo) wish = maneuver_of(options, law, tile, i);
     if (!wish) wish = steered(robots.robot(i), approach_of(options));

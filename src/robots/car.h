@@ -59,7 +59,9 @@ inline constexpr double kTurnInPlace = 0.25;  // rad
 /// So near its goal that it does not turn round for what is left.
 inline bool is_there(const Car& car, const Robot& robot, const Approach& approach) {
   constexpr double kNearEnough = 0.05;  // times the radius of the circle that it turns on
-  const double radius = turns_in_place(car) ? std::abs(offset_of(car)) : 1.0 / sharpest(car);
-  return robot.distance_to_goal <= std::min(kNearEnough * radius, approach.near_enough);
+  constexpr double kPrecise = 0.01;     // times its own radius: nobody turns round for less
+  const double circle = turns_in_place(car) ? std::abs(offset_of(car)) : 1.0 / sharpest(car);
+  const double near = std::max(kNearEnough * circle, kPrecise * robot.radius);
+  return robot.distance_to_goal <= std::min(near, approach.near_enough);
 }
 }  // namespace avo

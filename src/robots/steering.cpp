@@ -80,17 +80,18 @@ Vec2 steered_along(const Car& car, const Robot& robot, Vec2 ahead) {
   return bent(ahead, x, y, std::min(speed, top));
 }
 
+// One that turns in place would turn to and fro at its goal, where its disc swings and rounding
+// leaves some of the way.
 Vec2 steered(const Car& car, const Robot& robot, const Approach& approach) {
   const double speed = norm(robot.preferred_velocity);
   if (!(speed > 0.0)) return robot.preferred_velocity;
+  const bool turns = turns_in_place(car), there = is_there(car, robot, approach);
+  if (turns && !(there && is_rest(robot.velocity))) return robot.preferred_velocity;
   const Vec2 to = robot.preferred_velocity / speed, ahead = direction_of(car, robot, to);
   const double x = dot(ahead, to), y = cross(ahead, to), distance = robot.distance_to_goal;
-  if (turns_in_place(car)) {  // its disc swings: it would turn to and fro at its goal for ever
-    const bool has_to_turn = is_rest(robot.velocity) && x < kTurnInPlaceCosine;
-    return has_to_turn && is_there(car, robot, approach) ? Vec2{} : robot.preferred_velocity;
-  }
+  if (turns) return x < kTurnInPlaceCosine ? Vec2{} : robot.preferred_velocity;
+  if (there) return {};
   const double turning = 1.0 / sharpest(car);
-  if (is_there(car, robot, approach)) return {};
   const double radius = pursuit_radius(distance, y);
   if (radius < least_radius(car, robot, to) * turning) {
     const double away = std::min(cornering_speed(robot.max_acceleration, turning), robot.max_speed);

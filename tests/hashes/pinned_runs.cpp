@@ -12,7 +12,7 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"circle_100_by_avo_paper", "circle-100", {"method=avo_paper"}, 0, 0x8cd51b2810556d66},
       {"swap_blocks", "swap-blocks", {}, 0, 0x8e7c562cde957962},
       {"uniform_1000", "uniform-1000", {}, 100, 0x65630337abcf672d},
-      {"cars_100", "cars-100", {}, 0, 0xb19e4b92ca37ee3a},
+      {"cars_100", "cars-100", {}, 0, 0x7a2aac3521813e6a},
       {"drives_100", "drives-100", {}, 0, 0xf18a0bc2af0230e2},
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
       {"person", "person", {}, 0, 0x3acc942a286b85da},

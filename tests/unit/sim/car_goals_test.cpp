@@ -136,6 +136,66 @@ TEST(CarGoals, a_car_that_turns_in_place_reaches_them_with_its_disc_ahead) {
   EXPECT_EQ(reached.missing, 0);
 }
 
+// Turns on the spot of a car at rest that is nearer to its goal than a hundredth of its radius.
+int turns_at_goals(Simulation& simulation, double duration) {
+  int turns = 0;
+  while (simulation.time() < duration) {
+    const FleetView before = simulation.fleet();
+    const std::vector<double> heading(before.heading.begin(), before.heading.end());
+    std::vector<bool> is_there;
+    for (std::size_t k = 0; k < heading.size(); ++k)
+      is_there.push_back(before.velocity[k] == Vec2{} &&
+                         norm(before.goal[k] - before.position[k]) < 0.01);
+    simulation.step();
+    for (std::size_t k = 0; k < heading.size(); ++k)
+      turns += is_there[k] && simulation.fleet().heading[k] != heading[k] ? 1 : 0;
+  }
+  return turns;
+}
+
+// It turned round on the spot for what rounding had left of the way.
+TEST(CarGoals, a_car_that_turns_about_its_axle_stands_where_it_has_come_to_rest) {
+  for (const Car& car : {Car{.wheelbase = 0.8}, Car{.wheelbase = 0.8, .reverse = true},
+                         Car{.wheelbase = 0.8, .body = CarBody{1e-4, 1.0}}}) {
+    Random random(7);
+    Scenario scene;
+    for (int k = 0; k < 100; ++k) {
+      RobotSetup robot;
+      robot.radius = 1.0;
+      robot.position = {60.0 * (k % 10), 60.0 * static_cast<double>(k / 10)};
+      robot.goal = robot.position + in_disc(random, 8.0);
+      robot.heading = random.uniform(-3.0, 3.0);
+      robot.model = car;
+      scene.robots.push_back(robot);
+    }
+    Simulation simulation(scene, 1);
+    EXPECT_EQ(turns_at_goals(simulation, 20.0), 0);
+    for (std::size_t k = 0; k < 100; ++k) {
+      EXPECT_EQ(simulation.fleet().velocity[k], Vec2{});
+      EXPECT_LT(norm(simulation.fleet().goal[k] - simulation.fleet().position[k]), 0.01);
+    }
+  }
+}
+
+// What is a hundredth of its radius off its goal stays; what is farther off goes there.
+TEST(CarGoals, a_hundredth_of_the_radius_is_near_enough_to_one_that_has_to_turn) {
+  Scenario scene;
+  for (const double off : {0.009, 0.011}) {
+    RobotSetup robot;
+    robot.radius = 1.0;
+    robot.position = {1e4 * off, 0.0};
+    robot.goal = robot.position + Vec2{0.0, off};
+    robot.model = Car{};
+    scene.robots.push_back(robot);
+  }
+  Simulation simulation(scene, 1);
+  while (simulation.time() < 20.0) simulation.step();
+  const FleetView fleet = simulation.fleet();
+  EXPECT_EQ(fleet.heading[0], 0.0);
+  EXPECT_EQ(fleet.position[0], scene.robots[0].position);
+  EXPECT_LT(norm(fleet.goal[1] - fleet.position[1]), 0.005);
+}
+
 TEST(CarGoals, reverse_saves_a_way_round) {
   const auto time_of = [](bool reverse) {
     Scenario scene;
