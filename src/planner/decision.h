@@ -12,27 +12,6 @@
 
 namespace avo {
 
-/// Whether every number is finite and in range.
-bool is_valid(const Robot& robot);
-bool is_valid(const Neighbor& neighbor);
-bool is_valid(const Wall& wall);
-bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors);
-bool all_valid(const Robot& robot, const Neighbors& neighbors);
-
-/// Whether a car moves along its valid heading, as those of a simulation do: others predict that it
-/// brakes along its velocity, and it brakes along its heading.
-bool follows_heading(const Robot& robot);
-
-/// A car holds its acceleration and brakes at full: it cannot do what the others expect of it under
-/// every option. Nor can an airplane, and one that decides beside an airplane.
-bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options);
-bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
-                const PlannerOptions& options);
-
-/// Whether plan() decides by all of that, and does not say invalid_input.
-bool can_decide(const Robot& robot, std::span<const Neighbor> neighbors,
-                std::span<const Wall> walls, const PlannerOptions& options);
-
 /// How many of the neighbors, the nearest, get a half-plane.
 inline std::size_t planned_with(const PlannerOptions& options, std::size_t neighbors) {
   if (!options.max_neighbors) return neighbors;
@@ -108,6 +87,9 @@ Plan as_followed(const Planner& planner, const Robot& robot, Plan plan);
 
 /// Full braking; where the robot cannot even know how to, nothing but invalid_input.
 Plan brake(const Planner& planner, const Robot& robot, PlanStatus status, double violation);
+
+/// The plan with the velocity that the robot has after it, moved as a simulation moves it.
+Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan);
 
 /// Planner::plan_among_obstacles().
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,

@@ -6,6 +6,7 @@
 #include "core/elementary.h"
 #include "planner/decision.h"
 #include "planner/soft_planes.h"
+#include "planner/validity.h"
 
 namespace avo {
 namespace {

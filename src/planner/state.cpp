@@ -10,6 +10,7 @@
 #include "planner/decision.h"
 #include "planner/flight.h"
 #include "planner/scratch.h"
+#include "planner/validity.h"
 #include "robots/model.h"
 
 namespace avo {

@@ -19,6 +19,7 @@
 #include "planner/scratch.h"
 #include "planner/state.h"
 #include "planner/steer.h"
+#include "planner/validity.h"
 #include "robots/model.h"
 
 namespace avo {

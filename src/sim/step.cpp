@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "planner/decision.h"
+#include "planner/validity.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
 #include "sim/edits.h"

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be decided about: numbers that are finite and in range, and robots that can do what the
+// others expect of them. All of it is asked in release builds as well.
+#include "planner/validity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/elementary.h"
+#include "core/plane.h"
+#include "core/ranges.h"
+#include "planner/certify.h"
+#include "planner/flight.h"
+#include "robots/model.h"
+
+namespace avo {
+namespace {
+
+// 1 or 0, to be joined without a branch: nearly all are.
+int is_known(double value) {
+  return static_cast<int>(std::abs(value) <= kLargest);
+}
+int is_known(Vec2 value) {
+  return is_known(value.x) & is_known(value.y);
+}
+int is_size(double value) {
+  return static_cast<int>(value >= kSmallest) & static_cast<int>(value <= kLargest);
+}
+
+}  // namespace
+
+bool has_known_place(const Robot& robot) {
+  return is_known(robot.position) != 0;
+}
+
+bool can_brake(const Robot& robot) {
+  const int velocity = is_known(robot.velocity);
+  const int braking = robot.max_braking ? is_size(*robot.max_braking) : 1;
+  return (velocity & is_size(robot.max_acceleration) & is_size(robot.max_speed) & braking) != 0;
+}
+
+bool can_drive(const Robot& robot) {
+  return is_known(robot.heading) != 0 &&
+         is_valid(robot.model, change_limit(robot), robot.max_speed);
+}
+
+bool is_valid(const Robot& robot) {
+  const int places = is_known(robot.position) & is_known(robot.preferred_velocity);
+  if (robot.loiter && (is_known(robot.loiter->center) & is_size(robot.loiter->radius)) == 0)
+    return false;
+  const int lengths = is_size(robot.radius) & is_size(robot.priority) &
+                      static_cast<int>(robot.distance_to_goal >= 0.0);
+  return can_brake(robot) && (places & lengths) != 0 &&
+         (is_holonomic(robot.model) || can_drive(robot));
+}
+
+bool follows_heading(const Robot& robot) {
+  if (!moves_along_heading(robot.model) || is_rest(robot.velocity)) return true;
+  const Vec2 v = robot.velocity, heading = elementary::direction(robot.heading);
+  const bool backwards = can_reverse(robot.model) && dot(v, heading) < 0.0;
+  return norm_squared(v - norm(v) * (backwards ? -heading : heading)) <=
+         kHeadingTolerance * kHeadingTolerance * norm_squared(v);
+}
+
+namespace {
+
+bool is_deviation(double value) {
+  return value >= 0.0 && value <= kLargest;
+}
+
+// What nearly all of them have is asked of all in is_valid().
+bool is_valid_mover(const Neighbor& mover) {
+  return is_deviation(mover.max_deviation) && mover.max_speed >= kSmallest && !mover.loiter;
+}
+
+bool is_valid_loiterer(const Neighbor& neighbor) {
+  const LoiterCircle& circle = *neighbor.loiter;
+  return (is_known(circle.center) & is_size(circle.radius)) != 0 &&
+         !has_errors_of_its_own(neighbor);
+}
+
+}  // namespace
+
+bool is_valid(const Neighbor& neighbor) {
+  const int dated = static_cast<int>(neighbor.age >= 0) &
+                    static_cast<int>(neighbor.age <= kMostAge) &
+                    static_cast<int>(is_deviation(neighbor.position_error));
+  if ((is_known(neighbor.position) & is_known(neighbor.velocity) & is_known(neighbor.acceleration) &
+       is_size(neighbor.radius) & dated) == 0)
+    return false;
+  if (neighbor.behavior == Behavior::moves_on) return is_valid_mover(neighbor);
+  const double a_max = neighbor.max_acceleration;
+  const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
+                   is_size(neighbor.priority) & is_known(neighbor.parting);
+  if (able == 0) return false;
+  if (neighbor.max_braking && is_size(*neighbor.max_braking) == 0) return false;
+  if (neighbor.age > 0 && !is_deviation(neighbor.max_deviation)) return false;
+  return !neighbor.loiter || is_valid_loiterer(neighbor);
+}
+
+bool is_valid(const Wall& wall) {
+  const int places = is_known(wall.a) & is_known(wall.b);
+  return (places & static_cast<int>(wall.radius >= 0.0) & is_known(wall.radius)) != 0;
+}
+
+bool all_valid(const Robot& robot, std::span<const Neighbor> neighbors) {
+  return is_valid(robot) && std::all_of(neighbors.begin(), neighbors.end(),
+                                        [](const Neighbor& n) { return is_valid(n); });
+}
+
+bool all_valid(const Robot& robot, const Neighbors& neighbors) {
+  if (!is_valid(robot)) return false;
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    if (!is_valid(neighbors[k])) return false;
+  }
+  return true;
+}
+
+namespace {
+
+template <typename Neighbors>
+bool can_follow_among(const Robot& robot, const Neighbors& neighbors,
+                      const PlannerOptions& options) {
+  const bool flies = is_airplane(robot.model);
+  bool loiters = flies;
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor& neighbor = neighbors[k];
+    if (flies && (has_errors_of_its_own(neighbor) || neighbor.behavior != Behavior::decides))
+      return false;
+    if (!neighbor.loiter) continue;
+    loiters = true;
+    if (!is_on_circle(neighbor)) return false;
+  }
+  if (flies && !can_fly(robot, options.time_step)) return false;
+  if (loiters && !allows_loiterers(options)) return false;
+  return is_holonomic(robot.model) || options.certificate == Certificate::none ||
+         options.motion == Motion::held;
+}
+
+}  // namespace
+
+bool can_follow(const Robot& robot, const Neighbors& neighbors, const PlannerOptions& options) {
+  if (!is_airplane(robot.model) && !neighbors.columns->has_loiterers)  // nearly always
+    return can_follow_among(robot, std::span<const Neighbor>{}, options);
+  return can_follow_among(robot, neighbors, options);
+}
+bool can_follow(const Robot& robot, std::span<const Neighbor> neighbors,
+                const PlannerOptions& options) {
+  return can_follow_among(robot, neighbors, options);
+}
+
+bool can_decide(const Robot& robot, std::span<const Neighbor> neighbors,
+                std::span<const Wall> walls, const PlannerOptions& options) {
+  return all_valid(robot, neighbors) &&
+         std::all_of(walls.begin(), walls.end(), [](const Wall& wall) { return is_valid(wall); }) &&
+         follows_heading(robot) && can_follow(robot, neighbors, options);
+}
+
+}  // namespace avo
