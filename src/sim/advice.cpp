@@ -169,6 +169,22 @@ void advise_crowding(const Scenario& scenario, std::vector<std::string>& lines) 
                   " times as much; leave sensing_radius out, or set max_neighbors");
 }
 
+/// docs/navigation.md, "Inside of walls": no direction then leads away from walls for sure.
+void advise_localization(const Scenario& scenario, std::vector<std::string>& lines) {
+  const bool has_walls =
+      !scenario.obstacles.empty() || std::any_of(scenario.robots.begin(), scenario.robots.end(),
+                                                 [](const RobotSetup& r) { return r.parked; });
+  const double error = planner_options(scenario).localization_error;
+  const Worst lost =
+      worst(scenario.robots, [&](const RobotSetup& r) { return 2.0 * error / disc_radius(r); });
+  if (!has_walls || lost.value < 1.0) return;
+  lines.push_back("sensing.localization lets " + robot_name(lost.robot) + " be up to " +
+                  in_short(error) +
+                  " m off where it takes itself to be, and half of its radius is " +
+                  in_short(0.5 * disc_radius(scenario.robots[lost.robot])) +
+                  " m: it may find no way out of a corner");
+}
+
 void advise_slow_flights(const Scenario& scenario, std::vector<std::string>& lines) {
   const auto advise = [&](const Worst& slow, const char* then) {
     const RobotSetup& robot = scenario.robots[slow.robot];
@@ -280,6 +296,7 @@ std::vector<std::string> advice(const Scenario& scenario) {
   advise_time_horizon(scenario, lines);
   advise_sensing_radius(scenario, lines);
   advise_crowding(scenario, lines);
+  advise_localization(scenario, lines);
   advise_speeds(scenario, lines);
   advise_overlaps(scenario, lines);
   return lines;

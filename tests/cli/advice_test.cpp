@@ -135,6 +135,28 @@ TEST(Advice, sensing_radius_that_costs_many_times_what_is_needed) {
   EXPECT_EQ(avo::advice(scenario), Lines{});
 }
 
+TEST(Advice, localization_that_may_leave_no_way_out_of_a_corner) {
+  Scenario scenario = paper();
+  scenario.method = avo::Method::avo;
+  scenario.robots[1].radius = 0.4;
+  scenario.sensing.localization = {.position = 0.2,
+                                   .distribution = avo::NoiseDistribution::uniform};
+  EXPECT_EQ(avo::advice(scenario), Lines{}) << "without walls";
+  Scenario walled = scenario;
+  walled.obstacles = {{.chains = {{{{-30.0, 8.0}, {30.0, 8.0}}}}}};
+  const Lines told{
+      "sensing.localization lets robot 1 be up to 0.282843 m off where it takes itself to be, and "
+      "half of its radius is 0.2 m: it may find no way out of a corner"};
+  EXPECT_EQ(avo::advice(walled), told);
+  walled.sensing.localization.position = 0.141;  // 0.1994 m
+  EXPECT_EQ(avo::advice(walled), Lines{});
+  walled.sensing.localization.position = 0.142;  // 0.2008 m
+  EXPECT_EQ(avo::advice(walled).size(), 1U);
+  // a parked robot is a wall to the others, and has to find no way itself
+  scenario.robots.push_back({.position = {0, 9}, .goal = {0, 9}, .radius = 0.1, .parked = true});
+  EXPECT_EQ(avo::advice(scenario), told);
+}
+
 TEST(Advice, speeds_beyond_max_speed) {
   Scenario scenario = paper();
   scenario.robots[0].preferred_speed = 3.0;
