@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "avo/assumptions.h"
@@ -25,28 +26,31 @@ constexpr double kAmongWalls = 30.0;
 // Of the robots that decide.
 struct Largest {
   double radius = 0.0, speed = 0.0;  // m, m/s
-  bool has_priorities = false;       // some have more than others
+  bool some_yield = false;           // priorities differ
 };
 
 Largest largest_of(const Scenario& scenario) {
   Largest largest;
+  std::optional<double> priority;  // of the first one
   for (const RobotSetup& robot : scenario.robots) {
     if (robot.parked) continue;
     largest.radius = std::max(largest.radius, disc_radius(robot));
     largest.speed = std::max(largest.speed, robot.max_speed);
-    largest.has_priorities = largest.has_priorities || robot.priority != 1.0;
+    if (!priority) priority = robot.priority;
+    largest.some_yield = largest.some_yield || robot.priority != *priority;
   }
   return largest;
 }
 
 // m: one that heads for the robot is seen in time for the robot alone to be out of its way, from
-// rest to rest, which takes 2 √(r/a) for the way r; and where one of two has to make more of the
-// correction, before the time horizon, from which on half-planes say so.
+// rest to rest, which takes 2 √(r/a) for the way r. Where one of two has to make more of the
+// correction, it is seen as soon as half-planes say so, from the time horizon on: seen later, it
+// leaves less of the correction to the one that should make it, and not in the order of priorities.
 double evading_range(const Robot& robot, const Largest& others, double time_horizon) {
   const double r = robot.radius + others.radius;
   const double time = 2.0 * std::sqrt(r / robot.max_acceleration);
   return r + (robot.max_speed + others.speed) *
-                 (others.has_priorities ? std::max(time, time_horizon) : time);
+                 (others.some_yield ? std::max(time, time_horizon) : time);
 }
 
 // m: as far as a method's rules look, beside the certificate.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far robots sense whose scene does not say it: as far as they need, also those that come
 // later.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
 #include <vector>
 
 #include "avo/assumptions.h"
@@ -52,11 +54,40 @@ TEST(SensingRadius, is_what_the_method_and_the_certificate_need) {
   Scenario unequal = pair_of(Method::avo);
   unequal.robots[0].priority = 4.0;
   EXPECT_DOUBLE_EQ(sensing_radius_of(unequal), 13.0);  // 1 m + 4 m/s · τ
-  scene.sensing.delay = 40;                            // 4 s more of 2 m/s each
+  unequal.robots[1].priority = 4.0;                    // as if both had 1
+  EXPECT_DOUBLE_EQ(sensing_radius_of(unequal), 9.0);
+  scene.sensing.delay = 40;  // 4 s more of 2 m/s each
   EXPECT_DOUBLE_EQ(sensing_radius_of(scene), sensing_need(scene)->range);
   scene.sensing_radius = 15.0;
   EXPECT_EQ(sensing_radius_of(scene), 15.0);
   EXPECT_EQ(sensing_radius_of(Scenario{}), 1.0);
+}
+
+// m: how far a robot of that priority leaves its line before five oncoming ones.
+double aside(double priority, std::optional<double> sensing_radius) {
+  Scenario scene;
+  scene.sensing_radius = sensing_radius;
+  scene.robots = {robot_at({-10, 0}, {10, 0})};
+  scene.robots[0].priority = priority;
+  for (const double y : {-2.75, -1.35, 0.05, 1.45, 2.85})
+    scene.robots.push_back(robot_at({10, y}, {-10, y}));
+  Simulation simulation(scene, 1);
+  double aside = 0.0;
+  while (simulation.time() < 30.0) {
+    simulation.step();
+    aside = std::max(aside, std::abs(simulation.fleet().position[0].y));
+  }
+  return aside;
+}
+
+// With the radius that is enough for equals, a robot of priority 2 goes farther aside than one
+// of 1.
+TEST(SensingRadius, of_robots_of_unequal_priority_is_where_more_priority_means_less_way) {
+  EXPECT_GT(aside(2.0, 9.0), aside(1.0, 9.0));
+  EXPECT_LT(aside(2.0, {}), aside(1.0, 13.0));
+  EXPECT_LT(aside(16.0, {}), aside(2.0, {}));
+  EXPECT_LT(aside(1e9, {}), aside(16.0, {}));
+  EXPECT_EQ(aside(16.0, {}), aside(16.0, 15.0)) << "nobody farther off matters";
 }
 
 TEST(SensingRadius, that_is_left_out_breaks_no_assumption) {
