@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "certificate/pair.h"
 #include "core/stage_clock.h"
+#include "planner/certify.h"
 #include "planner/scratch.h"
 #include "support/half_plane_batches.h"
 #include "unit/planner/crowds.h"
@@ -202,6 +204,37 @@ TEST(Relevance, the_far_change_no_bit) {
       EXPECT_GT(counts.changed_by_a_cut, 20);  // the range is not generous beyond measure
       EXPECT_GT(counts.changed_by_looking_less_far, 20);
     }
+  }
+}
+
+// Whatever the two may choose, of all the neighbors placed just beyond the range; nearer by a tenth
+// some can meet, so that the range is no larger than it has to be.
+TEST(Relevance, nobody_beyond_it_can_come_into_contact) {
+  for (const Clock clock : {Clock::common, Clock::free}) {
+    Random random(13);
+    int near = 0;
+    for (int k = 0; k < 2000 && !testing::Test::HasFailure(); ++k) {
+      Crowd crowd = crowd_of(random, Certificate::braking_trajectories, Motion::held);
+      crowd.options.clock = clock;
+      if (clock == Clock::free) crowd.options.longest_step = random.log_uniform(0.05, 0.4);
+      if (random.below(2) == 0)
+        crowd.options.sensing_error = {random.uniform(0.0, 0.1), random.uniform(0.0, 0.2)};
+      const Planner planner(crowd.options);
+      const StepLaw law = certificate_law(planner).step;
+      const Robot& A = crowd.robot;
+      const double range =
+          relevant_range(planner, A, peers_of(crowd, planner)).at(norm(A.velocity));
+      const Braking own = braking_of(A.velocity, ability_of(A), law);
+      const auto can_meet = [&](Neighbor B, double distance) {
+        B.position = A.position + distance * random.direction();
+        return !cannot_meet(braking_pair(A, B, own, law), B, law);
+      };
+      for (const Neighbor& B : crowd.neighbors) {
+        EXPECT_FALSE(can_meet(B, (1.0 + 1e-9) * range)) << crowd << range;
+        near += can_meet(B, 0.9 * range) ? 1 : 0;
+      }
+    }
+    EXPECT_GT(near, 100);
   }
 }
 
