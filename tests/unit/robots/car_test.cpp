@@ -282,6 +282,24 @@ TEST(Car, stops_at_the_end_of_a_step_at_the_earliest) {
   EXPECT_NEAR(step.acceleration, 1.5, 1e-12);
 }
 
+// It has to turn by more than kTurnInPlace, and is slower than one step of braking takes away.
+TEST(Car, that_has_to_turn_in_place_stops_first) {
+  for (const double angle : {0.4, 1.5, 3.0, -0.4, -1.5, -3.0}) {
+    for (const double speed : {1e-3, 0.02, 0.06}) {
+      const Vec2 heading{std::cos(1.0), std::sin(1.0)};
+      const MotionState state{{4, 5}, speed * heading, 1.0};
+      Plan plan;
+      plan.new_velocity = 1.2 * Vec2{std::cos(1.0 + angle), std::sin(1.0 + angle)};
+      plan.acceleration = 0.25 * (plan.new_velocity - state.velocity);
+      const MotionStep step = advance_car(state, plan, 0.1);
+      EXPECT_EQ(step.next.velocity, Vec2{});
+      EXPECT_EQ(step.next.heading, 1.0) << "it stands before it turns";
+      EXPECT_LT(norm(step.next.position - (state.position + (0.05 * speed) * heading)), 1e-12);
+      EXPECT_LE(step.acceleration, 1.0);
+    }
+  }
+}
+
 TEST(Car, at_rest_turns_in_place_at_a_bounded_rate) {
   for (const double angle : {0.5, 1.5, 3.0, -0.5, -1.5, -3.0}) {
     MotionState state{{4, 5}, {0, 0}, 1.0};

@@ -28,7 +28,7 @@ MotionModel any_model(const Scenario& scene, Random& random) {
       car.max_curvature = 0.8, car.reverse = true;
       return car;
     case 1:
-      if (scene.sensing.is_exact()) car.body = CarBody{0.3, 0.4};
+      car.body = CarBody{0.3, 0.4};
       return car;
     case 2:
       return DifferentialDrive{};
