@@ -122,6 +122,9 @@ struct PlannerOptions {
   /// m/s², > 0, of method avo: what is used of a_max but where the certificate asks for more, which
   /// counts on all of a_max; unset: all.
   std::optional<double> comfort_acceleration = {};
+  /// m/s³, > 0, of method avo: by how much the acceleration changes in a second at most, but where
+  /// the certificate asks for more; unset: a_max in every response time.
+  std::optional<double> comfort_jerk = {};
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
   int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples

@@ -155,6 +155,7 @@ struct Scenario {
   std::optional<double> response_time = {};   ///< [κ] >= 0, of T = v_max/a_max; likewise
   /// m/s², > 0, of method avo: see PlannerOptions; unset: none
   std::optional<double> comfort_acceleration = {};
+  std::optional<double> comfort_jerk = {};  ///< m/s³, likewise
   std::optional<double> time_horizon = {};    ///< [τ] s, > 0; likewise
   std::optional<double> sensing_radius = {};  ///< m, > 0, between centers; unset: what they need
   std::optional<int> max_neighbors = {};  ///< nearest neighbors that get a half-plane; unset: all

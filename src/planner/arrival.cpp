@@ -17,10 +17,11 @@ using Real = scalar::Pack<double>;
 constexpr double kLeash = 6.0;  // r_A + r_B: distance to the goal within which it gives way more
 constexpr double kNear = 20.0;  // radii, of the goal: the last of the way
 constexpr double kLeastWeight = 0.3;     // of giving way on the way
-constexpr double kPush = 2.0;            // v_max, in contact
-constexpr double kPushAtRest = 4.0;      // v_max, of one at rest
+constexpr double kPush = 1.2;            // v_max, in contact
+constexpr double kPushAtRest = 3.2;      // v_max, of one at rest
 constexpr double kAtRest = 0.01;         // of v_max: so slow, nobody pushes who is near its goal
 constexpr double kInMotion = 0.2;        // of v_max: so fast, in full
+constexpr double kLeastTime = 4.0;       // radii at v_max: T of the strongest
 constexpr double kTry = 14.0;            // T: of that long, on the last of the way,
 constexpr double kYields = 0.9;          // it gives way for this part to those at rest as well
 constexpr double kSettles = 2.0;         // T beside others, until it stays where it is
@@ -33,11 +34,12 @@ constexpr double kRecovers = 10.0;       // T alone, in which it forgets all of 
 constexpr double kGetsUsed = 100.0;      // T, to the congestion ahead
 constexpr double kUsual = 2.0;           // times what it is used to does not make it keep right
 constexpr float kMostDetour = 2.4F;      // rad, almost back
-constexpr double kTurnOff = 0.8;         // per T
+constexpr double kTurnOff = 1.0;         // per T
 constexpr double kTurnBack = 2.0;        // per T
 
 double time_to_speed(const Robot& robot) {
-  return robot.max_speed / robot.max_acceleration;
+  return std::max(robot.max_speed / robot.max_acceleration,
+                  kLeastTime * robot.radius / robot.max_speed);
 }
 
 scalar::Vec<Real> pack(Vec2 a) {

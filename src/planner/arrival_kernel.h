@@ -27,7 +27,7 @@ AVO_KERNEL Real stopping_distance(Real max_speed, Real braking) {
 template <typename Real>
 AVO_KERNEL Real traffic_range(Real max_speed, Real braking, Real radius) {
   const Real stopping = stopping_distance(max_speed, braking);
-  return max(Real(3.0) * stopping, Real(12.0) * radius);
+  return max(Real(3.0) * stopping, Real(8.0) * radius);
 }
 
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
@@ -82,8 +82,8 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     const Real rests = Real(2.0) - norm(velocity) * per_slow;
     const Real in_front = per_distance * dot(towards, way) * per_front;
     const auto near = (squared < range_squared) & (in_front > zero);
-    Real weight = (one - per_range * distance) * min(max(max(closes, rests), zero), one) *
-                  min(in_front, one);
+    Real weight =
+        (one - per_range * distance) * min(max(max(closes, rests), zero), one) * min(in_front, one);
     Real defers = one;
     if (has_priorities) {  // a mover gives way to nobody
       const Real decides = load(columns.decides);
@@ -173,7 +173,7 @@ void decide_freely(const StepLaw& law, const Execution& execution, const RobotCo
     const Vec<Real> target{load(columns.target_x), load(columns.target_y)};
     const Real u = load(robots.max_acceleration) * Real(law.braking_time);
     const PackHaste<Real> haste = haste_of(load(robots.radius), load(robots.max_speed),
-                                        load(robots.max_acceleration), execution);
+                                           load(robots.max_acceleration), execution);
     const Vec<Real> next = executed(v, last, target, haste);
     const Vec<Real> unhindered = approach(v, wish, haste.most);
     const Real most = dot(unhindered, wish);

@@ -46,8 +46,7 @@ struct Decision {
   CertifiedWorkspace& certified;
 
   Vec2 followed(Vec2 next) const {
-    return is_holonomic(robot.model) ? next
-                                     : within_own_limits(robot, law.step.braking_time, next);
+    return is_holonomic(robot.model) ? next : within_own_limits(robot, law.step.braking_time, next);
   }
   // As far as one step leads to v.
   Vec2 reached(Vec2 v) const { return followed(approach(robot.velocity, v, haste.most)); }
@@ -56,8 +55,7 @@ struct Decision {
     return followed(executed(robot.velocity, wished.last_change, v, haste));
   }
   Vec2 smoothly(Vec2 v) const {
-    return followed(
-        executed(robot.velocity, wished.last_change, v, {1.0, haste.most, haste.jerk}));
+    return followed(executed(robot.velocity, wished.last_change, v, {1.0, haste.most, haste.jerk}));
   }
 };
 
@@ -169,8 +167,7 @@ Plan certify(const Planner& planner, const CertificateLaw& law, const RobotColum
              std::size_t i, const Haste& haste, const Wished& wished, CertifiedWorkspace& certified,
              Detour& detour) {
   const Robot robot = robots.robot(i);
-  const Decision decision{robot,  law,      haste, planner.acceleration_disc(robot),
-                          wished, certified};
+  const Decision decision{robot, law, haste, planner.acceleration_disc(robot), wished, certified};
   begin_constraints(robot, robots.neighbors[i], i, law, certified.constraints);
   const CertifiedChoice choice = choose_and_arrive(decision, detour);
   return plan_under(law, robot, choice.next_velocity,

@@ -8,21 +8,24 @@
 #include "planner/execution_kernel.h"
 
 namespace avo {
+namespace {
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+}  // namespace
 
 Execution execution_of(const Planner& planner, bool remembers) {
   const PlannerOptions& options = planner.options();
   return {.time_step = options.time_step,
           .braking_time = certificate_law(planner).step.braking_time,
           .response_time = options.response_time,
-          .comfort_acceleration = options.comfort_acceleration.value_or(
-              std::numeric_limits<double>::infinity()),
+          .comfort_acceleration = options.comfort_acceleration.value_or(kUnlimited),
+          .comfort_jerk = options.comfort_jerk.value_or(kUnlimited),
           .remembers = remembers};
 }
 
 Haste haste_of(const Robot& robot, const Execution& execution) {
   using Real = scalar::Pack<double>;
-  const auto haste = scalar::haste_of<Real>(robot.radius, robot.max_speed, robot.max_acceleration,
-                                          execution);
+  const auto haste =
+      scalar::haste_of<Real>(robot.radius, robot.max_speed, robot.max_acceleration, execution);
   return {haste.gain.value, haste.most.value, haste.jerk.value};
 }
 

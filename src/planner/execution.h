@@ -12,9 +12,13 @@ struct Execution {
   double time_step, braking_time;  ///< s, see StepLaw
   double response_time;            ///< [κ], of v_max/a_max
   double comfort_acceleration;     ///< m/s², infinite where none is asked for
+  double comfort_jerk;             ///< m/s³, likewise
   bool remembers = true;           ///< the robots' last accelerations are known
 };
 Execution execution_of(const Planner& planner, bool remembers);
+
+/// Of T_e: in which the acceleration goes from none to all that is used, at the earliest.
+inline constexpr double kEase = 0.8;
 
 /// What one robot makes of it within a step.
 struct Haste {

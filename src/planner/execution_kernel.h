@@ -19,20 +19,19 @@ struct PackHaste {
 
 template <typename Real>
 AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_acceleration,
-                                  const Execution& execution) {
-  const Real braking_time(execution.braking_time);
-  const Real comfort(execution.comfort_acceleration);
-  const Real all = max_acceleration * braking_time;
-  if (execution.response_time == 0.0)
-    return {Real(1.0), min(all, comfort * braking_time),
-            Real(std::numeric_limits<double>::infinity())};
-  // who is stronger than to reach its speed within its own radius has no use for that
-  const Real most = min(all, min(comfort, max_speed * (max_speed / radius)) * braking_time);
-  const Real gain = Real(execution.time_step) /
-                    response_time(max_speed, max_acceleration, execution.response_time,
-                                  execution.time_step);
-  const Real jerk = gain * most;
-  return {gain, most, execution.remembers ? jerk : Real(std::numeric_limits<double>::infinity())};
+                                    const Execution& execution) {
+  const Real unlimited(std::numeric_limits<double>::infinity());
+  const Real braking_time(execution.braking_time), time_step(execution.time_step);
+  Real most = min(max_acceleration, Real(execution.comfort_acceleration)) * braking_time;
+  Real jerk = Real(execution.comfort_jerk) * time_step * braking_time, gain = Real(1.0);
+  if (execution.response_time > 0.0) {
+    // v_max²/2r: to reach its speed within less than its own radius is of no use to a robot
+    most = min(most, max_speed * (max_speed / (Real(2.0) * radius)) * braking_time);
+    gain = time_step /
+           response_time(max_speed, max_acceleration, execution.response_time, execution.time_step);
+    jerk = min(jerk, gain / Real(kEase) * most);
+  }
+  return {gain, most, execution.remembers ? jerk : unlimited};
 }
 
 /// The velocity after a step of at most `most` from v towards a target, m/s.
@@ -50,8 +49,7 @@ template <typename Real>
 AVO_KERNEL Vec<Real> executed(Vec<Real> velocity, Vec<Real> last_change, Vec<Real> target,
                               const PackHaste<Real>& haste) {
   const auto at_once = haste.gain >= Real(1.0);
-  const Vec<Real> aim =
-      select(at_once, target, velocity + haste.gain * (target - velocity));
+  const Vec<Real> aim = select(at_once, target, velocity + haste.gain * (target - velocity));
   const Vec<Real> smooth =
       approach(velocity + last_change, approach(velocity, aim, haste.most), haste.jerk);
   return approach(velocity, smooth, haste.most);

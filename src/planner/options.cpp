@@ -29,12 +29,16 @@ void validate_comfort(const PlannerOptions& options, const std::string& prefix) 
   require(prefix + "response_time", options.response_time, kNotNegative, "");
   if (options.comfort_acceleration)
     require(prefix + "comfort_acceleration", *options.comfort_acceleration, kPositive, "m/s^2");
+  if (options.comfort_jerk)
+    require(prefix + "comfort_jerk", *options.comfort_jerk, kPositive, "m/s^3");
   if (options.method == Method::avo) return;
   const std::string others = std::string(" with method ") + to_string(options.method);
   if (options.response_time > 0.0)
     refuse(prefix + "response_time", text(options.response_time), "0" + others);
   if (options.comfort_acceleration)
     refuse(prefix + "comfort_acceleration", text(*options.comfort_acceleration), "none" + others);
+  if (options.comfort_jerk)
+    refuse(prefix + "comfort_jerk", text(*options.comfort_jerk), "none" + others);
 }
 
 void validate_certificate(const PlannerOptions& options, const std::string& prefix) {

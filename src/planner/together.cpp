@@ -187,9 +187,9 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
                   violation,
                   soft.coinciding[i] != 0};
     if (robots.model[i] != nullptr && has_own_limits(*robots.model[i]))
-      wished.next = within_own_limits(
-          robot, law.step.braking_time,
-          executed(robot.velocity, wished.last_change, wished.target, haste));
+      wished.next =
+          within_own_limits(robot, law.step.braking_time,
+                            executed(robot.velocity, wished.last_change, wished.target, haste));
     plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i]);
     const CertificateConstraints& constraints = scratch.certified.constraints;
     if (overlapping || collides(constraints))

@@ -70,11 +70,12 @@ AVO_KERNEL Way<Real> way_of(const Traveller<Real>& robot, const StepResponse& st
 inline constexpr double kLanding = 0.25;
 
 /// Highest next speed of a braking that begins, and ends, without a jolt. It goes along the path
-/// that speed²/2b + speed T leave of the distance, T = T_e + Δt/2, so that it takes hold within T;
-/// and where it would creep, along that of a quarter of b or of what the acceleration may change by.
+/// that speed²/2b + speed T leave of the distance, T = (T_e + Δt)/2, so that it takes hold within
+/// T; and where it would creep, along that of a quarter of b or of what the acceleration may change
+/// by.
 template <typename Real>
 AVO_KERNEL Real soft_speed(Real distance, Real braking, Real response_time, Real time_step) {
-  const Real lead = braking * (response_time + Real(0.5) * time_step);
+  const Real lead = braking * Real(0.5) * (response_time + time_step);
   const Real speed = sqrt(lead * lead + Real(2.0) * braking * max(distance, Real(0.0))) - lead;
   const Real softly = min(Real(kLanding), time_step / response_time) * braking * time_step;
   return max(speed, admissible_speed(distance, softly, time_step));
@@ -87,10 +88,9 @@ AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way
   const Real speed = robot.preferred_speed, time_step(step.time_step);
   const Real u = Real(step.rate) * Real(step.control_time) * robot.planned_braking;
   const bool is_soft = step.response_time > 0.0;
-  const Real response =
-      is_soft ? response_time(robot.max_speed, robot.max_acceleration, step.response_time,
-                              step.time_step)
-              : Real(0.0);
+  const Real response = is_soft ? response_time(robot.max_speed, robot.max_acceleration,
+                                                step.response_time, step.time_step)
+                                : Real(0.0);
   const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below
   const Real around = Real(0x1p-45) * ((abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y)));

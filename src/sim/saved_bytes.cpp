@@ -117,8 +117,8 @@ void describe(Archive<kReads>& archive, Detour& detour) {
       packed(detour.acceleration_x, std::bit_cast<std::uint32_t>(detour.acceleration_y));
   archive.word(first), archive.word(second), archive.word(third);
   if (second >> 33 != 0) refuse_saved("a detour that no robot can remember", "a sound one");
-  detour = {number(first),        number(first >> 32), number(second),
-            second >> 32 != 0,    number(third),       number(third >> 32)};
+  detour = {number(first),     number(first >> 32), number(second),
+            second >> 32 != 0, number(third),       number(third >> 32)};
 }
 
 template <bool kReads>
