@@ -243,6 +243,7 @@ typedef struct avo_detour {
   float beside;
   float congestion;
   bool has_arrived;
+  float acceleration_x, acceleration_y;  ///< m/s^2, of the last step
 } avo_detour;
 
 /// A decision.
