@@ -146,8 +146,10 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
     const Real ahead = load(columns.ahead);
     const Real braking = min(load(robots.max_acceleration), load(robots.max_braking));
     const Real stopping = stopping_distance(load(robots.max_speed), braking);
-    const Real part = min(ahead, Real(kCongestion)) / Real(kCongestion);
-    const auto turns = !((load(robots.distance_to_goal) < stopping) | !(ahead > Real(0.0)));
+    // by and by no more: on the last of its way a robot needs its acceleration to brake
+    const Real left = (load(robots.distance_to_goal) - stopping) / stopping;
+    const Real part = min(left, Real(1.0)) * min(ahead, Real(kCongestion)) / Real(kCongestion);
+    const auto turns = (left > Real(0.0)) & (ahead > Real(0.0));
     const Vec<Real> wish = select(turns, turned_right(way, part * Real(kMostKeepRight)), way);
     wish.x.store(&columns.wish_x[i]);
     wish.y.store(&columns.wish_y[i]);
