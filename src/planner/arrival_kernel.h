@@ -177,7 +177,8 @@ void decide_freely(const StepLaw& law, const Execution& execution, const RobotCo
     const PackHaste<Real> haste = haste_of(load(robots.radius), load(robots.max_speed),
                                            load(robots.max_acceleration), execution);
     const Vec<Real> next = executed(v, last, target, haste);
-    const Vec<Real> unhindered = approach(v, wish, haste.most);
+    const Vec<Real> aim{load(columns.aim_x), load(columns.aim_y)};
+    const Vec<Real> unhindered = approach(v, aim, haste.most);
     const Real most = dot(unhindered, wish);
     const auto may_detour = load(robots.distance_to_goal) >= load(robots.radius);
     const auto blocked = may_detour & (most > Real(0.0)) &
@@ -186,7 +187,6 @@ void decide_freely(const StepLaw& law, const Execution& execution, const RobotCo
     select(kept & !blocked, Real(1.0), Real(0.0)).store(&columns.is_free[i]);
     const PackPlan<Real> plan = plan_to(v, next, law);
     store(next, columns.next_x, columns.next_y);
-    store(unhindered, columns.unhindered_x, columns.unhindered_y);
     store(plan.new_velocity, columns.new_x, columns.new_y);
     store(plan.acceleration, columns.a_x, columns.a_y);
   }

@@ -94,9 +94,10 @@ Vec2 solved(const Decision& decision, std::span<const HalfPlane> half_planes, Ve
 }
 
 // What is left of the way along `wish` if v' is gone for at once, as far as the certificate, which
-// has been asked for `choice`, lets it be.
-double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v_new, Vec2 wish) {
-  const Vec2 unhindered = decision.reached(wish);
+// has been asked for `choice`, lets it be. aim: what v' was chosen for.
+double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v_new, Vec2 aim,
+                 Vec2 wish) {
+  const Vec2 unhindered = decision.reached(aim);
   if (turns_at_rest(decision.robot))
     return part_of_wish(choose_as_turned(decision, unhindered).next_velocity, unhindered, wish);
   const bool kept = choice.chosen == Chosen::wanted;
@@ -124,7 +125,7 @@ CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& c
   const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
   const Vec2 off = decision.smoothly(v_new);
   CertifiedChoice next = choose_admitted(decision, off + kept * (choice.next_velocity - off));
-  if (left < kBlocked && part_left(decision, next, v_new, turned) < kBlocked)
+  if (left < kBlocked && part_left(decision, next, v_new, turned, turned) < kBlocked)
     turn_off(detour, robot, decision.law.step.time_step, !walls.empty());
   if (next.chosen == Chosen::wanted) next.chosen = Chosen::candidate;
   return next;
@@ -141,7 +142,7 @@ CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
     detour.angle = 0.0F;
     return choice;
   }
-  const double left = part_left(decision, choice, wished.target, wished.wish);
+  const double left = part_left(decision, choice, wished.target, wished.aim, wished.wish);
   const bool returns = left >= kBlocked && detour.angle > 0.0F;
   if (returns) turn_back(detour, robot, decision.law.step.time_step);
   const CertifiedChoice next = returns ? choose_on_way_back(decision, detour) : choice;

@@ -43,7 +43,7 @@ bool is_among_movers(const PlannerOptions& options, const Neighbors& neighbors) 
 struct Wished {
   std::span<const HalfPlane> half_planes;
   std::span<const HalfPlane> walls;  ///< those of them that walls ask for
-  Vec2 wish, target;                 ///< m/s, and what Eq. (23) chose
+  Vec2 wish, aim, target;   ///< m/s, what Eq. (23) was given for the wish, and what it chose
   Vec2 next, last_change;   ///< m/s, what one step makes of the choice; what the last one made
   double violation = 0.0;   ///< m/s
   bool coinciding = false;  ///< nearly, with another one that decides

@@ -35,11 +35,11 @@ void decide_freely(const StepLaw& law, const Execution& execution, const RobotCo
 void DecisionColumns::reserve(std::size_t robots) {
   state.resize(std::max(state.size(), robots));
   if (is_free.size() >= robots + kSpareNeighbors) return;  // the last to grow
-  for (Column* column : {&range,          &ahead,          &is_beside, &push_x, &push_y,
-                         &push_at_rest_x, &push_at_rest_y, &wish_x,    &wish_y, &target_x,
-                         &target_y,       &violation,      &next_x,    &next_y, &unhindered_x,
-                         &unhindered_y,   &new_x,          &new_y,     &a_x,    &a_y,
-                         &is_free,        &aim_x,          &aim_y,     &last_x, &last_y}) {
+  for (Column* column :
+       {&range,          &ahead,  &is_beside, &push_x,   &push_y,   &push_at_rest_x,
+        &push_at_rest_y, &wish_x, &wish_y,    &target_x, &target_y, &violation,
+        &next_x,         &next_y, &new_x,     &new_y,    &a_x,      &a_y,
+        &is_free,        &aim_x,  &aim_y,     &last_x,   &last_y}) {
     column->resize(robots + kSpareNeighbors, 1.0);
   }
 }

@@ -25,8 +25,7 @@ struct DecisionColumns {
   // [v'], m/s: what Eq. (23) made of the wish, by how much it misses CA_A, and how
   Column target_x, target_y, violation;
   std::vector<ProgramState> state;
-  // by decide_freely(), [v_1] m/s: target and wish as far as one step leads to them
-  Column next_x, next_y, unhindered_x, unhindered_y;
+  Column next_x, next_y;  // [v_1] m/s, by decide_freely(): what one step makes of the target
   Column new_x, new_y, a_x, a_y;  // m/s, m/s², likewise: the decision for it
   Column is_free;                 // likewise: 1 where neither limits nor being blocked object, or 0
 

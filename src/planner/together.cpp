@@ -105,16 +105,20 @@ Haste haste_of_any(const Robot& robot, const Execution& execution) {
 }
 
 // What the last steps have done, and what the program is given for the wishes.
-void make_aims(const Execution& execution, const Tile& tile, DecisionColumns& decisions) {
+void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
+               DecisionColumns& decisions) {
   const RobotColumns& robots = tile.robots;
+  std::copy_n(decisions.wish_x.begin(), robots.count, decisions.aim_x.begin());
+  std::copy_n(decisions.wish_y.begin(), robots.count, decisions.aim_y.begin());
+  if (!is_gentle) return;
   for (std::size_t i = 0; i < robots.count; ++i) {
     const Detour& detour = *tile.detour[i];
     decisions.last_x[i] = execution.braking_time * detour.acceleration_x;
     decisions.last_y[i] = execution.braking_time * detour.acceleration_y;
     const Robot robot = robots.robot(i);
     const Haste haste = haste_of(robot, execution);
-    const Vec2 v = robot.velocity, wish = decisions.wish(i);
-    const Vec2 aim = is_landing(robot, haste, execution) ? v + (wish - v) / haste.gain : wish;
+    if (!is_landing(robot, haste, execution)) continue;
+    const Vec2 v = robot.velocity, aim = v + (decisions.wish(i) - v) / haste.gain;
     decisions.aim_x[i] = aim.x, decisions.aim_y[i] = aim.y;
   }
 }
@@ -181,6 +185,7 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
     Wished wished{planes,
                   hard,
                   decisions.wish(i),
+                  decisions.aim(i),
                   decisions.target(i),
                   {decisions.next_x[i], decisions.next_y[i]},
                   decisions.last_change(i),
@@ -289,7 +294,7 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   make_wishes(planner, tile, scratch.decisions);
   if (options.method == Method::buffered_voronoi) wish_within_cells(options, tile.robots, scratch);
   const Execution execution = execution_of(planner, tile.remembers);
-  if (options.method == Method::avo) make_aims(execution, tile, scratch.decisions);
+  make_aims(execution, options.method == Method::avo, tile, scratch.decisions);
   clock.lap(Stage::certificate);
   solve_programs(planner, tile.robots, scratch);
   if (tile.robots.has_models || !tile.walls.empty()) keep_to_demands(planner, tile, scratch);
