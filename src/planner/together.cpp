@@ -96,8 +96,9 @@ void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
   }
 }
 
-// The haste of one of any model. Cars and drives have their own way to come to rest.
-Haste haste_of_any(const Robot& robot, const Execution& execution) {
+// Of any model. Who maneuvers leaves no arc that is clear.
+Haste haste_of_any(const Robot& robot, bool maneuvers, Execution execution) {
+  if (maneuvers) execution.response_time = 0.0, execution.remembers = false;
   Haste haste = haste_of(robot, execution);
   if (is_holonomic(robot.model)) return haste;
   haste.most *= reach_of(robot.model), haste.jerk *= reach_of(robot.model);
@@ -181,7 +182,8 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
       hard = scratch.demands.planes;
     }
     const Robot robot = robots.robot(i);
-    const Haste haste = haste_of_any(robot, execution);
+    const bool maneuvers = robots.has_models && tile.maneuvers[i] != 0;
+    const Haste haste = haste_of_any(robot, maneuvers, execution);
     Wished wished{planes,
                   hard,
                   decisions.wish(i),
