@@ -103,10 +103,10 @@ class Poison {
   }
   void spoil(DecisionColumns& decisions) const {
     auto& [range, ahead, is_beside, push_x, push_y, push_at_rest_x, push_at_rest_y, wish_x, wish_y,
-           target_x, target_y, violation, state, next_x, next_y, unhindered_x, unhindered_y, new_x,
-           new_y, a_x, a_y, is_free] = decisions;
+           aim_x, aim_y, last_x, last_y, target_x, target_y, violation, state, next_x, next_y,
+           new_x, new_y, a_x, a_y, is_free] = decisions;
     each(range, ahead, is_beside, push_x, push_y, push_at_rest_x, push_at_rest_y, wish_x, wish_y,
-         target_x, target_y, violation, state, next_x, next_y, unhindered_x, unhindered_y, new_x,
+         aim_x, aim_y, last_x, last_y, target_x, target_y, violation, state, next_x, next_y, new_x,
          new_y, a_x, a_y, is_free);
   }
   void spoil(Demands& demands) const {
@@ -138,9 +138,9 @@ class Poison {
     static_cast<void>(model), static_cast<void>(neighbors), static_cast<void>(loiter);
   }
   void spoil(Tile& tile) const {
-    auto& [robots, neighbors, detour, plan, walls, slot, maneuvers, trusted] = tile;
+    auto& [robots, neighbors, detour, plan, walls, slot, maneuvers, remembers, trusted] = tile;
     each(robots, neighbors, slot, maneuvers);
-    trusted = false;
+    remembers = trusted = false;
     static_cast<void>(detour), static_cast<void>(plan), static_cast<void>(walls);
   }
 
