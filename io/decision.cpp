@@ -248,6 +248,7 @@ std::string to_json(const Decision& decision) {
     json["certificate"] = constraints_of(decision);
     json["wall_certificate"] = wall_constraints_of(decision);
     json["detour"] = seen.detour.angle;
+    json["response_time"] = decision.response_time;
   }
   const bool overlaps = decision.plan.status == avo::PlanStatus::overlapping;
   const Json rest{
@@ -304,6 +305,10 @@ std::string readable(const Decision& decision) {
   if (decision.method == avo::Method::avo) append_certificate(decision, line);
   line("preferred velocity", text(self.preferred_velocity) + " m/s");
   line("new velocity", text(decision.plan.new_velocity) + " m/s");
+  if (decision.method == avo::Method::avo)
+    line("response time", decision.response_time > 0.0
+                              ? fmt::format("{:.6g} s", decision.response_time)
+                              : std::string("0: at once"));
   line("acceleration", text(decision.plan.acceleration) + " m/s^2");
   if (!decision.risks.empty())
     line("risk",

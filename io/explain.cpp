@@ -26,6 +26,13 @@ std::size_t index_of(const avo::Scenario& scenario, std::int64_t robot, double t
                                simulation.time(), robot));
 }
 
+// s. Airplanes, and robots among movers alone, do at once what they have chosen.
+double response_time_in(const Decision& decision, const avo::PlannerOptions& options) {
+  const avo::Robot& self = decision.seen.robot;
+  if (!decision.by_half_planes || is_airplane(self.model)) return 0.0;
+  return avo::response_time_of(options, self.max_speed, self.max_acceleration);
+}
+
 }  // namespace
 
 void require_explainable(const avo::Scenario& scenario, std::int64_t robot, double time) {
@@ -91,6 +98,7 @@ Decision explain(const avo::Simulation& simulation, const std::string& scene, st
   }
   planner.collect_half_planes(self, walls, decision.wall_planes);
   decision.certificate = planner.options().certificate;
+  decision.response_time = response_time_in(decision, planner.options());
   if (decision.method == avo::Method::avo)
     planner.collect_certificate(self, neighbors, workspace, decision.constraints, walls);
   planner.collect_certificate(self, walls, workspace, decision.wall_constraints);

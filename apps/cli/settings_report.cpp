@@ -28,6 +28,22 @@ std::string seconds(double value) {
   return fmt::format("{} s", value);
 }
 
+/// What takes effect, of those who decide and do not fly.
+std::string response_times(const avo::Scenario& scenario, avo::PlannerOptions options) {
+  if (!(options.response_time > 0.0)) return "0: at once";
+  double least = 0.0, most = 0.0;
+  for (const avo::RobotSetup& robot : scenario.robots) {
+    if (robot.parked || is_airplane(robot.model)) continue;
+    options.time_step = time_step_of(scenario, robot);
+    const double own = avo::response_time_of(options, robot.max_speed, robot.max_acceleration);
+    least = least > 0.0 ? std::min(least, own) : own;
+    most = std::max(most, own);
+  }
+  if (!(most > 0.0)) return "of nobody";
+  return least == most ? fmt::format("{:.6g} s", most)
+                       : fmt::format("{:.6g} s to {:.6g} s", least, most);
+}
+
 }  // namespace
 
 void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenario,
@@ -48,6 +64,7 @@ void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenari
   tell("certificate", avo::to_string(options.certificate));
   tell("motion", avo::to_string(scenario.motion));
   tell("control_time", seconds(options.control_time) + " (delta)");
+  tell("response_time", response_times(scenario, options));
   tell("time_horizon", seconds(options.time_horizon) + " (tau)");
   tell("time_step", seconds(scenario.time_step));
   tell("duration", seconds(scenario.duration));

@@ -66,6 +66,9 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
   options.longest_step = def.longest_step;
   options.arrival_distance = def.arrival_distance;
   options.localization_error = def.localization_error;
+  options.response_time = def.response_time;
+  options.comfort_acceleration = unless_zero(def.comfort_acceleration);
+  options.comfort_jerk = unless_zero(def.comfort_jerk);
   return options;
 }
 
@@ -94,6 +97,9 @@ avo_planner_def avo_default_planner_def(avo_method method) {
   def.longest_step = options.longest_step;
   def.arrival_distance = options.arrival_distance;
   def.localization_error = options.localization_error;
+  def.response_time = options.response_time;
+  def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
+  def.comfort_jerk = options.comfort_jerk.value_or(0.0);
   return def;
 }
 

@@ -56,6 +56,9 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.time_step = def.time_step;
   scenario.duration = def.duration;
   scenario.control_time = unless_zero(def.control_time);
+  if (!std::isnan(def.response_time)) scenario.response_time = def.response_time;
+  scenario.comfort_acceleration = unless_zero(def.comfort_acceleration);
+  scenario.comfort_jerk = unless_zero(def.comfort_jerk);
   scenario.time_horizon = unless_zero(def.time_horizon);
   scenario.sensing_radius = unless_zero(def.sensing_radius);
   scenario.max_neighbors = unless_zero(def.max_neighbors);
@@ -132,6 +135,9 @@ avo_simulation_def settings_of(const avo::Scenario& scenario) {
   def.time_step = scenario.time_step;
   def.duration = scenario.duration;
   def.control_time = scenario.control_time.value_or(0.0);
+  def.response_time = scenario.response_time.value_or(kNone);
+  def.comfort_acceleration = scenario.comfort_acceleration.value_or(0.0);
+  def.comfort_jerk = scenario.comfort_jerk.value_or(0.0);
   def.time_horizon = scenario.time_horizon.value_or(0.0);
   def.sensing_radius = scenario.sensing_radius.value_or(0.0);
   def.arrival_distance = scenario.arrival_distance;

@@ -150,6 +150,11 @@ struct PlannerOptions {
 /// All that is customary for the method.
 AVO_API PlannerOptions default_options(Method method);
 
+/// [T_e] s, the time constant with which a robot of these limits (m/s, m/s²) approaches v':
+/// max(response_time v_max/a_max, 2 Δt); 0: at once.
+AVO_API double response_time_of(const PlannerOptions& options, double max_speed,
+                                double max_acceleration);
+
 /// How a decision was made.
 enum class PlanStatus : std::uint8_t {
   /// With method avo, v' is the target that the paper's program chose, see Plan::new_velocity.

@@ -28,6 +28,7 @@ struct Decision {
   avo::WallPlanes wall_planes;
   std::vector<avo::WallConstraint> wall_constraints;
   avo::Certificate certificate{};
+  double response_time = 0.0;  ///< s, with which it approaches v'; 0: at once
   avo::Plan plan;
   avo::SafetyReport state;  ///< of the state in which it decides
   avo::Disc acceleration_disc, speed_disc;

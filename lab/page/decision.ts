@@ -57,6 +57,7 @@ export interface Decision {
   certificate?: { neighbor: Source; interval: number; normal: Vec; offset: number }[];
   wall_certificate?: { wall: number; held: number; distance: number; normal: Vec }[];
   detour?: number;              // rad, to the right
+  response_time?: number;       // s, with which it approaches v'; 0: at once
   loiter?: Disc;
   risk?: number;
   acceleration_disc: Disc | null;

@@ -50,6 +50,7 @@ function verdictRows(decision: Decision): Row[] {
     const whose = new Set(constraints.map((constraint) => constraint.neighbor)).size;
     rows.push(
       { name: "detour", label: "detour", value: `${digits((decision.detour ?? 0) * 180 / Math.PI, 1)}° to the right`, exact: decision.detour },
+      { name: "response_time", label: "response time", value: decision.response_time ? `${digits(decision.response_time)} s` : "0: at once", exact: decision.response_time, title: "time constant with which it approaches v′" },
       { name: "certificate", label: "certificate", value: `${decision.certificate_kind.replaceAll("_", " ")}: ${constraints.length} constraints of ${whose} neighbors`, exact: constraints.length });
   }
   if (decision.risk !== undefined)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/ranges.h"
+#include "core/response_time_kernel.h"
 
 namespace avo {
 namespace {
@@ -94,6 +95,14 @@ const char* to_string(SafetyState state) {
 
 PlannerOptions default_options(Method method) {
   return {.method = method};
+}
+
+double response_time_of(const PlannerOptions& options, double max_speed, double max_acceleration) {
+  using Real = scalar::Pack<double>;
+  if (!(options.response_time > 0.0)) return 0.0;
+  return scalar::response_time<Real>(max_speed, max_acceleration, options.response_time,
+                                     options.time_step)
+      .value;
 }
 
 void validate(const PlannerOptions& options, const std::string& prefix) {

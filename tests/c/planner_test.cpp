@@ -87,6 +87,9 @@ avo_planner_def to_c(const avo::PlannerOptions& options) {
                        options.sensing_noise.quantile};
   def.longest_step = options.longest_step;
   def.arrival_distance = options.arrival_distance;
+  def.response_time = options.response_time;
+  def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
+  def.comfort_jerk = options.comfort_jerk.value_or(0.0);
   return def;
 }
 
@@ -122,6 +125,8 @@ void check_decision(avo_planner_id planner, const avo::Planner& own,
   CHECK(remembered.angle == detour.angle && remembered.beside == detour.beside);
   CHECK(remembered.congestion == detour.congestion);
   CHECK(remembered.has_arrived == detour.has_arrived);
+  CHECK(remembered.acceleration_x == detour.acceleration_x);
+  CHECK(remembered.acceleration_y == detour.acceleration_y);
 
   REQUIRE(
       avo_planner_plan_among_obstacles(planner, &robot, neighbors.data(), neighbors.size(), &plan));

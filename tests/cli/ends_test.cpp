@@ -192,10 +192,26 @@ TEST(Volume, verbose_tells_settings_and_changes_no_results) {
         "set               duration=2\n", "robots            6, 0 of them parked\n",
         "method            avo_paper\n", "certificate       none\n",
         "control_time      4 s (delta)\n", "time_horizon      10 s (tau)\n",
+        "response_time     0: at once\n",
         "duration          2 s\n", "threads           1\n", "instructions      "})
     EXPECT_NE(loud.err.find(line), std::string::npos) << line << loud.err;
   EXPECT_EQ(plain.err.find("instructions"), std::string::npos);
   EXPECT_EQ(run_avo({"run", "circle-2", "-v", "-q"}).exit_code, 2);
+}
+
+TEST(Volume, verbose_tells_the_response_times_that_take_effect) {
+  const auto told = [](const Strings& settings) {
+    Strings run{"run", "circle-3", "--duration=1", "-v"};
+    for (const std::string& setting : settings) run.push_back("--set=" + setting);
+    const std::string err = run_avo(run).err;
+    const std::size_t begin = err.find("response_time     ");
+    if (begin == std::string::npos) return err;
+    return err.substr(begin + 18, err.find('\n', begin) - begin - 18);
+  };
+  EXPECT_EQ(told({}), "0.2 s");
+  EXPECT_EQ(told({"response_time=0"}), "0: at once");
+  EXPECT_EQ(told({"response_time=0.15"}), "0.3 s");
+  EXPECT_EQ(told({"robots.1.max_acceleration=0.25"}), "0.2 s to 0.8 s");
 }
 
 TEST(Volume, json_is_the_summary_on_the_standard_output) {

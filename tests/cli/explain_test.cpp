@@ -291,6 +291,23 @@ TEST(Explain, speaks_without_json) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word;
 }
 
+TEST(Explain, tells_the_response_time_that_takes_effect) {
+  const auto told = [](const char* setting) {
+    return explained({"circle-10", "--robot", "3", "--time", "6", "--set", setting});
+  };
+  EXPECT_NEAR(told("seed=1")["response_time"].get<double>(), 0.2, 1e-12);
+  EXPECT_NEAR(told("response_time=0.25")["response_time"].get<double>(), 0.5, 1e-12);
+  EXPECT_EQ(told("response_time=0")["response_time"], 0.0);
+  EXPECT_FALSE(told("method=orca").contains("response_time"));
+  EXPECT_EQ(explained({"moving-obstacle", "--robot", "0"})["response_time"], 0.0)
+      << "among movers alone";
+  const auto line = [](const char* setting) {
+    return run_avo({"explain", "circle-10", "--robot", "3", "--set", setting}).out;
+  };
+  EXPECT_NE(line("seed=1").find("  response time       0.2 s\n"), std::string::npos);
+  EXPECT_NE(line("response_time=0").find("  response time       0: at once\n"), std::string::npos);
+}
+
 TEST(Explain, tells_ages_and_what_noise_may_hide) {
   const Strings circle{"circle-10", "--robot", "3", "--time", "7"};
   Strings sensed = circle;

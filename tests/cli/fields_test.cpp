@@ -186,6 +186,9 @@ TEST(Fields, every_default_is_that_of_the_struct) {
   EXPECT_EQ(scenario.name, "a");
   EXPECT_EQ(scenario.time_step, defaults.time_step);
   EXPECT_EQ(scenario.control_time, std::nullopt);
+  EXPECT_EQ(scenario.response_time, std::nullopt);
+  EXPECT_EQ(scenario.comfort_acceleration, std::nullopt);
+  EXPECT_EQ(scenario.comfort_jerk, std::nullopt);
   EXPECT_EQ(scenario.time_horizon, std::nullopt);
   EXPECT_EQ(scenario.sensing_radius, std::nullopt);
   EXPECT_EQ(scenario.max_neighbors, std::nullopt);
@@ -262,6 +265,33 @@ moving_obstacles:
   EXPECT_EQ(scenario.moving_obstacles[0].velocity, (avo::Vec2{0, -0.5}));
   EXPECT_EQ(scenario.moving_obstacles[0].acceleration, (avo::Vec2{0.125, 0}));
   EXPECT_EQ(scenario.moving_obstacles[0].radius, 0.6);
+}
+
+TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {
+  const std::string keys = "response_time: 0.2\ncomfort_acceleration: 0.6\ncomfort_jerk: 1.5\n";
+  const Scenario scenario = avo_io::parse_scenario("version: 1\n" + keys + kRobots, "f");
+  EXPECT_EQ(scenario.response_time, 0.2);
+  EXPECT_EQ(scenario.comfort_acceleration, 0.6);
+  EXPECT_EQ(scenario.comfort_jerk, 1.5);
+  const avo::PlannerOptions options = planner_options(scenario);
+  EXPECT_EQ(options.response_time, 0.2);
+  EXPECT_EQ(options.comfort_acceleration, 0.6);
+  EXPECT_EQ(options.comfort_jerk, 1.5);
+  const std::string start = "version: 1\n" + kRobots;
+  EXPECT_EQ(refusal_of_text(start + "response_time: -0.1\n"),
+            "f:3:16: response_time: found -0.1, must be >= 0");
+  EXPECT_EQ(refusal_of_text(start + "comfort_acceleration: 0\n"),
+            "f:3:23: comfort_acceleration: found 0, must be > 0 m/s^2");
+  EXPECT_EQ(refusal_of_text(start + "comfort_jerk: 0\n"),
+            "f:3:15: comfort_jerk: found 0, must be > 0 m/s^3");
+  const std::string orca = "version: 1\nmethod: orca\n" + kRobots;
+  EXPECT_EQ(refusal_of_text(orca + "response_time: 0.1\n"),
+            "f:4:16: response_time: found 0.1, must be 0 with method orca");
+  EXPECT_EQ(refusal_of_text(orca + "response_time: 0\n"), "");
+  EXPECT_EQ(refusal_of_text(orca + "comfort_acceleration: 0.5\n"),
+            "f:4:23: comfort_acceleration: found 0.5, must be none with method orca");
+  EXPECT_EQ(refusal_of_text(orca + "comfort_jerk: 2\n"),
+            "f:4:15: comfort_jerk: found 2, must be none with method orca");
 }
 
 TEST(Fields, a_drive_has_limits_of_its_wheels_where_none_are_given) {

@@ -39,6 +39,15 @@ TEST(Set, changes_what_the_file_says) {
   EXPECT_EQ(scenario.max_neighbors, 3);
 }
 
+TEST(Set, changes_how_gently_robots_move) {
+  const Scenario scenario = load("circle-2", {"response_time=0", "comfort_acceleration=0.5",
+                                              "comfort_jerk=2"});
+  EXPECT_EQ(scenario.response_time, 0.0);
+  EXPECT_EQ(scenario.comfort_acceleration, 0.5);
+  EXPECT_EQ(scenario.comfort_jerk, 2.0);
+  EXPECT_TRUE(refusal({"comfort_jerks=1"}).ends_with("; did you mean \"comfort_jerk\"?"));
+}
+
 TEST(Set, adds_what_the_file_leaves_out) {
   const Scenario scenario =
       load("positions-exchange", {"arrival_distance=0.125", "robots.0.car.wheelbase=0.75",

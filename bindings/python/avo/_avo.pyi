@@ -245,6 +245,8 @@ class Detour:
     beside: _Number
     congestion: _Number
     has_arrived: bool
+    acceleration_x: _Number
+    acceleration_y: _Number
     def __init__(self) -> None: ...
 
 class RobotSetup:
@@ -335,6 +337,9 @@ class Planner:
         longest_step: _Float = 0.0,
         arrival_distance: _Float = 0.5,
         localization_error: _Float = 0.0,
+        response_time: _Float | None = None,
+        comfort_acceleration: _Float | None = None,
+        comfort_jerk: _Float | None = None,
     ) -> None: ...
     @overload
     def plan(
@@ -378,6 +383,13 @@ class Planner:
     def arrival_distance(self) -> float: ...
     @property
     def localization_error(self) -> float: ...
+    @property
+    def response_time(self) -> float: ...
+    @property
+    def comfort_acceleration(self) -> float | None: ...
+    @property
+    def comfort_jerk(self) -> float | None: ...
+    def response_time_of(self, max_speed: _Float, max_acceleration: _Float) -> float: ...
 
 class Robots:
     """Many holonomic robots; those of other models plan one by one."""

@@ -39,7 +39,7 @@ inline constexpr int kFields<avo::Robot> = 12;
 template <>
 inline constexpr int kFields<avo::Neighbor> = 14;
 template <>
-inline constexpr int kFields<avo::Detour> = 4;
+inline constexpr int kFields<avo::Detour> = 6;
 template <>
 inline constexpr int kFields<avo::RobotSetup> = 15;
 template <>
@@ -51,7 +51,7 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
-inline constexpr int kFields<avo::Scenario> = 23;
+inline constexpr int kFields<avo::Scenario> = 26;
 
 /// References to all of them.
 template <typename T>
@@ -69,6 +69,9 @@ auto fields(T& x) {
   } else if constexpr (n == 5) {
     auto& [a, b, c, d, e] = x;
     return std::tie(a, b, c, d, e);
+  } else if constexpr (n == 6) {
+    auto& [a, b, c, d, e, f] = x;
+    return std::tie(a, b, c, d, e, f);
   } else if constexpr (n == 7) {
     auto& [a, b, c, d, e, f, g] = x;
     return std::tie(a, b, c, d, e, f, g);
@@ -82,8 +85,9 @@ auto fields(T& x) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p);
   } else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z);
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb,
+                    cc);
   }
 }
 

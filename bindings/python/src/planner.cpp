@@ -25,7 +25,9 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
              std::optional<avo::Certificate> certificate, std::optional<int> max_neighbors,
              std::pair<double, double> sensing_error,
              std::tuple<double, double, double> sensing_noise, avo::Clock clock,
-             double longest_step, double arrival_distance, double localization_error) {
+             double longest_step, double arrival_distance, double localization_error,
+             std::optional<double> response_time, std::optional<double> comfort_acceleration,
+             std::optional<double> comfort_jerk) {
   avo::PlannerOptions options = avo::default_options(method);
   options.motion = motion;
   options.control_time = control_time.value_or(options.control_time);
@@ -41,6 +43,9 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
   options.longest_step = longest_step;
   options.arrival_distance = arrival_distance;
   options.localization_error = localization_error;
+  options.response_time = response_time.value_or(options.response_time);
+  options.comfort_acceleration = comfort_acceleration;
+  options.comfort_jerk = comfort_jerk;
   return Planner(options);
 }
 
@@ -100,7 +105,8 @@ void bind_options(py::class_<Planner>& planner) {
       arg("samples") = 0, arg("certificate") = py::none(), arg("max_neighbors") = py::none(),
       arg("sensing_error") = std::pair(0.0, 0.0), arg("sensing_noise") = std::tuple(0.0, 0.0, 1.0),
       arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
-      arg("localization_error") = 0.0,
+      arg("localization_error") = 0.0, arg("response_time") = py::none(),
+      arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(),
       "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
       "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
       "\"held\" or "
@@ -109,7 +115,9 @@ void bind_options(py::class_<Planner>& planner) {
       "time_step: s, > 0; samples: 0, or 2 to 1000; max_neighbors: >= 1, None: all; sensing_error: "
       "(m, m/s); sensing_noise: (m, m/s, standard deviations); clock: \"common\" or \"free\"; "
       "longest_step: s; arrival_distance: m, > 0; localization_error: m, >= 0, of the robot's own "
-      "place among the walls. Raises Error on options out of range.");
+      "place among the walls; response_time: >= 0, of max_speed/max_acceleration, None: customary "
+      "for the method; comfort_acceleration: m/s^2, > 0, and comfort_jerk: m/s^3, > 0, None: no "
+      "limit of its own. Raises Error on options out of range.");
   const auto option = [&planner](const char* name, auto member, const char* doc) {
     planner.def_property_readonly(
         name, [member](const Planner& self) { return self.options().*member; }, doc);
@@ -130,6 +138,19 @@ void bind_options(py::class_<Planner>& planner) {
   option("arrival_distance", &Options::arrival_distance, "m, of the goal");
   option("localization_error", &Options::localization_error,
          "m: how far the robot may be from where it takes itself to be among the walls");
+  option("response_time", &Options::response_time,
+         "of max_speed/max_acceleration: with which v' is approached; 0: at once");
+  option("comfort_acceleration", &Options::comfort_acceleration,
+         "m/s^2, what is used of max_acceleration without need; None: all");
+  option("comfort_jerk", &Options::comfort_jerk,
+         "m/s^3, by which the acceleration changes without need; None: as response_time has it");
+  planner.def(
+      "response_time_of",
+      [](const Planner& self, double max_speed, double max_acceleration) {
+        return avo::response_time_of(self.options(), max_speed, max_acceleration);
+      },
+      arg("max_speed"), arg("max_acceleration"),
+      "s: the time constant with which a robot of these limits approaches v'; 0: at once.");
 }
 
 }  // namespace

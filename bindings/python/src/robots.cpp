@@ -119,7 +119,9 @@ void bind_detour(py::module_& module) {
       .def_readwrite("beside", &Detour::beside, "v_max/a_max, 0 to 200.")
       .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
       .def_readwrite("has_arrived", &Detour::has_arrived,
-                     "whether it was within arrival_distance of its goal, beside others");
+                     "whether it was within arrival_distance of its goal, beside others")
+      .def_readwrite("acceleration_x", &Detour::acceleration_x, "m/s^2, of its last step.")
+      .def_readwrite("acceleration_y", &Detour::acceleration_y, "m/s^2, likewise.");
 }
 
 void bind_setup(py::module_& module) {

@@ -83,6 +83,9 @@ py::dict options_of(const Scenario& scenario) {
   all["longest_step"] = options.longest_step;
   all["arrival_distance"] = options.arrival_distance;
   all["localization_error"] = options.localization_error;
+  all["response_time"] = options.response_time;
+  all["comfort_acceleration"] = options.comfort_acceleration;
+  all["comfort_jerk"] = options.comfort_jerk;
   return all;
 }
 

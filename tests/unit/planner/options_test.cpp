@@ -113,6 +113,7 @@ TEST(Options, that_are_left_out_follow_the_method) {
     const PlannerOptions options = {.method = method};
     EXPECT_EQ(options.control_time, usual.control_time);
     EXPECT_EQ(options.time_horizon, usual.time_horizon);
+    EXPECT_EQ(options.response_time, method == Method::avo ? 0.1 : 0.0);
     EXPECT_EQ(options.certificate, usual.certificate);
     const Planner planner(PlannerOptions{.method = method, .time_step = 0.2});
     EXPECT_EQ(planner.options().time_horizon, method == Method::avo ? 3.0 : 10.0);
@@ -130,6 +131,43 @@ std::string refusal(const PlannerOptions& options) {
     return error.what();
   }
   return "";
+}
+
+TEST(Options, how_gently_robots_move_is_of_method_avo_alone) {
+  for (const double bad : {-0.1, kNaN, kInfinity}) {
+    PlannerOptions options;
+    options.response_time = bad;
+    expect_refused(options, "response_time");
+    options = {};
+    options.comfort_acceleration = bad;
+    expect_refused(options, "comfort_acceleration");
+    options = {};
+    options.comfort_jerk = bad;
+    expect_refused(options, "comfort_jerk");
+  }
+  for (const Method method :
+       {Method::avo_paper, Method::velocity_obstacle, Method::orca, Method::orca_clamped,
+        Method::reciprocal_velocity_obstacle, Method::buffered_voronoi}) {
+    PlannerOptions options = default_options(method);
+    EXPECT_NO_THROW(Planner{options});
+    options.response_time = 0.1;
+    expect_refused(options, "response_time");
+    options = default_options(method);
+    options.comfort_acceleration = 0.5;
+    expect_refused(options, "comfort_acceleration");
+    options = default_options(method);
+    options.comfort_jerk = 2.0;
+    expect_refused(options, "comfort_jerk");
+  }
+}
+
+TEST(Options, a_response_takes_two_steps_at_least) {
+  PlannerOptions options;
+  EXPECT_DOUBLE_EQ(response_time_of(options, 2.0, 0.5), 0.4);  // 0.1 of 4 s
+  EXPECT_DOUBLE_EQ(response_time_of(options, 2.0, 4.0), 0.2);  // 0.05 s are less than two steps
+  options.response_time = 0.0;
+  EXPECT_EQ(response_time_of(options, 2.0, 0.5), 0.0);
+  EXPECT_EQ(response_time_of(default_options(Method::orca), 2.0, 0.5), 0.0);
 }
 
 TEST(Options, that_do_not_go_together_are_refused_by_name) {

@@ -243,7 +243,8 @@ typedef struct avo_detour {
   float beside;
   float congestion;
   bool has_arrived;
-  float acceleration_x, acceleration_y;  ///< m/s^2, of the last step
+  float acceleration_x;  ///< m/s^2, of its last step
+  float acceleration_y;
 } avo_detour;
 
 /// A decision.
@@ -278,6 +279,9 @@ typedef struct avo_planner_def {
   double longest_step;      ///< s, >= 0, of a free clock, that any of the others has; 0: time_step
   double arrival_distance;  ///< m, > 0
   double localization_error;  ///< m, >= 0, of the robot's own place among the walls
+  double response_time;  ///< >= 0, of max_speed/max_acceleration; 0: at once. 0 but of method avo
+  double comfort_acceleration;  ///< m/s^2, > 0, what is used without need; 0: max_acceleration
+  double comfort_jerk;          ///< m/s^3, > 0, likewise; 0: what follows from response_time
 } avo_planner_def;
 
 /// The robot that decides.
@@ -490,6 +494,9 @@ typedef struct avo_simulation_def {
   void* run_context;                    ///< for run_tasks
   bool metrics;                         ///< judge every step, for avo_simulation_summary()
   avo_localization_noise localization;  ///< robots know their velocity and heading exactly
+  double response_time;         ///< as of avo_planner_def; NAN: the method's
+  double comfort_acceleration;  ///< likewise; 0: none
+  double comfort_jerk;          ///< likewise; 0: none
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
