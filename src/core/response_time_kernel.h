@@ -7,6 +7,9 @@
 
 AVO_BEGIN_KERNELS
 
+/// Steps in which a robot reaches its speed at the earliest; in fewer, decisions could not follow.
+inline constexpr double kFewestSteps = 5.0;
+
 /// [T_e] s, of one whose factor κ is not 0: below 2 Δt decisions could not follow.
 template <typename Real>
 AVO_KERNEL Real response_time(Real max_speed, Real max_acceleration, double factor,

@@ -174,8 +174,9 @@ void decide_freely(const StepLaw& law, const Execution& execution, const RobotCo
     const Vec<Real> last{load(columns.last_x), load(columns.last_y)};
     const Vec<Real> target{load(columns.target_x), load(columns.target_y)};
     const Real u = load(robots.max_acceleration) * Real(law.braking_time);
-    const PackHaste<Real> haste = haste_of(load(robots.radius), load(robots.max_speed),
-                                           load(robots.max_acceleration), execution);
+    const PackHaste<Real> haste =
+        haste_of(load(robots.radius), load(robots.max_speed), load(robots.max_acceleration),
+                 load(robots.distance_to_goal), execution);
     const Vec<Real> next = executed(v, last, target, haste);
     const Vec<Real> aim{load(columns.aim_x), load(columns.aim_y)};
     const Vec<Real> unhindered = approach(v, aim, haste.most);

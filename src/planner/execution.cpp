@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "planner/execution.h"
 
-#include <limits>
+#include <algorithm>
 
 #include "certificate/braking_path.h"
 #include "planner/certify.h"
 #include "planner/execution_kernel.h"
 
 namespace avo {
-namespace {
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-}  // namespace
-
 Execution execution_of(const Planner& planner, bool remembers) {
   const PlannerOptions& options = planner.options();
   return {.time_step = options.time_step,
@@ -24,8 +20,8 @@ Execution execution_of(const Planner& planner, bool remembers) {
 
 Haste haste_of(const Robot& robot, const Execution& execution) {
   using Real = scalar::Pack<double>;
-  const auto haste =
-      scalar::haste_of<Real>(robot.radius, robot.max_speed, robot.max_acceleration, execution);
+  const auto haste = scalar::haste_of<Real>(robot.radius, robot.max_speed, robot.max_acceleration,
+                                            robot.distance_to_goal, execution);
   return {haste.gain.value, haste.most.value, haste.jerk.value};
 }
 
@@ -38,7 +34,8 @@ Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste) 
 
 bool is_landing(const Robot& robot, const Haste& haste, const Execution& execution) {
   if (haste.gain >= 1.0) return false;
-  const double stopping = 0.5 * robot.max_speed * robot.max_speed / planned_braking(robot);
+  const double braking = std::min(planned_braking(robot), haste.most / execution.braking_time);
+  const double stopping = 0.5 * robot.max_speed * robot.max_speed / braking;
   const double response_time = execution.time_step / haste.gain;
   return robot.distance_to_goal < stopping + 2.0 * response_time * robot.max_speed;
 }

@@ -2,6 +2,8 @@
 // How method avo goes towards the v' that it has chosen (docs/smoothness.md): by proportional
 // control, Eq. (7), with a time constant of its own, and without jumps of the acceleration.
 #pragma once
+#include <limits>
+
 #include "avo/planner.h"
 #include "avo/robot.h"
 
@@ -11,11 +13,14 @@ namespace avo {
 struct Execution {
   double time_step, braking_time;  ///< s, see StepLaw
   double response_time;            ///< [κ], of v_max/a_max
-  double comfort_acceleration;     ///< m/s², infinite where none is asked for
+  double comfort_acceleration;     ///< m/s², kUnlimited where none is asked for
   double comfort_jerk;             ///< m/s³, likewise
   bool remembers = true;           ///< the robots' last accelerations are known
 };
 Execution execution_of(const Planner& planner, bool remembers);
+
+/// Of a change: any. Finite, so that nothing is undefined where nothing changes.
+inline constexpr double kUnlimited = std::numeric_limits<double>::max();
 
 /// Of T_e: in which the acceleration goes from none to all that is used, at the earliest.
 inline constexpr double kEase = 0.8;
@@ -24,7 +29,7 @@ inline constexpr double kEase = 0.8;
 struct Haste {
   double gain;  ///< (0, 1], the part of v' - v that is made up for: Δt/T_e
   double most;  ///< m/s, of v_1 - v
-  double jerk;  ///< m/s, by which v_1 - v differs from that of the last step; may be infinite
+  double jerk;  ///< m/s, by which v_1 - v differs from that of the last step; at most kUnlimited
 };
 Haste haste_of(const Robot& robot, const Execution& execution);
 

@@ -3,8 +3,6 @@
 #ifndef AVO_PLANNER_EXECUTION_KERNEL_H
 #define AVO_PLANNER_EXECUTION_KERNEL_H
 
-#include <limits>
-
 #include "core/response_time_kernel.h"
 #include "core/scalar.h"
 #include "planner/execution.h"
@@ -19,19 +17,22 @@ struct PackHaste {
 
 template <typename Real>
 AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_acceleration,
-                                    const Execution& execution) {
-  const Real unlimited(std::numeric_limits<double>::infinity());
+                                    Real distance_to_goal, const Execution& execution) {
+  const Real unlimited(kUnlimited);
   const Real braking_time(execution.braking_time), time_step(execution.time_step);
   Real most = min(max_acceleration, Real(execution.comfort_acceleration)) * braking_time;
-  Real jerk = Real(execution.comfort_jerk) * time_step * braking_time, gain = Real(1.0);
+  Real jerk = min(Real(execution.comfort_jerk) * time_step * braking_time, unlimited);
+  Real gain(1.0), time(0.0);
   if (execution.response_time > 0.0) {
-    // v_max²/2r: to reach its speed within less than its own radius is of no use to a robot
-    most = min(most, max_speed * (max_speed / (Real(2.0) * radius)) * braking_time);
-    gain = time_step /
-           response_time(max_speed, max_acceleration, execution.response_time, execution.time_step);
+    most = min(most, max_speed / Real(kFewestSteps));
+    time = response_time(max_speed, max_acceleration, execution.response_time, execution.time_step);
+    gain = time_step / time;
     jerk = min(jerk, gain / Real(kEase) * most);
   }
-  return {gain, most, execution.remembers ? jerk : unlimited};
+  if (!execution.remembers) return {gain, most, unlimited};
+  // there it would swing about its goal
+  const auto is_there = distance_to_goal < max(radius, max_speed * time);
+  return {gain, most, select(is_there, unlimited, jerk)};
 }
 
 /// The velocity after a step of at most `most` from v towards a target, m/s.

@@ -101,7 +101,11 @@ Haste haste_of_any(const Robot& robot, bool maneuvers, Execution execution) {
   if (maneuvers) execution.response_time = 0.0, execution.remembers = false;
   Haste haste = haste_of(robot, execution);
   if (is_holonomic(robot.model)) return haste;
-  haste.most *= reach_of(robot.model), haste.jerk *= reach_of(robot.model);
+  // they have their own way to come to rest, which takes all of their brakes
+  if (is_landing(robot, haste, execution))
+    haste.most = execution.braking_time * robot.max_acceleration;
+  haste.most *= reach_of(robot.model);
+  if (haste.jerk < kUnlimited) haste.jerk *= reach_of(robot.model);
   return haste;
 }
 

@@ -37,7 +37,8 @@ struct StepResponse {
   double lag;           // s, see Planner::step_lag()
   double gain;          // s, of the position
   double control_time;  // s: |a| = |w| / control_time at the start of the step, its largest value
-  double response_time;  // [κ], see PlannerOptions
+  double response_time;         // [κ], see PlannerOptions
+  double comfort_acceleration;  // m/s², likewise; the largest number where there is none
 };
 StepResponse step_response(const Planner& planner);
 

@@ -86,8 +86,10 @@ template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
-  const Real u = Real(step.rate) * Real(step.control_time) * robot.planned_braking;
   const bool is_soft = step.response_time > 0.0;
+  const Real braking_time = Real(step.rate) * Real(step.control_time);
+  const Real all = min(robot.planned_braking, Real(step.comfort_acceleration)) * braking_time;
+  const Real u = is_soft ? min(all, robot.max_speed / Real(kFewestSteps)) : all;
   const Real response = is_soft ? response_time(robot.max_speed, robot.max_acceleration,
                                                 step.response_time, step.time_step)
                                 : Real(0.0);

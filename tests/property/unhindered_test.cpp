@@ -16,13 +16,19 @@ using test::Random;
 
 constexpr double kApart = 1000.0;  // m, of robots that move; more than they sense
 
-double braking_of(const RobotSetup& robot) {
-  return std::min(robot.max_braking.value_or(robot.max_acceleration), robot.max_acceleration);
+// m/s², what is used of the limits: a robot reaches its speed in five steps at the earliest.
+double used(double limit, const RobotSetup& robot, double time_step) {
+  return std::min(limit, robot.max_speed / (5.0 * time_step));
+}
+
+double braking_of(const RobotSetup& robot, double time_step) {
+  const double limit = robot.max_braking.value_or(robot.max_acceleration);
+  return used(std::min(limit, robot.max_acceleration), robot, time_step);
 }
 
 // [M] m, that the straight way of a robot keeps from a parked one's disc, beyond its own radius.
 double margin(const RobotSetup& robot, double parked_radius, double time_step) {
-  const double b = braking_of(robot), s = robot.preferred_speed;
+  const double b = braking_of(robot, time_step), s = robot.preferred_speed;
   const double stopping = s * s / (2.0 * b), contact = robot.radius + parked_radius;
   const double turning =
       2.0 * stopping > contact
@@ -35,8 +41,11 @@ double margin(const RobotSetup& robot, double parked_radius, double time_step) {
 // s, when it rests at its goal.
 double latest_rest(const RobotSetup& robot, double time_step) {
   const double s = robot.preferred_speed, way = norm(robot.goal - robot.position);
-  return way / s + s / (2.0 * robot.max_acceleration) + s / (2.0 * braking_of(robot)) +
-         4.0 * time_step;
+  const double a = used(robot.max_acceleration, robot, time_step), b = braking_of(robot, time_step);
+  const double response = std::max(0.1 * robot.max_speed / robot.max_acceleration, 2.0 * time_step);
+  const double lead = 0.5 * (response + time_step);
+  const double gently = 2.0 * response + lead * std::log(1.0 + 3.0 * s / (b * lead));
+  return way / s + s / (2.0 * a) + s / (2.0 * b) + 4.0 * time_step + gently;
 }
 
 RobotSetup on_its_way(Random& random, Vec2 around, double time_step) {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gentle execution of method avo's choices (docs/smoothness.md): gain, ease, use, and need.
+#include "planner/execution.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "avo/planner.h"
+#include "avo/simulation.h"
+
+namespace avo {
+namespace {
+
+constexpr double kNone = kUnlimited;
+
+Execution usual(double time_step = 0.1) {
+  return execution_of(Planner({.time_step = time_step}), true);
+}
+
+TEST(Execution, has_a_time_constant_of_v_max_over_a_max_that_decisions_can_follow) {
+  const Robot robot;  // v_max 2 m/s, a_max 1 m/s²: 0.1 T is 0.2 s
+  EXPECT_DOUBLE_EQ(haste_of(robot, usual(0.1)).gain, 0.5);
+  EXPECT_DOUBLE_EQ(haste_of(robot, usual(0.01)).gain, 0.05);
+  EXPECT_DOUBLE_EQ(haste_of(robot, usual(0.2)).gain, 0.5) << "2 Δt at least";
+  const Robot slow{.max_acceleration = 0.25};
+  EXPECT_DOUBLE_EQ(haste_of(slow, usual(0.1)).gain, 0.125);
+  const Planner at_once({.response_time = 0.0});
+  EXPECT_EQ(haste_of(robot, execution_of(at_once, true)).gain, 1.0);
+  EXPECT_EQ(haste_of(robot, execution_of(at_once, true)).jerk, kNone);
+}
+
+TEST(Execution, uses_no_more_than_is_comfortable_or_of_use) {
+  const Robot robot, strong{.max_acceleration = 50.0};  // r 0.5 m
+  EXPECT_DOUBLE_EQ(haste_of(robot, usual()).most, 0.1);
+  EXPECT_DOUBLE_EQ(haste_of(strong, usual()).most, 0.4) << "its speed within five steps";
+  const Planner gentle({.comfort_acceleration = 0.4, .comfort_jerk = 0.5});
+  EXPECT_DOUBLE_EQ(haste_of(robot, execution_of(gentle, true)).most, 0.04);
+  EXPECT_DOUBLE_EQ(haste_of(robot, execution_of(gentle, true)).jerk, 0.5 * 0.1 * 0.1);
+  EXPECT_EQ(haste_of(robot, execution_of(gentle, false)).jerk, kNone) << "last one unknown";
+}
+
+// From 0 to all in 0.8 T_e, from all forward to all backward in twice that.
+TEST(Execution, changes_the_acceleration_by_and_by) {
+  const Haste haste = haste_of(Robot{}, usual(0.01));  // T_e 0.2 s
+  Vec2 last, v;
+  int steps = 0;
+  for (; norm(last) < (1.0 - 1e-9) * haste.most; ++steps) {
+    const Vec2 next = executed(v, last, {2.0, 0.0}, haste);
+    EXPECT_LE(norm(next - v - last), haste.jerk * (1.0 + 1e-12));
+    last = next - v, v = next;
+  }
+  EXPECT_EQ(steps, 16);
+  steps = 0;
+  for (; last.x > -(1.0 - 1e-9) * haste.most; ++steps) {
+    const Vec2 next = executed(v, last, {-2.0, 0.0}, haste);
+    last = next - v, v = next;
+  }
+  EXPECT_EQ(steps, 32);
+}
+
+TEST(Execution, makes_up_for_a_part_of_what_is_missing) {
+  const Haste haste{0.25, 0.1, kNone};
+  const Vec2 near = executed({1.0, 0.0}, {}, {1.2, -0.1}, haste);
+  EXPECT_DOUBLE_EQ(near.x, 1.05);
+  EXPECT_DOUBLE_EQ(near.y, -0.025);
+  EXPECT_EQ(executed({1.0, 0.0}, {}, {9.0, 0.0}, haste), (Vec2{1.1, 0.0}));
+  EXPECT_EQ(executed({1.0, 0.0}, {0.1, 0.0}, {1.03, 0.02}, {1.0, 0.1, kNone}), (Vec2{1.03, 0.02}))
+      << "at once: to the bit";
+}
+
+// What the certificate refuses is replaced at once: a robot that appears right ahead is braked for
+// with all of a_max, whatever the last acceleration and comfort are.
+TEST(Execution, gives_way_to_the_certificate) {
+  const Planner planner({.comfort_acceleration = 0.2, .comfort_jerk = 0.2});
+  PlanWorkspace workspace;
+  const Robot self{.velocity = {1.0, 0.0}, .preferred_velocity = {1.5, 0.0}};
+  const Neighbor ahead{.position = {1.55, 0.0}};  // the way to stop is 0.5 m and a step
+  Detour detour{.acceleration_x = 0.2F};
+  const Plan plan = planner.plan(self, {&ahead, 1}, workspace, &detour);
+  EXPECT_NEAR(plan.acceleration.x, -1.0, 1e-6);
+  EXPECT_FLOAT_EQ(detour.acceleration_x, static_cast<float>(plan.acceleration.x));
+  Detour calm{.acceleration_x = 0.2F};
+  const Plan free = planner.plan(self, {}, workspace, &calm);
+  EXPECT_GT(free.acceleration.x, 0.15);
+  EXPECT_LE(free.acceleration.x, 0.2 + 1e-12);
+}
+
+// Without a Detour the last acceleration is unknown, and does not count.
+TEST(Execution, remembers_in_the_detour_alone) {
+  const Planner planner({.time_step = 0.01});
+  PlanWorkspace workspace;
+  const Robot self{.preferred_velocity = {2.0, 0.0}};
+  EXPECT_NEAR(planner.plan(self, {}, workspace).acceleration.x, 1.0, 1e-9);
+  Detour detour;
+  double last = 0.0;
+  for (int k = 0; k < 5; ++k) {
+    const double a = planner.plan(self, {}, workspace, &detour).acceleration.x;
+    EXPECT_NEAR(a - last, 0.01 / 0.16, 1e-6);
+    last = a;
+  }
+}
+
+struct Landing {
+  double overshoot = 0.0;  // m
+  double jerk = 0.0;       // m/s³, largest change of the acceleration while it brakes
+  double rests = -1.0;     // s
+};
+
+// One robot alone, 10 m along x.
+Landing land(double time_step, double max_acceleration, std::optional<double> max_braking) {
+  Scenario scenario;
+  scenario.time_step = time_step;
+  RobotSetup robot;
+  robot.goal = {10.0, 0.0};
+  robot.preferred_speed = robot.max_speed = 2.0;
+  robot.max_acceleration = max_acceleration, robot.max_braking = max_braking;
+  scenario.robots.push_back(robot);
+  Simulation simulation(scenario);
+  Landing landing;
+  double v = 0.0, a = 0.0;
+  for (int k = 0; k < 30.0 / time_step && landing.rests < 0.0; ++k) {
+    simulation.step();
+    const FleetView now = simulation.fleet();
+    const double next = (now.velocity[0].x - v) / time_step;
+    landing.overshoot = std::max(landing.overshoot, now.position[0].x - 10.0);
+    if (now.position[0].x > 5.0)
+      landing.jerk = std::max(landing.jerk, std::abs(next - a) / time_step);
+    v = now.velocity[0].x, a = next;
+    if (k > 5 && now.velocity[0] == Vec2{}) landing.rests = simulation.time();
+  }
+  return landing;
+}
+
+TEST(Landing, is_soft_and_exact_at_any_time_step) {
+  for (const double time_step : {0.01, 0.02, 0.05, 0.1, 0.2}) {
+    SCOPED_TRACE(time_step);
+    const Landing landing = land(time_step, 1.0, std::nullopt);
+    EXPECT_GT(landing.rests, 7.0);
+    EXPECT_LT(landing.rests, 8.6) << "7 s, and what it takes to brake without a jolt";
+    EXPECT_LE(landing.overshoot, 1e-12);
+    EXPECT_LE(landing.jerk, 1.0 / (0.8 * std::max(0.2, 2.0 * time_step)) + 1e-6);
+  }
+}
+
+TEST(Landing, does_not_overshoot_with_other_brakes) {
+  for (const double a : {0.3, 1.0, 3.0, 8.0}) {
+    for (const double part : {0.3, 1.0, 2.5}) {
+      SCOPED_TRACE(testing::Message() << a << " " << part);
+      const Landing landing = land(0.05, a, part * a);
+      EXPECT_GT(landing.rests, 0.0);
+      EXPECT_LE(landing.overshoot, 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avo
