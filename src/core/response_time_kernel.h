@@ -10,11 +10,13 @@ AVO_BEGIN_KERNELS
 /// Steps in which a robot reaches its speed at the earliest; in fewer, decisions could not follow.
 inline constexpr double kFewestSteps = 5.0;
 
-/// [T_e] s, of one whose factor κ is not 0: below 2 Δt decisions could not follow.
+/// [T_e] s, of one whose factor κ is not 0: below 2 Δt decisions could not follow, and beyond δ the
+/// robot would be slower than Eq. (7).
 template <typename Real>
 AVO_KERNEL Real response_time(Real max_speed, Real max_acceleration, double factor,
-                              double time_step) {
-  return max(Real(factor) * (max_speed / max_acceleration), Real(2.0 * time_step));
+                              double time_step, double control_time) {
+  const Real least(2.0 * time_step), most(control_time);
+  return min(max(Real(factor) * (max_speed / max_acceleration), least), most);
 }
 
 AVO_END_KERNELS

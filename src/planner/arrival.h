@@ -13,9 +13,10 @@ inline constexpr double kCongestion = 2.8;  // robots right ahead that make the 
 inline constexpr double kSlow = 0.05;       // of v_max: so slow, a robot ahead counts in full
 inline constexpr double kCloses = 0.2;      // of v_max: that fast it moves away who does not count
 inline constexpr double kInFront = 0.1;     // cosine: nearer to abeam, a robot counts less
-/// Of the velocity that the limits alone allow: with less, a robot is blocked and takes to a
-/// detour; from the one to the other it goes over to it by and by.
-inline constexpr double kBlocked = 0.7, kFree = 0.95, kStuck = 0.45;
+/// Of the velocity along the wish that the limits alone allow: with less, a robot is blocked.
+inline constexpr double kBlocked = 0.7;
+inline constexpr double kFree = 0.95;   // likewise: with less, it begins to go over to a detour,
+inline constexpr double kStuck = 0.45;  // and with less than that, it goes on the detour alone
 /// The clearance that is nearly contact, of r_A + r_B.
 inline constexpr double kRoom = 0.25;
 

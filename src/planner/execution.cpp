@@ -12,6 +12,7 @@ Execution execution_of(const Planner& planner, bool remembers) {
   const PlannerOptions& options = planner.options();
   return {.time_step = options.time_step,
           .braking_time = certificate_law(planner).step.braking_time,
+          .control_time = options.control_time,
           .response_time = options.response_time,
           .comfort_acceleration = options.comfort_acceleration.value_or(kUnlimited),
           .comfort_jerk = options.comfort_jerk.value_or(kUnlimited),

@@ -11,11 +11,11 @@ namespace avo {
 
 /// What is common to all robots of a planner.
 struct Execution {
-  double time_step, braking_time;  ///< s, see StepLaw
-  double response_time;            ///< [κ], of v_max/a_max
-  double comfort_acceleration;     ///< m/s², kUnlimited where none is asked for
-  double comfort_jerk;             ///< m/s³, likewise
-  bool remembers = true;           ///< the robots' last accelerations are known
+  double time_step, braking_time, control_time;  ///< s, see StepLaw
+  double response_time;                          ///< [κ], of v_max/a_max
+  double comfort_acceleration;                   ///< m/s², kUnlimited where none is asked for
+  double comfort_jerk;                           ///< m/s³, likewise
+  bool remembers = true;                         ///< the robots' last accelerations are known
 };
 Execution execution_of(const Planner& planner, bool remembers);
 

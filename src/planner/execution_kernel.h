@@ -25,7 +25,8 @@ AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_accele
   Real gain(1.0), time(0.0);
   if (execution.response_time > 0.0) {
     most = min(most, max_speed / Real(kFewestSteps));
-    time = response_time(max_speed, max_acceleration, execution.response_time, execution.time_step);
+    time = response_time(max_speed, max_acceleration, execution.response_time, execution.time_step,
+                         execution.control_time);
     gain = time_step / time;
     jerk = min(jerk, gain / Real(kEase) * most);
   }

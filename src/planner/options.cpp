@@ -101,7 +101,7 @@ double response_time_of(const PlannerOptions& options, double max_speed, double 
   using Real = scalar::Pack<double>;
   if (!(options.response_time > 0.0)) return 0.0;
   return scalar::response_time<Real>(max_speed, max_acceleration, options.response_time,
-                                     options.time_step)
+                                     options.time_step, options.control_time)
       .value;
 }
 

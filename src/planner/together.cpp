@@ -96,16 +96,15 @@ void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
   }
 }
 
-// Of any model. Who maneuvers leaves no arc that is clear.
-Haste haste_of_any(const Robot& robot, bool maneuvers, Execution execution) {
-  if (maneuvers) execution.response_time = 0.0, execution.remembers = false;
+// Of any model. Who maneuvers leaves no arc that is clear, and those with wheels have their own way
+// to come to rest.
+Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& execution) {
   Haste haste = haste_of(robot, execution);
   if (is_holonomic(robot.model)) return haste;
-  // they have their own way to come to rest, which takes all of their brakes
-  if (is_landing(robot, haste, execution))
-    haste.most = execution.braking_time * robot.max_acceleration;
+  if (maneuvers || is_landing(robot, haste, execution))
+    haste = {1.0, execution.braking_time * robot.max_acceleration, kUnlimited};
   haste.most *= reach_of(robot.model);
-  if (haste.jerk < kUnlimited) haste.jerk *= reach_of(robot.model);
+  haste.jerk = std::min(haste.jerk * reach_of(robot.model), kUnlimited);
   return haste;
 }
 
@@ -122,8 +121,11 @@ void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
     decisions.last_y[i] = execution.braking_time * detour.acceleration_y;
     const Robot robot = robots.robot(i);
     const Haste haste = haste_of(robot, execution);
-    if (!is_landing(robot, haste, execution)) continue;
+    if (!is_holonomic(robot.model) || !is_landing(robot, haste, execution)) continue;
     const Vec2 v = robot.velocity, aim = v + (decisions.wish(i) - v) / haste.gain;
+    // what still drives it on has to end at once
+    if (dot(decisions.last_change(i), aim - v) < 0.0)
+      decisions.last_x[i] = decisions.last_y[i] = 0.0;
     decisions.aim_x[i] = aim.x, decisions.aim_y[i] = aim.y;
   }
 }
@@ -197,7 +199,7 @@ void decide(const Planner& planner, const Execution& execution, Tile& tile,
                   decisions.last_change(i),
                   violation,
                   soft.coinciding[i] != 0};
-    if (robots.model[i] != nullptr && has_own_limits(*robots.model[i]))
+    if (robots.model[i] != nullptr)
       wished.next =
           within_own_limits(robot, law.step.braking_time,
                             executed(robot.velocity, wished.last_change, wished.target, haste));

@@ -146,7 +146,10 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
   world.fleet.goal[slot] = goal;
   world.has_new_goals = true;
   Detour& detour = world.fleet.detour[slot];
-  detour = {.congestion = detour.congestion};  // the rest is about the way to that goal
+  // the rest is about the way to that goal
+  detour = {.congestion = detour.congestion,
+            .acceleration_x = detour.acceleration_x,
+            .acceleration_y = detour.acceleration_y};
   world.fleet.has_stood[slot] = 0;
   if (Flight* flight = world.fleet.flight(slot)) flight->has_arrived = false;
 }

@@ -91,7 +91,7 @@ int check_ranges(const Scenario& scenario, T& target, const std::string& path) {
 TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
   ASSERT_EQ(refusal(scenario), "");
-  EXPECT_EQ(check_ranges(scenario, scenario, ""), 6);
+  EXPECT_EQ(check_ranges(scenario, scenario, ""), 9);
   EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 10);
   EXPECT_EQ(check_ranges(scenario, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
             2);

@@ -36,6 +36,7 @@ RowResult result_of(const std::string& row, int scenes, double duration) {
 // A robot that drives at 1 m/s, alone.
 Scene lone_robot(const Acting& acting) {
   Scene scene{usual_scenario()};
+  scene.scenario.response_time = 0.0;  // decisions are executed at once
   scene.scenario.robots = {usual_robot({}, {20.0, 0.0}, 2.0)};
   scene.scenario.robots[0].velocity = {1.0, 0.0};
   scene.sensing.emplace();

@@ -27,7 +27,7 @@ TEST(Execution, has_a_time_constant_of_v_max_over_a_max_that_decisions_can_follo
   EXPECT_DOUBLE_EQ(haste_of(slow, usual(0.1)).gain, 0.125);
   const Planner at_once({.response_time = 0.0});
   EXPECT_EQ(haste_of(robot, execution_of(at_once, true)).gain, 1.0);
-  EXPECT_EQ(haste_of(robot, execution_of(at_once, true)).jerk, kNone);
+  EXPECT_GT(haste_of(robot, execution_of(at_once, true)).jerk, 1e300);
 }
 
 TEST(Execution, uses_no_more_than_is_comfortable_or_of_use) {
@@ -75,7 +75,7 @@ TEST(Execution, gives_way_to_the_certificate) {
   const Planner planner({.comfort_acceleration = 0.2, .comfort_jerk = 0.2});
   PlanWorkspace workspace;
   const Robot self{.velocity = {1.0, 0.0}, .preferred_velocity = {1.5, 0.0}};
-  const Neighbor ahead{.position = {1.55, 0.0}};  // the way to stop is 0.5 m and a step
+  const Neighbor ahead{.position = {1.5, 0.0}};  // the way to stop is 0.5 m
   Detour detour{.acceleration_x = 0.2F};
   const Plan plan = planner.plan(self, {&ahead, 1}, workspace, &detour);
   EXPECT_NEAR(plan.acceleration.x, -1.0, 1e-6);
@@ -139,7 +139,7 @@ TEST(Landing, is_soft_and_exact_at_any_time_step) {
     EXPECT_GT(landing.rests, 7.0);
     EXPECT_LT(landing.rests, 8.6) << "7 s, and what it takes to brake without a jolt";
     EXPECT_LE(landing.overshoot, 1e-12);
-    EXPECT_LE(landing.jerk, 1.0 / (0.8 * std::max(0.2, 2.0 * time_step)) + 1e-6);
+    EXPECT_LE(landing.jerk, 1.25 / (0.8 * std::max(0.2, 2.0 * time_step)));
   }
 }
 

@@ -49,7 +49,9 @@ const Wall kThickWall{{1.9, -9.0}, {1.9, 9.0}, 0.4};  // its surface is the same
 void drive_straight_at(const Wall& wall) {
   PlanWorkspace workspace;
   for (const Certificate certificate : {Certificate::none, Certificate::braking_trajectories}) {
-    const Planner planner(options_with(certificate));
+    PlannerOptions options = options_with(certificate);
+    options.response_time = 0.0;  // targets are reached at once
+    const Planner planner(options);
     const StepLaw law = law_of(planner.options()).step;
     Robot robot = before_the_wall();
     int too_fast = 0, braking = 0;
@@ -97,7 +99,9 @@ TEST(SpeedPlanes, the_half_planes_of_neighbors_yield_first) {
 // Nearly in contact with one behind it, it is pushed on in the open, and where it has all but
 // arrived, but not beside a wall on its way.
 TEST(PushAmongWalls, who_is_on_its_way_beside_a_wall_is_not_pushed) {
-  const Planner planner(options_with(Certificate::braking_trajectories));
+  PlannerOptions options = options_with(Certificate::braking_trajectories);
+  options.response_time = 0.0;
+  const Planner planner(options);
   Robot robot;
   robot.position = {0.0, 0.6};
   robot.preferred_velocity = {0.05, 0.0};

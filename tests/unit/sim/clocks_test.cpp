@@ -430,6 +430,7 @@ TEST(Clocks, cars_with_weak_brakes_do_not_jump) {
     RobotSetup observer = robot_at({500, 0}, {500, 0});
     observer.time_step = 0.01;
     scene.sensing_radius = 2000.0;
+    scene.response_time = 0.0;  // the sharpest turns
     scene.robots = {car, observer};
     Simulation simulation(scene, 1);
     Vec2 place = car.position;

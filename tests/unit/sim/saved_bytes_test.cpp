@@ -137,7 +137,7 @@ TEST(SavedBytes, forged_values_are_refused) {
   Simulation simulation(holonomic_scene(3), 1);
   const Bytes saved = simulation.save();
   const std::size_t last = saved.size() / 8 - 1;  // behind the last robot
-  const std::size_t end = last;                   // behind its detour
+  const std::size_t end = last - 1;               // before its last acceleration
   const auto forged = [&](std::size_t index, std::uint64_t value) {
     Bytes bytes = saved;
     set_word(bytes, index, value);
@@ -161,7 +161,7 @@ TEST(SavedBytes, forged_values_are_refused) {
   EXPECT_EQ(word(saved, 15), static_cast<std::uint64_t>(Method::avo_paper));
   EXPECT_EQ(forged(15, 7), "saved state: found an unknown choice, must be a known one");
   EXPECT_EQ(forged(15, 1000), "saved state: found the number 1000, must be one that its type has");
-  const std::size_t robots = last - 3 * 19 - 1, obstacles = robots - 3 * 16 - 1;
+  const std::size_t robots = last - 3 * 20 - 1, obstacles = robots - 3 * 16 - 1;
   ASSERT_EQ(word(saved, robots), 3u);
   EXPECT_EQ(forged(obstacles - 2, 1ull << 63),
             "saved state: found -9223372036854775808 steps, must be 0 to 9007199254740992");
@@ -170,7 +170,7 @@ TEST(SavedBytes, forged_values_are_refused) {
   // a parked robot is at its goal, and at rest
   EXPECT_EQ(forged(end - 11, 1),
             "saved state: found a parked robot that has moved, must be one at its goal");
-  EXPECT_EQ(forged(robots, 2), "saved state: found 152 more bytes, must be no more");
+  EXPECT_EQ(forged(robots, 2), "saved state: found 160 more bytes, must be no more");
 }
 
 TEST(SavedBytes, forged_ways_and_static_obstacles_are_refused) {
@@ -179,7 +179,7 @@ TEST(SavedBytes, forged_ways_and_static_obstacles_are_refused) {
   for (const double y : {0.0, 2.0, 4.0}) scene.robots.push_back(test::robot_at({0, y}, {10, y}));
   Simulation simulation(scene, 1);
   const Bytes saved = simulation.save();
-  const std::size_t robots = saved.size() / 8 - 1 - 3 * 19 - 1, movers = robots - 1;
+  const std::size_t robots = saved.size() / 8 - 1 - 3 * 20 - 1, movers = robots - 1;
   const std::size_t ways = movers - 2 - 3 - 1, next_obstacle = ways - 1;
   ASSERT_EQ(word(saved, ways), 3u);
   ASSERT_EQ(word(saved, next_obstacle), 1u);

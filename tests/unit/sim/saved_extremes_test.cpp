@@ -125,6 +125,8 @@ TEST(Saving, what_robots_remember_stays_in_its_range) {
       RobotSetup robot = test::robot_at({1.02 * k, 0}, {k < 2 ? 1.02 : 2.04, 0});
       robot.max_speed = robot.preferred_speed = max_speed;
       robot.max_acceleration = 50.0;
+      robot.radius = 0.5e-3 * max_speed, robot.position.x *= 2.0 * robot.radius,
+      robot.goal.x *= 2.0 * robot.radius;
       scene.robots.push_back(robot);
     }
     Simulation simulation(scene, 1);
