@@ -14,6 +14,7 @@ template <typename Real>
 struct Traveller {
   Vec<Real> position, velocity, goal;
   Real preferred_speed, planned_braking, max_speed, max_acceleration;
+  Real is_holonomic;  // 1 or 0: others come to rest as hard as they can
 };
 
 template <typename Real>
@@ -86,13 +87,13 @@ template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
-  const bool is_soft = step.response_time > 0.0;
+  const auto is_soft = robot.is_holonomic > Real(step.response_time > 0.0 ? 0.0 : 1.0);
   const Real braking_time = Real(step.rate) * Real(step.control_time);
   const Real all = min(robot.planned_braking, Real(step.comfort_acceleration)) * braking_time;
-  const Real u = is_soft ? min(all, robot.max_speed / Real(kFewestSteps)) : all;
-  const Real response = is_soft ? response_time(robot.max_speed, robot.max_acceleration,
-                                                step.response_time, step.time_step)
-                                : Real(0.0);
+  const Real u = select(is_soft, min(all, robot.max_speed / Real(kFewestSteps)), all);
+  const Real time = response_time(robot.max_speed, robot.max_acceleration, step.response_time,
+                                  step.time_step, step.control_time);
+  const Real response = select(is_soft, time, Real(0.0));
   const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below
   const Real around = Real(0x1p-45) * ((abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y)));
@@ -101,8 +102,8 @@ AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way
   if (!any(!known)) return at_speed;
   // nearer than rounding can tell: there
   const auto there = way.distance <= Real(0x1p-46) * (norm(p) + norm(goal));
-  const Real stops = is_soft ? soft_speed(way.left, u / time_step, response, time_step)
-                             : admissible_speed(way.left, u, time_step);
+  const Real hard = admissible_speed(way.left, u, time_step);
+  const Real stops = select(is_soft, soft_speed(way.left, u / time_step, time, time_step), hard);
   const Vec<Real> slower = min(stops, speed) * way.direction;
   return select(known, at_speed, select(there, constant<Real>({}), slower));
 }

@@ -18,13 +18,19 @@ void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotCol
   static_assert(kTileRobots % Real::kLanes == 0);
   for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
     const auto load = [k](const auto& column) { return Real::load(&column[k]); };
+    alignas(64) double holonomic[Real::kLanes];
+    for (std::size_t lane = 0; lane < Real::kLanes; ++lane)
+      holonomic[lane] =
+          robots.has_models && k + lane < robots.count && robots.model[k + lane] != nullptr ? 0.0
+                                                                                            : 1.0;
     const Traveller<Real> robot{{load(robots.x), load(robots.y)},
                                 {load(robots.v_x), load(robots.v_y)},
                                 {load(moving.goal_x), load(moving.goal_y)},
                                 load(moving.preferred_speed),
                                 min(load(robots.max_acceleration), load(robots.max_braking)),
                                 load(robots.max_speed),
-                                load(robots.max_acceleration)};
+                                load(robots.max_acceleration),
+                                Real::load(holonomic)};
     const Way<Real> way = way_of(robot, step);
     way.distance.store(&robots.distance_to_goal[k]);
     const Vec<Real> v = preferred_velocity(robot, way, step);
