@@ -26,6 +26,11 @@ double braking_of(const RobotSetup& robot, double time_step) {
   return used(std::min(limit, robot.max_acceleration), robot, time_step);
 }
 
+// [T_e] s
+double response_time(const RobotSetup& robot, double time_step) {
+  return std::max(0.1 * robot.max_speed / robot.max_acceleration, 2.0 * time_step);
+}
+
 // [M] m, that the straight way of a robot keeps from a parked one's disc, beyond its own radius.
 double margin(const RobotSetup& robot, double parked_radius, double time_step) {
   const double b = braking_of(robot, time_step), s = robot.preferred_speed;
@@ -34,7 +39,9 @@ double margin(const RobotSetup& robot, double parked_radius, double time_step) {
       2.0 * stopping > contact
           ? stopping + contact - 1.5 * std::cbrt(2.0 * stopping * contact * contact)
           : 0.0;
-  return std::max(turning + s * time_step + b * time_step * time_step / 8.0,
+  // by which it may be ahead of its wish while its acceleration changes
+  const double ahead = 0.5 * s * response_time(robot, time_step);
+  return std::max(turning + s * time_step + b * time_step * time_step / 8.0 + ahead,
                   0.05 + 0.05 * robot.radius);
 }
 
@@ -42,7 +49,7 @@ double margin(const RobotSetup& robot, double parked_radius, double time_step) {
 double latest_rest(const RobotSetup& robot, double time_step) {
   const double s = robot.preferred_speed, way = norm(robot.goal - robot.position);
   const double a = used(robot.max_acceleration, robot, time_step), b = braking_of(robot, time_step);
-  const double response = std::max(0.1 * robot.max_speed / robot.max_acceleration, 2.0 * time_step);
+  const double response = response_time(robot, time_step);
   const double lead = 0.5 * (response + time_step);
   const double gently = 2.0 * response + lead * std::log(1.0 + 3.0 * s / (b * lead));
   return way / s + s / (2.0 * a) + s / (2.0 * b) + 4.0 * time_step + gently;

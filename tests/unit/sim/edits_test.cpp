@@ -244,6 +244,7 @@ TEST(Edits, a_new_goal_begins_anew) {
 // As a scene in which it had stood there from the start: nothing of it is remembered elsewhere.
 TEST(Edits, a_robot_that_is_put_down_elsewhere_is_as_if_it_had_come_there) {
   Scenario scene = rooms({robot_at({3, 5}, {17, 5}), robot_at({3, 8}, {17, 8})});
+  scene.response_time = 0.0;  // or else the other one remembers its last acceleration
   Simulation simulation(scene, 1);
   for (int k = 0; k < 30; ++k) simulation.step();
   simulation.move_robot({0}, {2, 2});
