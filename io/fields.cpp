@@ -39,6 +39,8 @@ const std::vector<Field<Scenario>>& fields() {
       {"comfort_jerk", &Scenario::comfort_jerk, kOptional, kPositive, "m/s^3",
        "by how much the acceleration changes in a second, likewise; method avo only",
        "max_acceleration in every response time"},
+      {"margin", &Scenario::margin, kOptional, kNotNegative, "m",
+       "clearance from others that is wished for; fades in narrow places; method avo only"},
       {"time_horizon", &Scenario::time_horizon, kOptional, kPositive, "s",
        "tau: how far collisions are looked for", "3 s for method avo, else 10 s"},
       {"sensing_radius", &Scenario::sensing_radius, kOptional, kPositive, "m",

@@ -69,6 +69,7 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
   options.response_time = def.response_time;
   options.comfort_acceleration = unless_zero(def.comfort_acceleration);
   options.comfort_jerk = unless_zero(def.comfort_jerk);
+  options.margin = def.margin;
   return options;
 }
 
@@ -100,6 +101,7 @@ avo_planner_def avo_default_planner_def(avo_method method) {
   def.response_time = options.response_time;
   def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
   def.comfort_jerk = options.comfort_jerk.value_or(0.0);
+  def.margin = options.margin;
   return def;
 }
 

@@ -125,6 +125,10 @@ struct PlannerOptions {
   /// m/s³, > 0, of method avo: by how much the acceleration changes in a second at most, but where
   /// the certificate asks for more; unset: a_max in every response time.
   std::optional<double> comfort_jerk = {};
+  /// [m] m, >= 0; 0 but with method avo: a clearance from others that is wished for beyond the
+  /// radius. It fades in narrow places and near the robot's goal, and no promise depends on it
+  /// (docs/scenes.md, "Margin").
+  double margin = 0.0;
   /// [Δt] s, > 0, <= time_horizon, <= control_time where motion is held, else <= 700 control_time
   double time_step = 0.1;
   int samples = 0;  ///< 0: exact half-planes; 2 to 1000: the paper's boundary samples

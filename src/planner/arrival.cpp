@@ -79,7 +79,9 @@ void remember(const Robot& robot, bool is_beside, const PlannerOptions& options,
 
 bool is_sound(const Detour& detour) {
   return detour.angle >= 0.0F && detour.angle <= kMostDetour && detour.beside >= 0.0F &&
-         detour.beside <= kLongest && detour.congestion >= 0.0F && detour.congestion <= kCongestion;
+         detour.beside <= kLongest && detour.congestion >= 0.0F &&
+         detour.congestion <= kCongestion && std::isfinite(detour.acceleration_x) &&
+         std::isfinite(detour.acceleration_y);
 }
 
 double arrival_range(const Robot& robot, double largest_radius) {

@@ -32,6 +32,7 @@ void validate_comfort(const PlannerOptions& options, const std::string& prefix) 
     require(prefix + "comfort_acceleration", *options.comfort_acceleration, kPositive, "m/s^2");
   if (options.comfort_jerk)
     require(prefix + "comfort_jerk", *options.comfort_jerk, kPositive, "m/s^3");
+  require(prefix + "margin", options.margin, kNotNegative, "m");
   if (options.method == Method::avo) return;
   const std::string others = std::string(" with method ") + to_string(options.method);
   if (options.response_time > 0.0)
@@ -40,6 +41,7 @@ void validate_comfort(const PlannerOptions& options, const std::string& prefix) 
     refuse(prefix + "comfort_acceleration", text(*options.comfort_acceleration), "none" + others);
   if (options.comfort_jerk)
     refuse(prefix + "comfort_jerk", text(*options.comfort_jerk), "none" + others);
+  if (options.margin > 0.0) refuse(prefix + "margin", text(options.margin), "0 m" + others);
 }
 
 void validate_certificate(const PlannerOptions& options, const std::string& prefix) {

@@ -9,6 +9,7 @@
 #include "certificate/pair.h"
 #include "planner/buffered_voronoi.h"
 #include "planner/decision.h"
+#include "planner/margin.h"
 
 namespace avo {
 namespace {
@@ -171,10 +172,25 @@ void raise_for_movers(const PlannerOptions& options, const RobotColumns& robots,
   }
 }
 
+double with_margin(const Pair& pair, double margin) {
+  return pair.radius + margin_in_gap(margin, norm(pair.position) - pair.radius);
+}
+
 void add_reserves(const PlannerOptions& options, PairColumns& pairs) {
   for (std::size_t i = 0; i < pairs.count; ++i) {
     const Pair pair{{pairs.p_x[i], pairs.p_y[i]}, {pairs.v_x[i], pairs.v_y[i]}, pairs.radius[i]};
     pairs.radius[i] = reserved_radius(pair, options);
+  }
+}
+
+void add_margins(double margin, const Tile& tile, SoftPlanes& soft) {
+  const RobotColumns& robots = tile.robots;
+  PairColumns& pairs = soft.pairs;
+  std::size_t i = 0;
+  for (std::size_t r = 0; r < robots.count; ++r) {
+    const double own = margin_on_way(margin, robots.radius[r], robots.distance_to_goal[r]);
+    for (; i < soft.pair_end[r]; ++i)
+      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]}, own);
   }
 }
 
@@ -195,6 +211,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
   if (has_noise(options.sensing_noise)) add_reserves(options, soft.pairs);
+  if (options.margin > 0.0) add_margins(options.margin, tile, soft);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
   if (tile.neighbors.has_partings) part_coinciding(options, horizon, tile, soft);
   if (has_priorities(tile)) weigh(tile, soft);
@@ -217,6 +234,9 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                                       const Robot& robot, const Neighbor& neighbor) {
   Pair pair = relative(robot, neighbor);
   if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
+  if (options.margin > 0.0)
+    pair.radius = with_margin(
+        pair, margin_on_way(options.margin, robot.radius, robot.distance_to_goal));
   if (parts(neighbor))
     return parting_plane(options, horizon, pair.radius, neighbor.parting,
                          pair_reach(options, robot, neighbor));

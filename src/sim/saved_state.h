@@ -75,6 +75,7 @@ void for_each_setting(const Visit& visit) {
   visit("response_time", &Scenario::response_time);
   visit("comfort_acceleration", &Scenario::comfort_acceleration);
   visit("comfort_jerk", &Scenario::comfort_jerk);
+  visit("margin", &Scenario::margin);
   visit("time_horizon", &Scenario::time_horizon);
   visit("sensing_radius", &Scenario::sensing_radius);
   visit("max_neighbors", &Scenario::max_neighbors);

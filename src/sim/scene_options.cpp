@@ -63,6 +63,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
   if (scenario.response_time) options.response_time = *scenario.response_time;
   options.comfort_acceleration = scenario.comfort_acceleration;
   options.comfort_jerk = scenario.comfort_jerk;
+  options.margin = scenario.margin;
   if (scenario.certificate) options.certificate = *scenario.certificate;
   if (scenario.sensing_error) {
     options.sensing_error = *scenario.sensing_error;

@@ -36,6 +36,8 @@ avo::Scenario yard() {
   scene.sensing_radius = 20.0;
   scene.max_neighbors = 8;
   scene.control_time = 1.5;
+  scene.response_time = 0.2, scene.margin = 0.1;
+  scene.comfort_acceleration = 0.6, scene.comfort_jerk = 2.0;
   scene.seed = 7;
   scene.right_of_way = avo::RightOfWay::told;
   scene.sensing.noise = {0.01, 0.02, avo::NoiseDistribution::uniform, {}};

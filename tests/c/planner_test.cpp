@@ -90,6 +90,7 @@ avo_planner_def to_c(const avo::PlannerOptions& options) {
   def.response_time = options.response_time;
   def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
   def.comfort_jerk = options.comfort_jerk.value_or(0.0);
+  def.margin = options.margin;
   return def;
 }
 
@@ -195,6 +196,8 @@ void check_invalid_input() {
 int main() {
   check_invalid_input();
   check_scene("circle-10", {});
+  check_scene("circle-10", {"response_time=0.2", "comfort_acceleration=0.6", "comfort_jerk=2",
+                            "margin=0.1"});
   check_scene("circle-10", {"method=orca"});
   check_scene("circle-10", {"method=velocity_obstacle"});
   check_scene("circle-10", {"method=orca_clamped"});

@@ -82,6 +82,8 @@ static avo_simulation_id make_yard(void) {
   def.sensing_radius = 20.0;
   def.max_neighbors = 8;
   def.control_time = 1.5;
+  def.response_time = 0.2, def.margin = 0.1;
+  def.comfort_acceleration = 0.6, def.comfort_jerk = 2.0;
   def.seed = 7;
   def.right_of_way = AVO_RIGHT_OF_WAY_TOLD;
   def.sensing.noise.position = 0.01;

@@ -189,6 +189,7 @@ TEST(Fields, every_default_is_that_of_the_struct) {
   EXPECT_EQ(scenario.response_time, std::nullopt);
   EXPECT_EQ(scenario.comfort_acceleration, std::nullopt);
   EXPECT_EQ(scenario.comfort_jerk, std::nullopt);
+  EXPECT_EQ(scenario.margin, 0.0);
   EXPECT_EQ(scenario.time_horizon, std::nullopt);
   EXPECT_EQ(scenario.sensing_radius, std::nullopt);
   EXPECT_EQ(scenario.max_neighbors, std::nullopt);
@@ -268,7 +269,7 @@ moving_obstacles:
 }
 
 TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {
-  const std::string keys = "response_time: 0.2\ncomfort_acceleration: 0.6\ncomfort_jerk: 1.5\n";
+  const std::string keys = "response_time: 0.2\ncomfort_acceleration: 0.6\ncomfort_jerk: 1.5\nmargin: 0.1\n";
   const Scenario scenario = avo_io::parse_scenario("version: 1\n" + keys + kRobots, "f");
   EXPECT_EQ(scenario.response_time, 0.2);
   EXPECT_EQ(scenario.comfort_acceleration, 0.6);
@@ -277,6 +278,7 @@ TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {
   EXPECT_EQ(options.response_time, 0.2);
   EXPECT_EQ(options.comfort_acceleration, 0.6);
   EXPECT_EQ(options.comfort_jerk, 1.5);
+  EXPECT_EQ(options.margin, 0.1);
   const std::string start = "version: 1\n" + kRobots;
   EXPECT_EQ(refusal_of_text(start + "response_time: -0.1\n"),
             "f:3:16: response_time: found -0.1, must be >= 0");
@@ -284,6 +286,7 @@ TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {
             "f:3:23: comfort_acceleration: found 0, must be > 0 m/s^2");
   EXPECT_EQ(refusal_of_text(start + "comfort_jerk: 0\n"),
             "f:3:15: comfort_jerk: found 0, must be > 0 m/s^3");
+  EXPECT_EQ(refusal_of_text(start + "margin: -0.1\n"), "f:3:9: margin: found -0.1, must be >= 0 m");
   const std::string orca = "version: 1\nmethod: orca\n" + kRobots;
   EXPECT_EQ(refusal_of_text(orca + "response_time: 0.1\n"),
             "f:4:16: response_time: found 0.1, must be 0 with method orca");
@@ -292,6 +295,8 @@ TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {
             "f:4:23: comfort_acceleration: found 0.5, must be none with method orca");
   EXPECT_EQ(refusal_of_text(orca + "comfort_jerk: 2\n"),
             "f:4:15: comfort_jerk: found 2, must be none with method orca");
+  EXPECT_EQ(refusal_of_text(orca + "margin: 0.1\n"),
+            "f:4:9: margin: found 0.1, must be 0 m with method orca");
 }
 
 TEST(Fields, a_drive_has_limits_of_its_wheels_where_none_are_given) {

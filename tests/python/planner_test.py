@@ -150,6 +150,28 @@ def test_options_are_those_customary_for_the_method():
     assert (avo.Planner().control_time, avo.Planner().certificate) == (2.0, "braking_trajectories")
     orca = avo.Planner(method="orca")
     assert (orca.control_time, orca.time_horizon, orca.certificate) == (4.0, 10.0, "none")
+    assert (avo.Planner().response_time, orca.response_time) == (0.1, 0.0)
+    assert (avo.Planner().comfort_acceleration, avo.Planner().comfort_jerk, avo.Planner().margin) == (None, None, 0.0)
+
+
+def test_options_say_how_gently_robots_move():
+    planner = avo.Planner(response_time=0.2, comfort_acceleration=0.6, comfort_jerk=2, margin=0.1)
+    assert (planner.response_time, planner.comfort_acceleration) == (0.2, 0.6)
+    assert (planner.comfort_jerk, planner.margin) == (2.0, 0.1)
+    assert planner.response_time_of(2.0, 0.5) == pytest.approx(0.8)
+    assert planner.response_time_of(2.0, 8.0) == pytest.approx(0.2), "two steps"
+    assert avo.Planner(response_time=0).response_time_of(2.0, 0.5) == 0.0
+    robot, memory = avo.Robot(position=(0, 0), velocity=(0, 0), preferred_velocity=(1.5, 0)), avo.Detour()
+    for k in range(1, 4):  # 2 m/s^3
+        plan = planner.plan(robot, detour=memory)
+        assert plan.acceleration == pytest.approx((min(0.2 * k, 0.6), 0.0), abs=1e-6)
+        assert (memory.acceleration_x, memory.acceleration_y) == pytest.approx(plan.acceleration, abs=1e-6)
+        robot.velocity = plan.next_velocity
+    for wrong in {"response_time": -1}, {"comfort_acceleration": 0}, {"comfort_jerk": -1}, {"margin": -0.1}:
+        with pytest.raises(avo.Error, match=next(iter(wrong))):
+            avo.Planner(**wrong)
+        with pytest.raises(avo.Error, match="with method orca|must be"):
+            avo.Planner(method="orca", **{key: 1.0 for key in wrong})
 
 
 def test_out_is_written_and_returned():

@@ -340,6 +340,7 @@ class Planner:
         response_time: _Float | None = None,
         comfort_acceleration: _Float | None = None,
         comfort_jerk: _Float | None = None,
+        margin: _Float = 0.0,
     ) -> None: ...
     @overload
     def plan(
@@ -389,6 +390,8 @@ class Planner:
     def comfort_acceleration(self) -> float | None: ...
     @property
     def comfort_jerk(self) -> float | None: ...
+    @property
+    def margin(self) -> float: ...
     def response_time_of(self, max_speed: _Float, max_acceleration: _Float) -> float: ...
 
 class Robots:

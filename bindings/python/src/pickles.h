@@ -51,7 +51,7 @@ inline constexpr int kFields<avo::SensingModel> = 5;
 template <>
 inline constexpr int kFields<avo::SensingError> = 2;
 template <>
-inline constexpr int kFields<avo::Scenario> = 26;
+inline constexpr int kFields<avo::Scenario> = 27;
 
 /// References to all of them.
 template <typename T>
@@ -85,9 +85,10 @@ auto fields(T& x) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p);
   } else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc] = x;
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb, cc,
+          dd] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s, t, u, v, w, z, aa, bb,
-                    cc);
+                    cc, dd);
   }
 }
 

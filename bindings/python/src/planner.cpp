@@ -27,7 +27,7 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
              std::tuple<double, double, double> sensing_noise, avo::Clock clock,
              double longest_step, double arrival_distance, double localization_error,
              std::optional<double> response_time, std::optional<double> comfort_acceleration,
-             std::optional<double> comfort_jerk) {
+             std::optional<double> comfort_jerk, double margin) {
   avo::PlannerOptions options = avo::default_options(method);
   options.motion = motion;
   options.control_time = control_time.value_or(options.control_time);
@@ -46,6 +46,7 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
   options.response_time = response_time.value_or(options.response_time);
   options.comfort_acceleration = comfort_acceleration;
   options.comfort_jerk = comfort_jerk;
+  options.margin = margin;
   return Planner(options);
 }
 
@@ -106,7 +107,7 @@ void bind_options(py::class_<Planner>& planner) {
       arg("sensing_error") = std::pair(0.0, 0.0), arg("sensing_noise") = std::tuple(0.0, 0.0, 1.0),
       arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
       arg("localization_error") = 0.0, arg("response_time") = py::none(),
-      arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(),
+      arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(), arg("margin") = 0.0,
       "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
       "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
       "\"held\" or "
@@ -117,7 +118,7 @@ void bind_options(py::class_<Planner>& planner) {
       "longest_step: s; arrival_distance: m, > 0; localization_error: m, >= 0, of the robot's own "
       "place among the walls; response_time: >= 0, of max_speed/max_acceleration, None: customary "
       "for the method; comfort_acceleration: m/s^2, > 0, and comfort_jerk: m/s^3, > 0, None: no "
-      "limit of its own. Raises Error on options out of range.");
+      "limit of its own; margin: m, >= 0, that is wished for beyond the radius. Raises Error on options out of range.");
   const auto option = [&planner](const char* name, auto member, const char* doc) {
     planner.def_property_readonly(
         name, [member](const Planner& self) { return self.options().*member; }, doc);
@@ -144,6 +145,7 @@ void bind_options(py::class_<Planner>& planner) {
          "m/s^2, what is used of max_acceleration without need; None: all");
   option("comfort_jerk", &Options::comfort_jerk,
          "m/s^3, by which the acceleration changes without need; None: as response_time has it");
+  option("margin", &Options::margin, "m, clearance that is wished for beyond the radius");
   planner.def(
       "response_time_of",
       [](const Planner& self, double max_speed, double max_acceleration) {

@@ -86,6 +86,7 @@ py::dict options_of(const Scenario& scenario) {
   all["response_time"] = options.response_time;
   all["comfort_acceleration"] = options.comfort_acceleration;
   all["comfort_jerk"] = options.comfort_jerk;
+  all["margin"] = options.margin;
   return all;
 }
 

@@ -45,6 +45,11 @@ TEST(KeepRight, as_far_as_the_way_is_more_congested_than_usual) {
   EXPECT_NEAR(after(0.1, 2.0), 2.0 - 2.0 * (1.0 - std::exp(-1.0)), 1e-2);
   after(5000.0, 50.0);
   EXPECT_TRUE(is_sound(detour)) << detour.congestion;
+  for (float Detour::*number : {&Detour::acceleration_x, &Detour::acceleration_y}) {
+    Detour broken = detour;
+    broken.*number = std::nanf("");
+    EXPECT_FALSE(is_sound(broken));
+  }
   after(2000.0, 0.0);
   EXPECT_NEAR(detour.congestion, 0.0, 1e-3);
 }

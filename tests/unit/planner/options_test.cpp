@@ -144,6 +144,9 @@ TEST(Options, how_gently_robots_move_is_of_method_avo_alone) {
     options = {};
     options.comfort_jerk = bad;
     expect_refused(options, "comfort_jerk");
+    options = {};
+    options.margin = bad;
+    expect_refused(options, "margin");
   }
   for (const Method method :
        {Method::avo_paper, Method::velocity_obstacle, Method::orca, Method::orca_clamped,
@@ -158,6 +161,9 @@ TEST(Options, how_gently_robots_move_is_of_method_avo_alone) {
     options = default_options(method);
     options.comfort_jerk = 2.0;
     expect_refused(options, "comfort_jerk");
+    options = default_options(method);
+    options.margin = 0.1;
+    expect_refused(options, "margin");
   }
 }
 

@@ -67,6 +67,11 @@ Scenario any_scene(Random& random) {
   } else if (random.below(4) == 0) {
     scene.sensing.delay = 1 + random.below(3);
   }
+  if (random.below(2) == 0) {
+    scene.response_time = random.uniform(0.0, 0.5), scene.margin = size * random.uniform(0.0, 1.0);
+    scene.comfort_acceleration = random.log_uniform(1e-3, 1e2);
+    scene.comfort_jerk = random.log_uniform(1e-3, 1e2);
+  }
   const double far = random.below(2) * random.log_uniform(1.0, 5e11);
   const Vec2 origin{far * random.uniform(-1, 1), far * random.uniform(-1, 1)};
   for (int k = 2 + random.below(6); k > 0; --k) {

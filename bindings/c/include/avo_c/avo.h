@@ -282,6 +282,7 @@ typedef struct avo_planner_def {
   double response_time;  ///< >= 0, of max_speed/max_acceleration; 0: at once. 0 but of method avo
   double comfort_acceleration;  ///< m/s^2, > 0, what is used without need; 0: max_acceleration
   double comfort_jerk;          ///< m/s^3, > 0, likewise; 0: what follows from response_time
+  double margin;  ///< m, >= 0, clearance from others that is wished for; 0 but of method avo
 } avo_planner_def;
 
 /// The robot that decides.
@@ -497,6 +498,7 @@ typedef struct avo_simulation_def {
   double response_time;         ///< as of avo_planner_def; NAN: the method's
   double comfort_acceleration;  ///< likewise; 0: none
   double comfort_jerk;          ///< likewise; 0: none
+  double margin;                ///< likewise
 } avo_simulation_def;
 
 AVO_C_API avo_robot_def avo_default_robot_def(void);
