@@ -30,7 +30,7 @@ std::string seconds(double value) {
 
 /// What takes effect, of those who decide and do not fly.
 std::string response_times(const avo::Scenario& scenario, avo::PlannerOptions options) {
-  if (!(options.response_time > 0.0)) return "0: at once";
+  if (!(options.response_time > 0.0) && !options.comfort_jerk) return "0: at once";
   double least = 0.0, most = 0.0;
   for (const avo::RobotSetup& robot : scenario.robots) {
     if (robot.parked || is_airplane(robot.model)) continue;

@@ -19,6 +19,16 @@ AVO_KERNEL Real response_time(Real max_speed, Real max_acceleration, double fact
   return min(max(Real(factor) * (max_speed / max_acceleration), least), most);
 }
 
+/// Of T_e: in which the acceleration goes from none to all that is used, at the earliest.
+inline constexpr double kEase = 0.8;
+
+/// [T_e] s, of one that uses so much acceleration (m/s²), which changes by `jerk` m/s³ at most: with
+/// less it would overshoot.
+template <typename Real>
+AVO_KERNEL Real eased(Real response_time, Real used, double jerk) {
+  return max(response_time, used / Real(kEase * jerk));
+}
+
 AVO_END_KERNELS
 
 #endif  // once per pass

@@ -22,9 +22,6 @@ Execution execution_of(const Planner& planner, bool remembers);
 /// Of a change: any. Finite, so that nothing is undefined where nothing changes.
 inline constexpr double kUnlimited = std::numeric_limits<double>::max();
 
-/// Of T_e: in which the acceleration goes from none to all that is used, at the earliest.
-inline constexpr double kEase = 0.8;
-
 /// What one robot makes of it within a step.
 struct Haste {
   double gain;  ///< (0, 1], the part of v' - v that is made up for: Δt/T_e

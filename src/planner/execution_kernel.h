@@ -21,14 +21,14 @@ AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_accele
   const Real unlimited(kUnlimited);
   const Real braking_time(execution.braking_time), time_step(execution.time_step);
   Real most = min(max_acceleration, Real(execution.comfort_acceleration)) * braking_time;
-  Real jerk = min(Real(execution.comfort_jerk) * time_step * braking_time, unlimited);
-  Real gain(1.0), time(0.0);
-  if (execution.response_time > 0.0) {
+  Real jerk(unlimited), gain(1.0), time(0.0);
+  if (execution.response_time > 0.0 || execution.comfort_jerk < kUnlimited) {
     most = min(most, max_speed / Real(kFewestSteps));
     time = response_time(max_speed, max_acceleration, execution.response_time, execution.time_step,
                          execution.control_time);
+    time = eased(time, most / braking_time, execution.comfort_jerk);
     gain = time_step / time;
-    jerk = min(jerk, gain / Real(kEase) * most);
+    jerk = gain / Real(kEase) * most;
   }
   if (!execution.remembers) return {gain, most, unlimited};
   // there it would swing about its goal

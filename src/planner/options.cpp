@@ -2,6 +2,8 @@
 // Options of a planner: what is customary, what is possible, and what they are called.
 #include "planner/options.h"
 
+#include <algorithm>
+#include <limits>
 #include <string>
 
 #include "core/ranges.h"
@@ -101,10 +103,14 @@ PlannerOptions default_options(Method method) {
 
 double response_time_of(const PlannerOptions& options, double max_speed, double max_acceleration) {
   using Real = scalar::Pack<double>;
-  if (!(options.response_time > 0.0)) return 0.0;
-  return scalar::response_time<Real>(max_speed, max_acceleration, options.response_time,
-                                     options.time_step, options.control_time)
-      .value;
+  constexpr double kNone = std::numeric_limits<double>::max();
+  if (!(options.response_time > 0.0) && !options.comfort_jerk) return 0.0;
+  const Real used(std::min({max_acceleration, options.comfort_acceleration.value_or(kNone),
+                            max_speed / (scalar::kFewestSteps * options.time_step)}));
+  const Real usual =
+      scalar::response_time<Real>(max_speed, max_acceleration, options.response_time,
+                                  options.time_step, options.control_time);
+  return scalar::eased(usual, used, options.comfort_jerk.value_or(kNone)).value;
 }
 
 void validate(const PlannerOptions& options, const std::string& prefix) {

@@ -21,7 +21,8 @@ StepResponse step_response(const Planner& planner) {
           .control_time = at_once ? options.time_step : options.control_time,
           .response_time = options.response_time,
           .comfort_acceleration =
-              options.comfort_acceleration.value_or(std::numeric_limits<double>::max())};
+              options.comfort_acceleration.value_or(std::numeric_limits<double>::max()),
+          .comfort_jerk = options.comfort_jerk.value_or(std::numeric_limits<double>::max())};
 }
 
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response) {

@@ -38,7 +38,8 @@ struct StepResponse {
   double gain;          // s, of the position
   double control_time;  // s: |a| = |w| / control_time at the start of the step, its largest value
   double response_time;         // [κ], see PlannerOptions
-  double comfort_acceleration;  // m/s², likewise; the largest number where there is none
+  // m/s², m/s³, likewise; the largest number where there is none
+  double comfort_acceleration, comfort_jerk;
 };
 StepResponse step_response(const Planner& planner);
 

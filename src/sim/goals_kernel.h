@@ -3,6 +3,8 @@
 #ifndef AVO_SIM_GOALS_KERNEL_H
 #define AVO_SIM_GOALS_KERNEL_H
 
+#include <limits>
+
 #include "core/response_time_kernel.h"
 #include "core/scalar.h"
 #include "robots/motion.h"
@@ -87,12 +89,15 @@ template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
-  const auto is_soft = robot.is_holonomic > Real(step.response_time > 0.0 ? 0.0 : 1.0);
+  const bool is_gentle =
+      step.response_time > 0.0 || step.comfort_jerk < std::numeric_limits<double>::max();
+  const auto is_soft = robot.is_holonomic > Real(is_gentle ? 0.0 : 1.0);
   const Real braking_time = Real(step.rate) * Real(step.control_time);
   const Real all = min(robot.planned_braking, Real(step.comfort_acceleration)) * braking_time;
   const Real u = select(is_soft, min(all, robot.max_speed / Real(kFewestSteps)), all);
-  const Real time = response_time(robot.max_speed, robot.max_acceleration, step.response_time,
-                                  step.time_step, step.control_time);
+  const Real time = eased(response_time(robot.max_speed, robot.max_acceleration, step.response_time,
+                                        step.time_step, step.control_time),
+                          u / braking_time, step.comfort_jerk);
   const Real response = select(is_soft, time, Real(0.0));
   const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below

@@ -171,6 +171,11 @@ TEST(Options, a_response_takes_two_steps_at_least) {
   PlannerOptions options;
   EXPECT_DOUBLE_EQ(response_time_of(options, 2.0, 0.5), 0.4);  // 0.1 of 4 s
   EXPECT_DOUBLE_EQ(response_time_of(options, 2.0, 4.0), 0.2);  // 0.05 s are less than two steps
+  options.comfort_jerk = 2.5;
+  EXPECT_DOUBLE_EQ(response_time_of(options, 2.0, 4.0), 2.0);  // 4 m/s² after 1.6 s
+  options.comfort_acceleration = 0.5;
+  EXPECT_DOUBLE_EQ(response_time_of(options, 2.0, 4.0), 0.25);
+  options = {};
   options.response_time = 0.0;
   EXPECT_EQ(response_time_of(options, 2.0, 0.5), 0.0);
   EXPECT_EQ(response_time_of(default_options(Method::orca), 2.0, 0.5), 0.0);
