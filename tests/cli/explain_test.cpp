@@ -299,7 +299,7 @@ TEST(Explain, tells_the_response_time_that_takes_effect) {
   EXPECT_NEAR(told("response_time=0.25")["response_time"].get<double>(), 0.5, 1e-12);
   EXPECT_EQ(told("response_time=0")["response_time"], 0.0);
   EXPECT_FALSE(told("method=orca").contains("response_time"));
-  EXPECT_EQ(explained({"moving-obstacle", "--robot", "0"})["response_time"], 0.0)
+  EXPECT_EQ(explained({"moving-obstacle", "--robot", "0", "--time", "5"})["response_time"], 0.0)
       << "among movers alone";
   const auto line = [](const char* setting) {
     return run_avo({"explain", "circle-10", "--robot", "3", "--set", setting}).out;

@@ -91,7 +91,7 @@ int check_ranges(const Scenario& scenario, T& target, const std::string& path) {
 TEST(Fields, ranges_are_those_of_validate) {
   Scenario scenario = valid_scenario();
   ASSERT_EQ(refusal(scenario), "");
-  EXPECT_EQ(check_ranges(scenario, scenario, ""), 9);
+  EXPECT_EQ(check_ranges(scenario, scenario, ""), 10);
   EXPECT_EQ(check_ranges(scenario, scenario.robots[0], "robots.0."), 10);
   EXPECT_EQ(check_ranges(scenario, std::get<avo::Car>(scenario.robots[0].model), "robots.0.car."),
             2);
@@ -269,7 +269,8 @@ moving_obstacles:
 }
 
 TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {
-  const std::string keys = "response_time: 0.2\ncomfort_acceleration: 0.6\ncomfort_jerk: 1.5\nmargin: 0.1\n";
+  const std::string keys =
+      "response_time: 0.2\ncomfort_acceleration: 0.6\ncomfort_jerk: 1.5\nmargin: 0.1\n";
   const Scenario scenario = avo_io::parse_scenario("version: 1\n" + keys + kRobots, "f");
   EXPECT_EQ(scenario.response_time, 0.2);
   EXPECT_EQ(scenario.comfort_acceleration, 0.6);

@@ -81,7 +81,7 @@ TEST(Comfort, jerk_is_not_exceeded_in_the_open) {
   for (Scenario scene : {turning_robot(), crossing_pair()}) {
     EXPECT_GT(used_by(scene).jerk, 2.5);
     for (const double comfort : {2.5, 2.0, 1.0}) {
-      if (comfort == 1.0 && scene.robots.size() > 1) continue;  // there the certificate has its say
+      if (comfort == 1.0 && scene.robots.size() > 1) continue;  // one step exceeds it
       scene.comfort_jerk = comfort;
       const Used used = used_by(scene);
       EXPECT_LE(used.jerk, comfort * (1.0 + 1e-5)) << "the last one is remembered as a float";
