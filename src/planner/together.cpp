@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/response_time_kernel.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/behind_walls.h"
@@ -108,6 +109,16 @@ Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& executio
   return haste;
 }
 
+// Whether is_landing() surely says no, told without a division: nearly always.
+bool is_far_from_goal(const RobotColumns& robots, std::size_t i, const Execution& execution) {
+  if (execution.comfort_jerk < kUnlimited) return false;
+  const double v = robots.max_speed[i], a = robots.max_acceleration[i];
+  const double fewest = v * (1.0 / (scalar::kFewestSteps * execution.braking_time));
+  const double b = std::min({a, robots.max_braking[i], execution.comfort_acceleration, fewest});
+  const double response = execution.response_time * v + 2.0 * execution.time_step * a;  // times a
+  return 2.0 * a * b * robots.distance_to_goal[i] > 1.01 * v * (v * a + 4.0 * b * response);
+}
+
 // What the last steps have done, and what the program is given for the wishes.
 void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
                DecisionColumns& decisions) {
@@ -119,9 +130,10 @@ void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
     const Detour& detour = *tile.detour[i];
     decisions.last_x[i] = execution.braking_time * detour.acceleration_x;
     decisions.last_y[i] = execution.braking_time * detour.acceleration_y;
+    if (robots.model[i] != nullptr || is_far_from_goal(robots, i, execution)) continue;
     const Robot robot = robots.robot(i);
     const Haste haste = haste_of(robot, execution);
-    if (!is_holonomic(robot.model) || !is_landing(robot, haste, execution)) continue;
+    if (!is_landing(robot, haste, execution)) continue;
     const Vec2 v = robot.velocity, aim = v + (decisions.wish(i) - v) / haste.gain;
     // what still drives it on has to end at once
     if (dot(decisions.last_change(i), aim - v) < 0.0)
