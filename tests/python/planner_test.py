@@ -164,7 +164,7 @@ def test_options_say_how_gently_robots_move():
     robot, memory = avo.Robot(position=(0, 0), velocity=(0, 0), preferred_velocity=(1.5, 0)), avo.Detour()
     for k in range(1, 4):  # 2 m/s^3
         plan = planner.plan(robot, detour=memory)
-        assert plan.acceleration == pytest.approx((min(0.2 * k, 0.6), 0.0), abs=0.013)
+        assert plan.acceleration == pytest.approx((min(0.1875 * k, 0.6), 0.0), abs=1e-6)
         assert (memory.acceleration_x, memory.acceleration_y) == pytest.approx(plan.acceleration, abs=1e-6)
         robot.velocity = plan.next_velocity
     for wrong in {"response_time": -1}, {"comfort_acceleration": 0}, {"comfort_jerk": -1}, {"margin": -0.1}:
