@@ -16,7 +16,7 @@
 #include "planner/passive_obstacles.h"
 #include "planner/reciprocal_obstacles.h"
 #include "planner/scratch.h"
-#include "planner/soft_planes.h"
+#include "planner/pair_planes.h"
 #include "planner/validity.h"
 #include "robots/model.h"
 

@@ -11,7 +11,7 @@
 #include "planner/decision.h"
 #include "planner/demands.h"
 #include "planner/scratch.h"
-#include "planner/soft_planes.h"
+#include "planner/pair_planes.h"
 
 namespace avo {
 namespace {

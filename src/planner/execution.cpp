@@ -9,13 +9,8 @@
 
 namespace avo {
 Execution execution_of(const Planner& planner, bool remembers) {
-  const PlannerOptions& options = planner.options();
-  return {.time_step = options.time_step,
+  return {.law = response_law(planner.options()),
           .braking_time = certificate_law(planner).step.braking_time,
-          .control_time = options.control_time,
-          .response_time = options.response_time,
-          .comfort_acceleration = options.comfort_acceleration.value_or(kUnlimited),
-          .comfort_jerk = options.comfort_jerk.value_or(kUnlimited),
           .remembers = remembers};
 }
 
@@ -37,8 +32,13 @@ bool is_landing(const Robot& robot, const Haste& haste, const Execution& executi
   if (haste.gain >= 1.0) return false;
   const double braking = std::min(planned_braking(robot), haste.most / execution.braking_time);
   const double stopping = 0.5 * robot.max_speed * robot.max_speed / braking;
-  const double response_time = execution.time_step / haste.gain;
+  const double response_time = execution.law.time_step / haste.gain;
   return robot.distance_to_goal < stopping + 2.0 * response_time * robot.max_speed;
+}
+
+void remember(const Plan& plan, Detour& detour) {
+  detour.acceleration_x = static_cast<float>(plan.acceleration.x);
+  detour.acceleration_y = static_cast<float>(plan.acceleration.y);
 }
 
 }  // namespace avo

@@ -2,25 +2,19 @@
 // How method avo goes towards the v' that it has chosen (docs/smoothness.md): by proportional
 // control, Eq. (7), with a time constant of its own, and without jumps of the acceleration.
 #pragma once
-#include <limits>
-
 #include "avo/planner.h"
 #include "avo/robot.h"
+#include "core/response_law.h"
 
 namespace avo {
 
 /// What is common to all robots of a planner.
 struct Execution {
-  double time_step, braking_time, control_time;  ///< s, see StepLaw
-  double response_time;                          ///< [κ], of v_max/a_max
-  double comfort_acceleration;                   ///< m/s², kUnlimited where none is asked for
-  double comfort_jerk;                           ///< m/s³, likewise
-  bool remembers = true;                         ///< the robots' last accelerations are known
+  ResponseLaw law;
+  double braking_time;    ///< s, see StepLaw
+  bool remembers = true;  ///< the robots' last accelerations are known
 };
 Execution execution_of(const Planner& planner, bool remembers);
-
-/// Of a change: any. Finite, so that nothing is undefined where nothing changes.
-inline constexpr double kUnlimited = std::numeric_limits<double>::max();
 
 /// What one robot makes of it within a step.
 struct Haste {
@@ -36,5 +30,8 @@ Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste);
 /// Whether the wish is one to have after the step: on the last of the way, where the robot comes to
 /// rest.
 bool is_landing(const Robot& robot, const Haste& haste, const Execution& execution);
+
+/// For the next step. Whoever overrules a plan has it remembered anew.
+void remember(const Plan& plan, Detour& detour);
 
 }  // namespace avo

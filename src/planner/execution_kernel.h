@@ -3,7 +3,7 @@
 #ifndef AVO_PLANNER_EXECUTION_KERNEL_H
 #define AVO_PLANNER_EXECUTION_KERNEL_H
 
-#include "core/response_time_kernel.h"
+#include "core/response_law_kernel.h"
 #include "core/scalar.h"
 #include "planner/execution.h"
 
@@ -19,21 +19,15 @@ template <typename Real>
 AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_acceleration,
                                     Real distance_to_goal, const Execution& execution) {
   const Real unlimited(kUnlimited);
-  const Real braking_time(execution.braking_time), time_step(execution.time_step);
-  Real most = min(max_acceleration, Real(execution.comfort_acceleration)) * braking_time;
-  Real jerk(unlimited), gain(1.0), time(0.0);
-  if (execution.response_time > 0.0 || execution.comfort_jerk < kUnlimited) {
-    most = min(most, max_speed / Real(kFewestSteps));
-    time = response_time(max_speed, max_acceleration, execution.response_time, execution.time_step,
-                         execution.control_time);
-    time = eased(time, most / braking_time, execution.comfort_jerk);
-    gain = time_step / time;
-    jerk = gain / Real(kEase) * most;
-  }
+  const Real used = used_of(max_acceleration, max_speed, execution.law);
+  const Real most = used * Real(execution.braking_time);
+  if (!execution.law.is_gentle()) return {Real(1.0), most, unlimited};
+  const Real time = response_time(max_speed, max_acceleration, used, execution.law);
+  const Real gain = Real(execution.law.time_step) / time;
   if (!execution.remembers) return {gain, most, unlimited};
   // there it would swing about its goal
   const auto is_there = distance_to_goal < max(radius, max_speed * time);
-  return {gain, most, select(is_there, unlimited, jerk)};
+  return {gain, most, select(is_there, unlimited, gain / Real(kEase) * most)};
 }
 
 /// The velocity after a step of at most `most` from v towards a target, m/s.

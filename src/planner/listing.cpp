@@ -16,7 +16,7 @@
 #include "planner/flight.h"
 #include "planner/neighbor_order.h"
 #include "planner/scratch.h"
-#include "planner/soft_planes.h"
+#include "planner/pair_planes.h"
 #include "planner/validity.h"
 #include "planner/way_out.h"
 #include "walls/segment.h"

@@ -2,12 +2,10 @@
 // Options of a planner: what is customary, what is possible, and what they are called.
 #include "planner/options.h"
 
-#include <algorithm>
-#include <limits>
 #include <string>
 
 #include "core/ranges.h"
-#include "core/response_time_kernel.h"
+#include "core/response_law_kernel.h"
 
 namespace avo {
 namespace {
@@ -103,14 +101,10 @@ PlannerOptions default_options(Method method) {
 
 double response_time_of(const PlannerOptions& options, double max_speed, double max_acceleration) {
   using Real = scalar::Pack<double>;
-  constexpr double kNone = std::numeric_limits<double>::max();
-  if (!(options.response_time > 0.0) && !options.comfort_jerk) return 0.0;
-  const Real used(std::min({max_acceleration, options.comfort_acceleration.value_or(kNone),
-                            max_speed / (scalar::kFewestSteps * options.time_step)}));
-  const Real usual =
-      scalar::response_time<Real>(max_speed, max_acceleration, options.response_time,
-                                  options.time_step, options.control_time);
-  return scalar::eased(usual, used, options.comfort_jerk.value_or(kNone)).value;
+  const ResponseLaw law = response_law(options);
+  if (!law.is_gentle()) return 0.0;
+  const Real used = scalar::used_of<Real>(max_acceleration, max_speed, law);
+  return scalar::response_time<Real>(max_speed, max_acceleration, used, law).value;
 }
 
 void validate(const PlannerOptions& options, const std::string& prefix) {

@@ -7,7 +7,7 @@
 
 #include "avo/half_plane.h"
 #include "planner/passive_candidates.h"
-#include "planner/soft_planes.h"
+#include "planner/pair_planes.h"
 
 namespace avo {
 namespace {

@@ -39,20 +39,6 @@ struct SoftPlanes {
   }
 };
 
-/// The pair as Eqs. (2), (3) see it: p_AB, v_AB, r_AB.
-Pair relative(const Robot& robot, const Neighbor& neighbor);
-
-/// The radius of contact with the reserve for noise, q (σ_p + t σ_v), t being the time until they
-/// are nearest, τ at most; less where there is no room for it: noise alone brings nobody into
-/// contact. docs/half_plane.md, "Noise".
-double reserved_radius(const Pair& pair, const PlannerOptions& options);
-
-/// A's half-plane against one neighbor, by itself; none where nothing within reach collides, or no
-/// direction can be told. Sets `overlapping` where the two are in contact already.
-std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const Horizon& horizon,
-                                            const Robot& robot, const Neighbor& neighbor, int index,
-                                            bool& overlapping);
-
 void reserve(std::size_t robots, std::size_t pairs, SoftPlanes& soft);
 
 /// Collects the half-planes of all robots of the tile. One that either limit alone keeps to is left

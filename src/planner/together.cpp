@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/response_time_kernel.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/behind_walls.h"
@@ -21,51 +20,11 @@
 #include "planner/state.h"
 #include "planner/steer.h"
 #include "planner/validity.h"
+#include "planner/wishes.h"
 #include "robots/model.h"
 
 namespace avo {
 namespace {
-
-// Beside walls a robot on its way does not give way: pushed back from them and from others at rest
-// it would stand still for ever.
-Vec2 push_among_walls(const Tile& tile, std::size_t i, const StepLaw& law, Vec2 push) {
-  const std::span<const Wall> walls = tile.walls_of(i);
-  if (walls.empty() || push == Vec2{}) return push;
-  const Robot robot = tile.robots.robot(i);
-  return !is_near_goal(robot) && is_beside(robot, walls, law) ? Vec2{} : push;
-}
-
-// What each robot wishes for.
-void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions) {
-  const PlannerOptions& options = planner.options();
-  const RobotColumns& robots = tile.robots;
-  decisions.reserve(robots.count);
-  if (options.method != Method::avo) {
-    std::copy_n(robots.preferred_x.begin(), robots.count, decisions.wish_x.begin());
-    std::copy_n(robots.preferred_y.begin(), robots.count, decisions.wish_y.begin());
-    return;
-  }
-  look_around(robots, decisions);
-  for (std::size_t i = 0; i < robots.count; ++i) {
-    decisions.ahead[i] =
-        unusual_congestion(decisions.ahead[i], robots.max_speed[i], robots.max_acceleration[i],
-                           options.time_step, *tile.detour[i]);
-  }
-  keep_right(robots, decisions);
-  const StepLaw law = certificate_law(planner).step;
-  for (std::size_t i = 0; i < robots.count; ++i) {
-    if (robots.has_models && tile.maneuvers[i] != 0) {
-      decisions.wish_x[i] = robots.preferred_x[i], decisions.wish_y[i] = robots.preferred_y[i];
-      continue;
-    }
-    Traffic traffic = decisions.traffic(i);
-    Detour& detour = *tile.detour[i];
-    if (!traffic.is_beside && detour.beside == 0.0F) continue;
-    traffic.push = push_among_walls(tile, i, law, traffic.push);
-    const Vec2 wish = wish_of(robots.robot(i), decisions.wish(i), traffic, options, detour);
-    decisions.wish_x[i] = wish.x, decisions.wish_y[i] = wish.y;
-  }
-}
 
 // Whom nobody can refuse its choice, neither now nor on a detour that it is still on.
 bool is_unhindered(const CertificateLaw& law, const Tile& tile, const NearPairs& near,
@@ -109,123 +68,114 @@ Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& executio
   return haste;
 }
 
-// Whether is_landing() surely says no, told without a division: nearly always.
-bool is_far_from_goal(const RobotColumns& robots, std::size_t i, const Execution& execution) {
-  if (execution.comfort_jerk < kUnlimited) return false;
-  const double v = robots.max_speed[i], a = robots.max_acceleration[i];
-  const double fewest = v * (1.0 / (scalar::kFewestSteps * execution.braking_time));
-  const double b = std::min({a, robots.max_braking[i], execution.comfort_acceleration, fewest});
-  const double response = execution.response_time * v + 2.0 * execution.time_step * a;  // times a
-  return 2.0 * a * b * robots.distance_to_goal[i] > 1.01 * v * (v * a + 4.0 * b * response);
-}
+// What the plans of method avo are made by and from.
+struct Deciding {
+  const Planner& planner;
+  const Execution& execution;
+  Tile& tile;
+  PlanWorkspace::Scratch& scratch;
+  CertificateLaw law;
 
-// What the last steps have done, and what the program is given for the wishes.
-void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
-               DecisionColumns& decisions) {
-  const RobotColumns& robots = tile.robots;
-  std::copy_n(decisions.wish_x.begin(), robots.count, decisions.aim_x.begin());
-  std::copy_n(decisions.wish_y.begin(), robots.count, decisions.aim_y.begin());
-  if (!is_gentle) return;
-  for (std::size_t i = 0; i < robots.count; ++i) {
-    const Detour& detour = *tile.detour[i];
-    decisions.last_x[i] = execution.braking_time * detour.acceleration_x;
-    decisions.last_y[i] = execution.braking_time * detour.acceleration_y;
-    if (robots.model[i] != nullptr || is_far_from_goal(robots, i, execution)) continue;
-    const Robot robot = robots.robot(i);
-    const Haste haste = haste_of(robot, execution);
-    if (!is_landing(robot, haste, execution)) continue;
-    const Vec2 v = robot.velocity, aim = v + (decisions.wish(i) - v) / haste.gain;
-    // what still drives it on has to end at once
-    if (dot(decisions.last_change(i), aim - v) < 0.0)
-      decisions.last_x[i] = decisions.last_y[i] = 0.0;
-    decisions.aim_x[i] = aim.x, decisions.aim_y[i] = aim.y;
+  bool is_certified() const { return law.kind != Certificate::none; }
+  SafetyState state_if_free() const {
+    return is_certified() ? SafetyState::safe : SafetyState::unknown;
   }
+  double violation(std::size_t i) const {
+    return most_violation(scratch.soft, i, scratch.decisions.violation[i]);
+  }
+  void tell_contact(std::size_t i, Deepest neighbor, Deepest wall) const {
+    const RobotColumns& robots = tile.robots;
+    tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step, neighbor,
+                         wall),
+         *tile.plan[i]);
+  }
+};
+
+// An airplane, which can only turn.
+void fly(const Deciding& deciding, std::size_t i) {
+  const auto& [planner, execution, tile, scratch, law] = deciding;
+  FlightConstraints& flight = scratch.flight;
+  Plan& plan = *tile.plan[i];
+  plan = fly_towards(planner, tile.robots.robot(i), tile.robots.neighbors[i], tile.walls_of(i),
+                     {scratch.decisions.target(i), deciding.violation(i)}, flight);
+  plan.state = flight.are_broken() ? SafetyState::unknown : deciding.state_if_free();
+  const bool certified = deciding.is_certified();
+  if (scratch.soft.overlapping[i] != 0 || (certified && flight.are_broken()))
+    deciding.tell_contact(i, certified ? flight.broken : Deepest{},
+                          certified ? flight.broken_wall : Deepest{});
 }
 
-void remember(const Plan& plan, Detour& detour) {
-  detour.acceleration_x = static_cast<float>(plan.acceleration.x);
-  detour.acceleration_y = static_cast<float>(plan.acceleration.y);
+// Whom nobody and no wall hinders: by decide_freely().
+void go_freely(const Deciding& deciding, std::size_t i) {
+  const DecisionColumns& decisions = deciding.scratch.decisions;
+  Plan& plan = *deciding.tile.plan[i];
+  plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
+  plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
+  plan.violation = deciding.violation(i);
+  plan.status = status_of(plan.violation);
+  plan.state = deciding.state_if_free();
+  plan.neighbor = plan.wall = -1, plan.depth = 0.0F;
+  if (deciding.scratch.soft.overlapping[i] != 0) deciding.tell_contact(i, {}, {});
+}
+
+// Who has to ask the certificate, one by one.
+void go_certified(const Deciding& deciding, std::size_t i) {
+  const auto& [planner, execution, tile, scratch, law] = deciding;
+  const RobotColumns& robots = tile.robots;
+  const DecisionColumns& decisions = scratch.decisions;
+  const Robot robot = robots.robot(i);
+  std::span<const HalfPlane> planes = scratch.soft.of(i), hard;
+  if (has_demands(tile, i, decisions)) {
+    planes = collect_hard_and_soft(planner, robot, tile, i, law.step, scratch);
+    hard = scratch.demands.planes;
+  }
+  const bool maneuvers = robots.has_models && tile.maneuvers[i] != 0;
+  const Haste haste = haste_of_any(robot, maneuvers, execution);
+  Wished wished{planes,
+                hard,
+                decisions.wish(i),
+                decisions.aim(i),
+                decisions.target(i),
+                {decisions.next_x[i], decisions.next_y[i]},
+                decisions.last_change(i),
+                deciding.violation(i),
+                scratch.soft.coinciding[i] != 0};
+  if (robots.model[i] != nullptr)
+    wished.next =
+        within_own_limits(robot, law.step.braking_time,
+                          executed(robot.velocity, wished.last_change, wished.target, haste));
+  Plan& plan = *tile.plan[i];
+  plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i]);
+  const CertificateConstraints& constraints = scratch.certified.constraints;
+  if (scratch.soft.overlapping[i] != 0 || collides(constraints))
+    deciding.tell_contact(i, constraints.invariant.broken, constraints.walls.broken);
+  plan.state = braking_keeps_clear(constraints) && !tile.neighbors.has_movers
+                   ? deciding.state_if_free()
+                   : state_of(robot, robots.neighbors[i], tile.walls_of(i), law, constraints).state;
 }
 
 // The plans of method avo: of nearly all robots in lanes, of the others one by one.
 void decide(const Planner& planner, const Execution& execution, Tile& tile,
             PlanWorkspace::Scratch& scratch) {
-  const CertificateLaw law = certificate_law(planner);
+  const Deciding deciding{planner, execution, tile, scratch, certificate_law(planner)};
+  const CertificateLaw& law = deciding.law;
   const RobotColumns& robots = tile.robots;
-  const SoftPlanes& soft = scratch.soft;
   DecisionColumns& decisions = scratch.decisions;
-  NearPairs& near = scratch.certified.constraints.near;
-  const SafetyState state_if_free =
-      law.kind == Certificate::none ? SafetyState::unknown : SafetyState::safe;
-  find_near(robots, law, scratch.certified.constraints);
+  CertificateConstraints& constraints = scratch.certified.constraints;
+  find_near(robots, law, constraints);
   decide_freely(law.step, execution, robots, decisions);
-  if (law.kind == Certificate::braking_trajectories) {
-    admit_next(robots, decisions.next_x, decisions.next_y, law.step, near);
-  }
+  if (law.kind == Certificate::braking_trajectories)
+    admit_next(robots, decisions.next_x, decisions.next_y, law.step, constraints.near);
   for (std::size_t i = 0; i < robots.count; ++i) {
-    Plan& plan = *tile.plan[i];
-    const bool overlapping = soft.overlapping[i] != 0;
-    const double violation = most_violation(soft, i, decisions.violation[i]);
     if (robots.model[i] != nullptr && passes_goal(*robots.model[i])) {
-      const Vec2 target{decisions.target_x[i], decisions.target_y[i]};
-      const FlightConstraints& flight = scratch.flight;
-      plan = fly_towards(planner, robots.robot(i), robots.neighbors[i], tile.walls_of(i),
-                         {target, violation}, scratch.flight);
-      plan.state = flight.are_broken() ? SafetyState::unknown : state_if_free;
-      const bool certified = law.kind != Certificate::none;
-      if (overlapping || (certified && flight.are_broken()))
-        tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step,
-                             certified ? flight.broken : Deepest{},
-                             certified ? flight.broken_wall : Deepest{}),
-             plan);
-      continue;
+      fly(deciding, i);
+    } else {
+      begin_walls(robots, tile, i, law, constraints.walls);
+      const bool is_free =
+          decisions.is_free[i] != 0.0 && is_unhindered(law, tile, constraints.near, i);
+      is_free&& constraints.walls.near.empty() ? go_freely(deciding, i) : go_certified(deciding, i);
     }
-    WallConstraints& walls = scratch.certified.constraints.walls;
-    begin_walls(robots, tile, i, law, walls);
-    if (decisions.is_free[i] != 0.0 && is_unhindered(law, tile, near, i) && walls.near.empty()) {
-      plan.new_velocity = {decisions.new_x[i], decisions.new_y[i]};
-      plan.acceleration = {decisions.a_x[i], decisions.a_y[i]};
-      plan.violation = violation;
-      plan.status = status_of(violation);
-      plan.state = state_if_free;
-      plan.neighbor = plan.wall = -1, plan.depth = 0.0F;
-      if (overlapping)
-        tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step),
-             plan);
-      continue;
-    }
-    std::span<const HalfPlane> planes = soft.of(i), hard;
-    if (has_demands(tile, i, decisions)) {
-      planes = collect_hard_and_soft(planner, robots.robot(i), tile, i, law.step, scratch);
-      hard = scratch.demands.planes;
-    }
-    const Robot robot = robots.robot(i);
-    const bool maneuvers = robots.has_models && tile.maneuvers[i] != 0;
-    const Haste haste = haste_of_any(robot, maneuvers, execution);
-    Wished wished{planes,
-                  hard,
-                  decisions.wish(i),
-                  decisions.aim(i),
-                  decisions.target(i),
-                  {decisions.next_x[i], decisions.next_y[i]},
-                  decisions.last_change(i),
-                  violation,
-                  soft.coinciding[i] != 0};
-    if (robots.model[i] != nullptr)
-      wished.next =
-          within_own_limits(robot, law.step.braking_time,
-                            executed(robot.velocity, wished.last_change, wished.target, haste));
-    plan = certify(planner, law, robots, i, haste, wished, scratch.certified, *tile.detour[i]);
-    const CertificateConstraints& constraints = scratch.certified.constraints;
-    if (overlapping || collides(constraints))
-      tell(deepest_contact(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law.step,
-                           constraints.invariant.broken, constraints.walls.broken),
-           plan);
-    plan.state =
-        braking_keeps_clear(constraints) && !tile.neighbors.has_movers
-            ? state_if_free
-            : state_of(robots.robot(i), robots.neighbors[i], tile.walls_of(i), law, constraints)
-                  .state;
+    remember(*tile.plan[i], *tile.detour[i]);
   }
 }
 
@@ -321,7 +271,6 @@ void plan_together(const Planner& planner, Tile& tile, PlanWorkspace::Scratch& s
   clock.lap(Stage::program);
   if (options.method == Method::avo) {
     decide(planner, execution, tile, scratch);
-    for (std::size_t i = 0; i < tile.robots.count; ++i) remember(*tile.plan[i], *tile.detour[i]);
   } else {
     adopt(planner, tile, scratch);
   }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion of a robot that can accelerate in any direction, Eqs. (7)-(9).
-#include <limits>
-
 #include "core/scalar.h"
 #include "robots/holonomic_kernel.h"
 #include "robots/motion.h"
@@ -19,10 +17,7 @@ StepResponse step_response(const Planner& planner) {
           .lag = lag,
           .gain = gain,
           .control_time = at_once ? options.time_step : options.control_time,
-          .response_time = options.response_time,
-          .comfort_acceleration =
-              options.comfort_acceleration.value_or(std::numeric_limits<double>::max()),
-          .comfort_jerk = options.comfort_jerk.value_or(std::numeric_limits<double>::max())};
+          .law = response_law(options)};
 }
 
 MotionStep advance(const MotionState& state, const Plan& plan, const StepResponse& response) {

@@ -5,6 +5,7 @@
 
 #include "avo/planner.h"
 #include "avo/scenario.h"
+#include "core/response_law.h"
 
 namespace avo {
 
@@ -37,9 +38,7 @@ struct StepResponse {
   double lag;           // s, see Planner::step_lag()
   double gain;          // s, of the position
   double control_time;  // s: |a| = |w| / control_time at the start of the step, its largest value
-  double response_time;         // [κ], see PlannerOptions
-  // m/s², m/s³, likewise; the largest number where there is none
-  double comfort_acceleration, comfort_jerk;
+  ResponseLaw law;      // how gently v' is approached
 };
 StepResponse step_response(const Planner& planner);
 

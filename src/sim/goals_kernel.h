@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "core/response_time_kernel.h"
+#include "core/response_law_kernel.h"
 #include "core/scalar.h"
 #include "robots/motion.h"
 
@@ -89,15 +89,12 @@ template <typename Real>
 AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const Way<Real>& way,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
-  const bool is_gentle =
-      step.response_time > 0.0 || step.comfort_jerk < std::numeric_limits<double>::max();
-  const auto is_soft = robot.is_holonomic > Real(is_gentle ? 0.0 : 1.0);
+  const auto is_soft = robot.is_holonomic > Real(step.law.is_gentle() ? 0.0 : 1.0);
+  const Real braking = used_of(robot.planned_braking, robot.max_speed, step.law);
+  const Real all = min(robot.planned_braking, Real(step.law.comfort_acceleration));
   const Real braking_time = Real(step.rate) * Real(step.control_time);
-  const Real all = min(robot.planned_braking, Real(step.comfort_acceleration)) * braking_time;
-  const Real u = select(is_soft, min(all, robot.max_speed / Real(kFewestSteps)), all);
-  const Real time = eased(response_time(robot.max_speed, robot.max_acceleration, step.response_time,
-                                        step.time_step, step.control_time),
-                          u / braking_time, step.comfort_jerk);
+  const Real u = braking_time * select(is_soft, braking, all);
+  const Real time = response_time(robot.max_speed, robot.max_acceleration, braking, step.law);
   const Real response = select(is_soft, time, Real(0.0));
   const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// How gently one robot moves by a ResponseLaw, as many robots at once as Pack has lanes.
+#ifndef AVO_CORE_RESPONSE_LAW_KERNEL_H
+#define AVO_CORE_RESPONSE_LAW_KERNEL_H
+
+#include "core/response_law.h"
+#include "core/scalar.h"
+
+AVO_BEGIN_KERNELS
+
+/// Steps in which a robot reaches its speed at the earliest; in fewer, decisions could not follow.
+inline constexpr double kFewestSteps = 5.0;
+
+/// Of T_e: in which the acceleration goes from none to all that is used, at the earliest.
+inline constexpr double kEase = 0.8;
+
+/// m/s², what is used of a limit of acceleration or of braking without need.
+template <typename Real>
+AVO_KERNEL Real used_of(Real limit, Real max_speed, const ResponseLaw& law) {
+  const Real comfortable = min(limit, Real(law.comfort_acceleration));
+  if (!law.is_gentle()) return comfortable;
+  return min(comfortable, max_speed / Real(kFewestSteps * law.time_step));
+}
+
+/// [T_e] s, of one that uses so much, m/s², by a gentle law: below 2 Δt decisions could not follow,
+/// and beyond δ the robot would be slower than Eq. (7). With less than comfort_jerk takes it would
+/// overshoot.
+template <typename Real>
+AVO_KERNEL Real response_time(Real max_speed, Real max_acceleration, Real used,
+                              const ResponseLaw& law) {
+  const Real least(2.0 * law.time_step), most(law.control_time);
+  const Real usual =
+      min(max(Real(law.response_time) * (max_speed / max_acceleration), least), most);
+  return max(usual, used / Real(kEase * law.comfort_jerk));
+}
+
+AVO_END_KERNELS
+
+#endif  // once per pass

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/pair_planes.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "planner/buffered_voronoi.h"
+#include "planner/margin.h"
+
+namespace avo {
+
+bool parts(const Neighbor& neighbor) {
+  return neighbor.parting != Vec2{} && neighbor.behavior == Behavior::decides;
+}
+
+bool has_noise(const SensingNoise& noise) {
+  return noise.quantile > 0.0 && (noise.position > 0.0 || noise.velocity > 0.0);
+}
+
+double with_margin(const Pair& pair, double margin) {
+  return pair.radius + margin_in_gap(margin, norm(pair.position) - pair.radius);
+}
+
+RelativeHalfPlane parting_plane(const PlannerOptions& options, const Horizon& horizon,
+                                double radius, Vec2 direction, double reach) {
+  if (!disregards_acceleration(options.method))
+    return parting_half_plane(radius, direction, reach, horizon);
+  return {PairState::overlapping, {direction / norm(direction), radius / options.time_step}};
+}
+
+double share_of_plane(double h, double a_A, double a_B, double priority_A, double priority_B) {
+  return h > 0.0 ? reciprocal_share(a_A, a_B, priority_A, priority_B)
+                 : room_share(a_A, a_B, priority_A, priority_B);
+}
+
+double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec2 normal) {
+  return neighbor.behavior == Behavior::decides
+             ? 0.0
+             : options.control_time * dot(normal, neighbor.acceleration);
+}
+
+double reserved_radius(const Pair& pair, const PlannerOptions& options) {
+  const SensingNoise& noise = options.sensing_noise;
+  const double towards = -dot(pair.position, pair.velocity);
+  // whether they come near each other, and until when
+  double time = towards > 0.0 ? options.time_horizon : 0.0;
+  const double squared = norm_squared(pair.velocity);
+  if (towards < time * squared) time = towards / squared;
+  const double wanted = pair.radius + noise.quantile * (noise.position + time * noise.velocity);
+  return std::max(pair.radius, std::min(wanted, norm(pair.position)));
+}
+
+Pair relative(const Robot& robot, const Neighbor& neighbor) {
+  return {robot.position - neighbor.position, robot.velocity - neighbor.velocity,
+          robot.radius + neighbor.radius};
+}
+
+namespace {
+
+// [R] m/s, what both can do: δ (a_A + a_B); a mover that does not decide does what it is seen to
+// do.
+double pair_reach(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor) {
+  const double other = neighbor.behavior == Behavior::decides ? neighbor.max_acceleration
+                                                              : norm(neighbor.acceleration);
+  return options.control_time * (robot.max_acceleration + other);
+}
+
+RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horizon& horizon,
+                                      const Robot& robot, const Neighbor& neighbor) {
+  Pair pair = relative(robot, neighbor);
+  if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
+  if (options.margin > 0.0)
+    pair.radius =
+        with_margin(pair, margin_on_way(options.margin, robot.radius, robot.distance_to_goal));
+  if (parts(neighbor))
+    return parting_plane(options, horizon, pair.radius, neighbor.parting,
+                         pair_reach(options, robot, neighbor));
+  if (disregards_acceleration(options.method)) {
+    return orca_half_plane(pair, options.time_horizon, options.time_step);
+  }
+  const double reach = pair_reach(options, robot, neighbor);
+  return options.samples > 0 ? sampled_half_plane(pair, reach, horizon, options.samples)
+                             : half_plane(pair, reach, horizon);
+}
+
+// A's half-plane in v' of the relative one.
+NeighborPlane share_of(const PlannerOptions& options, const Robot& robot, const Neighbor& neighbor,
+                       int index, const RelativeHalfPlane& relative) {
+  const double alpha =
+      neighbor.behavior == Behavior::decides
+          ? share_of_plane(relative.plane.offset, robot.max_acceleration, neighbor.max_acceleration,
+                           robot.priority, neighbor.priority)
+          : 1.0;
+  HalfPlane plane = apportion(relative.plane, robot.velocity, alpha);
+  if (!disregards_acceleration(options.method)) {
+    plane.offset += mover_offset(options, neighbor, plane.normal);
+  }
+  // near contact it has no bound; finite all the same
+  return {index, plane, std::min(alpha * relative.excess, std::numeric_limits<double>::max())};
+}
+
+}  // namespace
+
+std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const Horizon& horizon,
+                                            const Robot& robot, const Neighbor& neighbor, int index,
+                                            bool& overlapping) {
+  if (options.method == Method::buffered_voronoi)
+    return cell_half_plane(options, robot, neighbor, index, overlapping);
+  const RelativeHalfPlane plane = relative_half_plane(options, horizon, robot, neighbor);
+  const bool coincident = plane.state == PairState::coincident;
+  if (coincident || plane.state == PairState::overlapping) overlapping = true;
+  if (coincident || plane.state == PairState::free) return {};
+  return share_of(options, robot, neighbor, index, plane);
+}
+
+}  // namespace avo

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// From one pair of robots to A's half-plane against B.
+#pragma once
+#include <optional>
+
+#include "avo/half_plane.h"
+#include "avo/horizon.h"
+#include "avo/planner.h"
+#include "avo/robot.h"
+
+namespace avo {
+
+/// The pair as Eqs. (2), (3) see it: p_AB, v_AB, r_AB.
+Pair relative(const Robot& robot, const Neighbor& neighbor);
+
+/// The radius of contact with the reserve for noise, q (σ_p + t σ_v), t being the time until they
+/// are nearest, τ at most; less where there is no room for it: noise alone brings nobody into
+/// contact. docs/half_plane.md, "Noise".
+double reserved_radius(const Pair& pair, const PlannerOptions& options);
+
+/// A's half-plane against one neighbor, by itself; none where nothing within reach collides, or no
+/// direction can be told. Sets `overlapping` where the two are in contact already.
+std::optional<NeighborPlane> own_half_plane(const PlannerOptions& options, const Horizon& horizon,
+                                            const Robot& robot, const Neighbor& neighbor, int index,
+                                            bool& overlapping);
+
+// Its parts, which soft_planes.cpp applies to many pairs at a time.
+
+/// Whether it coincides with A, and is told where to.
+bool parts(const Neighbor& neighbor);
+bool has_noise(const SensingNoise& noise);
+
+/// The radius of contact with as much of a margin, m, as the gap leaves (docs/scenes.md, "Margin").
+double with_margin(const Pair& pair, double margin);
+
+/// What those that coincide have in place of half_plane().
+RelativeHalfPlane parting_plane(const PlannerOptions& options, const Horizon& horizon,
+                                double radius, Vec2 direction, double reach);
+
+/// A's share of H = {w | n . w >= h}, Eq. (20): of the change that H asks for, h > 0, or of that
+/// which it leaves.
+double share_of_plane(double h, double a_A, double a_B, double priority_A, double priority_B);
+
+/// m/s, by which a mover's own acceleration raises the offset: w = v'_A - v_A - δ a_B (§III-B:
+/// v'_B = v_B + δ a_B).
+double mover_offset(const PlannerOptions& options, const Neighbor& neighbor, Vec2 normal);
+
+}  // namespace avo

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the robots of a tile wish to go, and what the program is given for that.
+#pragma once
+#include "planner/decision_columns.h"
+#include "planner/execution.h"
+#include "planner/tile.h"
+
+namespace avo {
+
+/// What each robot wishes for: with method avo as the rules for arriving turn it (docs/arrival.md).
+void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& decisions);
+
+/// What Eq. (23) is given in place of the wishes: of gentle robots that land what leads to the wish
+/// in one step. And what their last steps have done.
+void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
+               DecisionColumns& decisions);
+
+}  // namespace avo
