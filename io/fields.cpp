@@ -38,7 +38,7 @@ const std::vector<Field<Scenario>>& fields() {
        "no limit"},
       {"comfort_jerk", &Scenario::comfort_jerk, kOptional, kPositive, "m/s^3",
        "by how much the acceleration changes in a second, likewise; method avo only",
-       "max_acceleration in every response time"},
+       "max_acceleration in 0.8 of the response time"},
       {"margin", &Scenario::margin, kOptional, kNotNegative, "m",
        "clearance from others that is wished for; fades in narrow places; method avo only"},
       {"time_horizon", &Scenario::time_horizon, kOptional, kPositive, "s",

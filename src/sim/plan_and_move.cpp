@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tile of robots from what they sense to where they are next.
 #include "planner/decision.h"
+#include "planner/execution.h"
 #include "planner/scratch.h"
 #include "robots/model.h"
 #include "sim/clocks.h"
@@ -83,6 +84,7 @@ void stop(World& world, Worker& worker) {
     const SafetyState state = plan.state;
     plan = *stop;
     plan.state = state;
+    remember(plan, world.fleet.detour[slot]);
   }
   worker.staying.clear();
 }

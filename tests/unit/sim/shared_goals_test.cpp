@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who shares its goal with others stands once it is within the arrival distance.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -38,6 +39,26 @@ TEST(SharedGoals, who_is_near_enough_brakes_and_stands) {
   EXPECT_LT(distance, 0.5);
   EXPECT_EQ(simulation.fleet().velocity[0], Vec2{});
   EXPECT_TRUE(simulation.is_at_goal(0));
+}
+
+// What it has done, and not what it had chosen before it was stopped.
+TEST(SharedGoals, robots_remember_the_acceleration_of_their_stop) {
+  Scenario scene = far_and_near();
+  scene.robots.push_back(robot_at({-8, 1.05}, {8, 1.05}));  // it would push the first one
+  scene.robots[2].preferred_speed = 0.5;
+  Simulation simulation(scene, 1);
+  double most = 0.0;  // m/s², of braking near the goal
+  for (int k = 0; k < 300; ++k) {
+    simulation.step();
+    const FleetView fleet = simulation.fleet();
+    for (std::size_t i = 0; i < 3; ++i) {
+      ASSERT_EQ(fleet.detour[i].acceleration_x, static_cast<float>(fleet.plan[i].acceleration.x));
+      ASSERT_EQ(fleet.detour[i].acceleration_y, static_cast<float>(fleet.plan[i].acceleration.y));
+    }
+    if (distance_to_goal(simulation, 0) < 0.5)
+      most = std::max(most, norm(fleet.plan[0].acceleration));
+  }
+  EXPECT_NEAR(most, 1.0, 1e-9) << "it brakes in full";
 }
 
 TEST(SharedGoals, that_are_no_longer_shared_are_reached) {
