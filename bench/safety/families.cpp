@@ -17,7 +17,7 @@ Family circle_family(const std::string& name, const std::string& what, const Cir
 }
 
 void add_circles(std::vector<Family>& all) {
-  const CircleRow rows[] = {{10, 24.0},   {50, 48.0},   {100, 46.0},
+  const CircleRow rows[] = {{10, 24.0},   {50, 46.0},   {100, 46.0},
                             {250, 102.0}, {500, 220.0}, {1000, 420.0}};
   for (const CircleRow& row : rows) {
     all.push_back(
