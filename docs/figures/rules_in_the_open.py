@@ -17,7 +17,7 @@ def keep_right():
     figure.line(edge, GRAY, 1, dashed=True)
     congestion = 0.0
     for place, velocity in (((3.8, 1.9), None), ((5.6, -1.7), (-1.6, 0.2)), ((8.1, 0.3), (-1.6, -0.2)),
-                            ((9.9, -1.8), (-1.6, 0.0)), ((6.7, 2.0), (1.7, 0.1)), ((-1.2, -2.0), (1.6, 0.0))):
+                            ((9.9, -1.8), (-1.6, 0.0)), ((6.7, 2.0), (2.3, 0.1)), ((-1.2, -2.0), (1.6, 0.0))):
         counts = place[0] > 0 and (velocity is None or velocity[0] < 0)
         weight = 1.0 - math.hypot(*place) / reach if counts else 0.0
         congestion += weight
@@ -30,12 +30,12 @@ def keep_right():
     figure.line(arc((0, 0), 1.8, 0, angle), BLUE, 1)
     figure.text((3, 0), "preferred velocity", GRAY, dx=6, dy=4)
     figure.text(polar(angle, 3), "wish", BLUE, dx=4, dy=14)
-    for k, line in enumerate(("range", "1.5 L", "or 6 r")):
+    for k, line in enumerate(("range", "1.5 L", "or 8 r")):
         figure.text((reach, 0), line, GRAY, dx=8, dy=18 * k - 13)
     figure.text((-2, -3.7), f"angle = {math.degrees(OPEN.kMostKeepRight):.0f}° · min(Σ / {OPEN.kCongestion}, 1); "
                 f"Σ = sum of the weights 1 − d / range, less {OPEN.kUsual:g} · usual: here {congestion:.2f} − 0, "
                 f"so {-math.degrees(angle):.0f}°")
-    figure.text((-2, -3.7), "red: ahead, and closing in or nearly at rest; gray: going away, or behind", dy=22)
+    figure.text((-2, -3.7), "red: ahead, and closing in, alongside or nearly at rest; gray: going away by 0.2 v_max or more, or behind", dy=22)
     return figure
 
 

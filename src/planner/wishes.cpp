@@ -65,12 +65,15 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
   }
 }
 
-void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
-               DecisionColumns& decisions) {
+void make_aims(const Execution& execution, const Tile& tile, DecisionColumns& decisions) {
   const RobotColumns& robots = tile.robots;
   std::copy_n(decisions.wish_x.begin(), robots.count, decisions.aim_x.begin());
   std::copy_n(decisions.wish_y.begin(), robots.count, decisions.aim_y.begin());
-  if (!is_gentle) return;
+  if (!execution.law.is_gentle()) {  // no acceleration counts, but has to be a number
+    std::fill_n(decisions.last_x.begin(), robots.count, 0.0);
+    std::fill_n(decisions.last_y.begin(), robots.count, 0.0);
+    return;
+  }
   for (std::size_t i = 0; i < robots.count; ++i) {
     const Detour& detour = *tile.detour[i];
     decisions.last_x[i] = execution.braking_time * detour.acceleration_x;

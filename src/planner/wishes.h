@@ -12,7 +12,6 @@ void make_wishes(const Planner& planner, const Tile& tile, DecisionColumns& deci
 
 /// What Eq. (23) is given in place of the wishes: of gentle robots that land what leads to the wish
 /// in one step. And what their last steps have done.
-void make_aims(const Execution& execution, bool is_gentle, const Tile& tile,
-               DecisionColumns& decisions);
+void make_aims(const Execution& execution, const Tile& tile, DecisionColumns& decisions);
 
 }  // namespace avo
