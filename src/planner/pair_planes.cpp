@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "obstacles/half_planes.h"
 #include "planner/buffered_voronoi.h"
 #include "planner/margin.h"
 

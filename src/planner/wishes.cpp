@@ -5,6 +5,7 @@
 
 #include "core/response_law_kernel.h"
 #include "planner/arrival.h"
+#include "planner/behind_walls.h"
 #include "planner/certify.h"
 #include "planner/steer.h"
 
