@@ -22,16 +22,21 @@ AVO_KERNEL Real used_of(Real limit, Real max_speed, const ResponseLaw& law) {
   return min(comfortable, max_speed / Real(kFewestSteps * law.time_step));
 }
 
-/// [T_e] s, of one that uses so much, m/s², by a gentle law: below 2 Δt decisions could not follow,
-/// and beyond δ the robot would be slower than Eq. (7). With less than comfort_jerk takes it would
-/// overshoot.
+/// s, without regard to comfort_jerk: beyond δ the robot would be slower than Eq. (7), and below
+/// 2 Δt decisions could not follow.
+template <typename Real>
+AVO_KERNEL Real usual_response_time(Real max_speed, Real max_acceleration, const ResponseLaw& law) {
+  const Real asked = Real(law.response_time) * (max_speed / max_acceleration);
+  return max(min(asked, Real(law.control_time)), Real(2.0 * law.time_step));
+}
+
+/// [T_e] s, of one that uses so much, m/s², by a gentle law: with less than comfort_jerk takes it
+/// would overshoot.
 template <typename Real>
 AVO_KERNEL Real response_time(Real max_speed, Real max_acceleration, Real used,
                               const ResponseLaw& law) {
-  const Real least(2.0 * law.time_step), most(law.control_time);
-  const Real usual =
-      min(max(Real(law.response_time) * (max_speed / max_acceleration), least), most);
-  return max(usual, used / Real(kEase * law.comfort_jerk));
+  return max(usual_response_time(max_speed, max_acceleration, law),
+             used / Real(kEase * law.comfort_jerk));
 }
 
 AVO_END_KERNELS

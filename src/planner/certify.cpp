@@ -104,8 +104,8 @@ double part_left(const Decision& decision, const CertifiedChoice& choice, Vec2 v
   return part_of_wish(kept ? decision.reached(v_new) : choice.next_velocity, unhindered, wish);
 }
 
-// Back from a detour: the half-planes count again.
-CertifiedChoice choose_on_way_back(const Decision& decision, const Detour& detour) {
+// As far off the way as the detour has led, but by the half-planes.
+CertifiedChoice choose_as_far_off(const Decision& decision, const Detour& detour) {
   const Robot& robot = decision.robot;
   const Vec2 turned = within_steering(robot, turned_right(decision.wished.wish, detour.angle));
   const Vec2 v = robot.velocity;
@@ -127,7 +127,7 @@ CertifiedChoice choose_detour(const Decision& decision, const CertifiedChoice& c
   CertifiedChoice next = choose_admitted(decision, off + kept * (choice.next_velocity - off));
   if (left < kBlocked && part_left(decision, next, v_new, turned, turned) < kBlocked)
     turn_off(detour, robot, decision.law.step.time_step, !walls.empty());
-  if (next.chosen == Chosen::wanted) next.chosen = Chosen::candidate;
+  if (left < kBlocked && next.chosen == Chosen::wanted) next.chosen = Chosen::candidate;
   return next;
 }
 
@@ -143,9 +143,9 @@ CertifiedChoice choose_and_arrive(const Decision& decision, Detour& detour) {
     return choice;
   }
   const double left = part_left(decision, choice, wished.target, wished.aim, wished.wish);
-  const bool returns = left >= kBlocked && detour.angle > 0.0F;
-  if (returns) turn_back(detour, robot, decision.law.step.time_step);
-  const CertifiedChoice next = returns ? choose_on_way_back(decision, detour) : choice;
+  if (left >= kBlocked) turn_back(detour, robot, decision.law.step.time_step);
+  const bool turns = left > kStuck && detour.angle > 0.0F;
+  const CertifiedChoice next = turns ? choose_as_far_off(decision, detour) : choice;
   return left < kFree ? choose_detour(decision, next, left, detour) : next;
 }
 
@@ -188,8 +188,14 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
     mover.behavior = Behavior::moves_on;
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);
-  const double u = increment(robot.max_acceleration, law.step);
-  const Vec2 wanted = approach(robot.velocity, target.velocity, reach_of(robot.model) * u);
+  // nobody remembers its last acceleration here
+  const Execution execution = execution_of(planner, false);
+  const bool with_robots =
+      std::any_of(neighbors.begin(), neighbors.end(),
+                  [](const Neighbor& n) { return n.behavior == Behavior::decides; });
+  Haste haste = with_robots ? haste_of(robot, execution) : haste_at_once(robot, execution);
+  haste.most *= reach_of(robot.model);
+  const Vec2 wanted = executed(robot.velocity, {}, target.velocity, haste);
   const CertifiedChoice choice = choose_certified(robot, wanted, law, certified);
   Plan plan = plan_under(law, robot, choice.next_velocity,
                          certified_status(choice.chosen, target.violation), target.violation);

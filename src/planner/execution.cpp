@@ -21,6 +21,11 @@ Haste haste_of(const Robot& robot, const Execution& execution) {
   return {haste.gain.value, haste.most.value, haste.jerk.value};
 }
 
+Haste haste_at_once(const Robot& robot, const Execution& execution) {
+  const double used = std::min(robot.max_acceleration, execution.law.comfort_acceleration);
+  return {1.0, execution.braking_time * used, kUnlimited};
+}
+
 Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste) {
   using Real = scalar::Pack<double>;
   const auto in_lane = [](Vec2 a) { return scalar::constant<Real>(a); };

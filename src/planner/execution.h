@@ -23,6 +23,8 @@ struct Haste {
   double jerk;  ///< m/s, by which v_1 - v differs from that of the last step; at most kUnlimited
 };
 Haste haste_of(const Robot& robot, const Execution& execution);
+/// To have v' as soon as what is used of a_max lets it.
+Haste haste_at_once(const Robot& robot, const Execution& execution);
 
 /// [v_1] m/s, from the velocity, and by how much the last step has changed it.
 Vec2 executed(Vec2 velocity, Vec2 last_change, Vec2 target, const Haste& haste);

@@ -26,7 +26,8 @@ AVO_KERNEL PackHaste<Real> haste_of(Real radius, Real max_speed, Real max_accele
   const Real gain = Real(execution.law.time_step) / time;
   if (!execution.remembers) return {gain, most, unlimited};
   // there it would swing about its goal
-  const auto is_there = distance_to_goal < max(radius, max_speed * time);
+  const Real usual = usual_response_time(max_speed, max_acceleration, execution.law);
+  const auto is_there = distance_to_goal < max(radius, max_speed * usual);
   return {gain, most, select(is_there, unlimited, gain / Real(kEase) * most)};
 }
 

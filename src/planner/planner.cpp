@@ -9,6 +9,7 @@
 #include "core/plane.h"
 #include "planner/contact.h"
 #include "planner/decision.h"
+#include "planner/execution.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
 #include "planner/scratch.h"
@@ -155,6 +156,7 @@ Plan Planner::plan(const Robot& robot, std::span<const Neighbor> neighbors,
           index_in(neighbors, tile.robots.neighbors[0][static_cast<std::size_t>(plan.neighbor)]);
   } else {
     plan = brake(*this, robot, PlanStatus::invalid_input, 0.0);
+    remember(plan, next);
   }
   if (detour != nullptr) *detour = next;
   return with_next_velocity(*this, robot, plan);

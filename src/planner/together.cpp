@@ -61,8 +61,7 @@ void begin_walls(const RobotColumns& robots, const Tile& tile, std::size_t i,
 Haste haste_of_any(const Robot& robot, bool maneuvers, const Execution& execution) {
   Haste haste = haste_of(robot, execution);
   if (is_holonomic(robot.model)) return haste;
-  if (maneuvers || is_landing(robot, haste, execution))
-    haste = {1.0, execution.braking_time * robot.max_acceleration, kUnlimited};
+  if (maneuvers || is_landing(robot, haste, execution)) haste = haste_at_once(robot, execution);
   haste.most *= reach_of(robot.model);
   haste.jerk = std::min(haste.jerk * reach_of(robot.model), kUnlimited);
   return haste;
@@ -222,6 +221,7 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
       robots.model[i] == nullptr && !robots.neighbors[i].columns->has_loiterers;
   if (!valid || !(can_follow_any || can_follow(robots.robot(i), neighbors, options))) {
     *tile.plan[i] = brake(planner, robots.robot(i), PlanStatus::invalid_input, 0.0);
+    remember(*tile.plan[i], *tile.detour[i]);
     return true;
   }
   const bool has_movers = tile.neighbors.has_movers || avoids_union(options.method);
@@ -230,6 +230,7 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   *tile.plan[i] =
       decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i), scratch);
   *tile.detour[i] = {};
+  remember(*tile.plan[i], *tile.detour[i]);
   return true;
 }
 

@@ -120,7 +120,7 @@ TEST(GiveWay, who_has_settled_stays_where_it_is_pushed_to) {
 TEST(GiveWay, on_the_last_of_its_way_to_those_at_rest_by_turns) {
   Waiting waiting{at_distance(0.6)};
   EXPECT_NEAR(waiting.wish_after(12.5, kBesideOneAtRest).x,
-              waiting.home.x - 3.2 * 0.5 * waiting.robot.max_speed, 1e-12);
+              waiting.home.x - 5.0 * 0.5 * waiting.robot.max_speed, 1e-12);
   EXPECT_EQ(waiting.wish_after(0.2, kBesideOneAtRest), waiting.home);
   EXPECT_EQ(waiting.wish_after(1.2, kBesideOneAtRest), waiting.home);
   EXPECT_LT(waiting.wish_after(0.2, kBesideOneAtRest).x, 0.0);
