@@ -120,10 +120,11 @@ struct PlannerOptions {
   /// the certificate asks for more (docs/smoothness.md). 0: at once.
   double response_time = usual_response_time(method);
   /// m/s², > 0, of method avo: what is used of a_max but where the certificate asks for more, which
-  /// counts on all of a_max; unset: all.
+  /// counts on all of a_max; unset: all. Airplanes use all.
   std::optional<double> comfort_acceleration = {};
   /// m/s³, > 0, of method avo: by how much the acceleration changes in a second at most, but where
-  /// the certificate asks for more; unset: a_max in 0.8 of the response time.
+  /// the certificate asks for more, and where a robot begins to come to rest (docs/smoothness.md);
+  /// unset: a_max in 0.8 of the response time.
   std::optional<double> comfort_jerk = {};
   /// [m] m, >= 0; 0 but with method avo: a clearance from others that is wished for beyond the
   /// radius. It fades in narrow places and near the robot's goal, and no promise depends on it
@@ -155,8 +156,8 @@ struct PlannerOptions {
 AVO_API PlannerOptions default_options(Method method);
 
 /// [T_e] s, the time constant with which a robot of these limits (m/s, m/s²) approaches v':
-/// max(response_time v_max/a_max, 2 Δt), δ at most, or a/(0.8 comfort_jerk) where that is more, a
-/// being what is used of a_max; 0: at once.
+/// max(min(response_time v_max/a_max, δ), 2 Δt), or a/(0.8 comfort_jerk) where that is more, a being
+/// what is used of a_max; 0: at once.
 AVO_API double response_time_of(const PlannerOptions& options, double max_speed,
                                 double max_acceleration);
 

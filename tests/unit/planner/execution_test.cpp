@@ -8,6 +8,10 @@
 
 #include "avo/planner.h"
 #include "avo/simulation.h"
+#include "planner/decision_columns.h"
+#include "planner/tile.h"
+#include "planner/wishes.h"
+#include "support/generators.h"
 
 namespace avo {
 namespace {
@@ -99,6 +103,70 @@ TEST(Execution, remembers_in_the_detour_alone) {
     EXPECT_NEAR(a - last, 0.01 / 0.16, 1e-6);
     last = a;
   }
+}
+
+// Whoever decides among movers alone, or is given what no decision can be made from, has an
+// acceleration as well.
+TEST(Execution, remembers_every_decision) {
+  const Planner planner({});
+  PlanWorkspace workspace;
+  const Robot self{.velocity = {1.0, 0.0}, .preferred_velocity = {0.0, 1.0}};
+  const Neighbor mover{.position = {0.0, 9.0}, .behavior = Behavior::moves_on};
+  Detour detour;
+  const Plan beside = planner.plan(self, {&mover, 1}, workspace, &detour);
+  EXPECT_GT(norm(beside.acceleration), 0.5);
+  EXPECT_FLOAT_EQ(detour.acceleration_y, static_cast<float>(beside.acceleration.y));
+  Neighbor nowhere = mover;
+  nowhere.position.x = std::nan("");
+  const Plan blind = planner.plan(self, {&nowhere, 1}, workspace, &detour);
+  EXPECT_EQ(blind.status, PlanStatus::invalid_input);
+  EXPECT_FLOAT_EQ(detour.acceleration_x, static_cast<float>(blind.acceleration.x));
+  EXPECT_FLOAT_EQ(detour.acceleration_y, static_cast<float>(blind.acceleration.y));
+}
+
+// Where robots decide about each other, and at once among movers alone.
+TEST(Execution, of_decisions_among_obstacles) {
+  const Planner planner({.time_step = 0.01});
+  PlanWorkspace workspace;
+  const Robot self{.velocity = {1.0, 0.0}, .preferred_velocity = {1.1, 0.0}};
+  Neighbor other{.position = {0.0, 9.0}};
+  EXPECT_NEAR(planner.plan_among_obstacles(self, {&other, 1}, workspace).acceleration.x, 0.5, 1e-9)
+      << "0.1 m/s in 0.2 s";
+  other.behavior = Behavior::moves_on;
+  EXPECT_NEAR(planner.plan_among_obstacles(self, {&other, 1}, workspace).acceleration.x, 1.0, 1e-9);
+}
+
+// The shortcut that most robots take leaves nobody out who comes to rest.
+TEST(Landing, is_noticed_of_whomever_is_near_its_goal) {
+  test::Random random(33);
+  int landing = 0, on_the_way = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    PlannerOptions options{.response_time = random.log_uniform(0.01, 1.0),
+                           .time_step = random.log_uniform(0.005, 0.5)};
+    if (trial % 3 == 0) options.comfort_acceleration = random.log_uniform(0.01, 10.0);
+    Robot robot{.preferred_velocity = random.direction(),
+                .radius = random.log_uniform(0.05, 2.0),
+                .max_acceleration = random.log_uniform(0.05, 50.0),
+                .max_speed = random.log_uniform(0.1, 30.0),
+                .distance_to_goal = random.log_uniform(0.01, 500.0)};
+    if (trial % 2 == 0) robot.max_braking = random.log_uniform(0.05, 50.0);
+    const Planner planner(options);
+    const Execution execution = execution_of(planner, true);
+    Tile tile;
+    Detour detour;
+    DecisionColumns decisions;
+    tile.robots.reserve(1), decisions.reserve(1);
+    tile.robots.add(robot, {});
+    tile.detour.push_back(&detour);
+    decisions.wish_x[0] = robot.preferred_velocity.x;
+    decisions.wish_y[0] = robot.preferred_velocity.y;
+    make_aims(execution, tile, decisions);
+    const bool lands = is_landing(robot, haste_of(robot, execution), execution);
+    ++(lands ? landing : on_the_way);
+    ASSERT_EQ(decisions.aim(0) != decisions.wish(0), lands) << trial;
+  }
+  EXPECT_GT(landing, 3000);
+  EXPECT_GT(on_the_way, 3000);
 }
 
 struct Landing {

@@ -68,6 +68,42 @@ TEST(Comfort, acceleration_is_not_exceeded_in_the_open) {
   }
 }
 
+// Those with wheels come to rest with all that is used, and robots among movers alone go at once.
+TEST(Comfort, acceleration_is_not_exceeded_by_any_robot_that_nobody_hinders) {
+  Scenario scene;
+  scene.comfort_acceleration = 0.2;
+  for (const MotionModel& model : {MotionModel{Car{0.8}}, MotionModel{DifferentialDrive{}},
+                                  MotionModel{Holonomic{}}}) {
+    scene.robots = {robot_at({0, 0}, {8, 0})};
+    scene.robots[0].model = model;
+    scene.moving_obstacles.clear();
+    Used used = used_by(scene);
+    EXPECT_LE(used.acceleration, 0.2 * (1.0 + 1e-9));
+    EXPECT_TRUE(used.arrived);
+    scene.moving_obstacles = {{.position = {4, 12}, .velocity = {0.5, 0}}};
+    used = used_by(scene);
+    EXPECT_LE(used.acceleration, 0.2 * (1.0 + 1e-9));
+    EXPECT_TRUE(used.arrived);
+  }
+}
+
+TEST(Comfort, one_that_sets_out_near_its_goal_does_so_gently) {
+  for (const double jerk : {0.5, 1.0, 2.0}) {
+    Scenario scene;
+    scene.comfort_jerk = jerk;
+    scene.robots = {robot_at({0, 0}, {3, 0})};
+    Simulation simulation(scene, 1);
+    double last = 0.0;
+    for (int step = 0; step < 5; ++step) {
+      simulation.step();
+      const double a = simulation.fleet().plan[0].acceleration.x;
+      EXPECT_GT(a, last);
+      EXPECT_LE(a - last, jerk * scene.time_step * (1.0 + 1e-5));
+      last = a;
+    }
+  }
+}
+
 TEST(Comfort, one_that_brakes_softly_begins_early) {
   Scenario scene = turning_robot();
   const double usual = used_by(scene).beyond;
