@@ -121,6 +121,14 @@ bool avo_planner_is_valid(avo_planner_id planner) {
   return planners.find(planner) != nullptr;
 }
 
+avo_result avo_planner_response_time(avo_planner_id planner, double max_speed,
+                                     double max_acceleration, double* time) {
+  return guarded([&] {
+    at(time, "time") =
+        avo::response_time_of(planners.at(planner).options(), max_speed, max_acceleration);
+  });
+}
+
 avo_result avo_planner_plan(avo_planner_id planner, const avo_robot* robot,
                             const avo_neighbor* neighbors, size_t neighbor_count,
                             const avo_wall* walls, size_t wall_count, avo_detour* detour,

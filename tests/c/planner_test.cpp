@@ -191,9 +191,26 @@ void check_invalid_input() {
   REQUIRE(avo_destroy_planner(planner));
 }
 
+void check_response_time() {
+  avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_planner_id planner;
+  REQUIRE(avo_create_planner(&def, &planner));
+  double time = 7.0;
+  REQUIRE(avo_planner_response_time(planner, 2.0, 0.5, &time));
+  CHECK(std::abs(time - 0.4) < 1e-15);
+  REFUSES(avo_planner_response_time(planner, 2.0, 0.5, nullptr), AVO_ERROR_INVALID_VALUE, "time");
+  REQUIRE(avo_destroy_planner(planner));
+  def.response_time = 0.0;
+  REQUIRE(avo_create_planner(&def, &planner));
+  REQUIRE(avo_planner_response_time(planner, 2.0, 0.5, &time));
+  CHECK(time == 0.0);
+  REQUIRE(avo_destroy_planner(planner));
+}
+
 }  // namespace
 
 int main() {
+  check_response_time();
   check_invalid_input();
   check_scene("circle-10", {});
   check_scene("circle-10", {"response_time=0.2", "comfort_acceleration=0.6", "comfort_jerk=2",

@@ -348,6 +348,11 @@ AVO_C_API avo_result avo_create_planner(const avo_planner_def* def, avo_planner_
 AVO_C_API avo_result avo_destroy_planner(avo_planner_id planner);
 AVO_C_API bool avo_planner_is_valid(avo_planner_id planner);
 
+/// [T_e] s, the time constant with which a robot of these limits (m/s, m/s^2) approaches the
+/// velocity that it has chosen; 0: at once.
+AVO_C_API avo_result avo_planner_response_time(avo_planner_id planner, double max_speed,
+                                               double max_acceleration, double* time);
+
 /// Decides for one robot among neighbors that plan likewise, others that move on, and walls. The
 /// plan says AVO_PLAN_INVALID_INPUT where a number of robot, neighbors or walls is out of range:
 /// the result is AVO_OK then. detour: what the robot remembers, updated; or null. neighbors and
