@@ -19,6 +19,12 @@ constexpr Vec2 turned(Vec2 a, Vec2 by) {
 inline double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
+/// The velocity after a step of at most `most` from v towards a target, m/s.
+inline Vec2 approach(Vec2 velocity, Vec2 target, double most) {
+  const Vec2 change = target - velocity;
+  const double length = norm(change);
+  return length > most ? velocity + (most / length) * change : target;
+}
 /// Whether a velocity is none: the squares of slower ones have lost their digits, and so has
 /// norm().
 constexpr bool is_rest(Vec2 velocity) {

@@ -94,10 +94,6 @@ Vec2 turned_right(Vec2 a, double angle) {
   return plain(scalar::turned_right(pack(a), Real(angle)));
 }
 
-Vec2 approach(Vec2 velocity, Vec2 target, double most) {
-  return plain(scalar::approach(pack(velocity), pack(target), Real(most)));
-}
-
 double motion_of(const Robot& robot, const Neighbor& neighbor) {
   if (!is_near_goal(robot) || neighbor.radius > robot.radius) return 1.0;
   const double part = norm(neighbor.velocity) / robot.max_speed;

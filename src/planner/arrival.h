@@ -57,9 +57,6 @@ Vec2 wish_of(const Robot& robot, Vec2 kept_right, const Traffic& traffic,
 /// a turned clockwise by an angle in [0, π) rad, nearly; its length is kept.
 Vec2 turned_right(Vec2 a, double angle);
 
-/// The velocity after a step of at most `most` from v towards a target, m/s.
-Vec2 approach(Vec2 velocity, Vec2 target, double most);
-
 /// What is left of the velocity along `wish` that the limits alone allow; 1 where they allow none.
 double part_of_wish(Vec2 next_velocity, Vec2 unhindered_next_velocity, Vec2 wish);
 

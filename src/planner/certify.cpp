@@ -5,10 +5,12 @@
 
 #include <algorithm>
 
+#include "core/plane.h"
 #include "core/ranges.h"
 #include "lp/linear_program.h"
 #include "planner/arrival.h"
 #include "planner/contact.h"
+#include "planner/evasion.h"
 #include "planner/execution.h"
 #include "planner/scratch.h"
 #include "planner/state.h"
@@ -206,6 +208,7 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
                          constraints.walls.broken),
          plan);
   plan.state = state_of(robot, seen, walls, law, constraints).state;
+  keep_a_way_out(law, robot, movers, walls, scratch.evasion, plan);
   return plan;
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "planner/arrival.h"
+#include "core/plane.h"
 
 namespace avo {
 

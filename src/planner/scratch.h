@@ -12,6 +12,7 @@
 #include "planner/certified.h"
 #include "planner/decision_columns.h"
 #include "planner/demands.h"
+#include "planner/evasion.h"
 #include "planner/passive_obstacles.h"
 #include "planner/together.h"
 
@@ -35,6 +36,7 @@ struct PlanWorkspace::Scratch {
   PassiveWorkspace passive;
   CertifiedWorkspace certified;
   FlightConstraints flight;
+  EvasionWorkspace evasion;
 
   /// Room for the certificate of so many neighbors, each of which brakes for so many steps.
   void reserve_choice(std::size_t neighbors, std::size_t braking_steps);

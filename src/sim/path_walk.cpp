@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "avo/scenario.h"
-#include "planner/arrival.h"
+#include "core/plane.h"
 #include "sim/goals_kernel.h"
 
 namespace avo {

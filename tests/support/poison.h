@@ -20,9 +20,9 @@ class Poison {
 
   void operator()(PlanWorkspace& workspace) const {
     auto& [soft, decisions, programs, rows, demands, hard_and_soft, obstacles, order, ordered,
-           alone, listed, movers, passive, certified, flight] =
+           alone, listed, movers, passive, certified, flight, evasion] =
         PlanWorkspace::Scratch::of(workspace);
-    each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight);
+    each(soft, decisions, rows, demands, hard_and_soft, order, alone, certified, flight, evasion);
     // of programs one robot has none; the others are lists, read after they are begun anew
     static_cast<void>(programs), static_cast<void>(obstacles), static_cast<void>(ordered);
     static_cast<void>(listed), static_cast<void>(movers), static_cast<void>(passive);
@@ -223,6 +223,23 @@ class Poison {
   void spoil(CertifiedWorkspace& certified) const {
     auto& [constraints, hard, rows] = certified;
     each(constraints, hard, rows);
+  }
+
+  void spoil(Predicted& other) const {
+    each(other.position, other.velocity, other.acceleration, other.until, other.contact,
+         other.drift, other.deviation, other.reaction, other.asks_to_stop, other.stop_contact,
+         other.max_speed, other.fastest);
+  }
+  void spoil(KeptWall& wall) const { each(wall.segment, wall.kept, wall.clear_until); }
+  void spoil(Surroundings& around) const {
+    auto& [others, walls, clear_now, clear_after, clear_until, after] = around;
+    each(others, walls, clear_now, clear_after, clear_until, after.position, after.velocity,
+         after.time);
+  }
+  void spoil(EvasionWorkspace& evasion) const {
+    auto& [around, deciding, constraints] = evasion;
+    each(around, constraints);
+    static_cast<void>(deciding);
   }
 
   double number_;

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "certificate/ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/plane.h"
+
+namespace avo {
+
+Vec2 Predicted::place_at(double time) const {
+  const double t = std::min(time, until);
+  return position + t * (velocity + (0.5 * t) * acceleration);
+}
+
+Vec2 Predicted::velocity_at(double time) const {
+  return time < until ? velocity + time * acceleration : Vec2{};
+}
+
+double Predicted::spread_at(double time) const {
+  const double t = std::min(time, reaction);
+  return t * (drift + 0.5 * t * deviation);
+}
+
+namespace {
+
+// A's path on an interval, relative to the place of somebody else: the Bézier points of a hull.
+struct Hull {
+  Vec2 start, middle, end;  // m
+};
+
+// Whether all of the hull is at least so far from the origin, along one of three directions: any
+// one is proof.
+bool keeps_off(const Hull& hull, double distance) {
+  const auto along = [&](Vec2 n) {
+    const double least = distance * norm(n);
+    return n != Vec2{} && dot(n, hull.start) >= least && dot(n, hull.middle) >= least &&
+           dot(n, hull.end) >= least;
+  };
+  return along(nearest_on({hull.start, hull.end}, {})) ||
+         along(nearest_on({hull.start, hull.middle}, {})) ||
+         along(nearest_on({hull.middle, hull.end}, {}));
+}
+
+// Of an interval of one step from that time on, in which A is at those places.
+Hull relative(const Hull& own, const Predicted& other, double time, const StepLaw& law) {
+  const Vec2 place = other.place_at(time);
+  return {own.start - place, own.middle - place - law.lag * other.velocity_at(time),
+          own.end - other.place_at(time + law.time_step)};
+}
+
+// Whether A, at rest at the place, is not touched from one time to a later one, before `until`.
+bool keeps_beside_parabola(const Predicted& other, Vec2 place, double from, double to,
+                           double distance, int bisections) {
+  const Vec2 c = other.place_at(from);
+  const Hull hull{place - c, place - c - (0.5 * (to - from)) * other.velocity_at(from),
+                  place - other.place_at(to)};
+  if (keeps_off(hull, distance)) return true;
+  if (bisections == 0 || norm(hull.start) < distance || norm(hull.end) < distance) return false;
+  const double half = 0.5 * (from + to);
+  return keeps_beside_parabola(other, place, from, half, distance, bisections - 1) &&
+         keeps_beside_parabola(other, place, half, to, distance, bisections - 1);
+}
+
+// s, from which on one that accelerates for ever moves away from the place, beyond the distance:
+// along n = a/|a|, n·(c(t) - place) = s + n·v t + |a| t²/2.
+double leaves_at(const Predicted& other, Vec2 place, double distance) {
+  const double a = norm(other.acceleration);
+  const Vec2 n = other.acceleration / a;
+  const double s = dot(n, other.position - place) - distance, v = dot(n, other.velocity);
+  const double root = std::sqrt(std::max(v * v - 2.0 * a * s, 0.0));
+  return std::max((root - v) / a, 0.0);
+}
+
+constexpr int kBisections = 12;
+
+}  // namespace
+
+bool rests_clear(const Predicted& other, Vec2 place, double time) {
+  const double distance = other.contact + other.spread_at(other.reaction + time);
+  if (other.acceleration != Vec2{} && time < other.until) {
+    const bool rests = std::isfinite(other.until);
+    const double to = rests ? other.until : std::max(time, leaves_at(other, place, distance));
+    return keeps_beside_parabola(other, place, time, to, distance, kBisections);
+  }
+  const Vec2 way = place - other.place_at(time), v = other.velocity_at(time);
+  const double squared = norm_squared(v), along = dot(way, v);
+  // of one that goes away, or rests, it counts where it is
+  if (!(along > 0.0)) return norm(way) >= other.contact + other.spread_at(time);
+  return norm(way - (along / squared) * v) >= distance;
+}
+
+namespace {
+
+// m, between contact and where it may be; until that is used up, nothing that A does matters.
+double room_to(const Predicted& other, const WayState& state) {
+  const double stop = other.stop_contact + (state.time + other.reaction) * other.drift;
+  return norm(state.position - other.place_at(state.time)) -
+         (std::max(other.contact, stop) + other.spread_at(state.time));
+}
+
+// Notes how long the one of that number cannot touch A, whose speed is at most v_max.
+void look_at(const WayOptions& options, Surroundings& around, std::size_t k,
+             const WayState& state) {
+  const Predicted& other = around.others[k];
+  const double closing = options.max_speed + other.fastest;
+  const double room = room_to(other, state);
+  if (room > 0.0)
+    around.clear_until[k] = std::max(around.clear_until[k], state.time + room / closing);
+}
+
+bool is_known(const WayOptions& options, Vec2 place) {
+  return norm_squared(place) <= options.known * options.known;
+}
+
+Hull step_of(const StepLaw& law, const WayState& from, Vec2 next_velocity) {
+  const Vec2 middle = from.position + law.lag * from.velocity;
+  return {from.position, middle, middle + (law.time_step - law.lag) * next_velocity};
+}
+
+// (C1) and (C3) of one step.
+bool is_clear(const WayOptions& options, Surroundings& around, const WayState& from,
+              const Hull& step) {
+  const double end = from.time + options.law.time_step;
+  for (std::size_t k = 0; k < around.others.size(); ++k) {
+    if (around.clear_until[k] >= end) continue;
+    look_at(options, around, k, from);
+    if (around.clear_until[k] >= end) continue;
+    const Predicted& other = around.others[k];
+    if (!keeps_off(relative(step, other, from.time, options.law),
+                   other.contact + other.spread_at(end)))
+      return false;
+  }
+  return is_known(options, step.end) &&
+         std::all_of(around.walls.begin(), around.walls.end(), [&](const KeptWall& wall) {
+           if (wall.clear_until >= end) return true;
+           return distance({step.start, step.end}, wall.segment) >= wall.kept &&
+                  distance({step.middle, step.end}, wall.segment) >= wall.kept;
+         });
+}
+
+// Full braking from a state.
+struct FullBraking {
+  BrakingProfile profile;
+  Vec2 direction;  // unit, or 0
+  double steps = 0.0;
+  Vec2 end;  // m
+};
+
+FullBraking braking_from(const WayOptions& options, const WayState& state) {
+  FullBraking braking;
+  const double speed = norm(state.velocity);
+  braking.profile = braking_profile(speed, options.decrement);
+  braking.end = state.position;
+  if (is_rest(state.velocity)) return braking;
+  braking.direction = state.velocity / speed;
+  braking.steps = braking.profile.full_steps + 1.0;
+  braking.end = state.position + stopping_length(braking.profile, options.law) * braking.direction;
+  return braking;
+}
+
+Hull interval_of(const FullBraking& braking, const WayState& state, const StepLaw& law, int m) {
+  const BrakingDistances along = braking_distances(braking.profile, law, m);
+  return {state.position + along.start * braking.direction,
+          state.position + along.middle * braking.direction,
+          state.position + along.end * braking.direction};
+}
+
+// (C2) of an interval that begins `elapsed` s after the time `from`, when A decides to brake and
+// sees the other one: within one of the two discs of docs/certificate.md, "Movers that do as they
+// like", about where it is predicted to be seen then.
+bool is_reached_at_rest(const Predicted& other, const Hull& own, double from, double elapsed,
+                        const StepLaw& law) {
+  const double end = elapsed + law.time_step, seen = std::min(from, other.reaction);
+  const double held =
+      other.stop_contact + (from + end) * other.drift + 0.5 * other.deviation * seen * seen;
+  const double by_deviation = other.deviation * end * (seen + 0.5 * end);
+  if (keeps_off(relative(own, other, from + elapsed, law), held + by_deviation)) return true;
+  if (!(other.deviation > 0.0) || !std::isfinite(other.max_speed)) return false;
+  const Vec2 c = other.place_at(from);
+  return keeps_off({own.start - c, own.middle - c, own.end - c}, held + other.max_speed * end);
+}
+
+// What braking from a state comes to.
+enum class Stop : unsigned char {
+  too_late,  // (C2) or (C3) does not hold
+  in_time,   // they do
+  clear,     // and A is never touched, (C1)
+};
+
+Stop stop_before(const WayOptions& options, const Surroundings& around, std::size_t k,
+                 const WayState& state, const FullBraking& braking) {
+  const Predicted& other = around.others[k];
+  const double h = options.law.time_step, closing = options.max_speed + other.fastest;
+  bool clear = rests_clear(other, braking.end, state.time + h * braking.steps);
+  double clear_until = around.clear_until[k];
+  for (int m = 0; m < braking.steps; ++m) {
+    const double time = state.time + h * m;
+    if (clear_until >= time + h) continue;
+    const Hull own = interval_of(braking, state, options.law, m);
+    if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
+      return Stop::too_late;
+    clear = clear && keeps_off(relative(own, other, time, options.law),
+                               other.contact + other.spread_at(time + h));
+    if (!clear && !other.asks_to_stop) break;
+    if (!(other.deviation > 0.0))
+      clear_until = time + room_to(other, {own.start, {}, time}) / closing;
+  }
+  return clear ? Stop::clear : Stop::in_time;
+}
+
+Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& state) {
+  const FullBraking braking = braking_from(options, state);
+  if (!is_known(options, braking.end)) return Stop::too_late;
+  const double end = state.time + options.law.time_step * braking.steps;
+  for (const KeptWall& wall : around.walls) {
+    if (wall.clear_until >= end) continue;
+    if (distance({state.position, braking.end}, wall.segment) < wall.kept) return Stop::too_late;
+  }
+  Stop worst = Stop::clear;
+  for (std::size_t k = 0; k < around.others.size(); ++k) {
+    worst = std::min(worst, stop_before(options, around, k, state, braking));
+    if (worst == Stop::too_late) break;
+  }
+  return worst;
+}
+
+}  // namespace
+
+void begin_ways(const WayOptions& options, Surroundings& around) {
+  around.clear_until.assign(around.others.size(), 0.0);
+  for (std::size_t k = 0; k < around.others.size(); ++k) look_at(options, around, k, {});
+  around.clear_now = around.clear_until;
+  for (KeptWall& wall : around.walls)
+    wall.clear_until = (distance(Vec2{}, wall.segment) - wall.kept) / options.max_speed;
+}
+
+bool take_first_step(const WayOptions& options, Surroundings& around, Vec2 velocity,
+                     Vec2 next_velocity) {
+  const WayState now{{}, velocity, 0.0};
+  const Hull step = step_of(options.law, now, next_velocity);
+  around.after = {step.end, next_velocity, options.law.time_step};
+  around.clear_until = around.clear_now;
+  const bool clear = is_clear(options, around, now, step);
+  around.clear_after = around.clear_until;
+  return clear;
+}
+
+bool may_brake(const WayOptions& options, Surroundings& around) {
+  around.clear_until = around.clear_after;
+  return stop_from(options, around, around.after) == Stop::clear;
+}
+
+bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w) {
+  around.clear_until = around.clear_after;
+  for (WayState state = around.after;;) {
+    const Stop stop = stop_from(options, around, state);
+    if (stop != Stop::in_time) return stop == Stop::clear;
+    if (!(state.time < options.longest)) return false;
+    const Vec2 next = approach(state.velocity, w, options.increment);
+    const Hull step = step_of(options.law, state, next);
+    if (!is_clear(options, around, state, step)) return false;
+    state = {step.end, next, state.time + options.law.time_step};
+  }
+}
+
+bool stops_in_time(const WayOptions& options, const Surroundings& around, Vec2 velocity,
+                   Vec2 next_velocity) {
+  const StepLaw& law = options.law;
+  const WayState now{{}, velocity, 0.0};
+  const Hull step = step_of(law, now, next_velocity);
+  const WayState state{step.end, next_velocity, law.time_step};
+  const FullBraking braking = braking_from(options, state);
+  const bool moves = !is_rest(velocity) || !is_rest(next_velocity);
+  return std::all_of(around.others.begin(), around.others.end(), [&](const Predicted& other) {
+    if (!other.asks_to_stop || !moves) return true;
+    if (!is_reached_at_rest(other, step, 0.0, 0.0, law)) return false;
+    for (int m = 0; m < braking.steps; ++m) {
+      if (!is_reached_at_rest(other, interval_of(braking, state, law, m), 0.0,
+                              law.time_step * (m + 1), law))
+        return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace avo

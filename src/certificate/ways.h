@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways out: motions of a holonomic robot A that keep clear of all who are predicted, for ever
+// (docs/movers.md). Places are relative to p_A, and times count from the decision.
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "certificate/braking_path.h"
+#include "walls/segment.h"
+
+namespace avo {
+
+/// Somebody whom a way has to keep clear of: on a parabola, and at rest from `until` on.
+struct Predicted {
+  Vec2 position, velocity, acceleration;                   // m, m/s, m/s²
+  double until = std::numeric_limits<double>::infinity();  ///< s
+  double contact = 0.0;                                    ///< m, to be kept from it
+  double drift = 0.0;      ///< [e] m/s, by which its velocity may be another one
+  double deviation = 0.0;  ///< [η] m/s², likewise its acceleration
+  double reaction = 0.0;   ///< [T] s: e and η are reckoned with for so long
+  /// (C2): A has to be able to be at rest when it comes, and keeps stop_contact (m) until then.
+  bool asks_to_stop = false;
+  double stop_contact = 0.0;
+  double max_speed = std::numeric_limits<double>::infinity();  ///< [V] m/s
+  double fastest = 0.0;  ///< m/s: neither it nor its spread ever comes nearer by more in a second
+
+  Vec2 place_at(double time) const;
+  Vec2 velocity_at(double time) const;
+  /// [ρ] m, by which it may be elsewhere then.
+  double spread_at(double time) const;
+};
+
+/// A wall, as ways see it.
+struct KeptWall {
+  Segment segment;
+  double kept = 0.0;         ///< m, by A's center
+  double clear_until = 0.0;  ///< s, whatever A does; 0: not known
+};
+
+/// A state on a way.
+struct WayState {
+  Vec2 position, velocity;  // m, m/s
+  double time = 0.0;        // s
+};
+
+/// What all ways of one decision have in common.
+struct WayOptions {
+  StepLaw law;
+  double increment = 0.0;  ///< m/s a step, on the way
+  double decrement = 0.0;  ///< [u_b] m/s a step, of braking, which is full
+  double max_speed = 0.0;  ///< m/s
+  double longest = 0.0;    ///< s, until A brakes
+  /// m: the center stays that near to p_A, where A knows the walls.
+  double known = std::numeric_limits<double>::infinity();
+};
+
+/// Scratch memory; allocates only while it grows.
+struct Surroundings {
+  std::vector<Predicted> others;
+  std::vector<KeptWall> walls;
+  // s, until which nothing that A does matters to each of the others: from now on, from the first
+  // step on, and from the last state of a way on
+  std::vector<double> clear_now, clear_after, clear_until;
+  WayState after;  // the first step
+};
+
+/// (C1) of a robot that rests at `place` from that time on, for ever.
+bool rests_clear(const Predicted& other, Vec2 place, double time);
+
+/// Begins ways among others and walls that have been filled in.
+void begin_ways(const WayOptions& options, Surroundings& around);
+
+/// Whether the first step, from `velocity` to v_1, keeps clear, (C1) and (C3). The following are of
+/// what comes behind it.
+bool take_first_step(const WayOptions& options, Surroundings& around, Vec2 velocity,
+                     Vec2 next_velocity);
+/// Whether A keeps clear, (C1) to (C3), if it brakes.
+bool may_brake(const WayOptions& options, Surroundings& around);
+/// The same if it goes on towards the velocity w for some steps, and brakes then.
+bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w);
+
+/// (C2) of a step and of braking after it: what the certificate asks of A towards movers.
+bool stops_in_time(const WayOptions& options, const Surroundings& around, Vec2 velocity,
+                   Vec2 next_velocity);
+
+}  // namespace avo

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planner/evasion.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "core/plane.h"
+#include "planner/certify.h"
+#include "robots/model.h"
+
+namespace avo {
+namespace {
+
+constexpr double kLongest = 4.0;    // s, until a way brakes
+constexpr double kPeerRoom = 1e-3;  // m, less than there is: who decides may be as near as it is
+constexpr int kBisections = 4;
+// What a way reckons with; each is tried where the one before has none.
+struct Level {
+  double part;      // of a_max that the way uses
+  double margin;    // of contact
+  double reaction;  // s
+  bool robots = true;
+  bool stops = true;  // (C2)
+};
+// Early, gently and far off at first. The second and the fourth differ from the one before by what
+// rounding may cost.
+constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 1.0},
+                                        {0.6, 0.035, 1.0},
+                                        {1.0, 0.025, 0.5},
+                                        {1.0, 0.015, 0.25},
+                                        {1.0, 0.005, 0.0},
+                                        {1.0, 0.0, 0.0, false}}};
+// Where braking is too late, the way itself is proof that A is not touched.
+constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, true, false},  //
+                                            {1.0, 0.0025, 0.0, true, false}}};
+
+// What ways approach, of v_max. They are fixed in the world, so that after a step the rest of a way
+// is a way as well.
+constexpr double kDiagonal = 0.70710678118654752;
+constexpr std::array<Vec2, 8> kCompass{{{1, 0},
+                                        {kDiagonal, kDiagonal},
+                                        {0, 1},
+                                        {-kDiagonal, kDiagonal},
+                                        {-1, 0},
+                                        {-kDiagonal, -kDiagonal},
+                                        {0, -1},
+                                        {kDiagonal, -kDiagonal}}};
+constexpr std::array<Vec2, 16> kVelocities = [] {
+  std::array<Vec2, 16> result;
+  for (std::size_t k = 0; k < 8; ++k) result[k] = kCompass[k], result[8 + k] = 0.5 * kCompass[k];
+  return result;
+}();
+
+// One decision.
+struct Evading {
+  const CertificateLaw& law;
+  const Robot& robot;
+  std::span<const Neighbor> neighbors;
+  std::span<const Wall> walls;
+  EvasionWorkspace& workspace;
+  WayOptions options;
+  bool has_constraints = false;  // in the workspace
+};
+
+bool decides(const Neighbor& neighbor) {
+  return neighbor.behavior == Behavior::decides;
+}
+
+// A mover keeps its acceleration; a robot brakes.
+Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Level& level) {
+  const StepLaw& law = evading.law.step;
+  const Robot& robot = evading.robot;
+  const SensingError error = error_against(neighbor, law);
+  Predicted other;
+  other.position = neighbor.position - robot.position;
+  other.velocity = neighbor.velocity;
+  const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
+  if (decides(neighbor)) {
+    other.contact = std::min(contact, norm(other.position) - kPeerRoom);
+    other.until = 0.0;
+    if (speed > 0.0) {
+      other.acceleration = (-braking_limit(neighbor) / speed) * neighbor.velocity;
+      other.until = speed / braking_limit(neighbor);
+    }
+    other.fastest = speed;
+    return other;
+  }
+  const double kept = contact + error.position + parabola_error(neighbor.acceleration, law);
+  const double time =
+      kLongest + law.time_step * (2.0 + evading.options.max_speed / evading.options.decrement);
+  other.acceleration = neighbor.acceleration;
+  other.contact = kept + level.margin * contact;
+  other.stop_contact = kept + 0.5 * level.margin * contact;
+  other.drift = error.velocity;
+  other.deviation = neighbor.max_deviation;
+  other.reaction = level.reaction;
+  other.asks_to_stop = level.stops;
+  other.max_speed = neighbor.max_speed;
+  other.fastest = speed + time * norm(neighbor.acceleration) + error.velocity +
+                  neighbor.max_deviation * (level.reaction + time - kLongest);
+  return other;
+}
+
+void look_around(Evading& evading, const Level& level) {
+  Surroundings& around = evading.workspace.around;
+  evading.options.increment =
+      level.part * increment(evading.robot.max_acceleration, evading.law.step);
+  around.others.clear();
+  for (const Neighbor& neighbor : evading.neighbors)
+    if (level.robots || !decides(neighbor))
+      around.others.push_back(predicted(evading, neighbor, level));
+  begin_ways(evading.options, around);
+}
+
+// The certificate without movers: those are left to (C2).
+bool is_allowed(Evading& evading, Vec2 next_velocity) {
+  auto& [around, deciding, constraints] = evading.workspace;
+  if (norm(next_velocity) > evading.robot.max_speed * (1.0 + 1e-12)) return false;
+  if (!stops_in_time(evading.options, around, evading.robot.velocity, next_velocity)) return false;
+  if (!evading.has_constraints) {
+    deciding.clear();
+    std::copy_if(evading.neighbors.begin(), evading.neighbors.end(), std::back_inserter(deciding),
+                 decides);
+    collect_constraints(evading.robot, deciding, evading.law, constraints, evading.walls);
+    evading.has_constraints = true;
+  }
+  return admits(evading.robot, next_velocity, evading.law, constraints);
+}
+
+enum class Then : unsigned char { brakes, holds, approaches };
+
+// A first step, and what comes behind it. What is left of a way after a step is a way of the same
+// kind: w is fixed in the world, or what the step has led to.
+struct FirstStep {
+  Vec2 next_velocity;
+  Then then = Then::brakes;
+  Vec2 w;  // m/s, that is approached
+};
+
+bool is_clear(Evading& evading, const FirstStep& step) {
+  const Vec2 v = evading.robot.velocity, next = step.next_velocity;
+  Surroundings& around = evading.workspace.around;
+  if (!take_first_step(evading.options, around, v, next)) return false;
+  if (step.then == Then::brakes) return may_brake(evading.options, around);
+  return may_approach(evading.options, around, step.then == Then::holds ? next : step.w);
+}
+
+using FirstSteps = std::array<FirstStep, kVelocities.size() + 2>;
+
+// Nearest to what is wanted first.
+FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
+  const Vec2 v = evading.robot.velocity;
+  FirstSteps steps;
+  for (std::size_t k = 0; k < kVelocities.size(); ++k) {
+    const Vec2 w = evading.robot.max_speed * kVelocities[k];
+    steps[k] = {approach(v, w, evading.options.increment), Then::approaches, w};
+  }
+  steps[kVelocities.size()] = {v, Then::holds, {}};
+  steps[kVelocities.size() + 1] = {braked(v, evading.options.decrement), Then::brakes, {}};
+  std::stable_sort(steps.begin(), steps.end(), [&](const FirstStep& a, const FirstStep& b) {
+    return norm_squared(a.next_velocity - wanted) < norm_squared(b.next_velocity - wanted);
+  });
+  return steps;
+}
+
+// Whether some way is clear after that step, (M).
+bool has_way_out(Evading& evading, Vec2 next_velocity) {
+  const WayOptions& options = evading.options;
+  Surroundings& around = evading.workspace.around;
+  if (!take_first_step(options, around, evading.robot.velocity, next_velocity)) return false;
+  return may_brake(options, around) || may_approach(options, around, next_velocity) ||
+         std::any_of(kVelocities.begin(), kVelocities.end(), [&](Vec2 part) {
+           return may_approach(options, around, evading.robot.max_speed * part);
+         });
+}
+
+// As near to what is wanted as bisection finds.
+Vec2 nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
+  double refused = 0.0, kept = 1.0;
+  Vec2 best = step.next_velocity;
+  for (int k = 0; k < kBisections; ++k) {
+    const double part = 0.5 * (refused + kept);
+    const Vec2 between = wanted + part * (step.next_velocity - wanted);
+    if (is_clear(evading, {between, step.then, step.w}) && is_allowed(evading, between)) {
+      kept = part, best = between;
+    } else {
+      refused = part;
+    }
+  }
+  return best;
+}
+
+enum class Way : unsigned char { none, as_wanted, another };
+
+Way find_way(Evading& evading, const Level& level, Vec2 wanted, Vec2& next_velocity) {
+  look_around(evading, level);
+  if (has_way_out(evading, wanted)) return Way::as_wanted;
+  for (const FirstStep& step : first_steps(evading, wanted)) {
+    if (!is_clear(evading, step) || !is_allowed(evading, step.next_velocity)) continue;
+    next_velocity = nearer(evading, step, wanted);
+    return Way::another;
+  }
+  return Way::none;
+}
+
+// Those within reach: which others there are is not known for sure. Where there is one, ways stay
+// within that reach.
+void keep_walls(Evading& evading) {
+  const Robot& robot = evading.robot;
+  std::vector<KeptWall>& kept = evading.workspace.around.walls;
+  kept.clear();
+  if (evading.walls.empty()) return;
+  const StepLaw& law = evading.law.step;
+  const WallRounding rounding =
+      wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
+  const double reach = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
+  for (const Wall& wall : evading.walls) {
+    const Segment segment{wall.a - robot.position, wall.b - robot.position};
+    const double held = robot.radius + wall.radius + law.localization_error;
+    if (distance(Vec2{}, segment) > held + reach) continue;
+    kept.push_back({segment, held + wall_margin(wall, rounding)});
+  }
+  if (!kept.empty()) evading.options.known = reach;
+}
+
+}  // namespace
+
+void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
+                    std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                    EvasionWorkspace& workspace, Plan& plan) {
+  if (law.kind == Certificate::none || !is_holonomic(robot.model)) return;
+  if (std::all_of(neighbors.begin(), neighbors.end(), decides)) return;
+  Evading evading{law, robot, neighbors, walls, workspace, {}};
+  evading.options = {.law = law.step,
+                     .decrement = decrement_of(robot, law.step),
+                     .max_speed = std::max(robot.max_speed, norm(robot.velocity)),
+                     .longest = kLongest};
+  keep_walls(evading);
+  const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
+  Vec2 next_velocity;
+  const auto try_all = [&](std::span<const Level> levels) {
+    for (const Level& level : levels) {
+      const Way way = find_way(evading, level, wanted, next_velocity);
+      if (way != Way::none) return way;
+    }
+    return Way::none;
+  };
+  // nearly always the first; and where the weakest has none, hardly any other one has
+  const std::span<const Level> levels = kLevels;
+  Way way = try_all(levels.first(1));
+  if (way == Way::none && try_all(levels.last(1)) != Way::none) way = try_all(levels.subspan(1));
+  const bool is_alone = std::none_of(neighbors.begin(), neighbors.end(), [](const Neighbor& n) {
+    return decides(n) || n.max_deviation > 0.0;
+  });
+  if (way == Way::none && is_alone) way = try_all(kLastLevels);
+  if (way != Way::another) return;
+  const SafetyState state = plan.state;
+  plan = plan_under(law, robot, next_velocity, PlanStatus::candidate, plan.violation);
+  plan.state = state;
+}
+
+}  // namespace avo

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Beside movers, a robot keeps a way out: docs/movers.md.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "certificate/certificate.h"
+#include "certificate/ways.h"
+#include "planner/decision.h"
+
+namespace avo {
+
+/// Scratch memory; allocates only while it grows.
+struct EvasionWorkspace {
+  Surroundings around;
+  std::vector<Neighbor> deciding;      // of the neighbors
+  CertificateConstraints constraints;  // of these and of walls
+};
+
+/// Replaces a plan of method avo that leaves no way out by the nearest first step of a way, where
+/// there is one. Robots that are not holonomic, and those without a certificate, have the plan that
+/// they have.
+void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
+                    std::span<const Neighbor> neighbors, std::span<const Wall> walls,
+                    EvasionWorkspace& workspace, Plan& plan);
+
+}  // namespace avo

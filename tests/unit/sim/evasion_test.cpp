@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot alone among movers that keep their motion is not touched, neither in motion nor at rest
+// (docs/movers.md), judged by where everybody is.
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+#include "avo/simulation.h"
+#include "scenes.h"
+#include "support/generators.h"
+
+namespace avo {
+namespace {
+
+using test::robot_at;
+
+MovingObstacle mover(Vec2 position, Vec2 velocity, double radius) {
+  MovingObstacle result;
+  result.position = position, result.velocity = velocity, result.radius = radius;
+  return result;
+}
+
+Scenario one_robot(Vec2 position, Vec2 goal, double time_step) {
+  Scenario scene;
+  scene.time_step = time_step;
+  scene.sensing_radius = 60.0;
+  scene.robots = {robot_at(position, goal)};
+  scene.robots[0].radius = 0.4;
+  return scene;
+}
+
+// Movers that cross the way of the robot, or pass over where it rests.
+Scenario crossing(test::Random& random, int count, double slowest, double fastest, bool rests,
+                  double time_step) {
+  Scenario scene =
+      rests ? one_robot({0, 0}, {0, 0}, time_step) : one_robot({-10, 0}, {10, 0}, time_step);
+  while (static_cast<int>(scene.moving_obstacles.size()) < count) {
+    const Vec2 along = random.direction();
+    const Vec2 velocity = random.uniform(slowest, fastest) * along;
+    const double radius = random.uniform(0.3, 1.2), time = random.uniform(4.0, 16.0);
+    const double aside = random.uniform(-1.0, 1.0) * (radius + 0.4);
+    const Vec2 meets = rests ? aside * Vec2{-along.y, along.x}
+                             : Vec2{random.uniform(-7.0, 7.0), random.uniform(-3.0, 3.0)};
+    const Vec2 from = meets - time * velocity;
+    if (norm(from - scene.robots[0].position) < radius + 3.4) continue;
+    scene.moving_obstacles.push_back(mover(from, velocity, radius));
+  }
+  return scene;
+}
+
+struct Watched {
+  double clearance = std::numeric_limits<double>::infinity();  // m, least, from movers
+  double arrives = std::numeric_limits<double>::infinity();    // s
+};
+Watched watch(const Scenario& scene, double duration) {
+  Simulation simulation(scene, 1);
+  Watched result;
+  Vec2 p = scene.robots[0].position, v;
+  const double h = scene.time_step;
+  for (double time = 0.0; time < duration; time += h) {
+    simulation.step();
+    const Vec2 next = simulation.fleet().velocity[0];
+    for (int part = 1; part <= 16; ++part) {
+      const double t = h * part / 16.0;
+      const Vec2 place = p + t * v + (0.5 * t * t / h) * (next - v);
+      for (const MovingObstacle& m : scene.moving_obstacles) {
+        const double at = time + t;
+        const Vec2 c = m.position + at * m.velocity + (0.5 * at * at) * m.acceleration;
+        result.clearance =
+            std::min(result.clearance, norm(place - c) - m.radius - scene.robots[0].radius);
+      }
+    }
+    p = simulation.fleet().position[0], v = next;
+    const bool is_there = norm(p - scene.robots[0].goal) <= scene.arrival_distance;
+    if (is_there) result.arrives = std::min(result.arrives, simulation.time());
+  }
+  return result;
+}
+
+TEST(Evasion, nobody_is_hit_alone_among_movers) {
+  test::Random random(34);
+  for (const double time_step : {0.1, 0.05, 0.25}) {
+    for (const int count : {1, 3, 6}) {
+      for (int trial = 0; trial < 8; ++trial) {
+        SCOPED_TRACE(testing::Message() << time_step << " s, " << count << ", " << trial);
+        const bool slow = trial % 2 == 0;
+        const Watched way = watch(
+            crossing(random, count, slow ? 0.6 : 2.0, slow ? 2.0 : 4.0, false, time_step), 30.0);
+        EXPECT_GE(way.clearance, 0.0);
+        EXPECT_LE(way.arrives, 30.0);
+        EXPECT_GE(watch(crossing(random, count, 0.4, 3.0, true, time_step), 24.0).clearance, 0.0);
+      }
+    }
+  }
+}
+
+// Movers that pull away, or brake and come back.
+TEST(Evasion, nobody_is_hit_by_movers_that_accelerate) {
+  test::Random random(35);
+  for (int trial = 0; trial < 24; ++trial) {
+    Scenario scene = crossing(random, 2, 0.6, 2.0, trial % 3 == 0, 0.1);
+    for (MovingObstacle& m : scene.moving_obstacles) {
+      const Vec2 a = random.uniform(-0.15, 0.15) * m.velocity;
+      const double meets = norm(scene.robots[0].position - m.position) / norm(m.velocity);
+      m.acceleration = a, m.velocity = m.velocity - (0.5 * std::min(meets, 16.0)) * a;
+    }
+    EXPECT_GE(watch(scene, 24.0).clearance, 0.0) << trial;
+  }
+}
+
+TEST(Evasion, of_what_anybody_tries_first) {
+  Scenario walker_at_rest = one_robot({0, 0}, {0, 0}, 0.1);
+  walker_at_rest.moving_obstacles = {mover({-8, 0}, {1, 0}, 0.3)};
+  Scenario walker_ahead = one_robot({-5, 0}, {5, 0}, 0.1);
+  walker_ahead.moving_obstacles = {mover({5, 0}, {-1, 0}, 0.3)};
+  Scenario tram = one_robot({0, 0}, {25, 0}, 0.1);
+  tram.robots[0].preferred_speed = 0.8;
+  tram.moving_obstacles = {mover({-10, 0}, {1.5, 0}, 1.0)};
+  for (const Scenario& scene : {walker_at_rest, walker_ahead, tram}) {
+    const Watched found = watch(scene, 60.0);
+    EXPECT_GE(found.clearance, 0.0);
+    EXPECT_LE(found.arrives, 32.0);
+  }
+}
+
+// Between two walls there is no way aside; a niche is one.
+TEST(Evasion, among_walls) {
+  Scenario scene = one_robot({0, 0}, {0, 0}, 0.1);
+  scene.obstacles = {
+      {.chains = {{{{-20, 1.0}, {-2.5, 1.0}, {-2.5, 3.0}, {-1.0, 3.0}, {-1.0, 1.0}, {20, 1.0}}}}},
+      {.chains = {{{{-20, -1.0}, {20, -1.0}}}}}};
+  scene.moving_obstacles = {mover({9, 0}, {-1, 0}, 0.55)};
+  EXPECT_GE(watch(scene, 24.0).clearance, 0.0);
+}
+
+// A mover that does as it likes within its bounds is met at rest, as before.
+TEST(Evasion, lets_the_certificate_keep_its_promise) {
+  test::Random random(36);
+  for (int trial = 0; trial < 12; ++trial) {
+    Scenario scene = crossing(random, 3, 0.3, 1.2, false, 0.1);
+    for (MovingObstacle& m : scene.moving_obstacles) m.max_deviation = 0.5, m.max_speed = 1.5;
+    Simulation simulation(scene, 1);
+    Vec2 v;
+    for (int step = 0; step < 300; ++step) {
+      const Vec2 p = simulation.fleet().position[0];
+      simulation.step();
+      const bool moves = v != Vec2{} || simulation.fleet().velocity[0] != Vec2{};
+      v = simulation.fleet().velocity[0];
+      for (const MovingObstacle& m : scene.moving_obstacles) {
+        const Vec2 c = m.position + (step * scene.time_step) * m.velocity;
+        EXPECT_TRUE(!moves || norm(p - c) >= m.radius + 0.4) << trial << ", step " << step;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace avo
