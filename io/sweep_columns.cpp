@@ -59,10 +59,10 @@ Value of_decisions(const RunOutcome& run) {
   return static_cast<double>(run.summary.decisions.*member);
 }
 
-// Robots that stood still and were run into count for nobody.
+// A robot that stands still and is run into has collided as well.
 bool has_collided(const avo::RunSummary& run) {
   return run.collision_pairs > 0 || run.one_sided_collisions > 0 ||
-         run.obstacle_collisions_in_motion > 0 || run.collision_obstacles > 0;
+         run.obstacle_collisions > 0 || run.collision_obstacles > 0;
 }
 
 using avo::Decisions;

@@ -69,8 +69,10 @@ double leaves_at(const Predicted& other, Vec2 place, double distance) {
   const double a = norm(other.acceleration);
   const Vec2 n = other.acceleration / a;
   const double s = dot(n, other.position - place) - distance, v = dot(n, other.velocity);
+  if (s >= 0.0 && v >= 0.0) return 0.0;
   const double root = std::sqrt(std::max(v * v - 2.0 * a * s, 0.0));
-  return std::max((root - v) / a, 0.0);
+  // of its two forms the one in which nothing cancels; where it comes back, once it moves away
+  return std::max(v > 0.0 ? -2.0 * s / (root + v) : (root - v) / a, 0.0);
 }
 
 constexpr int kBisections = 12;
@@ -79,13 +81,13 @@ constexpr int kBisections = 12;
 
 bool rests_clear(const Predicted& other, Vec2 place, double time) {
   const double distance = other.contact + other.spread_at(other.reaction + time);
-  if (other.acceleration != Vec2{} && time < other.until) {
+  if (!is_rest(other.acceleration) && time < other.until) {
     const bool rests = std::isfinite(other.until);
     const double to = rests ? other.until : std::max(time, leaves_at(other, place, distance));
     return keeps_beside_parabola(other, place, time, to, distance, kBisections);
   }
   const Vec2 way = place - other.place_at(time), v = other.velocity_at(time);
-  const double squared = norm_squared(v), along = dot(way, v);
+  const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : dot(way, v);
   // of one that goes away, or rests, it counts where it is
   if (!(along > 0.0)) return norm(way) >= other.contact + other.spread_at(time);
   return norm(way - (along / squared) * v) >= distance;
@@ -123,6 +125,7 @@ Hull step_of(const StepLaw& law, const WayState& from, Vec2 next_velocity) {
 bool is_clear(const WayOptions& options, Surroundings& around, const WayState& from,
               const Hull& step) {
   const double end = from.time + options.law.time_step;
+  around.work -= static_cast<int>(around.others.size());
   for (std::size_t k = 0; k < around.others.size(); ++k) {
     if (around.clear_until[k] >= end) continue;
     look_at(options, around, k, from);
@@ -189,7 +192,7 @@ enum class Stop : unsigned char {
   clear,     // and A is never touched, (C1)
 };
 
-Stop stop_before(const WayOptions& options, const Surroundings& around, std::size_t k,
+Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
                  const WayState& state, const FullBraking& braking) {
   const Predicted& other = around.others[k];
   const double h = options.law.time_step, closing = options.max_speed + other.fastest;
@@ -198,6 +201,7 @@ Stop stop_before(const WayOptions& options, const Surroundings& around, std::siz
   for (int m = 0; m < braking.steps; ++m) {
     const double time = state.time + h * m;
     if (clear_until >= time + h) continue;
+    --around.work;
     const Hull own = interval_of(braking, state, options.law, m);
     if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
       return Stop::too_late;
@@ -212,7 +216,8 @@ Stop stop_before(const WayOptions& options, const Surroundings& around, std::siz
 
 Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& state) {
   const FullBraking braking = braking_from(options, state);
-  if (!is_known(options, braking.end)) return Stop::too_late;
+  around.work -= static_cast<int>(around.others.size());
+  if (around.work < 0 || !is_known(options, braking.end)) return Stop::too_late;
   const double end = state.time + options.law.time_step * braking.steps;
   for (const KeptWall& wall : around.walls) {
     if (wall.clear_until >= end) continue;
@@ -227,6 +232,12 @@ Stop stop_from(const WayOptions& options, Surroundings& around, const WayState& 
 }
 
 }  // namespace
+
+void Surroundings::reserve(std::size_t most_others) {
+  others.reserve(most_others);
+  for (std::vector<double>* column : {&clear_now, &clear_after, &clear_until})
+    column->reserve(most_others);
+}
 
 void begin_ways(const WayOptions& options, Surroundings& around) {
   around.clear_until.assign(around.others.size(), 0.0);

@@ -2,6 +2,7 @@
 // Ways out: motions of a holonomic robot A that keep clear of all who are predicted, for ever
 // (docs/movers.md). Places are relative to p_A, and times count from the decision.
 #pragma once
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -62,6 +63,10 @@ struct Surroundings {
   // step on, and from the last state of a way on
   std::vector<double> clear_now, clear_after, clear_until;
   WayState after;  // the first step
+  /// So much may still be looked at in this decision; no way is clear once that is used up.
+  int work = std::numeric_limits<int>::max();
+
+  void reserve(std::size_t most_others);
 };
 
 /// (C1) of a robot that rests at `place` from that time on, for ever.

@@ -87,15 +87,16 @@ void Encounters::meet_obstacle(const Body& robot, const Body& obstacle, const St
   const double contact = robot.radius + obstacle.radius;
   if (!(distance(robot, obstacle, contact, step) < contact * (1.0 - kContact))) return;
   with_obstacle.insert({robot.name, obstacle.name});
-  if (!(way_of(robot) > kAtRest * robot.setup->max_speed * step.duration)) return;
-  with_obstacle_in_motion.insert({robot.name, obstacle.name});
-  overlapping.push_back(robot.name);
+  touched_by_movers.push_back(robot.name);
+  if (way_of(robot) > kAtRest * robot.setup->max_speed * step.duration)
+    with_obstacle_in_motion.insert({robot.name, obstacle.name});
 }
 
 // Every pair that can come nearer than the smallest clearance so far, or overlap.
 void Encounters::observe(std::vector<Body>& robots, std::vector<Body>& obstacles,
                          const StepSpan& step) {
   overlapping.clear();
+  touched_by_movers.clear();
   colliding_.clear();
   double largest = 0.0, farthest = 0.0;  // radius and way of a step, m
   const auto measure = [&](const Body& body) {

@@ -29,8 +29,10 @@ struct Encounters {
   std::optional<double> first_collision_time = {};  // s, of them
   double overlap_depth = 0.0;                       // the deepest, as a part of r_A + r_B
   std::int64_t collision_robot_steps = 0;
-  /// Robots that overlapped in this step whom they avoid; a moving obstacle only where they moved.
+  /// Robots that overlapped in this step whom they avoid.
   std::vector<std::uint64_t> overlapping = {};
+  /// Those that a moving obstacle touched, in motion or at rest.
+  std::vector<std::uint64_t> touched_by_movers = {};
 
   void observe(std::vector<Body>& robots, std::vector<Body>& obstacles, const StepSpan& step);
 

@@ -129,6 +129,7 @@ void Metrics::State::observe_step(const Simulation& simulation) {
   encounters.observe(robots, obstacles, {last_time, duration, started, response});
   walls.observe(robots, response, duration);
   trips.add_overlaps(encounters.overlapping);
+  trips.add_touched(encounters.touched_by_movers);
   trips.add_overlaps(walls.touching);
   if (!started) return;
   if (crowd) crowd->observe(simulation, trips, duration);

@@ -153,4 +153,11 @@ void Trips::add_overlaps(std::span<const std::uint64_t> robots) {
   }
 }
 
+void Trips::add_touched(std::span<const std::uint64_t> robots) {
+  for (const std::uint64_t robot : robots) {
+    const std::size_t place = find(robot, 0);
+    if (place < trips_.size() && trips_[place].robot == robot) trips_[place].overlapped = true;
+  }
+}
+
 }  // namespace avo

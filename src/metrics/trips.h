@@ -24,7 +24,7 @@ struct Trip {
   std::uint64_t robot = 0;
   std::optional<double> arrival = {};  // s
   bool parked = false;
-  bool overlapped = false;           // before it arrived
+  bool overlapped = false;           // before it arrived; a moving obstacle ever
   double begin = 0.0;                // s
   double end = 0.0;                  // s, so far
   Vec2 goal = {};                    // m
@@ -61,6 +61,8 @@ class Trips {
   void observe(const Simulation& simulation, double duration);
   /// That the robots overlapped whom they avoid in the step that was just observed.
   void add_overlaps(std::span<const std::uint64_t> robots);
+  /// That moving obstacles touched them then, on their trips or at their goals.
+  void add_touched(std::span<const std::uint64_t> robots);
 
   [[nodiscard]] std::span<const Trip> all() const { return trips_; }
   [[nodiscard]] bool all_arrived() const { return arrived_ == trips_.size(); }

@@ -12,23 +12,34 @@
 namespace avo {
 namespace {
 
-constexpr double kLongest = 4.0;    // s, until a way brakes
-constexpr double kPeerRoom = 1e-3;  // m, less than there is: who decides may be as near as it is
+constexpr double kLongest = 2.0;         // T, until a way brakes,
+constexpr int kMostWork = 100000;        // somebody or an interval, looked at in a decision
+constexpr double kMostSteps = 400.0;     // and steps; a way has to be looked at
+constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
+constexpr double kLeastTime = 4.0;       // radii at v_max: T of the strongest
+constexpr double kPeerRoom = 0x1p-9;     // of contact: who decides may be nearly as near as it is
 constexpr int kBisections = 4;
+
+// [T] s
+double time_of(const Robot& robot) {
+  return std::max(robot.max_speed / robot.max_acceleration,
+                  kLeastTime * robot.radius / robot.max_speed);
+}
+
 // What a way reckons with; each is tried where the one before has none.
 struct Level {
   double part;      // of a_max that the way uses
   double margin;    // of contact
-  double reaction;  // s
+  double reaction;  // T
   bool robots = true;
   bool stops = true;  // (C2)
 };
 // Early, gently and far off at first. The second and the fourth differ from the one before by what
 // rounding may cost.
-constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 1.0},
-                                        {0.6, 0.035, 1.0},
-                                        {1.0, 0.025, 0.5},
-                                        {1.0, 0.015, 0.25},
+constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
+                                        {0.6, 0.035, 0.5},
+                                        {1.0, 0.025, 0.25},
+                                        {1.0, 0.015, 0.125},
                                         {1.0, 0.005, 0.0},
                                         {1.0, 0.0, 0.0, false}}};
 // Where braking is too late, the way itself is proof that A is not touched.
@@ -77,7 +88,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.velocity = neighbor.velocity;
   const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
   if (decides(neighbor)) {
-    other.contact = std::min(contact, norm(other.position) - kPeerRoom);
+    other.contact = std::min(contact, norm(other.position) - kPeerRoom * contact);
     other.until = 0.0;
     if (speed > 0.0) {
       other.acceleration = (-braking_limit(neighbor) / speed) * neighbor.velocity;
@@ -87,18 +98,22 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
     return other;
   }
   const double kept = contact + error.position + parabola_error(neighbor.acceleration, law);
-  const double time =
-      kLongest + law.time_step * (2.0 + evading.options.max_speed / evading.options.decrement);
-  other.acceleration = neighbor.acceleration;
+  const double braking =
+      law.time_step * (2.0 + evading.options.max_speed / evading.options.decrement);
+  const double time = evading.options.longest + law.time_step + braking;
+  const double reaction = level.reaction * time_of(robot);
+  // what does not matter within that time is rounding
+  const bool accelerates = norm(neighbor.acceleration) * time * time > 0x1p-30 * contact;
+  if (accelerates) other.acceleration = neighbor.acceleration;
   other.contact = kept + level.margin * contact;
   other.stop_contact = kept + 0.5 * level.margin * contact;
   other.drift = error.velocity;
   other.deviation = neighbor.max_deviation;
-  other.reaction = level.reaction;
+  other.reaction = reaction;
   other.asks_to_stop = level.stops;
   other.max_speed = neighbor.max_speed;
   other.fastest = speed + time * norm(neighbor.acceleration) + error.velocity +
-                  neighbor.max_deviation * (level.reaction + time - kLongest);
+                  neighbor.max_deviation * (reaction + braking);
   return other;
 }
 
@@ -135,7 +150,9 @@ enum class Then : unsigned char { brakes, holds, approaches };
 struct FirstStep {
   Vec2 next_velocity;
   Then then = Then::brakes;
-  Vec2 w;  // m/s, that is approached
+  Vec2 w = {};          // m/s, that is approached
+  double detour = 0.0;  // m²/s², from what is wanted, squared
+  std::size_t number = 0;
 };
 
 bool is_clear(Evading& evading, const FirstStep& step) {
@@ -158,8 +175,12 @@ FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
   }
   steps[kVelocities.size()] = {v, Then::holds, {}};
   steps[kVelocities.size() + 1] = {braked(v, evading.options.decrement), Then::brakes, {}};
-  std::stable_sort(steps.begin(), steps.end(), [&](const FirstStep& a, const FirstStep& b) {
-    return norm_squared(a.next_velocity - wanted) < norm_squared(b.next_velocity - wanted);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    steps[k].detour = norm_squared(steps[k].next_velocity - wanted);
+    steps[k].number = k;
+  }
+  std::sort(steps.begin(), steps.end(), [](const FirstStep& a, const FirstStep& b) {
+    return a.detour < b.detour || (a.detour == b.detour && a.number < b.number);
   });
   return steps;
 }
@@ -204,6 +225,25 @@ Way find_way(Evading& evading, const Level& level, Vec2 wanted, Vec2& next_veloc
   return Way::none;
 }
 
+// Whether braking after that step is clear of movers, whoever else is there: it is admitted.
+bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
+  Surroundings& around = evading.workspace.around;
+  Level first = kLevels[0];
+  first.robots = false;
+  around.walls.clear();
+  look_around(evading, first);
+  return take_first_step(evading.options, around, evading.robot.velocity, next_velocity) &&
+         may_brake(evading.options, around);
+}
+
+// Whether all are movers that are seen exactly, and keep their acceleration.
+bool are_exact(const Evading& evading) {
+  return std::none_of(evading.neighbors.begin(), evading.neighbors.end(), [&](const Neighbor& n) {
+    return decides(n) || n.max_deviation > 0.0 ||
+           !(error_against(n, evading.law.step) == SensingError{});
+  });
+}
+
 // Those within reach: which others there are is not known for sure. Where there is one, ways stay
 // within that reach.
 void keep_walls(Evading& evading) {
@@ -228,16 +268,20 @@ void keep_walls(Evading& evading) {
 
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
-                    EvasionWorkspace& workspace, Plan& plan) {
+                    bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
   if (law.kind == Certificate::none || !is_holonomic(robot.model)) return;
   if (std::all_of(neighbors.begin(), neighbors.end(), decides)) return;
   Evading evading{law, robot, neighbors, walls, workspace, {}};
-  evading.options = {.law = law.step,
-                     .decrement = decrement_of(robot, law.step),
-                     .max_speed = std::max(robot.max_speed, norm(robot.velocity)),
-                     .longest = kLongest};
-  keep_walls(evading);
+  evading.options = {
+      .law = law.step,
+      .decrement = decrement_of(robot, law.step),
+      .max_speed = std::max(robot.max_speed, norm(robot.velocity)),
+      .longest = std::min(kLongest * time_of(robot), kMostSteps * law.step.time_step)};
+  if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return;
+  workspace.around.work = kMostWork;
   const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
+  if (is_far_from_movers(evading, wanted)) return;
+  keep_walls(evading);
   Vec2 next_velocity;
   const auto try_all = [&](std::span<const Level> levels) {
     for (const Level& level : levels) {
@@ -250,14 +294,11 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
   const std::span<const Level> levels = kLevels;
   Way way = try_all(levels.first(1));
   if (way == Way::none && try_all(levels.last(1)) != Way::none) way = try_all(levels.subspan(1));
-  const bool is_alone = std::none_of(neighbors.begin(), neighbors.end(), [](const Neighbor& n) {
-    return decides(n) || n.max_deviation > 0.0;
-  });
-  if (way == Way::none && is_alone) way = try_all(kLastLevels);
+  if (way == Way::none && may_swerve && are_exact(evading)) way = try_all(kLastLevels);
   if (way != Way::another) return;
-  const SafetyState state = plan.state;
-  plan = plan_under(law, robot, next_velocity, PlanStatus::candidate, plan.violation);
-  plan.state = state;
+  const Plan found = plan_under(law, robot, next_velocity, PlanStatus::candidate, plan.violation);
+  plan.new_velocity = found.new_velocity, plan.acceleration = found.acceleration;
+  if (plan.status != PlanStatus::overlapping) plan.status = found.status;
 }
 
 }  // namespace avo

@@ -19,9 +19,10 @@ struct EvasionWorkspace {
 
 /// Replaces a plan of method avo that leaves no way out by the nearest first step of a way, where
 /// there is one. Robots that are not holonomic, and those without a certificate, have the plan that
-/// they have.
+/// they have. may_swerve: all neighbors that move on keep their acceleration, so that as a last
+/// resort A need not be able to stop before them.
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
-                    EvasionWorkspace& workspace, Plan& plan);
+                    bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
 
 }  // namespace avo

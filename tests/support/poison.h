@@ -232,9 +232,9 @@ class Poison {
   }
   void spoil(KeptWall& wall) const { each(wall.segment, wall.kept, wall.clear_until); }
   void spoil(Surroundings& around) const {
-    auto& [others, walls, clear_now, clear_after, clear_until, after] = around;
+    auto& [others, walls, clear_now, clear_after, clear_until, after, work] = around;
     each(others, walls, clear_now, clear_after, clear_until, after.position, after.velocity,
-         after.time);
+         after.time, work);
   }
   void spoil(EvasionWorkspace& evasion) const {
     auto& [around, deciding, constraints] = evasion;

@@ -137,6 +137,21 @@ TEST(Metrics, obstacle_collisions_are_counted_apart_and_once) {
   EXPECT_FALSE(summary.first_collision_time);
 }
 
+// Where it waits on its way, and at its goal.
+TEST(Metrics, a_robot_that_is_run_over_at_rest_is_no_success) {
+  for (const double goal : {0.0, 30.0}) {
+    Scenario scene = blind({robot_at({0, 0}, {goal, 0}), robot_at({0, 30}, {0, 30})});
+    scene.robots[0].preferred_speed = 0.0;
+    scene.moving_obstacles = {{{6, 0.2}, {-1, 0}, {}, 0.5}};
+    const RunSummary summary = run(scene, 100);
+    EXPECT_EQ(summary.obstacle_collisions, 1);
+    EXPECT_EQ(summary.obstacle_collisions_in_motion, 0);
+    EXPECT_EQ(summary.metrics.collision, 0.5);
+    EXPECT_EQ(summary.metrics.success, 0.5);
+    EXPECT_EQ(summary.metrics.timeout, 0.0);
+  }
+}
+
 // An obstacle with an acceleration is where x = 10 - t²/2 says.
 TEST(Metrics, accelerating_obstacles_are_met_on_their_curve) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {

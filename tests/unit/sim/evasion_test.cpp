@@ -125,6 +125,40 @@ TEST(Evasion, of_what_anybody_tries_first) {
   }
 }
 
+// What differences of measured velocities leave of an acceleration is none.
+TEST(Evasion, of_movers_with_an_acceleration_that_is_rounding) {
+  for (const Vec2 a : {Vec2{1e-16, 0}, Vec2{1e-15, 0}, Vec2{-1e-17, 1e-16}, Vec2{1e-170, 0}}) {
+    Scenario scene = one_robot({0, 0}, {0, 0}, 0.1);
+    scene.moving_obstacles = {mover({-10, 0}, {1, 0}, 0.5)};
+    scene.moving_obstacles[0].acceleration = a;
+    EXPECT_GE(watch(scene, 20.0).clearance, 0.0) << a.x;
+  }
+}
+
+// What is not seen exactly is never touched in motion: no last-moment swerves then.
+TEST(Evasion, is_at_rest_when_touched_where_velocities_are_noisy) {
+  test::Random random(37);
+  for (int trial = 0; trial < 40; ++trial) {
+    Scenario scene = one_robot({0, 0}, {12, 0}, 0.1);
+    scene.seed = static_cast<std::uint64_t>(trial + 1);
+    scene.sensing.noise = MeasurementNoise{0.0, 0.1, NoiseDistribution::gaussian, 3.0};
+    const Vec2 along = random.direction();
+    const double speed = random.uniform(1.0, 4.0), time = random.uniform(1.0, 3.0);
+    const Vec2 from = random.uniform(-0.8, 0.8) * Vec2{-along.y, along.x} - (time * speed) * along;
+    if (norm(from) < 2.0) continue;
+    scene.moving_obstacles = {mover(from, speed * along, 0.6)};
+    Simulation simulation(scene, 1);
+    for (int step = 1; step < 120; ++step) {
+      const Vec2 before = simulation.fleet().velocity[0];
+      simulation.step();
+      const Vec2 c = from + (step * scene.time_step * speed) * along;
+      const bool touches = norm(simulation.fleet().position[0] - c) < 1.0 - 1e-9;
+      EXPECT_TRUE(!touches || before == Vec2{} || simulation.fleet().velocity[0] == Vec2{})
+          << trial << ", step " << step;
+    }
+  }
+}
+
 // Between two walls there is no way aside; a niche is one.
 TEST(Evasion, among_walls) {
   Scenario scene = one_robot({0, 0}, {0, 0}, 0.1);
