@@ -37,11 +37,6 @@ constexpr float kMostDetour = 2.4F;      // rad, almost back
 constexpr double kTurnOff = 1.0;         // per T
 constexpr double kTurnBack = 2.0;        // per T
 
-double time_to_speed(const Robot& robot) {
-  return std::max(robot.max_speed / robot.max_acceleration,
-                  kLeastTime * robot.radius / robot.max_speed);
-}
-
 scalar::Vec<Real> pack(Vec2 a) {
   return scalar::constant<Real>(a);
 }
@@ -76,6 +71,11 @@ void remember(const Robot& robot, bool is_beside, const PlannerOptions& options,
 }
 
 }  // namespace
+
+double time_to_speed(const Robot& robot) {
+  return std::max(robot.max_speed / robot.max_acceleration,
+                  kLeastTime * robot.radius / robot.max_speed);
+}
 
 bool is_sound(const Detour& detour) {
   return detour.angle >= 0.0F && detour.angle <= kMostDetour && detour.beside >= 0.0F &&

@@ -30,6 +30,9 @@ struct Traffic {
   Vec2 push_at_rest;       ///< and as far as they rest
 };
 
+/// [T] s, v_max/a_max, and at least the time in which a robot goes four radii.
+double time_to_speed(const Robot& robot);
+
 /// m, as far as look_around() looks at any neighbor of at most that radius.
 double arrival_range(const Robot& robot, double largest_radius);
 

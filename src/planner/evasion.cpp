@@ -6,25 +6,19 @@
 #include <cstddef>
 
 #include "core/plane.h"
+#include "planner/arrival.h"
 #include "planner/certify.h"
 #include "robots/model.h"
 
 namespace avo {
 namespace {
 
-constexpr double kLongest = 2.0;         // T, until a way brakes,
+constexpr double kLongestWay = 2.0;      // T, until a way brakes,
 constexpr int kMostWork = 100000;        // somebody or an interval, looked at in a decision
 constexpr double kMostSteps = 400.0;     // and steps; a way has to be looked at
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
-constexpr double kLeastTime = 4.0;       // radii at v_max: T of the strongest
 constexpr double kPeerRoom = 0x1p-9;     // of contact: who decides may be nearly as near as it is
-constexpr int kBisections = 4;
-
-// [T] s
-double time_of(const Robot& robot) {
-  return std::max(robot.max_speed / robot.max_acceleration,
-                  kLeastTime * robot.radius / robot.max_speed);
-}
+constexpr int kNearer = 4;               // bisections
 
 // What a way reckons with; each is tried where the one before has none.
 struct Level {
@@ -101,7 +95,7 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   const double braking =
       law.time_step * (2.0 + evading.options.max_speed / evading.options.decrement);
   const double time = evading.options.longest + law.time_step + braking;
-  const double reaction = level.reaction * time_of(robot);
+  const double reaction = level.reaction * time_to_speed(robot);
   // what does not matter within that time is rounding
   const bool accelerates = norm(neighbor.acceleration) * time * time > 0x1p-30 * contact;
   if (accelerates) other.acceleration = neighbor.acceleration;
@@ -200,7 +194,7 @@ bool has_way_out(Evading& evading, Vec2 next_velocity) {
 Vec2 nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
   double refused = 0.0, kept = 1.0;
   Vec2 best = step.next_velocity;
-  for (int k = 0; k < kBisections; ++k) {
+  for (int k = 0; k < kNearer; ++k) {
     const double part = 0.5 * (refused + kept);
     const Vec2 between = wanted + part * (step.next_velocity - wanted);
     if (is_clear(evading, {between, step.then, step.w}) && is_allowed(evading, between)) {
@@ -276,7 +270,7 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = std::max(robot.max_speed, norm(robot.velocity)),
-      .longest = std::min(kLongest * time_of(robot), kMostSteps * law.step.time_step)};
+      .longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.step.time_step)};
   if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return;
   workspace.around.work = kMostWork;
   const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
