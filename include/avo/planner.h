@@ -156,7 +156,7 @@ struct PlannerOptions {
 AVO_API PlannerOptions default_options(Method method);
 
 /// [T_e] s, the time constant with which a robot of these limits (m/s, m/s²) approaches v':
-/// max(min(response_time v_max/a_max, δ), 2 Δt), or a/(0.8 comfort_jerk) where that is more, a being
+/// min(max(response_time v_max/a_max, 2 Δt), δ), or a/(0.8 comfort_jerk) where that is more, a being
 /// what is used of a_max; 0: at once.
 AVO_API double response_time_of(const PlannerOptions& options, double max_speed,
                                 double max_acceleration);

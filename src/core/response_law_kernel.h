@@ -22,12 +22,12 @@ AVO_KERNEL Real used_of(Real limit, Real max_speed, const ResponseLaw& law) {
   return min(comfortable, max_speed / Real(kFewestSteps * law.time_step));
 }
 
-/// s, without regard to comfort_jerk: beyond δ the robot would be slower than Eq. (7), and below
-/// 2 Δt decisions could not follow.
+/// s, without regard to comfort_jerk: below 2 Δt decisions could not follow, and beyond δ, in which
+/// v' lies, the robot could not brake.
 template <typename Real>
 AVO_KERNEL Real usual_response_time(Real max_speed, Real max_acceleration, const ResponseLaw& law) {
   const Real asked = Real(law.response_time) * (max_speed / max_acceleration);
-  return max(min(asked, Real(law.control_time)), Real(2.0 * law.time_step));
+  return min(max(asked, Real(2.0 * law.time_step)), Real(law.control_time));
 }
 
 /// [T_e] s, of one that uses so much, m/s², by a gentle law: with less than comfort_jerk takes it

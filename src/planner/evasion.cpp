@@ -17,15 +17,13 @@ constexpr double kLongestWay = 2.0;      // T, until a way brakes,
 constexpr int kMostWork = 100000;        // somebody or an interval, looked at in a decision
 constexpr double kMostSteps = 400.0;     // and steps; a way has to be looked at
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
-constexpr double kPeerRoom = 0x1p-9;     // of contact: who decides may be nearly as near as it is
 constexpr int kNearer = 4;               // bisections
 
 // What a way reckons with; each is tried where the one before has none.
 struct Level {
-  double part;      // of a_max that the way uses
-  double margin;    // of contact
-  double reaction;  // T
-  bool robots = true;
+  double part;        // of a_max that the way uses
+  double margin;      // of contact
+  double reaction;    // T
   bool stops = true;  // (C2)
 };
 // Early, gently and far off at first. The second and the fourth differ from the one before by what
@@ -35,10 +33,10 @@ constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
                                         {1.0, 0.025, 0.25},
                                         {1.0, 0.015, 0.125},
                                         {1.0, 0.005, 0.0},
-                                        {1.0, 0.0, 0.0, false}}};
+                                        {1.0, 0.0, 0.0}}};
 // Where braking is too late, the way itself is proof that A is not touched.
-constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, true, false},  //
-                                            {1.0, 0.0025, 0.0, true, false}}};
+constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, false},  //
+                                            {1.0, 0.0025, 0.0, false}}};
 
 // What ways approach, of v_max. They are fixed in the world, so that after a step the rest of a way
 // is a way as well.
@@ -72,7 +70,7 @@ bool decides(const Neighbor& neighbor) {
   return neighbor.behavior == Behavior::decides;
 }
 
-// A mover keeps its acceleration; a robot brakes.
+// A mover keeps its acceleration.
 Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Level& level) {
   const StepLaw& law = evading.law.step;
   const Robot& robot = evading.robot;
@@ -81,16 +79,6 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.position = neighbor.position - robot.position;
   other.velocity = neighbor.velocity;
   const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
-  if (decides(neighbor)) {
-    other.contact = std::min(contact, norm(other.position) - kPeerRoom * contact);
-    other.until = 0.0;
-    if (speed > 0.0) {
-      other.acceleration = (-braking_limit(neighbor) / speed) * neighbor.velocity;
-      other.until = speed / braking_limit(neighbor);
-    }
-    other.fastest = speed;
-    return other;
-  }
   const double kept = contact + error.position + parabola_error(neighbor.acceleration, law);
   const double braking =
       law.time_step * (2.0 + evading.options.max_speed / evading.options.decrement);
@@ -117,8 +105,7 @@ void look_around(Evading& evading, const Level& level) {
       level.part * increment(evading.robot.max_acceleration, evading.law.step);
   around.others.clear();
   for (const Neighbor& neighbor : evading.neighbors)
-    if (level.robots || !decides(neighbor))
-      around.others.push_back(predicted(evading, neighbor, level));
+    if (!decides(neighbor)) around.others.push_back(predicted(evading, neighbor, level));
   begin_ways(evading.options, around);
 }
 
@@ -222,10 +209,8 @@ Way find_way(Evading& evading, const Level& level, Vec2 wanted, Vec2& next_veloc
 // Whether braking after that step is clear of movers, whoever else is there: it is admitted.
 bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
   Surroundings& around = evading.workspace.around;
-  Level first = kLevels[0];
-  first.robots = false;
   around.walls.clear();
-  look_around(evading, first);
+  look_around(evading, kLevels[0]);
   return take_first_step(evading.options, around, evading.robot.velocity, next_velocity) &&
          may_brake(evading.options, around);
 }

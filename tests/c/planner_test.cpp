@@ -198,7 +198,8 @@ void check_response_time() {
   double time = 7.0;
   REQUIRE(avo_planner_response_time(planner, 2.0, 0.5, &time));
   CHECK(std::abs(time - 0.4) < 1e-15);
-  REFUSES(avo_planner_response_time(planner, 2.0, 0.5, nullptr), AVO_ERROR_INVALID_VALUE, "time");
+  REFUSES(avo_planner_response_time(planner, 2.0, 0.5, nullptr), AVO_ERROR_INVALID_ARGUMENT,
+          "time: found null");
   REQUIRE(avo_destroy_planner(planner));
   def.response_time = 0.0;
   REQUIRE(avo_create_planner(&def, &planner));
