@@ -10,12 +10,11 @@
 namespace avo {
 
 Vec2 Predicted::place_at(double time) const {
-  const double t = std::min(time, until);
-  return position + t * (velocity + (0.5 * t) * acceleration);
+  return position + time * (velocity + (0.5 * time) * acceleration);
 }
 
 Vec2 Predicted::velocity_at(double time) const {
-  return time < until ? velocity + time * acceleration : Vec2{};
+  return velocity + time * acceleration;
 }
 
 double Predicted::spread_at(double time) const {
@@ -50,7 +49,7 @@ Hull relative(const Hull& own, const Predicted& other, double time, const StepLa
           own.end - other.place_at(time + law.time_step)};
 }
 
-// Whether A, at rest at the place, is not touched from one time to a later one, before `until`.
+// Whether A, at rest at the place, is not touched from one time to a later one.
 bool keeps_beside_parabola(const Predicted& other, Vec2 place, double from, double to,
                            double distance, int bisections) {
   const Vec2 c = other.place_at(from);
@@ -81,10 +80,9 @@ constexpr int kBisections = 12;
 
 bool rests_clear(const Predicted& other, Vec2 place, double time) {
   const double distance = other.contact + other.spread_at(other.reaction + time);
-  if (!is_rest(other.acceleration) && time < other.until) {
-    const bool rests = std::isfinite(other.until);
-    const double to = rests ? other.until : std::max(time, leaves_at(other, place, distance));
-    return keeps_beside_parabola(other, place, time, to, distance, kBisections);
+  if (!is_rest(other.acceleration)) {
+    const double left = std::max(time, leaves_at(other, place, distance));
+    return keeps_beside_parabola(other, place, time, left, distance, kBisections);
   }
   const Vec2 way = place - other.place_at(time), v = other.velocity_at(time);
   const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : dot(way, v);

@@ -11,14 +11,13 @@
 
 namespace avo {
 
-/// Somebody whom a way has to keep clear of: on a parabola, and at rest from `until` on.
+/// Somebody whom a way has to keep clear of, who keeps its acceleration for ever.
 struct Predicted {
-  Vec2 position, velocity, acceleration;                   // m, m/s, m/s²
-  double until = std::numeric_limits<double>::infinity();  ///< s
-  double contact = 0.0;                                    ///< m, to be kept from it
-  double drift = 0.0;      ///< [e] m/s, by which its velocity may be another one
-  double deviation = 0.0;  ///< [η] m/s², likewise its acceleration
-  double reaction = 0.0;   ///< [T] s: e and η are reckoned with for so long
+  Vec2 position, velocity, acceleration;  // m, m/s, m/s²
+  double contact = 0.0;                   ///< m, to be kept from it
+  double drift = 0.0;                     ///< [e] m/s, by which its velocity may be another one
+  double deviation = 0.0;                 ///< [η] m/s², likewise its acceleration
+  double reaction = 0.0;                  ///< [T] s: e and η are reckoned with for so long
   /// (C2): A has to be able to be at rest when it comes, and keeps stop_contact (m) until then.
   bool asks_to_stop = false;
   double stop_contact = 0.0;

@@ -14,9 +14,9 @@ namespace avo {
 namespace {
 
 constexpr double kLongestWay = 2.0;      // T, until a way brakes,
-constexpr int kMostWork = 100000;        // somebody or an interval, looked at in a decision
-constexpr double kMostSteps = 400.0;     // and steps; a way has to be looked at
+constexpr double kMostSteps = 400.0;     // and steps
 constexpr double kMostBraking = 1024.0;  // steps of braking; who takes more has no ways
+constexpr int kMostWork = 100000;        // movers and intervals that a decision looks at
 constexpr int kNearer = 4;               // bisections
 
 // What a way reckons with; each is tried where the one before has none.
@@ -26,8 +26,8 @@ struct Level {
   double reaction;    // T
   bool stops = true;  // (C2)
 };
-// Early, gently and far off at first. The second and the fourth differ from the one before by what
-// rounding may cost.
+// Early, gently and far off at first. Each keeps less than the one before by more than rounding
+// may cost.
 constexpr std::array<Level, 6> kLevels{{{0.6, 0.05, 0.5},
                                         {0.6, 0.035, 0.5},
                                         {1.0, 0.025, 0.25},
@@ -70,7 +70,6 @@ bool decides(const Neighbor& neighbor) {
   return neighbor.behavior == Behavior::decides;
 }
 
-// A mover keeps its acceleration.
 Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Level& level) {
   const StepLaw& law = evading.law.step;
   const Robot& robot = evading.robot;
@@ -215,11 +214,10 @@ bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
          may_brake(evading.options, around);
 }
 
-// Whether all are movers that are seen exactly, and keep their acceleration.
+// Whether all are seen exactly, and keep their acceleration.
 bool are_exact(const Evading& evading) {
-  return std::none_of(evading.neighbors.begin(), evading.neighbors.end(), [&](const Neighbor& n) {
-    return decides(n) || n.max_deviation > 0.0 ||
-           !(error_against(n, evading.law.step) == SensingError{});
+  return std::all_of(evading.neighbors.begin(), evading.neighbors.end(), [&](const Neighbor& n) {
+    return n.max_deviation == 0.0 && error_against(n, evading.law.step) == SensingError{};
   });
 }
 

@@ -19,8 +19,8 @@ struct EvasionWorkspace {
 
 /// Replaces a plan of method avo that leaves no way out by the nearest first step of a way, where
 /// there is one. Robots that are not holonomic, and those without a certificate, have the plan that
-/// they have. may_swerve: all neighbors that move on keep their acceleration, so that as a last
-/// resort A need not be able to stop before them.
+/// they have. may_swerve: nobody else decides; as a last resort A then need not be able to stop
+/// before movers that keep their acceleration.
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                     bool may_swerve, EvasionWorkspace& workspace, Plan& plan);

@@ -226,9 +226,9 @@ class Poison {
   }
 
   void spoil(Predicted& other) const {
-    each(other.position, other.velocity, other.acceleration, other.until, other.contact,
-         other.drift, other.deviation, other.reaction, other.asks_to_stop, other.stop_contact,
-         other.max_speed, other.fastest);
+    each(other.position, other.velocity, other.acceleration, other.contact, other.drift,
+         other.deviation, other.reaction, other.asks_to_stop, other.stop_contact, other.max_speed,
+         other.fastest);
   }
   void spoil(KeptWall& wall) const { each(wall.segment, wall.kept, wall.clear_until); }
   void spoil(Surroundings& around) const {
