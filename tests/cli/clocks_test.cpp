@@ -60,7 +60,9 @@ TEST(FreeClocks, who_decides_at_other_times_breaks_a_rule) {
 
 // Who follows a path takes the steps that lead from one decision to the next.
 TEST(FreeClocks, a_person_on_a_path_is_walked_by_the_times_of_the_recording) {
-  const Strings person{"person", "--set", "clock=free"};
+  // one that runs: whoever only walks, the robots evade
+  const Strings person{"person", "--set", "clock=free", "--set",
+                       "moving_obstacles.0.max_speed=2.2"};
   const std::string csv = path_of("person.csv");
   ASSERT_EQ(run_avo(with({"run"}, with(person, {"--record", csv, "--summary", path_of("s.json")})))
                 .exit_code,
