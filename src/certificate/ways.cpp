@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/plane.h"
+#include "robots/model.h"
 
 namespace avo {
 
@@ -27,13 +28,14 @@ namespace {
 // A's path on an interval, relative to the place of somebody else: the Bézier points of a hull.
 struct Hull {
   Vec2 start, middle, end;  // m
+  double bend = 0.0;        // m, that the path may be outside of it
 };
 
-// Whether all of the hull is at least so far from the origin, along one of three directions: any
+// Whether all of the path is at least so far from the origin, along one of three directions: any
 // one is proof.
 bool keeps_off(const Hull& hull, double distance) {
   const auto along = [&](Vec2 n) {
-    const double least = distance * norm(n);
+    const double least = (distance + hull.bend) * norm(n);
     return n != Vec2{} && dot(n, hull.start) >= least && dot(n, hull.middle) >= least &&
            dot(n, hull.end) >= least;
   };
@@ -46,7 +48,7 @@ bool keeps_off(const Hull& hull, double distance) {
 Hull relative(const Hull& own, const Predicted& other, double time, const StepLaw& law) {
   const Vec2 place = other.place_at(time);
   return {own.start - place, own.middle - place - law.lag * other.velocity_at(time),
-          own.end - other.place_at(time + law.time_step)};
+          own.end - other.place_at(time + law.time_step), own.bend};
 }
 
 // Whether A, at rest at the place, is not touched from one time to a later one.
@@ -114,9 +116,34 @@ bool is_known(const WayOptions& options, Vec2 place) {
   return norm_squared(place) <= options.known * options.known;
 }
 
-Hull step_of(const StepLaw& law, const WayState& from, Vec2 next_velocity) {
+// One step of a way.
+struct WayStep {
+  Hull path;
+  WayState next;
+};
+
+// A, in that state.
+Robot on_wheels(const WayOptions& options, const WayState& state) {
+  Robot robot = *options.wheels;
+  robot.velocity = state.velocity, robot.heading = state.heading;
+  return robot;
+}
+
+WayStep step_of(const WayOptions& options, const WayState& from, Vec2 next_velocity) {
+  const StepLaw& law = options.law;
+  const double end = from.time + law.time_step;
   const Vec2 middle = from.position + law.lag * from.velocity;
-  return {from.position, middle, middle + (law.time_step - law.lag) * next_velocity};
+  if (options.wheels == nullptr) {
+    const Vec2 last = middle + (law.time_step - law.lag) * next_velocity;
+    return {{from.position, middle, last}, {last, next_velocity, end}};
+  }
+  const Robot robot = on_wheels(options, from);
+  const MotionStep step = advance(robot.model, {planned_braking(robot), robot.max_speed},
+                                  {from.position, from.velocity, from.heading},
+                                  plan_to(robot, next_velocity, law), law.time_step);
+  const auto& [position, velocity, heading, circle] = step.next;
+  return {{from.position, middle + law.lag * step.swing, position, step.bend},
+          {position, velocity, end, heading}};
 }
 
 // (C1) and (C3) of one step.
@@ -136,8 +163,9 @@ bool is_clear(const WayOptions& options, Surroundings& around, const WayState& f
   return is_known(options, step.end) &&
          std::all_of(around.walls.begin(), around.walls.end(), [&](const KeptWall& wall) {
            if (wall.clear_until >= end) return true;
-           return distance({step.start, step.end}, wall.segment) >= wall.kept &&
-                  distance({step.middle, step.end}, wall.segment) >= wall.kept;
+           const double kept = wall.kept + step.bend;
+           return distance({step.start, step.end}, wall.segment) >= kept &&
+                  distance({step.middle, step.end}, wall.segment) >= kept;
          });
 }
 
@@ -245,13 +273,18 @@ void begin_ways(const WayOptions& options, Surroundings& around) {
     wall.clear_until = (distance(Vec2{}, wall.segment) - wall.kept) / options.max_speed;
 }
 
-bool take_first_step(const WayOptions& options, Surroundings& around, Vec2 velocity,
+Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w) {
+  if (options.wheels == nullptr) return approach(from.velocity, w, options.increment);
+  const Robot robot = on_wheels(options, from);
+  return approached(robot, options.law.braking_time, options.increment, within_steering(robot, w));
+}
+
+bool take_first_step(const WayOptions& options, Surroundings& around, const WayState& now,
                      Vec2 next_velocity) {
-  const WayState now{{}, velocity, 0.0};
-  const Hull step = step_of(options.law, now, next_velocity);
-  around.after = {step.end, next_velocity, options.law.time_step};
+  const WayStep step = step_of(options, now, next_velocity);
+  around.after = step.next;
   around.clear_until = around.clear_now;
-  const bool clear = is_clear(options, around, now, step);
+  const bool clear = is_clear(options, around, now, step.path);
   around.clear_after = around.clear_until;
   return clear;
 }
@@ -267,21 +300,18 @@ bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w) {
     const Stop stop = stop_from(options, around, state);
     if (stop != Stop::in_time) return stop == Stop::clear;
     if (!(state.time < options.longest)) return false;
-    const Vec2 next = approach(state.velocity, w, options.increment);
-    const Hull step = step_of(options.law, state, next);
-    if (!is_clear(options, around, state, step)) return false;
-    state = {step.end, next, state.time + options.law.time_step};
+    const WayStep step = step_of(options, state, next_towards(options, state, w));
+    if (!is_clear(options, around, state, step.path)) return false;
+    state = step.next;
   }
 }
 
-bool stops_in_time(const WayOptions& options, const Surroundings& around, Vec2 velocity,
+bool stops_in_time(const WayOptions& options, const Surroundings& around, const WayState& now,
                    Vec2 next_velocity) {
   const StepLaw& law = options.law;
-  const WayState now{{}, velocity, 0.0};
-  const Hull step = step_of(law, now, next_velocity);
-  const WayState state{step.end, next_velocity, law.time_step};
+  const auto [step, state] = step_of(options, now, next_velocity);
   const FullBraking braking = braking_from(options, state);
-  const bool moves = !is_rest(velocity) || !is_rest(next_velocity);
+  const bool moves = !is_rest(now.velocity) || !is_rest(next_velocity);
   return std::all_of(around.others.begin(), around.others.end(), [&](const Predicted& other) {
     if (!other.asks_to_stop || !moves) return true;
     if (!is_reached_at_rest(other, step, 0.0, 0.0, law)) return false;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out: motions of a holonomic robot A that keep clear of all who are predicted, for ever
-// (docs/movers.md). Places are relative to p_A, and times count from the decision.
+// Ways out: motions of a robot A that keep clear of all who are predicted, for ever
+// (docs/movers.md). Places are of A's disc, relative to p_A, and times count from the decision.
 #pragma once
 #include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "avo/robot.h"
 #include "certificate/braking_path.h"
 #include "walls/segment.h"
 
@@ -41,6 +42,7 @@ struct KeptWall {
 struct WayState {
   Vec2 position, velocity;  // m, m/s
   double time = 0.0;        // s
+  double heading = 0.0;     // rad; not of holonomic robots
 };
 
 /// What all ways of one decision have in common.
@@ -48,10 +50,11 @@ struct WayOptions {
   StepLaw law;
   double increment = 0.0;  ///< m/s a step, on the way
   double decrement = 0.0;  ///< [u_b] m/s a step, of braking, which is full
-  double max_speed = 0.0;  ///< m/s
+  double max_speed = 0.0;  ///< m/s, that the disc never exceeds
   double longest = 0.0;    ///< s, until A brakes
   /// m: the center stays that near to p_A, where A knows the walls.
   double known = std::numeric_limits<double>::infinity();
+  const Robot* wheels = nullptr;  ///< A, unless it is holonomic
 };
 
 /// Scratch memory; allocates only while it grows.
@@ -74,9 +77,12 @@ bool rests_clear(const Predicted& other, Vec2 place, double time);
 /// Begins ways among others and walls that have been filled in.
 void begin_ways(const WayOptions& options, Surroundings& around);
 
-/// Whether the first step, from `velocity` to v_1, keeps clear, (C1) and (C3). The following are of
-/// what comes behind it.
-bool take_first_step(const WayOptions& options, Surroundings& around, Vec2 velocity,
+/// [v_1] m/s, by which a way goes on towards the velocity w.
+Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w);
+
+/// Whether the first step, to v_1, keeps clear, (C1) and (C3). The following are of what comes
+/// behind it.
+bool take_first_step(const WayOptions& options, Surroundings& around, const WayState& now,
                      Vec2 next_velocity);
 /// Whether A keeps clear, (C1) to (C3), if it brakes.
 bool may_brake(const WayOptions& options, Surroundings& around);
@@ -84,7 +90,7 @@ bool may_brake(const WayOptions& options, Surroundings& around);
 bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w);
 
 /// (C2) of a step and of braking after it: what the certificate asks of A towards movers.
-bool stops_in_time(const WayOptions& options, const Surroundings& around, Vec2 velocity,
+bool stops_in_time(const WayOptions& options, const Surroundings& around, const WayState& now,
                    Vec2 next_velocity);
 
 }  // namespace avo

@@ -64,6 +64,8 @@ struct Evading {
   EvasionWorkspace& workspace;
   WayOptions options;
   bool has_constraints = false;  // in the workspace
+
+  WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };
 
 bool decides(const Neighbor& neighbor) {
@@ -112,7 +114,7 @@ void look_around(Evading& evading, const Level& level) {
 bool is_allowed(Evading& evading, Vec2 next_velocity) {
   auto& [around, deciding, constraints] = evading.workspace;
   if (norm(next_velocity) > evading.robot.max_speed * (1.0 + 1e-12)) return false;
-  if (!stops_in_time(evading.options, around, evading.robot.velocity, next_velocity)) return false;
+  if (!stops_in_time(evading.options, around, evading.now(), next_velocity)) return false;
   if (!evading.has_constraints) {
     deciding.clear();
     std::copy_if(evading.neighbors.begin(), evading.neighbors.end(), std::back_inserter(deciding),
@@ -136,11 +138,11 @@ struct FirstStep {
 };
 
 bool is_clear(Evading& evading, const FirstStep& step) {
-  const Vec2 v = evading.robot.velocity, next = step.next_velocity;
   Surroundings& around = evading.workspace.around;
-  if (!take_first_step(evading.options, around, v, next)) return false;
+  if (!take_first_step(evading.options, around, evading.now(), step.next_velocity)) return false;
   if (step.then == Then::brakes) return may_brake(evading.options, around);
-  return may_approach(evading.options, around, step.then == Then::holds ? next : step.w);
+  const Vec2 w = step.then == Then::holds ? around.after.velocity : step.w;
+  return may_approach(evading.options, around, w);
 }
 
 using FirstSteps = std::array<FirstStep, kVelocities.size() + 2>;
@@ -151,7 +153,7 @@ FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
   FirstSteps steps;
   for (std::size_t k = 0; k < kVelocities.size(); ++k) {
     const Vec2 w = evading.robot.max_speed * kVelocities[k];
-    steps[k] = {approach(v, w, evading.options.increment), Then::approaches, w};
+    steps[k] = {next_towards(evading.options, evading.now(), w), Then::approaches, w};
   }
   steps[kVelocities.size()] = {v, Then::holds, {}};
   steps[kVelocities.size() + 1] = {braked(v, evading.options.decrement), Then::brakes, {}};
@@ -169,11 +171,16 @@ FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
 bool has_way_out(Evading& evading, Vec2 next_velocity) {
   const WayOptions& options = evading.options;
   Surroundings& around = evading.workspace.around;
-  if (!take_first_step(options, around, evading.robot.velocity, next_velocity)) return false;
-  return may_brake(options, around) || may_approach(options, around, next_velocity) ||
+  if (!take_first_step(options, around, evading.now(), next_velocity)) return false;
+  return may_brake(options, around) || may_approach(options, around, around.after.velocity) ||
          std::any_of(kVelocities.begin(), kVelocities.end(), [&](Vec2 part) {
            return may_approach(options, around, evading.robot.max_speed * part);
          });
+}
+
+Vec2 followed(const Evading& evading, Vec2 next_velocity) {
+  if (evading.options.wheels == nullptr) return next_velocity;
+  return within_own_limits(evading.robot, evading.law.step.braking_time, next_velocity);
 }
 
 // As near to what is wanted as bisection finds.
@@ -182,7 +189,7 @@ Vec2 nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
   Vec2 best = step.next_velocity;
   for (int k = 0; k < kNearer; ++k) {
     const double part = 0.5 * (refused + kept);
-    const Vec2 between = wanted + part * (step.next_velocity - wanted);
+    const Vec2 between = followed(evading, wanted + part * (step.next_velocity - wanted));
     if (is_clear(evading, {between, step.then, step.w}) && is_allowed(evading, between)) {
       kept = part, best = between;
     } else {
@@ -210,7 +217,7 @@ bool is_far_from_movers(Evading& evading, Vec2 next_velocity) {
   Surroundings& around = evading.workspace.around;
   around.walls.clear();
   look_around(evading, kLevels[0]);
-  return take_first_step(evading.options, around, evading.robot.velocity, next_velocity) &&
+  return take_first_step(evading.options, around, evading.now(), next_velocity) &&
          may_brake(evading.options, around);
 }
 
@@ -246,14 +253,15 @@ void keep_walls(Evading& evading) {
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                     bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
-  if (law.kind == Certificate::none || !is_holonomic(robot.model)) return;
+  if (law.kind == Certificate::none || is_airplane(robot.model)) return;
   if (std::all_of(neighbors.begin(), neighbors.end(), decides)) return;
   Evading evading{law, robot, neighbors, walls, workspace, {}};
   evading.options = {
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
-      .max_speed = std::max(robot.max_speed, norm(robot.velocity)),
-      .longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.step.time_step)};
+      .max_speed = fastest_of(robot.model, std::max(robot.max_speed, norm(robot.velocity))),
+      .longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.step.time_step),
+      .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return;
   workspace.around.work = kMostWork;
   const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;

@@ -226,6 +226,19 @@ Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v) 
   return speed > top ? (top / speed) * result : result;
 }
 
+Vec2 approached(const Car& car, const Robot& robot, double time, double increment, Vec2 w) {
+  const Vec2 h = elementary::direction(robot.heading), v = robot.velocity;
+  const double across = own_limits(car, robot).across * time;
+  Vec2 next = approach(v, w, increment);
+  const double aside = cross(h, next - v);
+  if (std::abs(aside) > across) {
+    const double along = std::sqrt(increment * increment - across * across);
+    next = v + std::clamp(dot(h, w - v), -along, along) * h +
+           std::copysign(across, aside) * perpendicular(h);
+  }
+  return within_own_limits(car, robot, time, next);
+}
+
 void append_own_half_planes(const Car& car, const Robot& robot, double time,
                             std::vector<HalfPlane>& half_planes) {
   const Vec2 h = elementary::direction(robot.heading), v = robot.velocity;

@@ -20,6 +20,7 @@ Stray stray_of_car(const Car& car, double max_acceleration, double time_step);
 SensingError unforeseen_of_car(const Car& car, double max_acceleration, double time_step);
 double top_speed_of(const Car& car, const Robot& robot, double u);
 Vec2 within_own_limits(const Car& car, const Robot& robot, double time, Vec2 v);
+Vec2 approached(const Car& car, const Robot& robot, double time, double increment, Vec2 w);
 Vec2 turning_first(const Car& car, const Robot& robot, Vec2 v);
 void append_own_half_planes(const Car& car, const Robot& robot, double time,
                             std::vector<HalfPlane>& half_planes);

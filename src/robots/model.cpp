@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "core/plane.h"
 #include "core/ranges.h"
 #include "robots/airplane.h"
 #include "robots/car.h"
@@ -114,6 +115,12 @@ Vec2 within_own_limits(const Robot& robot, double time, Vec2 v) {
     return within_own_limits(*drive, robot, time, v);
   const Car* car = std::get_if<Car>(&robot.model);
   return has_own_half_planes(robot.model) ? within_own_limits(*car, robot, time, v) : v;
+}
+
+Vec2 approached(const Robot& robot, double time, double increment, Vec2 w) {
+  if (const Car* car = std::get_if<Car>(&robot.model))
+    return approached(*car, robot, time, increment, w);
+  return within_own_limits(robot, time, approach(robot.velocity, w, increment));
 }
 
 bool has_own_half_planes(const MotionModel& model) {

@@ -96,6 +96,9 @@ double top_speed_of(const Robot& robot, double u);
 /// m/s: v, or what comes near it of the velocities that the robot can have after `time` s.
 Vec2 within_own_limits(const Robot& robot, double time, Vec2 v);
 
+/// m/s: what comes nearest to w within `increment` of its velocity, of those velocities.
+Vec2 approached(const Robot& robot, double time, double increment, Vec2 w);
+
 bool has_own_half_planes(const MotionModel& model);
 /// Whether these do not say it all: what it can follow is asked of within_own_limits().
 bool has_limits_within_steps(const MotionModel& model);

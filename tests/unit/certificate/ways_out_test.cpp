@@ -87,11 +87,11 @@ Case random_case(test::Random& random, int kind) {
 
 bool may_brake(Case& c) {
   begin_ways(c.options, c.around);
-  return take_first_step(c.options, c.around, c.v, c.next) && may_brake(c.options, c.around);
+  return take_first_step(c.options, c.around, {{}, c.v}, c.next) && may_brake(c.options, c.around);
 }
 bool has_clear_way(Case& c) {
   begin_ways(c.options, c.around);
-  return take_first_step(c.options, c.around, c.v, c.next) &&
+  return take_first_step(c.options, c.around, {{}, c.v}, c.next) &&
          may_approach(c.options, c.around, c.w);
 }
 
@@ -184,8 +184,8 @@ TEST(WaysOut, what_is_left_of_a_clear_way_is_one) {
     const bool by_braking = may_brake(later);
     later.next = on;
     ASSERT_TRUE(by_braking || has_clear_way(later)) << trial;
-    ASSERT_TRUE(stops_in_time(later.options, later.around, later.v, on) ||
-                stops_in_time(later.options, later.around, later.v, brakes))
+    ASSERT_TRUE(stops_in_time(later.options, later.around, {{}, later.v}, on) ||
+                stops_in_time(later.options, later.around, {{}, later.v}, brakes))
         << trial << ": the certificate would refuse it";
   }
   EXPECT_GT(clear, 1000);

@@ -57,23 +57,27 @@ struct Watched {
 Watched watch(const Scenario& scene, double duration) {
   Simulation simulation(scene, 1);
   Watched result;
-  Vec2 p = scene.robots[0].position, v;
-  const double h = scene.time_step;
+  const RobotSetup& robot = scene.robots[0];
+  const double h = scene.time_step, radius = disc_radius(robot.model, robot.radius);
+  const auto disc = [&] {
+    const FleetView fleet = simulation.fleet();
+    return disc_center(robot.model, fleet.position[0], fleet.heading[0]);
+  };
+  Vec2 p = disc(), v = robot.velocity;
   for (double time = 0.0; time < duration; time += h) {
     simulation.step();
-    const Vec2 next = simulation.fleet().velocity[0];
+    const Vec2 next = disc();
     for (int part = 1; part <= 16; ++part) {
       const double t = h * part / 16.0;
-      const Vec2 place = p + t * v + (0.5 * t * t / h) * (next - v);
+      const Vec2 place = p + t * v + (t * t / (h * h)) * (next - p - h * v);
       for (const MovingObstacle& m : scene.moving_obstacles) {
         const double at = time + t;
         const Vec2 c = m.position + at * m.velocity + (0.5 * at * at) * m.acceleration;
-        result.clearance =
-            std::min(result.clearance, norm(place - c) - m.radius - scene.robots[0].radius);
+        result.clearance = std::min(result.clearance, norm(place - c) - m.radius - radius);
       }
     }
-    p = simulation.fleet().position[0], v = next;
-    const bool is_there = norm(p - scene.robots[0].goal) <= scene.arrival_distance;
+    p = next, v = simulation.fleet().velocity[0];
+    const bool is_there = norm(simulation.fleet().position[0] - robot.goal) <= scene.arrival_distance;
     if (is_there) result.arrives = std::min(result.arrives, simulation.time());
   }
   return result;
@@ -91,6 +95,30 @@ TEST(Evasion, nobody_is_hit_alone_among_movers) {
         EXPECT_GE(way.clearance, 0.0);
         EXPECT_LE(way.arrives, 30.0);
         EXPECT_GE(watch(crossing(random, count, 0.4, 3.0, true, time_step), 24.0).clearance, 0.0);
+      }
+    }
+  }
+}
+
+// Robots with wheels: of those with a disc off the axle the place of that.
+TEST(Evasion, nobody_on_wheels_is_hit_alone_among_movers) {
+  Car narrow{.wheelbase = 0.5, .max_curvature = 1.0};
+  Car with_body{.wheelbase = 0.5, .max_curvature = 0.8, .body = CarBody{0.25, 0.4}};
+  with_body.reverse = true;
+  test::Random random(38);
+  for (const MotionModel& model :
+       {MotionModel{Car{.wheelbase = 0.5}}, MotionModel{narrow}, MotionModel{with_body},
+        MotionModel{DifferentialDrive{}}}) {
+    for (const int count : {1, 4}) {
+      for (int trial = 0; trial < 8; ++trial) {
+        SCOPED_TRACE(testing::Message() << model.index() << ", " << count << ", " << trial);
+        for (const bool rests : {false, true}) {
+          Scenario scene = crossing(random, count, 0.6, trial % 2 == 0 ? 2.0 : 3.0, rests, 0.1);
+          scene.robots[0].model = model;
+          const Watched way = watch(scene, 30.0);
+          EXPECT_GE(way.clearance, 0.0);
+          EXPECT_TRUE(rests || way.arrives <= 30.0);
+        }
       }
     }
   }
