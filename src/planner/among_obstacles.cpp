@@ -11,6 +11,7 @@
 #include "planner/contact.h"
 #include "planner/decision.h"
 #include "planner/demands.h"
+#include "planner/margin.h"
 #include "planner/neighbor_order.h"
 #include "planner/options.h"
 #include "planner/passive_obstacles.h"
@@ -21,6 +22,25 @@
 #include "robots/model.h"
 
 namespace avo {
+
+namespace {
+
+// What method avo does towards movers, which leave all of it to A (docs/movers.md, "Towards
+// movers"). Those who decide here were asked to avoid alone.
+constexpr double kMoverHorizon = 2.0;  // τ
+
+double horizon_of(const PlannerOptions& options) {
+  const double factor = options.method == Method::avo ? kMoverHorizon : 1.0;
+  return factor * options.time_horizon;
+}
+
+double kept_radius(const PlannerOptions& options, const Robot& robot, const Pair& pair) {
+  if (options.method != Method::avo) return pair.radius;
+  const double margin = std::max(options.margin, kMoverMargin * robot.radius);
+  return with_margin(pair, margin_on_way(margin, robot.radius, robot.distance_to_goal));
+}
+
+}  // namespace
 
 Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                             std::span<const Neighbor> given, std::span<const Wall> walls,
@@ -36,8 +56,9 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   bool overlapping = false;
   scratch.obstacles.clear();
   for (const Neighbor& obstacle : obstacles) {
-    const Pair pair = relative(robot, obstacle);
+    Pair pair = relative(robot, obstacle);
     overlapping = overlapping || norm(pair.position) < pair.radius;
+    pair.radius = kept_radius(options, robot, pair);
     if (options.method == Method::reciprocal_velocity_obstacle) {
       scratch.obstacles.push_back(reciprocal_obstacle(options, robot, obstacle));
       continue;
@@ -46,7 +67,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     const Vec2 v_new_B =
         obstacle.velocity + (response.control_time() * kept) * obstacle.acceleration;
     scratch.obstacles.push_back(
-        {{pair, response, options.time_horizon}, v_new_B, options.time_step});
+        {{pair, response, horizon_of(options)}, v_new_B, options.time_step});
   }
   Demands& demands = scratch.demands;
   demands.clear();
