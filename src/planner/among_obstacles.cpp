@@ -35,9 +35,8 @@ double horizon_of(const PlannerOptions& options) {
 }
 
 double kept_radius(const PlannerOptions& options, const Robot& robot, const Pair& pair) {
-  if (options.method != Method::avo) return pair.radius;
-  const double margin = std::max(options.margin, kMoverMargin * robot.radius);
-  return with_margin(pair, margin_on_way(margin, robot.radius, robot.distance_to_goal));
+  return with_margin(pair, margin_on_way(mover_margin(options, robot.radius), robot.radius,
+                                         robot.distance_to_goal));
 }
 
 }  // namespace

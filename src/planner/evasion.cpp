@@ -111,18 +111,23 @@ void look_around(Evading& evading, const Level& level) {
 }
 
 // The certificate without movers: those are left to (C2).
+CertifiedWorkspace& without_movers(Evading& evading) {
+  auto& [around, deciding, certified] = evading.workspace;
+  if (evading.has_constraints) return certified;
+  deciding.clear();
+  std::copy_if(evading.neighbors.begin(), evading.neighbors.end(), std::back_inserter(deciding),
+               decides);
+  collect_constraints(evading.robot, deciding, evading.law, certified.constraints, evading.walls);
+  evading.has_constraints = true;
+  return certified;
+}
+
 bool is_allowed(Evading& evading, Vec2 next_velocity) {
-  auto& [around, deciding, constraints] = evading.workspace;
-  if (norm(next_velocity) > evading.robot.max_speed * (1.0 + 1e-12)) return false;
+  const Robot& robot = evading.robot;
+  if (norm(next_velocity) > robot.max_speed * (1.0 + 1e-12)) return false;
+  const Surroundings& around = evading.workspace.around;
   if (!stops_in_time(evading.options, around, evading.now(), next_velocity)) return false;
-  if (!evading.has_constraints) {
-    deciding.clear();
-    std::copy_if(evading.neighbors.begin(), evading.neighbors.end(), std::back_inserter(deciding),
-                 decides);
-    collect_constraints(evading.robot, deciding, evading.law, constraints, evading.walls);
-    evading.has_constraints = true;
-  }
-  return admits(evading.robot, next_velocity, evading.law, constraints);
+  return admits(robot, next_velocity, evading.law, without_movers(evading).constraints);
 }
 
 enum class Then : unsigned char { brakes, holds, approaches };
@@ -201,15 +206,30 @@ Vec2 nearer(Evading& evading, const FirstStep& step, Vec2 wanted) {
 
 enum class Way : unsigned char { none, as_wanted, another };
 
+// Where others refuse the first steps of ways, what is nearest to one of them and leaves a way.
+bool find_beside(Evading& evading, const FirstSteps& steps, Vec2& next_velocity) {
+  for (const FirstStep& step : steps) {
+    if (!is_clear(evading, step)) continue;
+    const Vec2 v = choose_certified(evading.robot, step.next_velocity, evading.law,
+                                    without_movers(evading))
+                       .next_velocity;
+    if (!is_allowed(evading, v) || !has_way_out(evading, v)) continue;
+    next_velocity = v;
+    return true;
+  }
+  return false;
+}
+
 Way find_way(Evading& evading, const Level& level, Vec2 wanted, Vec2& next_velocity) {
   look_around(evading, level);
   if (has_way_out(evading, wanted)) return Way::as_wanted;
-  for (const FirstStep& step : first_steps(evading, wanted)) {
+  const FirstSteps steps = first_steps(evading, wanted);
+  for (const FirstStep& step : steps) {
     if (!is_clear(evading, step) || !is_allowed(evading, step.next_velocity)) continue;
     next_velocity = nearer(evading, step, wanted);
     return Way::another;
   }
-  return Way::none;
+  return find_beside(evading, steps, next_velocity) ? Way::another : Way::none;
 }
 
 // Whether braking after that step is clear of movers, whoever else is there: it is admitted.

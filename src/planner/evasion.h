@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "certificate/certificate.h"
 #include "certificate/ways.h"
+#include "planner/certified.h"
 #include "planner/decision.h"
 
 namespace avo {
@@ -14,7 +14,7 @@ namespace avo {
 struct EvasionWorkspace {
   Surroundings around;
   std::vector<Neighbor> deciding;      // of the neighbors
-  CertificateConstraints constraints;  // of these and of walls
+  CertifiedWorkspace certified;        // of these and of walls
 };
 
 /// Replaces a plan of method avo that leaves no way out by the nearest first step of a way, where

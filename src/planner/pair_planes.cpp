@@ -70,9 +70,11 @@ RelativeHalfPlane relative_half_plane(const PlannerOptions& options, const Horiz
                                       const Robot& robot, const Neighbor& neighbor) {
   Pair pair = relative(robot, neighbor);
   if (has_noise(options.sensing_noise)) pair.radius = reserved_radius(pair, options);
-  if (options.margin > 0.0)
-    pair.radius =
-        with_margin(pair, margin_on_way(options.margin, robot.radius, robot.distance_to_goal));
+  const double margin = neighbor.behavior == Behavior::decides
+                            ? options.margin
+                            : mover_margin(options, robot.radius);
+  if (margin > 0.0)
+    pair.radius = with_margin(pair, margin_on_way(margin, robot.radius, robot.distance_to_goal));
   if (parts(neighbor))
     return parting_plane(options, horizon, pair.radius, neighbor.parting,
                          pair_reach(options, robot, neighbor));

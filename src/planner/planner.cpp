@@ -33,17 +33,17 @@ PlanWorkspace& PlanWorkspace::operator=(PlanWorkspace&&) noexcept = default;
 void PlanWorkspace::Scratch::reserve_choice(std::size_t neighbors, std::size_t braking_steps) {
   reserve_planes(neighbors, 0);
   reserve_constraints(neighbors, braking_steps, kMostConstraints, certified.constraints);
-  reserve_constraints(neighbors, braking_steps, kMostConstraints, evasion.constraints);
+  reserve_constraints(neighbors, braking_steps, kMostConstraints, evasion.certified.constraints);
   evasion.around.reserve(neighbors);
   evasion.deciding.reserve(neighbors);
-  evasion.constraints.seen.reserve(neighbors);
-  evasion.constraints.alone.reserve(1);
+  evasion.certified.constraints.seen.reserve(neighbors);
+  evasion.certified.constraints.alone.reserve(1);
   listed.reserve(neighbors);
 }
 
 void PlanWorkspace::Scratch::reserve_walls(std::size_t neighbors, std::size_t most_walls) {
   certified.constraints.walls.near.reserve(most_walls);
-  evasion.constraints.walls.near.reserve(most_walls);
+  evasion.certified.constraints.walls.near.reserve(most_walls);
   evasion.around.walls.reserve(most_walls);
   reserve_planes(neighbors, most_walls);
 }

@@ -150,14 +150,20 @@ void add_reserves(const PlannerOptions& options, PairColumns& pairs) {
   }
 }
 
-void add_margins(double margin, const Tile& tile, SoftPlanes& soft) {
+void add_margins(const PlannerOptions& options, const Tile& tile, SoftPlanes& soft) {
   const RobotColumns& robots = tile.robots;
   PairColumns& pairs = soft.pairs;
   std::size_t i = 0;
   for (std::size_t r = 0; r < robots.count; ++r) {
-    const double own = margin_on_way(margin, robots.radius[r], robots.distance_to_goal[r]);
-    for (; i < soft.pair_end[r]; ++i)
-      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]}, own);
+    const auto own = [&](double margin) {
+      return margin_on_way(margin, robots.radius[r], robots.distance_to_goal[r]);
+    };
+    const double margin = own(options.margin), larger = own(mover_margin(options, robots.radius[r]));
+    for (std::size_t k = robots.neighbors[r].first; i < soft.pair_end[r]; ++i, ++k) {
+      const bool decides = tile.neighbors.decides[k] != NeighborColumns::kMover;
+      pairs.radius[i] = with_margin({{pairs.p_x[i], pairs.p_y[i]}, {}, pairs.radius[i]},
+                                    decides ? margin : larger);
+    }
   }
 }
 
@@ -178,7 +184,7 @@ void collect_exact(const PlannerOptions& options, const Horizon& horizon, const 
   relate(robots, tile.neighbors, soft.pair_end, options.control_time, soft.pairs, soft.share);
   if (tile.neighbors.has_movers) add_movers(options, tile, soft);
   if (has_noise(options.sensing_noise)) add_reserves(options, soft.pairs);
-  if (options.margin > 0.0) add_margins(options.margin, tile, soft);
+  if (options.margin > 0.0 || tile.neighbors.has_movers) add_margins(options, tile, soft);
   half_planes(soft.pairs, horizon, soft.workspace, soft.relative);
   if (tile.neighbors.has_partings) part_coinciding(options, horizon, tile, soft);
   if (has_priorities(tile)) weigh(tile, soft);

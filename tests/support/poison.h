@@ -234,11 +234,11 @@ class Poison {
   void spoil(Surroundings& around) const {
     auto& [others, walls, clear_now, clear_after, clear_until, after, work] = around;
     each(others, walls, clear_now, clear_after, clear_until, after.position, after.velocity,
-         after.time, work);
+         after.time, after.heading, work);
   }
   void spoil(EvasionWorkspace& evasion) const {
-    auto& [around, deciding, constraints] = evasion;
-    each(around, constraints);
+    auto& [around, deciding, certified] = evasion;
+    each(around, certified);
     static_cast<void>(deciding);
   }
 
