@@ -70,6 +70,7 @@ avo::PlannerOptions options_of(const avo_planner_def& def) {
   options.comfort_acceleration = unless_zero(def.comfort_acceleration);
   options.comfort_jerk = unless_zero(def.comfort_jerk);
   options.margin = def.margin;
+  options.wall_range = def.wall_range;
   return options;
 }
 
@@ -102,6 +103,7 @@ avo_planner_def avo_default_planner_def(avo_method method) {
   def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
   def.comfort_jerk = options.comfort_jerk.value_or(0.0);
   def.margin = options.margin;
+  def.wall_range = options.wall_range;
   return def;
 }
 

@@ -208,7 +208,8 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
                          constraints.walls.broken),
          plan);
   plan.state = state_of(robot, seen, walls, law, constraints).state;
-  keep_a_way_out(law, robot, movers, walls, !with_robots, scratch.evasion, plan);
+  keep_a_way_out(law, robot, movers, walls, planner.options().wall_range, !with_robots,
+                 scratch.evasion, plan);
   return plan;
 }
 

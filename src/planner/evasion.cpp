@@ -250,7 +250,7 @@ bool are_exact(const Evading& evading) {
 
 // Those within reach: which others there are is not known for sure. Where there is one, ways stay
 // within that reach.
-void keep_walls(Evading& evading) {
+void keep_walls(double wall_range, Evading& evading) {
   const Robot& robot = evading.robot;
   std::vector<KeptWall>& kept = evading.workspace.around.walls;
   kept.clear();
@@ -258,7 +258,8 @@ void keep_walls(Evading& evading) {
   const StepLaw& law = evading.law.step;
   const WallRounding rounding =
       wall_rounding(robot.radius, robot.max_speed, ability_of(robot), law);
-  const double reach = wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law);
+  const double reach =
+      std::max(wall_reach(robot.max_speed, robot.max_speed, ability_of(robot), law), wall_range);
   for (const Wall& wall : evading.walls) {
     const Segment segment{wall.a - robot.position, wall.b - robot.position};
     const double held = robot.radius + wall.radius + law.localization_error;
@@ -270,9 +271,15 @@ void keep_walls(Evading& evading) {
 
 }  // namespace
 
+double way_range(double radius, double max_speed, double max_acceleration) {
+  Robot robot{.radius = radius, .max_acceleration = max_acceleration, .max_speed = max_speed};
+  const double time = time_to_speed(robot);
+  return (kLongestWay + 0.5) * time * max_speed;
+}
+
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
-                    bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
+                    double wall_range, bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
   if (law.kind == Certificate::none || is_airplane(robot.model)) return;
   if (std::all_of(neighbors.begin(), neighbors.end(), decides)) return;
   Evading evading{law, robot, neighbors, walls, workspace, {}};
@@ -286,7 +293,7 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
   workspace.around.work = kMostWork;
   const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
   if (is_far_from_movers(evading, wanted)) return;
-  keep_walls(evading);
+  keep_walls(wall_range, evading);
   Vec2 next_velocity;
   const auto try_all = [&](std::span<const Level> levels) {
     for (const Level& level : levels) {

@@ -17,12 +17,16 @@ struct EvasionWorkspace {
   CertifiedWorkspace certified;        // of these and of walls
 };
 
+/// m: as far as the ways of a robot lead, but for the last of its braking.
+double way_range(double radius, double max_speed, double max_acceleration);
+
 /// Replaces a plan of method avo that leaves no way out by the nearest first step of a way, where
 /// there is one. Robots that are not holonomic, and those without a certificate, have the plan that
-/// they have. may_swerve: nobody else decides; as a last resort A then need not be able to stop
+/// they have. All walls within wall_range
+/// of the robot's disc are given, or those that the certificate needs. may_swerve: nobody else decides; as a last resort A then need not be able to stop
 /// before movers that keep their acceleration.
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
-                    bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
+                    double wall_range, bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
 
 }  // namespace avo

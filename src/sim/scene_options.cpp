@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "avo/scenario.h"
+#include "planner/evasion.h"
 #include "planner/options.h"
 #include "robots/model.h"
 #include "sim/fleet.h"
@@ -33,6 +34,18 @@ double longest_step_of(const Scenario& scenario) {
     if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
   }
   return longest > 0.0 ? longest : scenario.time_step;
+}
+
+// m: as far as ways out lead, from whoever decides, where there is what they lead away from.
+double wall_range_of(const Scenario& scenario) {
+  if (scenario.moving_obstacles.empty()) return 0.0;
+  double range = 0.0;
+  for (const RobotSetup& setup : scenario.robots) {
+    if (setup.parked || is_airplane(setup.model)) continue;
+    const double top_speed = fastest_of(setup.model, setup.max_speed);
+    range = std::max(range, way_range(disc_radius(setup), top_speed, setup.max_acceleration));
+  }
+  return range;
 }
 
 }  // namespace
@@ -71,6 +84,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
     options.sensing_error = declared_error(scenario);
   }
   options.localization_error = most_lost(scenario.sensing.localization);
+  if (options.certificate != Certificate::none) options.wall_range = wall_range_of(scenario);
   const MeasurementNoise& noise = scenario.sensing.noise;
   if (noise.distribution == NoiseDistribution::gaussian) {
     const double carried = scenario.sensing.delay * scenario.time_step * noise.velocity;

@@ -149,9 +149,10 @@ void find_walls(World& world) {
             : 0.0;
     // from where it takes itself to be
     needs.include(traits, stray + 2.0 * law.localization_error, speed, law);
-    if (options.method == Method::avo) continue;
-    needs.reach =
-        std::max(needs.reach, traits.radius + obstacle_reach(speed, traits.max_speed, options));
+    const double wished = options.method == Method::avo
+                              ? options.wall_range
+                              : obstacle_reach(speed, traits.max_speed, options);
+    needs.reach = std::max(needs.reach, traits.radius + wished);
   }
   if (statics.needs && statics.needs->cover(needs)) return;
   statics.grid = grid_of(statics.walls, needs);

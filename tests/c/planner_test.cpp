@@ -90,7 +90,7 @@ avo_planner_def to_c(const avo::PlannerOptions& options) {
   def.response_time = options.response_time;
   def.comfort_acceleration = options.comfort_acceleration.value_or(0.0);
   def.comfort_jerk = options.comfort_jerk.value_or(0.0);
-  def.margin = options.margin;
+  def.margin = options.margin, def.wall_range = options.wall_range;
   return def;
 }
 

@@ -341,6 +341,7 @@ class Planner:
         comfort_acceleration: _Float | None = None,
         comfort_jerk: _Float | None = None,
         margin: _Float = 0.0,
+        wall_range: _Float = 0.0,
     ) -> None: ...
     @overload
     def plan(
@@ -392,6 +393,8 @@ class Planner:
     def comfort_jerk(self) -> float | None: ...
     @property
     def margin(self) -> float: ...
+    @property
+    def wall_range(self) -> float: ...
     def response_time_of(self, max_speed: _Float, max_acceleration: _Float) -> float: ...
 
 class Robots:

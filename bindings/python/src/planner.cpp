@@ -27,7 +27,7 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
              std::tuple<double, double, double> sensing_noise, avo::Clock clock,
              double longest_step, double arrival_distance, double localization_error,
              std::optional<double> response_time, std::optional<double> comfort_acceleration,
-             std::optional<double> comfort_jerk, double margin) {
+             std::optional<double> comfort_jerk, double margin, double wall_range) {
   avo::PlannerOptions options = avo::default_options(method);
   options.motion = motion;
   options.control_time = control_time.value_or(options.control_time);
@@ -47,6 +47,7 @@ Planner make(avo::Method method, avo::Motion motion, std::optional<double> contr
   options.comfort_acceleration = comfort_acceleration;
   options.comfort_jerk = comfort_jerk;
   options.margin = margin;
+  options.wall_range = wall_range;
   return Planner(options);
 }
 
@@ -108,6 +109,7 @@ void bind_options(py::class_<Planner>& planner) {
       arg("clock") = "common", arg("longest_step") = 0.0, arg("arrival_distance") = 0.5,
       arg("localization_error") = 0.0, arg("response_time") = py::none(),
       arg("comfort_acceleration") = py::none(), arg("comfort_jerk") = py::none(), arg("margin") = 0.0,
+      arg("wall_range") = 0.0,
       "method: as in scene files, \"avo\", \"avo_paper\", \"velocity_obstacle\", \"orca\", "
       "\"orca_clamped\", \"reciprocal_velocity_obstacle\" or \"buffered_voronoi\"; motion: "
       "\"held\" or "
@@ -118,7 +120,8 @@ void bind_options(py::class_<Planner>& planner) {
       "longest_step: s; arrival_distance: m, > 0; localization_error: m, >= 0, of the robot's own "
       "place among the walls; response_time: >= 0, of max_speed/max_acceleration, None: customary "
       "for the method; comfort_acceleration: m/s^2, > 0, and comfort_jerk: m/s^3, > 0, None: no "
-      "limit of its own; margin: m, >= 0, that is wished for beyond the radius. Raises Error on options out of range.");
+      "limit of its own; margin: m, >= 0, that is wished for beyond the radius; wall_range: m, >= 0, from the "
+      "robot's disc, within which all walls are given. Raises Error on options out of range.");
   const auto option = [&planner](const char* name, auto member, const char* doc) {
     planner.def_property_readonly(
         name, [member](const Planner& self) { return self.options().*member; }, doc);
@@ -146,6 +149,7 @@ void bind_options(py::class_<Planner>& planner) {
   option("comfort_jerk", &Options::comfort_jerk,
          "m/s^3, by which the acceleration changes without need; None: as response_time has it");
   option("margin", &Options::margin, "m, clearance that is wished for beyond the radius");
+  option("wall_range", &Options::wall_range, "m, from the robot's disc, within which all walls are given");
   planner.def(
       "response_time_of",
       [](const Planner& self, double max_speed, double max_acceleration) {

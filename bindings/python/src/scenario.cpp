@@ -87,6 +87,7 @@ py::dict options_of(const Scenario& scenario) {
   all["comfort_acceleration"] = options.comfort_acceleration;
   all["comfort_jerk"] = options.comfort_jerk;
   all["margin"] = options.margin;
+  all["wall_range"] = options.wall_range;
   return all;
 }
 
