@@ -5,6 +5,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "avo/simulation.h"
@@ -195,6 +198,68 @@ TEST(Evasion, among_walls) {
       {.chains = {{{{-20, -1.0}, {20, -1.0}}}}}};
   scene.moving_obstacles = {mover({9, 0}, {-1, 0}, 0.55)};
   EXPECT_GE(watch(scene, 24.0).clearance, 0.0);
+}
+
+// A mover that is wider than the way that braking from v_max takes: beside a wall, A goes as far as
+// walls are known.
+TEST(Evasion, of_a_wide_mover_beside_a_wall) {
+  Scenario scene = one_robot({0, 0}, {0, 0}, 0.1);
+  scene.obstacles = {{.chains = {{{{-40, 1.0}, {40, 1.0}}}}}};
+  scene.moving_obstacles = {mover({20, -1.5}, {-1, 0}, 4.0)};
+  EXPECT_GE(watch(scene, 40.0).clearance, 0.0);
+}
+
+// Where others stand in the way of the first steps of all ways, what they admit is taken.
+TEST(Evasion, among_robots_that_are_in_the_way) {
+  test::Random random(8);
+  int touched = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Scenario scene = crossing(random, 6, 0.6, 3.0, false, 0.1);
+    scene.robots.clear();
+    for (int k = 0; k < 8; ++k) {
+      const double angle = k * std::numbers::pi / 4.0;
+      const Vec2 p{8.0 * std::cos(angle), 8.0 * std::sin(angle)};
+      scene.robots.push_back(robot_at(p, {-p.x, 0.1 - p.y}));
+      scene.robots.back().radius = 0.4;
+    }
+    std::erase_if(scene.moving_obstacles, [&](const MovingObstacle& m) {
+      return std::any_of(scene.robots.begin(), scene.robots.end(), [&](const RobotSetup& robot) {
+        return norm(m.position - robot.position) < m.radius + 3.0;
+      });
+    });
+    Simulation simulation(scene, 1);
+    std::set<std::pair<int, std::size_t>> pairs;
+    for (int step = 1; step <= 300; ++step) {
+      simulation.step();
+      for (int k = 0; k < 8; ++k)
+        for (std::size_t m = 0; m < scene.moving_obstacles.size(); ++m) {
+          const MovingObstacle& other = scene.moving_obstacles[m];
+          const Vec2 c = other.position + simulation.time() * other.velocity;
+          if (norm(simulation.fleet().position[k] - c) < other.radius + 0.4) pairs.insert({k, m});
+        }
+    }
+    touched += static_cast<int>(pairs.size());
+  }
+  EXPECT_LE(touched, 10);
+}
+
+// Twice as far ahead as towards those who do their share, and by half of its radius.
+TEST(Evasion, begins_early_and_keeps_a_margin) {
+  const Planner planner{PlannerOptions{}};
+  PlanWorkspace workspace;
+  const Robot robot{.velocity = {2, 0}, .preferred_velocity = {2, 0}, .radius = 0.4};
+  const auto comes = [&](double time) {  // until contact
+    Neighbor other{.position = {0.8 + 4.0 * time, 0.0}, .velocity = {-2, 0}, .radius = 0.4};
+    other.behavior = Behavior::moves_on;
+    return planner.plan(robot, std::vector{other}, workspace).next_velocity;
+  };
+  EXPECT_NE(comes(5.9), (Vec2{2, 0}));
+  EXPECT_EQ(comes(6.1), (Vec2{2, 0}));
+  for (const double aside : {-0.3, 0.0, 0.5, 0.7, 0.9}) {
+    Scenario scene = one_robot({-10, 0}, {10, 0}, 0.1);
+    scene.moving_obstacles = {mover({6, aside}, {-0.7, 0}, 0.4)};
+    EXPECT_GE(watch(scene, 20.0).clearance, 0.15) << aside;
+  }
 }
 
 // A mover that does as it likes within its bounds is met at rest, as before.
