@@ -17,6 +17,7 @@
 #include "avo/scenario.h"
 #include "avo/simd.h"
 #include "avo/simulation.h"
+#include "avo/trajectory.h"
 #include "avo/vec.h"
 #include "avo/velocity_obstacle.h"
 #include "avo/version.h"

@@ -8,6 +8,7 @@
 
 #include "avo/export.h"
 #include "avo/model.h"
+#include "avo/trajectory.h"
 #include "avo/vec.h"
 
 namespace avo {
@@ -83,6 +84,11 @@ struct Neighbor {
   /// suits any number of robots. Without it two that coincide, and wish for the same, stay one. It
   /// is in place of the pair's half-plane: of those that do not coincide it has to be 0.
   Vec2 parting = {};
+  /// Of one that moves on: where it will be, as far as that is known (docs/movers.md). Then the
+  /// certificate does not read its acceleration, and max_deviation is about the one on this
+  /// trajectory. It has to stay while plan() runs.
+  const Trajectory* trajectory = nullptr;
+  double trajectory_time = 0.0;  ///< s: now, as the trajectory tells the time; -1e12 to 1e12
 };
 
 /// The direction in which a robot of the first id leaves one of the other id, where they coincide:

@@ -74,7 +74,8 @@ struct MovingObstacle {
   double max_deviation = 0.0;
   std::optional<double> max_speed = {};  ///< m/s, > 0, with max_deviation: that it never exceeds
   /// m: it goes for these points one after the other and then for the first again, see
-  /// next_on_path(). With max_deviation and max_speed; empty: it has none.
+  /// next_on_path(). With max_deviation and max_speed; empty: it has none. Robots that sense exactly
+  /// and decide at the same times know where it will be.
   std::vector<Vec2> path = {};
 };
 

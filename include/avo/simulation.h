@@ -185,7 +185,8 @@ class AVO_API Simulation {
   /// velocity, and its neighbors as sensed, in the order in which they are planned with.
   struct Perception {
     Robot robot;
-    std::vector<Neighbor> neighbors;   ///< none of one that is parked
+    /// None of one that is parked. What they have of trajectories lives until the next step.
+    std::vector<Neighbor> neighbors;
     std::vector<std::int64_t> source;  ///< value of the RobotId, or -1 - k for moving obstacle k
     Detour detour = {};                ///< what it remembers
     bool among_movers = false;  ///< nobody else decides: planned by plan_among_obstacles (§III-C)

@@ -70,7 +70,9 @@ void drop_undirected(std::size_t first, ConstraintColumns& columns) {
 void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, const StepLaw& law,
                   TrajectoryConstraints& constraints, Invariant& invariant) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const double inflation = pair.decides ? 0.0 : parabola_error(neighbor.acceleration, law);
+  const bool is_followed = !pair.decides && neighbor.trajectory != nullptr;
+  const double inflation =
+      pair.decides || is_followed ? 0.0 : parabola_error(neighbor.acceleration, law);
   const double inflated = pair.inflated + inflation;
   PairConstraints wanted{
       pair,
@@ -82,6 +84,12 @@ void collect_pair(const BrakingPair& pair, const Neighbor& neighbor, int index, 
       pair.decides ? infinity
                    : braking_steps_at_least(pair.a.profile.speed, pair.a.profile.decrement),
       pair.decides && law.has_free_clocks()};
+  if (is_followed) {
+    constraints.trajectory.begin(*neighbor.trajectory, neighbor.trajectory_time, neighbor.position,
+                                 law.time_step);
+    constraints.trajectory.look_ahead(wanted.intervals);
+    wanted.trajectory = &constraints.trajectory;
+  }
   const std::size_t first = constraints.columns.count;
   constraints.columns.reserve(first + wanted.intervals);
   const double nearest =

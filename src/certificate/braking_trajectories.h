@@ -13,6 +13,7 @@
 #include "certificate/constraint_columns.h"
 #include "certificate/near_pairs.h"
 #include "certificate/pair.h"
+#include "certificate/trajectory_steps.h"
 #include "core/neighbor_columns.h"
 
 namespace avo {
@@ -39,6 +40,7 @@ struct TrajectoryConstraints {
   Braking own;
   Deviation deviation;
   OwnColumns own_columns;
+  TrajectorySteps trajectory;            ///< of the neighbor that is looked at, where it is known
   std::vector<const NearPair*> waiting;  ///< whose constraints no candidate has asked for yet
   /// A rests beside one that does not decide, so near that it may not begin to move.
   bool stays_at_rest = false;

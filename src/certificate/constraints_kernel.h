@@ -95,6 +95,20 @@ struct MovingOther {
 template <typename Real>
 struct DeviatingOther : MovingOther<Real> {};
 
+/// B's path from p_B, where its trajectory is known.
+template <typename Real>
+struct FollowingOther {
+  const TrajectorySteps& steps;
+  double lag;  // part of a step
+
+  /// Of the intervals from k on, as many as Pack has lanes.
+  AVO_KERNEL PackPoints<Real> at(std::size_t k) const {
+    const Vec<Real> start{Real::load(&steps.x[k]), Real::load(&steps.y[k])};
+    const Vec<Real> end{Real::load(&steps.x[k + 1]), Real::load(&steps.y[k + 1])};
+    return {start, start + Real(lag) * (end - start), end};
+  }
+};
+
 /// The point of a segment nearest to the origin; odd in (a, b), bit for bit.
 template <typename Real>
 AVO_KERNEL Vec<Real> nearest_on_segment(Vec<Real> a, Vec<Real> b) {
@@ -145,7 +159,9 @@ AVO_KERNEL PackReach<Real> reach_of(const Neighbor& mover, const PackPoints<Real
     return min(min(dot(n, points.start), dot(n, points.middle)), dot(n, points.end)) - radius;
   };
   const Real by_deviation = Real(0.5 * mover.max_deviation) * time * time;
-  const Real by_speed = Real(mover.max_speed) * time;
+  const bool has_speed = mover.max_deviation > 0.0;  // else it is on its trajectory
+  const Real by_speed =
+      Real(has_speed ? mover.max_speed : std::numeric_limits<double>::infinity()) * time;
   const auto slow = left(from_start, by_speed) > left(q, by_deviation);
   const auto pick = [&slow](Vec<Real> a, Vec<Real> b) {
     return Vec<Real>{select(slow, a.x, b.x), select(slow, a.y, b.y)};
@@ -260,7 +276,8 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
   const BrakingPair& pair = wanted.pair;
   const Real infinity(std::numeric_limits<double>::infinity()), zero(0.0), one(1.0);
   const Real share(pair.share), contact(pair.contact);
-  constexpr bool kDeviates = std::is_same_v<Other, DeviatingOther<Real>>;
+  constexpr bool kFollows = std::is_same_v<Other, FollowingOther<Real>>;
+  constexpr bool kDeviates = kFollows || std::is_same_v<Other, DeviatingOther<Real>>;
   const Vec<Real> p = constant<Real>(pair.p), d = constant<Real>(pair.a.direction);
   const auto load = [](const std::vector<double>& x, const std::vector<double>& y, std::size_t k) {
     return Vec<Real>{Real::load(&x[k]), Real::load(&y[k])};
@@ -278,7 +295,12 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
     const PackPoints<Real> x_A{load(own.start_x, own.start_y, k),
                                load(own.middle_x, own.middle_y, k),
                                load(own.start_x, own.start_y, k + 1)};
-    const PackPoints<Real> x_B = other(m);
+    const PackPoints<Real> x_B = [&] {
+      if constexpr (kFollows)
+        return other.at(k);
+      else
+        return other(m);
+    }();
     PackPoints<Real> q{p + (x_A.start - x_B.start), p + (x_A.middle - x_B.middle),
                        p + (x_A.end - x_B.end)};
     const Real most = Real::load(&own.most[k]);
@@ -288,6 +310,8 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
           reach_of(wanted.other, q, {p + x_A.start, p + x_A.middle, p + x_A.end},
                    (m + one) * Real(law.time_step));
       q = reach.q, spread = reach.radius;
+      if constexpr (kFollows)
+        spread = spread + Real::load(&other.steps.bend[k]) + Real(other.steps.trajectory().error());
       inflated = inflated + spread;
     }
     // those that are looked at closely: each for itself, so that no number of lanes has a say
@@ -336,6 +360,10 @@ double append(const PairConstraints& wanted, const Other& other, const StepLaw& 
 template <typename Real>
 double append_constraints(const PairConstraints& wanted, const StepLaw& law, const OwnColumns& own,
                           ConstraintColumns& constraints) {
+  if (wanted.trajectory != nullptr)
+    return append<Real, false>(wanted,
+                               FollowingOther<Real>{*wanted.trajectory, law.lag / law.time_step},
+                               law, own, constraints);
   const MovingOther<Real> mover{wanted.other, law};
   if (!wanted.pair.decides && wanted.other.max_deviation > 0.0)
     return append<Real, false>(wanted, DeviatingOther<Real>{mover}, law, own, constraints);

@@ -56,15 +56,30 @@ std::optional<double> find_negative(const Function& f, double end) {
 struct Closing {
   Vec2 position, velocity, acceleration;  // of the middle
   Spread spread;                          // of where it may be around that
+  const Neighbor* followed = nullptr;  // B, where its trajectory is known; then `velocity` is A's
 
-  Vec2 at(double t) const { return position + t * (velocity + (0.5 * t) * acceleration); }
+  Vec2 at(double t) const {
+    const Vec2 place = position + t * (velocity + (0.5 * t) * acceleration);
+    if (followed == nullptr) return place;
+    return place - (followed->trajectory->at(followed->trajectory_time + t) - followed->position);
+  }
+  // s: from then on it is not known where B is.
+  double known_until() const {
+    if (followed == nullptr || !followed->trajectory->repeats_from()) return kInfinity;
+    return std::max(followed->trajectory->places().back().time - followed->trajectory_time, 0.0);
+  }
+  // m, at most, by which the two get nearer until then.
+  double way_until(double t) const {
+    const double of_trajectory =
+        followed != nullptr ? followed->trajectory->max_speed(followed->trajectory_time) : 0.0;
+    return t * (norm(velocity) + of_trajectory + 0.5 * t * norm(acceleration));
+  }
 };
 
 // Whether at some time all that A can reach is within contact.
 std::optional<double> find_contact(const Closing& closing, double contact) {
-  const double end = closing.spread.time_of(contact);
-  const double way = end * (norm(closing.velocity) + 0.5 * end * norm(closing.acceleration));
-  if (!(norm(closing.position) < contact + way)) return std::nullopt;
+  const double end = std::min(closing.spread.time_of(contact), closing.known_until());
+  if (!(norm(closing.at(0.0)) < contact + closing.way_until(end))) return std::nullopt;
   const auto depth = [&](double t) { return norm(closing.at(t)) + closing.spread.at(t) - contact; };
   return find_negative(depth, end);
 }
@@ -103,12 +118,16 @@ std::optional<double> find_contact_of(const Robot& robot, const Neighbor& neighb
   const double a_A = change_limit(robot), a_B = top_acceleration(neighbor);
   const auto [position, velocity] = error_against(neighbor, law);
   const Vec2 p = robot.position - neighbor.position;
-  const Vec2 kept = decides ? Vec2{} : neighbor.acceleration;
-  const double contact = robot.radius + neighbor.radius - lost;
+  const bool is_followed = !decides && neighbor.trajectory != nullptr;
+  const Vec2 kept = decides || is_followed ? Vec2{} : neighbor.acceleration;
+  const Vec2 v_B = is_followed ? Vec2{} : neighbor.velocity;
+  const Neighbor* followed = is_followed ? &neighbor : nullptr;
+  double contact = robot.radius + neighbor.radius - lost;
+  if (is_followed) contact -= neighbor.trajectory->error();
   // A may be off its present course by what its acceleration does, and off its place by its speed
   const std::array closings{
-      Closing{p, robot.velocity - neighbor.velocity, -kept, {position, velocity, a_A + a_B}},
-      Closing{p, -neighbor.velocity, -kept, {position, velocity + top_speed(robot), a_B}}};
+      Closing{p, robot.velocity - v_B, -kept, {position, velocity, a_A + a_B}, followed},
+      Closing{p, -v_B, -kept, {position, velocity + top_speed(robot), a_B}, followed}};
   for (const Closing& closing : closings) {
     if (const auto time = find_contact(closing, contact)) return time;
   }

@@ -32,9 +32,26 @@ scalar::PackBraking<Real> pack(const Braking& braking) {
   return scalar::constant<Real>(braking);
 }
 
+// m, that one on a trajectory may come from where it is sensed until a time from now on, s.
+double way_on_trajectory(const Neighbor& mover, double time) {
+  const Trajectory& trajectory = *mover.trajectory;
+  const double end = mover.trajectory_time + time;
+  double way = norm(trajectory.at(mover.trajectory_time) - mover.position);
+  way = std::max(way, norm(trajectory.at(end) - mover.position));
+  const std::span<const TimedPlace> places = trajectory.places();
+  const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
+  for (auto place = std::upper_bound(places.begin(), places.end(), mover.trajectory_time, later);
+       place != places.end() && place->time < end; ++place)
+    way = std::max(way, norm(place->position - mover.position));
+  if (trajectory.repeats_from() && !(end < trajectory.places().back().time))
+    way += trajectory.round();
+  return way + trajectory.error() + 0.5 * time * time * mover.max_deviation;
+}
+
 // m, that a mover may come in all intervals in which A may move.
 double way_of_mover(const Neighbor& mover, const Braking& a, const StepLaw& law) {
   const double t = law.time_step * a.intervals;
+  if (mover.trajectory != nullptr) return way_on_trajectory(mover, t);
   const double way = t * norm(mover.velocity) + 0.5 * t * t * norm(mover.acceleration);
   if (!(mover.max_deviation > 0.0)) return way;
   return std::min(way + 0.5 * t * t * mover.max_deviation, t * mover.max_speed);
@@ -77,7 +94,8 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   pair.share = 1.0;
   pair.a = a;
   double lengths = pair.contact + a.reach + norm(robot.position) + norm(neighbor.position);
-  if (neighbor.max_deviation > 0.0) lengths += way_of_mover(neighbor, a, law);
+  if (neighbor.max_deviation > 0.0 || neighbor.trajectory != nullptr)
+    lengths += way_of_mover(neighbor, a, law);
   pair.inflated = pair.contact + scalar::rounding_margin<Real>(lengths, a.intervals, 1.0).value;
   pair.error =
       law.sensing_error.position + law.sensing_error.velocity * law.time_step * a.intervals;

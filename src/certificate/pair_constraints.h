@@ -4,6 +4,7 @@
 
 #include "avo/robot.h"
 #include "certificate/pair.h"
+#include "certificate/trajectory_steps.h"
 
 namespace avo {
 
@@ -20,6 +21,7 @@ struct PairConstraints {
   double held;            ///< m, the distance that is held
   double moving;          ///< the invariant speaks of the intervals below
   bool is_free = false;   ///< both decide, at times of their own
+  const TrajectorySteps* trajectory = nullptr;  ///< of one whose future is known, from p_B
 };
 
 }  // namespace avo

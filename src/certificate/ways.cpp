@@ -11,11 +11,17 @@
 namespace avo {
 
 Vec2 Predicted::place_at(double time) const {
+  if (trajectory != nullptr) return trajectory->place(trajectory->step_at(time));
   return position + time * (velocity + (0.5 * time) * acceleration);
 }
 
 Vec2 Predicted::velocity_at(double time) const {
+  if (trajectory != nullptr) return trajectory->velocity(trajectory->step_at(time));
   return velocity + time * acceleration;
+}
+
+double Predicted::bend_at(double time) const {
+  return trajectory != nullptr ? trajectory->bend[trajectory->step_at(time)] : 0.0;
 }
 
 double Predicted::spread_at(double time) const {
@@ -44,11 +50,14 @@ bool keeps_off(const Hull& hull, double distance) {
          along(nearest_on({hull.middle, hull.end}, {}));
 }
 
-// Of an interval of one step from that time on, in which A is at those places.
-Hull relative(const Hull& own, const Predicted& other, double time, const StepLaw& law) {
+// Whether A keeps so far from the other one in the interval of one step from that time on, in which
+// A is at those places.
+bool keeps_from(const Predicted& other, const Hull& own, double time, const StepLaw& law,
+                double distance) {
   const Vec2 place = other.place_at(time);
-  return {own.start - place, own.middle - place - law.lag * other.velocity_at(time),
-          own.end - other.place_at(time + law.time_step), own.bend};
+  return keeps_off({own.start - place, own.middle - place - law.lag * other.velocity_at(time),
+                    own.end - other.place_at(time + law.time_step), own.bend},
+                   distance + other.bend_at(time));
 }
 
 // Whether A, at rest at the place, is not touched from one time to a later one.
@@ -82,6 +91,10 @@ constexpr int kBisections = 12;
 
 bool rests_clear(const Predicted& other, Vec2 place, double time) {
   const double distance = other.contact + other.spread_at(other.reaction + time);
+  if (other.trajectory != nullptr) {
+    const TrajectorySteps& steps = *other.trajectory;
+    return passes_by(steps.trajectory(), steps.now() + time, place + steps.origin(), distance);
+  }
   if (!is_rest(other.acceleration)) {
     const double left = std::max(time, leaves_at(other, place, distance));
     return keeps_beside_parabola(other, place, time, left, distance, kBisections);
@@ -156,8 +169,7 @@ bool is_clear(const WayOptions& options, Surroundings& around, const WayState& f
     look_at(options, around, k, from);
     if (around.clear_until[k] >= end) continue;
     const Predicted& other = around.others[k];
-    if (!keeps_off(relative(step, other, from.time, options.law),
-                   other.contact + other.spread_at(end)))
+    if (!keeps_from(other, step, from.time, options.law, other.contact + other.spread_at(end)))
       return false;
   }
   return is_known(options, step.end) &&
@@ -205,7 +217,7 @@ bool is_reached_at_rest(const Predicted& other, const Hull& own, double from, do
   const double held =
       other.stop_contact + (from + end) * other.drift + 0.5 * other.deviation * seen * seen;
   const double by_deviation = other.deviation * end * (seen + 0.5 * end);
-  if (keeps_off(relative(own, other, from + elapsed, law), held + by_deviation)) return true;
+  if (keeps_from(other, own, from + elapsed, law, held + by_deviation)) return true;
   if (!(other.deviation > 0.0) || !std::isfinite(other.max_speed)) return false;
   const Vec2 c = other.place_at(from);
   return keeps_off({own.start - c, own.middle - c, own.end - c}, held + other.max_speed * end);
@@ -231,8 +243,8 @@ Stop stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
     const Hull own = interval_of(braking, state, options.law, m);
     if (other.asks_to_stop && !is_reached_at_rest(other, own, state.time, h * m, options.law))
       return Stop::too_late;
-    clear = clear && keeps_off(relative(own, other, time, options.law),
-                               other.contact + other.spread_at(time + h));
+    clear = clear &&
+            keeps_from(other, own, time, options.law, other.contact + other.spread_at(time + h));
     if (!clear && !other.asks_to_stop) break;
     if (!(other.deviation > 0.0))
       clear_until = time + room_to(other, {own.start, {}, time}) / closing;

@@ -8,13 +8,16 @@
 
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
+#include "certificate/trajectory_steps.h"
 #include "walls/segment.h"
 
 namespace avo {
 
-/// Somebody whom a way has to keep clear of, who keeps its acceleration for ever.
+/// Somebody whom a way has to keep clear of, who keeps its acceleration for ever, or its
+/// trajectory.
 struct Predicted {
-  Vec2 position, velocity, acceleration;  // m, m/s, m/s²
+  Vec2 position, velocity, acceleration;  // m, m/s, m/s²; read where there is no trajectory
+  TrajectorySteps* trajectory = nullptr;  // from p_A, in steps of A
   double contact = 0.0;                   ///< m, to be kept from it
   double drift = 0.0;                     ///< [e] m/s, by which its velocity may be another one
   double deviation = 0.0;                 ///< [η] m/s², likewise its acceleration
@@ -25,8 +28,11 @@ struct Predicted {
   double max_speed = std::numeric_limits<double>::infinity();  ///< [V] m/s
   double fastest = 0.0;  ///< m/s: neither it nor its spread ever comes nearer by more in a second
 
+  // On a trajectory the time is a whole number of steps.
   Vec2 place_at(double time) const;
   Vec2 velocity_at(double time) const;
+  /// m, by which it may be off the parabola of three points in the step that begins then.
+  double bend_at(double time) const;
   /// [ρ] m, by which it may be elsewhere then.
   double spread_at(double time) const;
 };
@@ -60,6 +66,7 @@ struct WayOptions {
 /// Scratch memory; allocates only while it grows.
 struct Surroundings {
   std::vector<Predicted> others;
+  std::vector<TrajectorySteps> trajectories;  // of those of the others whose trajectories are known
   std::vector<KeptWall> walls;
   // s, until which nothing that A does matters to each of the others: from now on, from the first
   // step on, and from the last state of a way on

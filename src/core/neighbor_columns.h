@@ -20,6 +20,8 @@ struct MoverMotion {
   Vec2 acceleration;           // m/s²
   double max_deviation = 0.0;  // m/s²
   double max_speed = 0.0;      // m/s
+  const Trajectory* trajectory = nullptr;
+  double trajectory_time = 0.0;  // s
 };
 
 /// Neighbors of one robot or of several; allocates only while it grows.
@@ -67,9 +69,12 @@ struct NeighborColumns {
     max_braking[count] = braking_limit(neighbor);
     if (neighbor.parting != Vec2{}) part(count, neighbor.parting);
     motion[count].max_deviation = neighbor.max_deviation;
-    if (moves_on)
-      motion[count].acceleration = neighbor.acceleration,
+    if (moves_on) {
+      motion[count].acceleration = neighbor.acceleration;
       motion[count].max_speed = neighbor.max_speed;
+      motion[count].trajectory = neighbor.trajectory;
+      motion[count].trajectory_time = neighbor.trajectory_time;
+    }
     ++count;
     has_movers = has_movers || moves_on;
     has_deviations = has_deviations || neighbor.max_deviation > 0.0;
@@ -117,6 +122,8 @@ struct NeighborColumns {
     neighbor.behavior = Behavior::moves_on;
     neighbor.acceleration = motion[i].acceleration;
     neighbor.max_speed = motion[i].max_speed;
+    neighbor.trajectory = motion[i].trajectory;
+    neighbor.trajectory_time = motion[i].trajectory_time;
     return neighbor;
   }
 

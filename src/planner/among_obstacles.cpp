@@ -114,7 +114,8 @@ Plan Planner::plan_among_obstacles(const Robot& robot, std::span<const Neighbor>
     movers.assign(obstacles.begin(), obstacles.end());
     for (Neighbor& mover : movers) {
       if (!is_valid(mover)) continue;  // as it is, for plan() to refuse
-      if (mover.behavior == Behavior::decides) mover.acceleration = {}, mover.max_deviation = 0.0;
+      if (mover.behavior == Behavior::decides)
+        mover.acceleration = {}, mover.max_deviation = 0.0, mover.trajectory = nullptr;
       mover.behavior = Behavior::moves_on;
     }
     return plan(robot, movers, workspace);

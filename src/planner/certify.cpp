@@ -186,7 +186,8 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
   std::vector<Neighbor>& movers = scratch.movers;
   movers.assign(neighbors.begin(), neighbors.end());
   for (Neighbor& mover : movers) {
-    if (mover.behavior == Behavior::decides) mover.acceleration = {}, mover.max_deviation = 0.0;
+    if (mover.behavior == Behavior::decides)
+      mover.acceleration = {}, mover.max_deviation = 0.0, mover.trajectory = nullptr;
     mover.behavior = Behavior::moves_on;
   }
   collect_constraints(robot, movers, law, certified.constraints, walls);

@@ -63,6 +63,7 @@ struct Evading {
   std::span<const Wall> walls;
   EvasionWorkspace& workspace;
   WayOptions options;
+  double braking = 0.0;          // s, that it takes at most
   bool has_constraints = false;  // in the workspace
 
   WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
@@ -72,7 +73,17 @@ bool decides(const Neighbor& neighbor) {
   return neighbor.behavior == Behavior::decides;
 }
 
-Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Level& level) {
+// m/s: from the end of a trajectory that goes round on, it is not known where the mover is.
+double fastest_until(const Neighbor& neighbor, double time) {
+  const Trajectory& trajectory = *neighbor.trajectory;
+  const double end = trajectory.places().back().time;
+  return trajectory.repeats_from() && neighbor.trajectory_time + time >= end
+             ? kInfinity
+             : trajectory.max_speed(neighbor.trajectory_time);
+}
+
+Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Level& level,
+                    TrajectorySteps* trajectory) {
   const StepLaw& law = evading.law.step;
   const Robot& robot = evading.robot;
   const SensingError error = error_against(neighbor, law);
@@ -80,14 +91,17 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.position = neighbor.position - robot.position;
   other.velocity = neighbor.velocity;
   const double contact = robot.radius + neighbor.radius, speed = norm(neighbor.velocity);
-  const double kept = contact + error.position + parabola_error(neighbor.acceleration, law);
-  const double braking =
-      law.time_step * (2.0 + evading.options.max_speed / evading.options.decrement);
+  const bool is_followed = neighbor.trajectory != nullptr;
+  const double kept =
+      contact + error.position +
+      (is_followed ? neighbor.trajectory->error() : parabola_error(neighbor.acceleration, law));
+  const double braking = evading.braking;
   const double time = evading.options.longest + law.time_step + braking;
   const double reaction = level.reaction * time_to_speed(robot);
   // what does not matter within that time is rounding
   const bool accelerates = norm(neighbor.acceleration) * time * time > 0x1p-30 * contact;
-  if (accelerates) other.acceleration = neighbor.acceleration;
+  if (is_followed) other.trajectory = trajectory;
+  if (accelerates && !is_followed) other.acceleration = neighbor.acceleration;
   other.contact = kept + level.margin * contact;
   other.stop_contact = kept + 0.5 * level.margin * contact;
   other.drift = error.velocity;
@@ -95,8 +109,9 @@ Predicted predicted(const Evading& evading, const Neighbor& neighbor, const Leve
   other.reaction = reaction;
   other.asks_to_stop = level.stops;
   other.max_speed = neighbor.max_speed;
-  other.fastest = speed + time * norm(neighbor.acceleration) + error.velocity +
-                  neighbor.max_deviation * (reaction + braking);
+  other.fastest =
+      (is_followed ? fastest_until(neighbor, time) : speed + time * norm(neighbor.acceleration)) +
+      error.velocity + neighbor.max_deviation * (reaction + braking);
   return other;
 }
 
@@ -105,8 +120,12 @@ void look_around(Evading& evading, const Level& level) {
   evading.options.increment =
       level.part * increment(evading.robot.max_acceleration, evading.law.step);
   around.others.clear();
-  for (const Neighbor& neighbor : evading.neighbors)
-    if (!decides(neighbor)) around.others.push_back(predicted(evading, neighbor, level));
+  TrajectorySteps* trajectory = around.trajectories.data();
+  for (const Neighbor& neighbor : evading.neighbors) {
+    if (decides(neighbor)) continue;
+    around.others.push_back(predicted(evading, neighbor, level, trajectory));
+    if (neighbor.trajectory != nullptr) ++trajectory;
+  }
   begin_ways(evading.options, around);
 }
 
@@ -248,6 +267,24 @@ bool are_exact(const Evading& evading) {
   });
 }
 
+// Of those that are known, in the order of the neighbors.
+void follow_trajectories(Evading& evading) {
+  const auto is_followed = [](const Neighbor& n) { return !decides(n) && n.trajectory != nullptr; };
+  std::vector<TrajectorySteps>& trajectories = evading.workspace.around.trajectories;
+  const auto count = static_cast<std::size_t>(
+      std::count_if(evading.neighbors.begin(), evading.neighbors.end(), is_followed));
+  if (trajectories.size() < count) trajectories.resize(count);
+  const double h = evading.law.step.time_step;
+  const double most = (evading.options.longest + evading.braking) / h + 3.0;
+  std::size_t k = 0;
+  for (const Neighbor& neighbor : evading.neighbors) {
+    if (!is_followed(neighbor)) continue;
+    trajectories[k].reserve(static_cast<std::size_t>(most));
+    trajectories[k++].begin(*neighbor.trajectory, neighbor.trajectory_time, evading.robot.position,
+                            h);
+  }
+}
+
 // Those within reach: which others there are is not known for sure. Where there is one, ways stay
 // within that reach.
 void keep_walls(double wall_range, Evading& evading) {
@@ -269,6 +306,11 @@ void keep_walls(double wall_range, Evading& evading) {
   if (!kept.empty()) evading.options.known = reach;
 }
 
+// s: what a robot as fast as that takes to brake, and a step and rounding more.
+double braking_time_of(const Robot& robot, double speed, const StepLaw& law) {
+  return law.time_step * (2.0 + speed / decrement_of(robot, law));
+}
+
 }  // namespace
 
 double way_range(double radius, double max_speed, double max_acceleration) {
@@ -277,12 +319,18 @@ double way_range(double radius, double max_speed, double max_acceleration) {
   return (kLongestWay + 0.5) * time * max_speed;
 }
 
+double longest_way_out(const Robot& robot, const StepLaw& law) {
+  const double longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.time_step);
+  const double braking = braking_time_of(robot, fastest_of(robot.model, robot.max_speed), law);
+  return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
+}
+
 void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
                     std::span<const Neighbor> neighbors, std::span<const Wall> walls,
                     double wall_range, bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
   if (law.kind == Certificate::none || is_airplane(robot.model)) return;
   if (std::all_of(neighbors.begin(), neighbors.end(), decides)) return;
-  Evading evading{law, robot, neighbors, walls, workspace, {}};
+  Evading evading{law, robot, neighbors, walls, workspace, {}, 0.0};
   evading.options = {
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
@@ -290,7 +338,9 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot,
       .longest = std::min(kLongestWay * time_to_speed(robot), kMostSteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   if (!(evading.options.max_speed <= kMostBraking * evading.options.decrement)) return;
+  evading.braking = braking_time_of(robot, evading.options.max_speed, law.step);
   workspace.around.work = kMostWork;
+  follow_trajectories(evading);
   const Vec2 wanted = robot.velocity + law.step.braking_time * plan.acceleration;
   if (is_far_from_movers(evading, wanted)) return;
   keep_walls(wall_range, evading);

@@ -19,6 +19,9 @@ struct EvasionWorkspace {
 
 /// m: as far as the ways of a robot lead, but for the last of its braking.
 double way_range(double radius, double max_speed, double max_acceleration);
+/// s, from a decision on until it rests: the longest way of a robot that is no faster than its
+/// max_speed.
+double longest_way_out(const Robot& robot, const StepLaw& law);
 
 /// Replaces a plan of method avo that leaves no way out by the nearest first step of a way, where
 /// there is one. Robots that are not holonomic, and those without a certificate, have the plan that

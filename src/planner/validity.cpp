@@ -70,7 +70,10 @@ bool is_deviation(double value) {
 
 // What nearly all of them have is asked of all in is_valid().
 bool is_valid_mover(const Neighbor& mover) {
-  return is_deviation(mover.max_deviation) && mover.max_speed >= kSmallest && !mover.loiter;
+  const bool is_placed = mover.trajectory == nullptr || (!mover.trajectory->places().empty() &&
+                                                         is_known(mover.trajectory_time) != 0);
+  return is_deviation(mover.max_deviation) && mover.max_speed >= kSmallest && !mover.loiter &&
+         is_placed;
 }
 
 bool is_valid_loiterer(const Neighbor& neighbor) {

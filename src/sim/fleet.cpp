@@ -244,23 +244,30 @@ void ObstacleColumns::add(const MovingObstacle& obstacle) {
   position.push_back(obstacle.position);
   velocity.push_back(obstacle.velocity);
   target.push_back(0);
+  has_paths = has_paths || !obstacle.path.empty();
 }
 
 Neighbor ObstacleColumns::sensed(std::size_t index) const {
-  return {.position = position[index],
-          .velocity = velocity[index],
-          .radius = setup[index].radius,
-          .behavior = Behavior::moves_on,
-          .max_deviation = setup[index].max_deviation,
-          .acceleration = setup[index].acceleration,
-          .max_speed = setup[index].max_speed.value_or(std::numeric_limits<double>::infinity())};
+  Neighbor neighbor{
+      .position = position[index],
+      .velocity = velocity[index],
+      .radius = setup[index].radius,
+      .behavior = Behavior::moves_on,
+      .max_deviation = setup[index].max_deviation,
+      .acceleration = setup[index].acceleration,
+      .max_speed = setup[index].max_speed.value_or(std::numeric_limits<double>::infinity())};
+  if (foresight.trajectory.empty() || setup[index].path.empty()) return neighbor;
+  neighbor.max_deviation = 0.0;
+  neighbor.trajectory = &foresight.trajectory[index];
+  neighbor.trajectory_time = static_cast<double>(steps) * foresight.time_step;
+  return neighbor;
 }
 
 void ObstacleColumns::advance(double time_step) {
+  ++steps;
   for (std::size_t k = 0; k < setup.size(); ++k) {
     if (!setup[k].path.empty()) {
-      const PathWalk next =
-          next_on_path(setup[k], {position[k], velocity[k], target[k]}, time_step);
+      const PathWalk next = next_on_path(setup[k], walk(k), time_step);
       position[k] = next.position, velocity[k] = next.velocity, target[k] = next.target;
       continue;
     }

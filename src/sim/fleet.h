@@ -179,13 +179,30 @@ struct Fleet {
   std::vector<std::byte> scratch_;  // of reorder()
 };
 
+/// Where moving obstacles with a path will be, for robots that know their paths. All of it follows
+/// from where they are, the number of the step and the fleet.
+struct Foresight {
+  // by obstacle, of nobody where it has no path; empty where nobody knows
+  std::vector<Trajectory> trajectory;
+  double time_step = 0.0;          // s; their times begin with the run
+  double horizon = 0.0;            // s, for which they last at least, before they go round
+  std::int64_t until = -1;         // step, until which they do
+  std::vector<TimedPlace> places;  // scratch
+};
+
 struct ObstacleColumns {
   std::vector<MovingObstacle> setup;
   std::vector<Vec2> position, velocity;
   std::vector<std::uint32_t> target;  // see PathWalk
+  std::int64_t steps = 0;             // of the run, where the clock is common
+  bool has_paths = false;             // some have one
+  Foresight foresight;
 
   void add(const MovingObstacle& obstacle);
   Neighbor sensed(std::size_t index) const;
+  PathWalk walk(std::size_t index) const {
+    return {position[index], velocity[index], target[index]};
+  }
   /// Constant acceleration, exactly; or along a path.
   void advance(double time_step);
 };

@@ -129,6 +129,7 @@ ObstacleColumns obstacles_of(const SavedState& state) {
     obstacles.velocity[k] = state.obstacles[k].velocity;
     obstacles.target[k] = state.obstacles[k].target;
   }
+  obstacles.steps = state.steps;
   return obstacles;
 }
 

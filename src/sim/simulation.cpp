@@ -287,10 +287,11 @@ std::uint64_t Simulation::state_hash() const {
 
 Simulation::Perception Simulation::perceive(std::size_t robot) const {
   State& state = *state_;
-  if (state.changed || state.has_new_goals) {
+  if (state.changed || state.has_new_goals || state.obstacles.has_paths) {
     const Lock lock(state.looking);
     if (state.changed) find_walls(state);
     find_shared_goals(state);
+    foresee(state);
   }
   const std::uint32_t slot = state.fleet.slot_of[robot];
   const std::vector<Sighting> sightings = all_sightings(state, slot);

@@ -118,6 +118,7 @@ void index(World& world, Executor& executor) {
   const bool due = world.steps >= world.next_layout;
   if (world.changed || due) lay_out(world, executor);
   if (due) world.next_layout = world.steps + kStepsInOrder;
+  foresee(world);
   world.changed = false;
   world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
   clock.lap(Stage::index);

@@ -110,6 +110,10 @@ struct World {
   Robot robot(std::size_t slot, double nearest) const;
 };
 
+/// Where those with a path will be, if that is not known yet. Robots know it that sense exactly and
+/// decide at the same times.
+void foresee(World& world);
+
 /// Builds the grid of walls and finds the passages, where walls are new or a robot is larger or
 /// reaches farther than they were made for.
 void find_walls(World& world);

@@ -15,7 +15,7 @@ const std::vector<PinnedRun>& pinned_runs() {
       {"cars_100", "cars-100", {}, 0, 0x064ecc3e87caef1d},
       {"drives_100", "drives-100", {}, 0, 0x701044eed0758fbd},
       {"planes_12", "planes-12", {}, 0, 0x062b497854bbad13},
-      {"person", "person", {}, 0, 0x985fd5afb14d95d6},
+      {"person", "person", {}, 0, 0x1611a52751ade265},
       {"reversing_cars", "reversing-cars", {}, 0, 0x75e84666400a5cea},
       {"mixed_yard", "mixed-yard", {}, 0, 0x9d3659972df489de},
       {"moving_obstacle_exponential",
