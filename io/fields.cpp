@@ -69,7 +69,7 @@ const std::vector<Field<Scenario>>& fields() {
       {"obstacles", kNested, kOptional, kNoNumber, "", "what does not move, and nobody may touch"},
       {"navigation", &Scenario::navigation, kOptional, kNoNumber, "",
        "the preferred velocity follows a path around the obstacles",
-       "true where there are obstacles"},
+       "true where there are obstacles, or moving ones at rest"},
       {"right_of_way", &Scenario::right_of_way, kOptional, kNoNumber, "",
        "with navigation, how robots know who else is about to go through a narrow passage"},
       {"sensing",

@@ -170,7 +170,8 @@ struct Scenario {
   std::vector<RobotSetup> robots = {};
   std::vector<MovingObstacle> moving_obstacles = {};
   std::vector<StaticObstacle> obstacles = {};  ///< that do not move; nobody may touch them
-  /// The preferred velocity follows a path around the obstacles; unset: where there are any.
+  /// The preferred velocity follows a path around the obstacles, and around moving ones at rest;
+  /// unset: where there are any.
   std::optional<bool> navigation = {};
   RightOfWay right_of_way = RightOfWay::seen;  ///< at passages, with navigation
   SensingModel sensing = {};

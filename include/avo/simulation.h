@@ -130,11 +130,11 @@ class AVO_API Simulation {
 
   /// The state and the setup as bytes, the same on every machine, 64 of state and 88 of setup
   /// (goal, radius, limits, wheelbase, priority, parked, layers) a robot, 8 of what it aims at
-  /// where there are walls, and its last states where the scene's sensing delays or misses
-  /// measurements (docs/saving.md). Whoever has them has an equal state_hash() and an equal future,
-  /// for any number of threads. They do not hold what only tells of the last step or of the past:
-  /// plan and applied_acceleration of fleet(), which are value-initialized until the next step,
-  /// sums of measure(), Metrics. Throws Error where a step ended in the midst.
+  /// where there are walls or movers at rest, and its last states where the scene's sensing delays
+  /// or misses measurements (docs/saving.md). Whoever has them has an equal state_hash() and an
+  /// equal future, for any number of threads. They do not hold what only tells of the last step or
+  /// of the past: plan and applied_acceleration of fleet(), which are value-initialized until the
+  /// next step, sums of measure(), Metrics. Throws Error where a step ended in the midst.
   [[nodiscard]] std::vector<std::byte> save() const;
   /// Back, or forth, to what this simulation or another one of the same settings and moving
   /// obstacles has saved: a rollback, which keeps the threads. Robots, goals, static obstacles and

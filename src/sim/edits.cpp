@@ -50,7 +50,7 @@ static_assert(std::is_nothrow_move_assignable_v<StaticWorld> &&
               std::is_nothrow_move_assignable_v<Ways>);
 
 Ways ways_among(const World& world, const StaticWorld& statics) {
-  Ways ways(world.settings, statics.walls, &world.ways);
+  Ways ways(world.settings, statics.walls, world.obstacles.resting(), &world.ways);
   replan_travels(world.ways, ways, world.fleet);
   ways.forget_before();
   return ways;
@@ -63,6 +63,16 @@ void replace(World& world, StaticWorld statics) {
   world.ways = std::move(ways);
   world.changed = true;
 }
+
+}  // namespace
+
+void go_around_resting(World& world) {
+  if (world.obstacles.rest_as(world.ways.resting())) return;
+  world.ways = ways_among(world, world.statics);
+  world.changed = true;
+}
+
+namespace {
 
 // The same obstacles beside other parked robots.
 StaticWorld beside(const World& world, std::vector<Wall> parked) {

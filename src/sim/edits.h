@@ -15,4 +15,7 @@ void move_robot(World& world, RobotId robot, Vec2 position);
 ObstacleId add_obstacle(World& world, const StaticObstacle& obstacle);
 void remove_obstacle(World& world, ObstacleId obstacle);
 
+/// New ways for all, where movers have come to rest, or those at rest move.
+void go_around_resting(World& world);
+
 }  // namespace avo

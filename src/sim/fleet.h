@@ -198,8 +198,12 @@ struct ObstacleColumns {
   bool has_paths = false;             // some have one
   Foresight foresight;
 
-  void add(const MovingObstacle& obstacle);
+  explicit ObstacleColumns(const std::vector<MovingObstacle>& obstacles);
   Neighbor sensed(std::size_t index) const;
+  /// The discs of those that are at rest, or nearly, and stay so as far as anybody knows.
+  std::vector<Wall> resting() const;
+  /// Whether those are they.
+  bool rest_as(std::span<const Wall> discs) const;
   PathWalk walk(std::size_t index) const {
     return {position[index], velocity[index], target[index]};
   }

@@ -54,6 +54,10 @@ void follow_ways(World& world, std::span<const std::uint32_t> slots, Worker& wor
     if (!world.ways.passages.empty())
       heading = heed_passages(world, world.claims, slot, travel, heading,
                               nearest_of(worker.tile.robots.neighbors[k], fleet.position[slot]));
+    if (world.ways.goes_around_movers())
+      heading = beside_resting(world.ways.resting(), heading,
+                               worker.lost.empty() ? p : p + worker.lost[k], fleet.goal[slot],
+                               fleet.traits[slot].radius);
     worker.moving.goal_x[k] = heading.goal.x, worker.moving.goal_y[k] = heading.goal.y;
     worker.moving.preferred_speed[k] = heading.preferred_speed;
   }

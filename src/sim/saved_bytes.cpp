@@ -91,10 +91,11 @@ void describe(Archive<kReads>& archive, StaticObstacle& obstacle, ObstacleId& id
 // In one word.
 template <bool kReads>
 void describe(Archive<kReads>& archive, SavedWay& way) {
-  std::uint64_t word = std::uint64_t{way.is_exact} << 32 | way.target;
+  std::uint64_t word =
+      std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 | way.target;
   archive.word(word);
-  if (word >> 33 != 0) refuse_saved("the way " + std::to_string(word), "one of 33 bits");
-  way = {static_cast<std::uint32_t>(word), word >> 32 != 0};
+  if (word >> 34 != 0) refuse_saved("the way " + std::to_string(word), "one of 34 bits");
+  way = {static_cast<std::uint32_t>(word), (word >> 32 & 1) != 0, word >> 33 != 0};
 }
 
 template <bool kReads>

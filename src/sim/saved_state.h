@@ -28,8 +28,9 @@ static_assert(sizeof(RobotState) == 72, "it says so in avo/simulation.h");
 
 /// What steps change of a robot's way around walls.
 struct SavedWay {
-  std::uint32_t target = 0;  // see Travel
-  bool is_exact = false;     // of the graph of the robot's own radius
+  std::uint32_t target = 0;    // see Travel
+  bool is_exact = false;       // of the graph of the robot's own radius
+  bool around_movers = false;  // and of movers at rest
 };
 
 /// What steps change of an airplane besides.
@@ -52,7 +53,7 @@ struct SavedState {
   std::uint64_t next_id = 0;
   std::vector<RobotState> robots;   // by ascending id, as many as the scene has
   std::vector<PathWalk> obstacles;  // likewise; without a path the target is 0
-  std::vector<SavedWay> ways;       // of the robots; none without walls
+  std::vector<SavedWay> ways;       // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; none where they remember nothing

@@ -122,9 +122,8 @@ Fleet fleet_of(const SavedState& state) {
 }
 
 ObstacleColumns obstacles_of(const SavedState& state) {
-  ObstacleColumns obstacles;
+  ObstacleColumns obstacles(state.scene.moving_obstacles);
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
-    obstacles.add(state.scene.moving_obstacles[k]);
     obstacles.position[k] = state.obstacles[k].position;
     obstacles.velocity[k] = state.obstacles[k].velocity;
     obstacles.target[k] = state.obstacles[k].target;
@@ -174,8 +173,9 @@ std::vector<Travel> travels_of(const SavedState& state, Ways& ways) {
       travels.emplace_back();
       continue;
     }
-    travels.push_back(
-        ways.resume(disc_radius(setup), setup.goal, state.ways[k].target, state.ways[k].is_exact));
+    const SavedWay& way = state.ways[k];
+    travels.push_back(ways.resume(disc_radius(setup), setup.goal, way.target, way.is_exact,
+                                  way.around_movers && ways.goes_around_movers()));
   }
   return travels;
 }
@@ -203,7 +203,8 @@ SavedState saved_state(const World& world) {
   for (std::size_t rank = 0; rank < world.ways.travels.size(); ++rank) {
     const Travel& travel = world.ways.travels[rank];
     const double radius = fleet.traits[fleet.slot_of[rank]].radius;
-    state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius});
+    state.ways.push_back(
+        {travel.target, travel.graph && travel.graph->radius == radius, travel.around_movers});
   }
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
@@ -237,11 +238,13 @@ void restore(const SavedState& state, World& world) {
   std::optional<Ways> other_ways;
   std::vector<Wall> parked = fleet.parked_discs();
   if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles ||
-      !are_same(parked, world.statics.parked)) {
+      !are_same(parked, world.statics.parked))
     statics.emplace(state.scene.obstacles, state.static_ids, state.next_obstacle,
                     std::move(parked));
-    other_ways.emplace(world.settings, statics->walls, &world.ways);
-  }
+  std::vector<Wall> resting = obstacles.resting();
+  if (statics || !are_same(resting, world.ways.resting()))
+    other_ways.emplace(world.settings, statics ? statics->walls : world.statics.walls,
+                       std::move(resting), &world.ways);
   Ways& ways = other_ways ? *other_ways : world.ways;
   std::vector<Travel> travels = travels_of(state, ways);
   if (other_ways) other_ways->forget_before();

@@ -218,6 +218,7 @@ void step(World& world) {
     take_tiles(world, world.paces.front(), world.snapshot.grid.order(), executor);
     world.obstacles.advance(world.settings.time_step);
   }
+  go_around_resting(world);
   for (Worker& worker : world.workers) {
     fast = fast || worker.fast;
     worker.fast = false;

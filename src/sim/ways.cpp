@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint64_t kStepsBetweenLooks = 10;
 constexpr double kSightReach = 0.1;  // m
+constexpr double kBeside = 1.1;      // of contact, where a mover stands on the goal
 constexpr double kJoint = 1e-9;      // m: nobody sees through where pieces of walls touch
 
 // Where the target is, and how far it is from there to the goal; nothing where there is no target.
@@ -59,23 +60,29 @@ double radius_class(double radius) {
   return rounded / (per_digit * scale);
 }
 
-Ways::Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* before)
+Ways::Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wall> resting,
+           const Ways* before)
     : follows_(settings.navigation.value_or(true)),
       heeds_passages_(follows_ && settings.right_of_way != RightOfWay::none),
-      before_(before) {
+      before_(before),
+      resting_(std::move(resting)) {
   if (!walls.empty()) sight_.emplace(walls, kSightReach);
 }
 
-const CornerGraph& Ways::graph_of(double radius) {
-  const auto known = graphs_.find(radius);
+const CornerGraph& Ways::graph_of(GraphKey key) {
+  const auto known = graphs_.find(key);
   if (known != graphs_.end()) return *known->second;
   const CornerGraph* before = nullptr;
   if (before_ != nullptr) {
-    const auto place = before_->graphs_.find(radius);
+    const auto place = before_->graphs_.find(key);
     if (place != before_->graphs_.end()) before = place->second.get();
   }
-  auto graph = std::make_unique<const CornerGraph>(corner_graph(sight_->walls(), radius, before));
-  return *graphs_.emplace(radius, std::move(graph)).first->second;
+  const auto [around_movers, radius] = key;
+  std::vector<Wall> walls;
+  if (sight_) walls.assign(sight_->walls().begin(), sight_->walls().end());
+  if (around_movers) walls.insert(walls.end(), resting_.begin(), resting_.end());
+  auto graph = std::make_unique<const CornerGraph>(corner_graph(walls, radius, before));
+  return *graphs_.emplace(key, std::move(graph)).first->second;
 }
 
 const FreeSpace& Ways::space_of(double radius) {
@@ -85,11 +92,11 @@ const FreeSpace& Ways::space_of(double radius) {
   return *spaces_.emplace(radius, std::move(space)).first->second;
 }
 
-std::shared_ptr<const PathMap> Ways::map_to(const CornerGraph& graph, Vec2 goal) {
-  const Key key{graph.radius, goal.x, goal.y};
+std::shared_ptr<const PathMap> Ways::map_to(GraphKey graph, Vec2 goal) {
+  const Key key{graph.first, graph.second, goal.x, goal.y};
   std::shared_ptr<const PathMap> map = maps_[key].lock();
   if (map) return map;
-  map = std::make_shared<const PathMap>(path_map(graph, goal));
+  map = std::make_shared<const PathMap>(path_map(graph_of(graph), goal));
   maps_[key] = map;
   if (maps_.size() > most_maps_) {
     std::erase_if(maps_, [](const auto& entry) { return entry.second.expired(); });
@@ -99,8 +106,20 @@ std::shared_ptr<const PathMap> Ways::map_to(const CornerGraph& graph, Vec2 goal)
 }
 
 Travel Ways::plan(double radius, Vec2 position, Vec2 goal) {
+  if (goes_around_movers()) {
+    for (const bool is_exact : {false, true}) {
+      Travel travel = resume(radius, goal, PathMap::kNothing, is_exact, true);
+      travel.target = best_target(travel, position, radius);
+      if (travel.target != PathMap::kNothing) return travel;
+      if (radius_class(radius) == radius) break;
+    }
+  }
+  return sight_ ? plan_by_walls(radius, position, goal) : Travel{};
+}
+
+Travel Ways::plan_by_walls(double radius, Vec2 position, Vec2 goal) {
   const auto travel_at = [&](bool is_exact) {
-    Travel travel = resume(radius, goal, PathMap::kNothing, is_exact);
+    Travel travel = resume(radius, goal, PathMap::kNothing, is_exact, false);
     if (follows_) travel.target = best_target(travel, position, radius);
     return travel;
   };
@@ -114,18 +133,21 @@ Travel Ways::plan(double radius, Vec2 position, Vec2 goal) {
   return travel;
 }
 
-Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact) {
+Travel Ways::resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact,
+                    bool around_movers) {
   Travel travel;
   travel.target = target;
-  if (!follows_) return travel;
-  travel.graph = &graph_of(is_exact ? radius : radius_class(radius));
-  travel.map = map_to(*travel.graph, goal);
+  if (!follows_ || !(sight_ || around_movers)) return travel;
+  const GraphKey key{around_movers, is_exact ? radius : radius_class(radius)};
+  travel.graph = &graph_of(key);
+  travel.map = map_to(key, goal);
+  travel.around_movers = around_movers;
   return travel;
 }
 
 std::size_t Ways::most_targets() const {
   std::size_t most = 0;
-  for (const auto& [radius, graph] : graphs_) {
+  for (const auto& [key, graph] : graphs_) {
     if (graph->lattice.empty()) most = std::max(most, graph->points.size() + 1);
   }
   return most;
@@ -162,6 +184,23 @@ Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robo
   if (!(distance > 0.0)) return straight;
   return {position + (leg.length / distance) * way,
           std::min(robot.preferred_speed, speed_limit(leg, robot.max_acceleration))};
+}
+
+Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Vec2 position,
+                       Vec2 goal, double radius) {
+  if (heading.goal != goal) return heading;
+  const Wall* nearest = nullptr;
+  for (const Wall& mover : resting) {
+    const bool covers = norm(goal - mover.a) < kBeside * (radius + mover.radius);
+    const bool is_nearer =
+        nearest == nullptr || norm(position - mover.a) < norm(position - nearest->a);
+    if (covers && is_nearer) nearest = &mover;
+  }
+  const Vec2 way = nearest != nullptr ? position - nearest->a : Vec2{};
+  const double distance = norm(way);
+  if (!(distance > 0.0)) return heading;
+  const double beside = kBeside * (radius + nearest->radius);
+  return {nearest->a + (beside / distance) * way, heading.preferred_speed};
 }
 
 void plan_travels(Ways& ways, const Fleet& fleet) {

@@ -28,6 +28,7 @@ struct Travel {
   const CornerGraph* graph = nullptr;  // none: it heads straight for its goal
   std::shared_ptr<const PathMap> map = {};
   std::uint32_t target = PathMap::kNothing;
+  bool around_movers = false;  // the graph is of walls and of movers at rest
 
   /// Whether it has a way to its goal.
   [[nodiscard]] bool is_known() const {
@@ -45,18 +46,25 @@ struct Heading {
 /// one). Fleets in which all radii differ share graphs so; most radii that people write stay.
 double radius_class(double radius);
 
-/// What robots know of the walls. Without walls there are no ways.
+/// What robots know of the walls, and of movers at rest, which ways lead around where that can be
+/// done. Without any of them there are no ways.
 class Ways {
  public:
-  /// Ways among mostly the same walls save time; they have to stay while new ways are planned.
-  Ways(const Scenario& settings, std::span<const Wall> walls, const Ways* before = nullptr);
+  /// resting: discs. Ways among mostly the same walls save time; they have to stay while new ways
+  /// are planned.
+  Ways(const Scenario& settings, std::span<const Wall> walls, std::vector<Wall> resting,
+       const Ways* before = nullptr);
 
-  [[nodiscard]] bool empty() const { return !sight_; }
+  [[nodiscard]] bool empty() const { return !sight_ && !goes_around_movers(); }
+  [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
+  [[nodiscard]] bool goes_around_movers() const { return follows_ && !resting_.empty(); }
   void forget_before() { before_ = nullptr; }
   /// A new way; robots of one class of radii and one goal share what it is made of.
   [[nodiscard]] Travel plan(double radius, Vec2 position, Vec2 goal);
-  /// A way on which the target is known, and whether its graph is that of the very radius.
-  [[nodiscard]] Travel resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact);
+  /// A way on which the target is known, and whether its graph is that of the very radius, and
+  /// around movers at rest.
+  [[nodiscard]] Travel resume(double radius, Vec2 goal, std::uint32_t target, bool is_exact,
+                              bool around_movers);
   /// That a robot may have to choose from.
   [[nodiscard]] std::size_t most_targets() const;
   /// Whether no wall lies on the straight way between them.
@@ -69,15 +77,18 @@ class Ways {
   Passages passages;            // none where nobody heeds them
 
  private:
-  using Key = std::tuple<double, double, double>;  // radius, goal
-  const CornerGraph& graph_of(double radius);
+  using GraphKey = std::pair<bool, double>;              // around movers, radius
+  using Key = std::tuple<bool, double, double, double>;  // and the goal
+  const CornerGraph& graph_of(GraphKey key);
   const FreeSpace& space_of(double radius);
-  std::shared_ptr<const PathMap> map_to(const CornerGraph& graph, Vec2 goal);
+  std::shared_ptr<const PathMap> map_to(GraphKey key, Vec2 goal);
+  Travel plan_by_walls(double radius, Vec2 position, Vec2 goal);
 
   bool follows_ = false, heeds_passages_ = false;
   const Ways* before_ = nullptr;  // until forget_before()
   std::optional<ClearanceGrid> sight_;
-  std::map<double, std::unique_ptr<const CornerGraph>> graphs_;
+  std::vector<Wall> resting_;
+  std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
   std::map<double, std::unique_ptr<const FreeSpace>> spaces_;
   std::map<Key, std::weak_ptr<const PathMap>> maps_;
   std::size_t most_maps_ = 0;  // beyond which those that nobody has are forgotten
@@ -90,6 +101,11 @@ Simulation::Way rest_of_way(const Travel& travel, Vec2 position, Vec2 goal);
 /// Updates the target. `looks_around` is asked for from time to time, see next_leg().
 Heading follow(Travel& travel, Vec2 position, Vec2 goal, const RobotTraits& robot,
                bool looks_around, LegScratch& scratch);
+
+/// The same of a robot of that radius whose goal a mover at rest stands on, if it heads for that:
+/// it comes to rest beside the mover, on the side that it comes from.
+Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Vec2 position,
+                       Vec2 goal, double radius);
 
 /// Of a whole fleet.
 void plan_travels(Ways& ways, const Fleet& fleet);

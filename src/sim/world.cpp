@@ -72,11 +72,15 @@ Heading heading_of(const World& world, std::size_t slot, double nearest) {
   const Heading heading =
       follow(travel, fleet.position[slot] + own_error(world, slot), fleet.goal[slot],
              fleet.traits[slot], looks_around(fleet.id[slot], decisions_of(world, slot)), scratch);
-  if (world.ways.passages.empty()) return heading;
+  const Vec2 p = fleet.position[slot] + own_error(world, slot);
+  const auto beside = [&](const Heading& to) {
+    return beside_resting(world.ways.resting(), to, p, fleet.goal[slot], fleet.traits[slot].radius);
+  };
+  if (world.ways.passages.empty()) return beside(heading);
   Claims claims;
   SerialExecutor serial;
   collect_claims(world, serial, claims);
-  return heed_passages(world, claims, slot, travel, heading, nearest);
+  return beside(heed_passages(world, claims, slot, travel, heading, nearest));
 }
 
 void find_passages(World& world) {
@@ -105,8 +109,9 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     : settings(scenario),
       sensing_radius(sensing_radius_of(scenario)),
       paces{Pace(planner_options(scenario))},
+      obstacles(scenario.moving_obstacles),
       statics(static_world(scenario)),
-      ways(scenario, statics.walls),
+      ways(scenario, statics.walls, obstacles.resting()),
       executor(std::move(steps_by)),
       workers(executor->workers()) {
   fleet.has_clocks = scenario.clock == Clock::free;
@@ -119,7 +124,6 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
   }
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
-  for (const MovingObstacle& obstacle : scenario.moving_obstacles) obstacles.add(obstacle);
   settings.robots = std::vector<RobotSetup>();  // {} would keep their memory
   settings.moving_obstacles = std::vector<MovingObstacle>();
   settings.obstacles = std::vector<StaticObstacle>();
