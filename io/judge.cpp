@@ -60,8 +60,10 @@ void take_walls(const avo::Scenario& scenario, avo::Check& check,
   check.set_walls(std::move(walls));
 }
 
-avo::Check check_of(const std::optional<avo::Scenario>& scenario, double tolerance) {
-  avo::CheckOptions rules{.relative_tolerance = tolerance};
+avo::Check check_of(const JudgeOptions& options_of_judge) {
+  const std::optional<avo::Scenario>& scenario = options_of_judge.scenario;
+  avo::CheckOptions rules{.relative_tolerance = options_of_judge.tolerance,
+                          .movers_at_rest = options_of_judge.movers_at_rest};
   if (!scenario) return avo::Check({}, {}, rules);
   rules.arrival_distance = scenario->arrival_distance;
   const avo::PlannerOptions options = planner_options(*scenario);
@@ -84,7 +86,7 @@ avo::Check check_of(const std::optional<avo::Scenario>& scenario, double toleran
 }
 
 Judge::Judge(const std::string& recording, const JudgeOptions& options)
-    : scenario(options.scenario), check(check_of(scenario, options.tolerance)) {
+    : scenario(options.scenario), check(check_of(options)) {
   judgement.recording = recording;
   judgement.tolerance = options.tolerance;
   judgement.require_arrival = options.require_arrival;

@@ -67,6 +67,36 @@ std::string text_of(const Judgement& judgement, const avo::CheckCount& rule, con
   return text;
 }
 
+/// Of the moving obstacles, or of robots that avoid nobody in turn.
+Json hits_of(const Judgement& judgement, const std::vector<avo::CheckedHit>& hits,
+             const char* other, bool of_robots) {
+  Json list = Json::array();
+  for (const avo::CheckedHit& hit : hits)
+    list.push_back({{"time", hit.time},
+                    {"robot", number_of(judgement, hit.robot)},
+                    {other, of_robots ? number_of(judgement, hit.other) : hit.other},
+                    {"depth", hit.depth},
+                    {"moved", hit.moved}});
+  return list;
+}
+
+/// A line on each of the first hits of robots at rest.
+template <typename Line>
+void add_hits_at_rest(const Judgement& judgement, const std::vector<avo::CheckedHit>& hits,
+                      bool of_robots, const Line& line) {
+  constexpr int kMostNamed = 10;
+  int named = 0;
+  for (const avo::CheckedHit& hit : hits) {
+    if (hit.moved) continue;
+    if (named++ == kMostNamed) return line("  at rest", "...");
+    line("  at rest",
+         fmt::format("robot {} at {:.6g} s, by {} {}, {:.3g} m deep",
+                     number_of(judgement, hit.robot), hit.time,
+                     of_robots ? "robot" : "moving obstacle",
+                     of_robots ? number_of(judgement, hit.other) : hit.other, hit.depth));
+  }
+}
+
 /// "robots 0, 3, ...".
 std::string named(const std::vector<std::int64_t>& robots) {
   constexpr std::size_t kMostNamed = 10;
@@ -156,15 +186,20 @@ std::string readable(const Judgement& judgement) {
                      "arrived",
                      report.from, report.to, judgement.scene_end));
   line("overlaps", text_of(judgement, report.overlaps, "pairs of robots", "m"));
+  const char* allowed = report.movers_at_rest ? ", which is allowed" : "";
   if (judgement.scene)
     line("moving obstacles",
          text_of(judgement, report.obstacle_contacts_moving, "hit by a robot in motion", "m",
                  Among::moving_obstacles) +
-             fmt::format("; {} hit a robot at rest", report.obstacle_contacts_at_rest));
-  if (report.one_sided_contacts_moving.count + report.one_sided_contacts_at_rest > 0)
+             fmt::format("; {} hit a robot at rest{}", report.obstacle_contacts_at_rest,
+                         report.obstacle_contacts_at_rest > 0 ? allowed : ""));
+  add_hits_at_rest(judgement, report.obstacle_hits, false, line);
+  if (!report.one_sided_hits.empty())
     line("one-sided pairs", text_of(judgement, report.one_sided_contacts_moving,
                                     "hit in motion by the one that avoids", "m", Among::one_sided) +
-                                fmt::format("; {} hit at rest", report.one_sided_contacts_at_rest));
+                                fmt::format("; {} hit at rest{}", report.one_sided_contacts_at_rest,
+                                            report.one_sided_contacts_at_rest > 0 ? allowed : ""));
+  add_hits_at_rest(judgement, report.one_sided_hits, true, line);
   if (!judgement.obstacle_of_wall.empty())
     line("obstacles",
          text_of(judgement, report.static_contacts, "robots touched one", "m", Among::walls));
@@ -212,9 +247,12 @@ std::string to_json(const Judgement& judgement) {
   json["obstacle_contacts_moving"] =
       to_json(judgement, report.obstacle_contacts_moving, "obstacle", Among::moving_obstacles);
   json["obstacle_contacts_at_rest"] = report.obstacle_contacts_at_rest;
+  json["obstacle_hits"] = hits_of(judgement, report.obstacle_hits, "obstacle", false);
   json["one_sided_contacts_moving"] =
       to_json(judgement, report.one_sided_contacts_moving, "other", Among::one_sided);
   json["one_sided_contacts_at_rest"] = report.one_sided_contacts_at_rest;
+  json["one_sided_hits"] = hits_of(judgement, report.one_sided_hits, "other", true);
+  json["movers_at_rest"] = report.movers_at_rest ? "ok" : "collision";
   json["static_contacts"] = to_json(judgement, report.static_contacts, "obstacle", Among::walls);
   json["accelerations"] = to_json(judgement, report.accelerations, nullptr);
   json["speeds"] = to_json(judgement, report.speeds, nullptr);

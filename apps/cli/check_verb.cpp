@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "avo_io/judgement.h"
+#include "avo_io/printable.h"
 #include "avo_io/recording.h"
 #include "exit_codes.h"
 #include "files.h"
@@ -66,12 +67,16 @@ void check_arguments(const CheckArguments& arguments, bool scene) {
   if (!(arguments.tolerance >= 0.0 && arguments.tolerance < 1.0))
     throw UsageError(
         fmt::format("--tolerance: found {}, must be >= 0 and < 1", arguments.tolerance));
+  if (arguments.movers_at_rest != "ok" && arguments.movers_at_rest != "collision")
+    throw UsageError(fmt::format("--movers-at-rest: found {}, must be ok or collision",
+                                 avo_io::printable(arguments.movers_at_rest)));
 }
 
 avo_io::JudgeOptions options_of(const CheckArguments& arguments,
                                 const std::optional<avo_io::RecordedScene>& own) {
   avo_io::JudgeOptions options{.tolerance = arguments.tolerance,
-                               .require_arrival = arguments.require_arrival};
+                               .require_arrival = arguments.require_arrival,
+                               .movers_at_rest = arguments.movers_at_rest == "ok"};
   if (!arguments.scene.scene.empty()) {
     avo_io::SceneSource source;
     options.scenario = with_overrides(arguments.scene, source);

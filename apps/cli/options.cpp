@@ -112,6 +112,10 @@ void add_check(CLI::App& app, Action& action) {
       ->type_name("M/S^2");
   verb->add_option("--tolerance", arguments.tolerance, "of distances and limits, 1e-9 of them")
       ->type_name("FRACTION");
+  verb->add_option(
+          "--movers-at-rest", arguments.movers_at_rest,
+          "a robot at rest that somebody runs over who does not avoid it: collision, or ok")
+      ->type_name("ok|collision");
   verb->add_flag("--require-arrival", arguments.require_arrival,
                  "a robot that never arrives fails");
   verb->add_flag("--json", arguments.json, "as JSON");

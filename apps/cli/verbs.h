@@ -60,6 +60,7 @@ struct CheckArguments {
   SceneArguments scene;   ///< empty: the three below, or what the recording says of itself
   std::optional<double> radius, max_acceleration, max_speed, max_braking;
   double tolerance = 1e-9;
+  std::string movers_at_rest = "collision";  ///< or "ok"
   bool json = false;
   bool require_arrival = false;
 };

@@ -102,6 +102,8 @@ struct CheckedWall {
 struct CheckOptions {
   double relative_tolerance = 1e-9;  ///< of the sum of radii, of a_max, of v_max; in [0, 1)
   double arrival_distance = 0.5;     ///< m, > 0
+  /// Whoever does not avoid a robot may touch it while it rests: what passive safety promises.
+  bool movers_at_rest = false;
 };
 
 /// Which way a robot faces, and how fast it goes that way.
@@ -134,6 +136,15 @@ struct CheckViolation {
   double amount = 0.0;  ///< beyond the limit: m/s^2, m/s, rad, m (of overlap: the most in the step)
 };
 
+/// A robot that touched what does not avoid it; a pair counts once.
+struct CheckedHit {
+  double time = 0.0;       ///< s, when the two first touched
+  std::int64_t robot = 0;  ///< that was touched
+  std::int64_t other = 0;  ///< index of the moving obstacle, or of the other robot
+  double depth = 0.0;      ///< m, the deepest
+  bool moved = false;      ///< whether the robot moved itself at any time while the two overlapped
+};
+
 /// How often a rule was broken.
 struct CheckCount {
   std::int64_t count = 0;  ///< of pairs, robots, robot-steps or robot-rows
@@ -154,11 +165,13 @@ struct CheckReport {
   double interpolation_error = 0.0;  ///< m, the largest of a robot-step
   CheckCount overlaps;               ///< pairs of robots that avoid each other and ever overlapped
   CheckCount obstacle_contacts_moving;  ///< pairs: the robot moved itself while they overlapped
-  std::int64_t obstacle_contacts_at_rest = 0;  ///< pairs, all others; passive safety allows these
+  std::int64_t obstacle_contacts_at_rest = 0;  ///< pairs, all others
+  std::vector<CheckedHit> obstacle_hits;       ///< all of both, by time, robot and obstacle
   /// Pairs of robots of which one only avoids the other: that one moved itself while they
   /// overlapped.
   CheckCount one_sided_contacts_moving;
   std::int64_t one_sided_contacts_at_rest = 0;  ///< pairs, all others
+  std::vector<CheckedHit> one_sided_hits;       ///< all of both, likewise
   CheckCount static_contacts;                   ///< robots that ever touched a wall
   /// Robot-steps with |Δv|/Δt > a_max, or beyond what max_braking allows. With headings, |Δs|/Δt,
   /// of the speed s; of a car that has to keep a_max in both directions together, with the lateral
@@ -197,8 +210,9 @@ struct CheckReport {
   std::int64_t at_goal_at_end = 0;        ///< in their last row
   std::optional<double> last_arrival;     ///< s; none unless all arrived
   std::vector<std::int64_t> not_arrived;  ///< ascending
+  bool movers_at_rest = false;            ///< of CheckOptions
 
-  /// An overlap, a contact with walls or in motion, a limit exceeded.
+  /// An overlap, a contact with walls or with whoever does not avoid the robot, a limit exceeded.
   [[nodiscard]] AVO_API bool broken() const;
   /// None of these, and no step is unjudged: what lies between rows that are not there is never
   /// called safe.

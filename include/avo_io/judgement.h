@@ -22,6 +22,7 @@ struct JudgeOptions {
   std::optional<double> max_braking = {};  ///< m/s^2, > 0, likewise; unset: max_acceleration
   double tolerance = 1e-9;                 ///< see avo::CheckOptions::relative_tolerance
   bool require_arrival = false;            ///< at the goals of the scene
+  bool movers_at_rest = false;             ///< see avo::CheckOptions
   /// Called with each time of the recording, s, once it is judged.
   std::function<void(double time)> judged = {};
 };

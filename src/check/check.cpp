@@ -293,6 +293,7 @@ CheckReport Check::report() const {
     report.last_arrival = state.last_arrival;
   state.pairs.write(report);
   state.walls.write(report);
+  report.movers_at_rest = state.options.movers_at_rest;
   return report;
 }
 
@@ -312,6 +313,8 @@ bool CheckReport::broken() const {
                                &wheel_speeds,
                                &wheel_accelerations,
                                &changes};
+  const bool is_run_over = obstacle_contacts_at_rest + one_sided_contacts_at_rest > 0;
+  if (is_run_over && !movers_at_rest) return true;
   return std::any_of(std::begin(rules), std::end(rules),
                      [](const CheckCount* rule) { return rule->count > 0; });
 }

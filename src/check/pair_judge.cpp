@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "avo/error.h"
 #include "check/counts.h"
@@ -30,13 +33,26 @@ double instant(const Mover& a, const Mover& b, const Step& step, double fraction
   return step.from + (end_only(a, b) ? 1.0 : fraction) * step.duration;
 }
 
-}  // namespace
-
-void PairJudge::insert(Pairs& pairs, std::uint64_t pair) {
+// Before the pair comes to the others.
+template <typename Pairs>
+void require_room(const Pairs& pairs, std::uint64_t pair) {
   if (pairs.size() >= kMostPairs && !pairs.contains(pair))
     throw Error("found more than " + std::to_string(kMostPairs) + " overlapping pairs");
-  pairs.insert(pair);
 }
+
+// By time, robot and other one: no order of a table.
+template <typename Hits>
+std::vector<CheckedHit> listed(const Hits& hits) {
+  std::vector<CheckedHit> list;
+  list.reserve(hits.size());
+  for (const auto& [pair, hit] : hits) list.push_back(hit);
+  std::sort(list.begin(), list.end(), [](const CheckedHit& a, const CheckedHit& b) {
+    return std::tie(a.time, a.robot, a.other) < std::tie(b.time, b.robot, b.other);
+  });
+  return list;
+}
+
+}  // namespace
 
 void PairJudge::meet_robots(const Mover& a, const Mover& b, const Step& step) {
   const auto path = relative_pieces(a, b, step.duration);
@@ -53,7 +69,8 @@ void PairJudge::meet_robots(const Mover& a, const Mover& b, const Step& step) {
   least_clearance_ = std::min(best, nearest.distance - contact);
   const double depth = std::max(limit - nearest.distance, row_limit - at_rows);
   if (!(depth > 0.0)) return;
-  insert(overlapping_, pair);
+  require_room(overlapping_, pair);
+  overlapping_.insert(pair);
   CheckViolation overlap{step.from, a.index, b.index, depth};
   overlaps_.worst = std::max(overlaps_.worst, overlap.amount);
   if (overlaps_.first && overlaps_.first->time < step.from) return;
@@ -74,14 +91,18 @@ void PairJudge::meet_mover(const Mover& robot, const Mover& other, const Step& s
   const double nearest = nearest_instant(path).distance;
   if (!(nearest < limit)) return;
   const std::uint64_t pair = key(robot.index, other.index);
-  insert(contacts.all, pair);
+  require_room(contacts.hits, pair);
   const double first = first_below(path, limit).value_or(0.0);
   const double last = last_below(path, limit).value_or(1.0);
+  const double time = instant(robot, other, step, first);
+  CheckedHit& hit =
+      contacts.hits.try_emplace(pair, CheckedHit{time, robot.index, other.index}).first->second;
+  hit.depth = std::max(hit.depth, limit - nearest);
   const double at_rest = kAtRest * speed_scale(step.robots[static_cast<std::size_t>(robot.index)]);
   if (!(speed_bound(robot, first, last, step.duration) > at_rest)) return;
-  insert(contacts.moving, pair);
-  note(contacts.in_motion,
-       {instant(robot, other, step, first), robot.index, other.index, limit - nearest});
+  if (!hit.moved) ++contacts.in_motion.count;
+  hit.moved = true;
+  note(contacts.in_motion, {time, robot.index, other.index, limit - nearest});
 }
 
 void PairJudge::meet(const Mover& a, const Mover& b, const Step& step) {
@@ -106,21 +127,17 @@ double PairJudge::reach() const {
 }
 
 void PairJudge::write(CheckReport& report) const {
-  const auto size = [](const Pairs& pairs) { return static_cast<std::int64_t>(pairs.size()); };
-  const auto moving = [&](const Contacts& contacts) {
-    CheckCount count = contacts.in_motion;
-    count.count = size(contacts.moving);
-    return count;
-  };
-  const auto at_rest = [&](const Contacts& contacts) {
-    return size(contacts.all) - size(contacts.moving);
+  const auto at_rest = [](const Contacts& contacts) {
+    return std::ssize(contacts.hits) - contacts.in_motion.count;
   };
   report.overlaps = overlaps_;
-  report.overlaps.count = size(overlapping_);
-  report.obstacle_contacts_moving = moving(with_obstacles_);
+  report.overlaps.count = std::ssize(overlapping_);
+  report.obstacle_contacts_moving = with_obstacles_.in_motion;
   report.obstacle_contacts_at_rest = at_rest(with_obstacles_);
-  report.one_sided_contacts_moving = moving(one_sided_);
+  report.obstacle_hits = listed(with_obstacles_.hits);
+  report.one_sided_contacts_moving = one_sided_.in_motion;
   report.one_sided_contacts_at_rest = at_rest(one_sided_);
+  report.one_sided_hits = listed(one_sided_.hits);
   report.least_clearance = least_clearance_;
 }
 

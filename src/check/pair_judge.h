@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "avo/check.h"
@@ -25,13 +26,12 @@ class PairJudge {
  private:
   using Pairs = std::unordered_set<std::uint64_t>;
 
-  // Those who ever touched what does not avoid them, and those of them who moved.
+  // Those who ever touched what does not avoid them, by their pair.
   struct Contacts {
-    Pairs all, moving;
-    CheckCount in_motion;
+    std::unordered_map<std::uint64_t, CheckedHit> hits;
+    CheckCount in_motion;  // of those of them who moved
   };
 
-  static void insert(Pairs& pairs, std::uint64_t pair);
   void meet_robots(const Mover& a, const Mover& b, const Step& step);
   void meet_mover(const Mover& robot, const Mover& other, const Step& step, Contacts& contacts);
 

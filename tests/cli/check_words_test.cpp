@@ -81,8 +81,11 @@ TEST(Check, json_has_all_keys_in_order) {
                            "overlaps",
                            "obstacle_contacts_moving",
                            "obstacle_contacts_at_rest",
+                           "obstacle_hits",
                            "one_sided_contacts_moving",
                            "one_sided_contacts_at_rest",
+                           "one_sided_hits",
+                           "movers_at_rest",
                            "static_contacts",
                            "accelerations",
                            "speeds",
@@ -237,7 +240,7 @@ TEST(Check, moving_obstacles_come_from_the_scene) {
             std::string::npos)
       << moving.out;
   const ProcessResult resting = with("{position: [4, 5], velocity: [-3.5, 0], radius: 0.5}");
-  EXPECT_EQ(resting.exit_code, 0);
+  EXPECT_EQ(resting.exit_code, 1);
   EXPECT_NE(resting.out.find("0 hit by a robot in motion; 1 hit a robot at rest"),
             std::string::npos);
 }

@@ -72,7 +72,7 @@ TEST(FreeClocks, a_person_on_a_path_is_walked_by_the_times_of_the_recording) {
     return run_avo(with({"check", recording, "--json", "--scene"}, person));
   };
   const ProcessResult result = judged(csv);
-  EXPECT_EQ(result.exit_code, 0) << result.out;
+  EXPECT_EQ(result.exit_code, 1) << result.out;
   const Json json = Json::parse(result.out);
   EXPECT_EQ(json["obstacle_contacts_moving"]["count"], summary["obstacle_collisions_in_motion"]);
   EXPECT_EQ(json["obstacle_contacts_at_rest"], summary["obstacle_collisions"]);

@@ -46,6 +46,22 @@ def test_check_finds_what_is_broken(command_line, tmp_path):
     assert report["overlaps"]["count"] == 1 and not report["safe"]
 
 
+def test_check_finds_who_is_run_over(command_line, tmp_path):
+    recording, scene = tmp_path / "run.csv", tmp_path / "scene.yaml"
+    recording.write_text("time,robot,x,y,vx,vy\n" + "".join(f"{0.1 * k:.1f},0,0,0,0,0\n" for k in range(41)))
+    scene.write_text("version: 1\nduration: 4\nrobots: [{position: [0, 0], goal: [0, 0]}]\n"
+                     "moving_obstacles: [{position: [-3, 0], velocity: [1, 0], radius: 0.3}]\n")
+    for word, safe in (("collision", False), ("ok", True)):
+        report = avo.check(recording, scene, movers_at_rest=word)
+        said = command_line("check", recording, "--scene", scene, "--movers-at-rest", word, "--json")
+        assert report == json.loads(said.stdout) and said.returncode == (0 if safe else 1)
+        assert report["safe"] == safe and report["movers_at_rest"] == word
+        assert [(hit["robot"], hit["obstacle"], hit["moved"]) for hit in report["obstacle_hits"]] == [(0, 0, False)]
+    assert not avo.check(recording, scene)["safe"]
+    with pytest.raises(avo.Error, match='^movers_at_rest: found "fine", must be "ok" or "collision"'):
+        avo.check(recording, scene, movers_at_rest="fine")
+
+
 def test_check_knows_stronger_braking(command_line, tmp_path):
     recording = tmp_path / "run.csv"
     recording.write_text("time,robot,x,y,vx,vy\n0,0,0,0,1.5,0\n0.5,0,0.375,0,0,0\n")

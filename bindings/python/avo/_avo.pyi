@@ -618,3 +618,4 @@ def run(
     crowd: bool = False,
     line: tuple[_Pair, _Pair] | None = None,
 ) -> dict[str, Any]: ...
+    movers_at_rest: Literal["ok", "collision"] = "collision",

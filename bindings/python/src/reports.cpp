@@ -61,7 +61,8 @@ void require_one_or_the_other(bool scene, const char* name, const std::optional<
 
 py::object check(const py::object& recording, const py::object& scene, std::optional<double> radius,
                  std::optional<double> max_acceleration, std::optional<double> max_speed,
-                 std::optional<double> max_braking, double tolerance, bool require_arrival) {
+                 std::optional<double> max_braking, double tolerance, bool require_arrival,
+                 const std::string& movers_at_rest) {
   const bool has_scene = !scene.is_none();
   require_one_or_the_other(has_scene, "radius", radius);
   require_one_or_the_other(has_scene, "max_acceleration", max_acceleration);
@@ -73,7 +74,12 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
     throw avo::Error("require_arrival: found without scene, must be with it: goals are there");
   if (!(tolerance >= 0.0 && tolerance < 1.0))
     throw avo::Error(fmt::format("tolerance: found {}, must be >= 0 and < 1", tolerance));
-  avo_io::JudgeOptions options{.tolerance = tolerance, .require_arrival = require_arrival};
+  if (movers_at_rest != "ok" && movers_at_rest != "collision")
+    throw avo::Error("movers_at_rest: found \"" + movers_at_rest +
+                     "\", must be \"ok\" or \"collision\"");
+  avo_io::JudgeOptions options{.tolerance = tolerance,
+                               .require_arrival = require_arrival,
+                               .movers_at_rest = movers_at_rest == "ok"};
   if (has_scene)
     options.scenario = scenario_of(scene, py::none());
   else
@@ -182,13 +188,15 @@ void bind_reports(py::module_& module) {
   simulation.attr("explain") = py::cpp_function(
       &explain_now, py::name("explain"), py::is_method(simulation), arg("robot"),
       "Why the robot of that id would choose its velocity now: a dict, as `avo explain --json`.");
-  module.def("check", &check, arg("recording"), arg("scene") = py::none(), py::kw_only(),
-             arg("radius") = py::none(), arg("max_acceleration") = py::none(),
-             arg("max_speed") = py::none(), arg("max_braking") = py::none(),
-             arg("tolerance") = 1e-9, arg("require_arrival") = false,
-             "Judges a recording: a dict, as `avo check --json`. Either a scene, or radius, m, "
-             "max_acceleration, m/s^2, and max_speed, m/s, of all robots; and max_braking, m/s^2, "
-             "where it is more than max_acceleration.");
+  module.def(
+      "check", &check, arg("recording"), arg("scene") = py::none(), py::kw_only(),
+      arg("radius") = py::none(), arg("max_acceleration") = py::none(),
+      arg("max_speed") = py::none(), arg("max_braking") = py::none(), arg("tolerance") = 1e-9,
+      arg("require_arrival") = false, arg("movers_at_rest") = "collision",
+      "Judges a recording: a dict, as `avo check --json`. Either a scene, or radius, m, "
+      "max_acceleration, m/s^2, and max_speed, m/s, of all robots; and max_braking, m/s^2, "
+      "where it is more than max_acceleration. movers_at_rest: whether a robot at rest may be "
+      "run over, \"ok\", or is unsafe then, \"collision\".");
   module.def("run", &run, arg("scene"), py::kw_only(), arg("threads") = 0,
              arg("record") = py::none(), arg("crowd") = false, arg("line") = py::none(),
              "Runs a scene to its end: a dict, as `avo run --summary`. record: file of the "

@@ -21,13 +21,56 @@ std::vector<Moment> resting(int steps) {
   return recording;
 }
 
-TEST(CheckObstacles, a_robot_at_rest_may_be_hit) {
-  const CheckReport report =
-      report_of({free_robot()}, resting(8), {{.position = {-5, 0}, .velocity = {1, 0}}});
+TEST(CheckObstacles, a_robot_at_rest_is_run_over) {
+  const std::vector<CheckedObstacle> walker{{.position = {-5, 0}, .velocity = {1, 0}}};
+  const CheckReport report = report_of({free_robot()}, resting(8), walker);
   EXPECT_EQ(report.obstacle_contacts_at_rest, 1);
   EXPECT_EQ(report.obstacle_contacts_moving.count, 0);
-  EXPECT_TRUE(report.safe());
+  EXPECT_TRUE(report.broken());
+  EXPECT_FALSE(report.safe());
   EXPECT_EQ(report.least_clearance, std::nullopt) << "of robots only";
+  const CheckReport allowed =
+      report_of({free_robot()}, resting(8), walker, {.movers_at_rest = true});
+  EXPECT_EQ(allowed.obstacle_contacts_at_rest, 1);
+  EXPECT_TRUE(allowed.safe());
+}
+
+// Whoever is allowed to be run over at rest may not be hit in motion.
+TEST(CheckObstacles, to_be_run_over_at_rest_is_all_that_is_allowed) {
+  const std::vector<Moment> recording{{0.0, {{0, {0, 0}, {1, 0}}}}, {1.0, {{0, {1, 0}, {1, 0}}}}};
+  const CheckReport report =
+      report_of({free_robot()}, recording, {{.position = {1.5, 0}}}, {.movers_at_rest = true});
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
+  EXPECT_FALSE(report.safe());
+}
+
+// The second robot is touched at rest at 1.5 s and drives off at 3 s, still in contact: it moved.
+TEST(CheckObstacles, each_hit_is_listed_once_with_whether_the_robot_moved) {
+  std::vector<Moment> recording;
+  for (int k = 0; k <= 6; ++k) {
+    const double left = k > 3 ? 0.5 * (k - 3) : 0.0;
+    recording.push_back(
+        {1.0 * k, {{0, {0, 0}, {0, 0}}, {1, {3.0 + left, 0}, {k > 3 ? 0.5 : 0.0, 0}}}});
+  }
+  const CheckReport report = report_of({free_robot(), free_robot()}, recording,
+                                       {{.position = {0, -6}, .velocity = {0, 2}},
+                                        {.position = {0.5, 0}, .velocity = {1, 0}},
+                                        {.position = {0, 50}}});
+  ASSERT_EQ(report.obstacle_hits.size(), 3U);
+  const auto expect_hit = [&](std::size_t k, double time, int robot, int obstacle, bool moved) {
+    const CheckedHit& hit = report.obstacle_hits[k];
+    EXPECT_NEAR(hit.time, time, 1e-6) << k;
+    EXPECT_EQ(hit.robot, robot) << k;
+    EXPECT_EQ(hit.other, obstacle) << k;
+    EXPECT_EQ(hit.moved, moved) << k;
+  };
+  expect_hit(0, 0.0, 0, 1, false);
+  expect_hit(1, 1.5, 1, 1, true);
+  expect_hit(2, 2.5, 0, 0, false);
+  EXPECT_NEAR(report.obstacle_hits[2].depth, 1.0, 1e-9) << "it passes over the robot's center";
+  EXPECT_EQ(report.obstacle_contacts_moving.count, 1);
+  EXPECT_EQ(report.obstacle_contacts_at_rest, 2);
+  EXPECT_TRUE(report.one_sided_hits.empty());
 }
 
 // x = -8 + t²/2 comes within 1 m at t = sqrt(14): in the fourth step, by the clock of the scene.
